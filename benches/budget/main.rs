@@ -30,7 +30,7 @@ fn main() -> Result<(), String> {
         "deadline_ms": graph.budget_ms,
         "recording_s": recording_time(*frame)?,
     });
-    // Output between two cycles would replace what the processor has in its caches.
+    // Output between two cycles would replace the contents of the processor's caches.
     let mut cycles = Vec::new();
     play::all(*frame, |cycle| cycles.push(cycle.to_vec()))?;
     println!("{header}");

@@ -1,4 +1,4 @@
-//! Instructions of the forward's tick beyond its steps: what the framework costs.
+//! Instructions of the forward's tick beyond its steps: the cost of the framework.
 //!
 //! `cargo run --profile bench --package bica-benches --example overhead` observes itself by callgrind. A probe calls a
 //! function before and another one after each section of a component's own code, and callgrind reports the instructions
@@ -19,7 +19,7 @@ use bica_sim::setup::Frame;
 const OBSERVED: &str = "observed";
 /// Number of cycles until the tree has settled after a hold is released.
 const SETTLING: usize = 5;
-/// Number of empty sections, which measure what the calls of the probe cost.
+/// Number of empty sections, which measure the cost of the probe's calls.
 const EMPTY: u64 = 1000;
 
 // Two equal functions would become one.

@@ -19,7 +19,7 @@ pub struct Foot {
 /// Leg angles, left first, for two level feet, with the middle of the hips `hip_height` m over the ground and the torso
 /// rolled by `roll` rad (positive to the right).
 ///
-/// The mean heading of the feet should be that of the torso: the shared hip yaw-pitch turns both feet symmetrically.
+/// The mean heading of the feet should equal the torso's: the shared hip yaw-pitch turns both feet symmetrically.
 #[must_use]
 pub fn level_legs<M: RobotModel>(feet: &[Foot; 2], hip_height: f32, roll: f32) -> [LegAngles; 2] {
     let torso = Affine3A::from_rotation_x(-roll);

@@ -1,7 +1,8 @@
 //! Joints of a humanoid robot, and one value for each.
 //!
-//! Order and names are those of the NAO V6's own interface (`LoLA`). A robot with fewer joints lists those that it has in
-//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). Angles are in radians; hands range from 0 (closed) to 1 (open).
+//! Order and names follow the NAO V6's own interface (`LoLA`). A robot with fewer joints lists its joints in
+//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). Angles are in radians; hands range from 0 (closed) to 1
+//! (open).
 
 use core::ops::{Index, IndexMut};
 

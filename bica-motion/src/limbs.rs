@@ -88,7 +88,7 @@ pub struct Limbs {
 }
 
 impl Limbs {
-    /// Writes all joints except those of the head.
+    /// Writes all joints except the head's.
     pub fn write(&self, angles: &mut Joints) {
         for side in Side::BOTH {
             self.legs[side.index()].write(side, angles);

@@ -16,7 +16,7 @@ pub use crate::model::Calibration;
 
 /// Minimum force on both feet together while the robot stands, N.
 const MIN_FORCE: f32 = 3.0;
-/// Maximum displacement per cycle, m: three times that of the fastest foot (0.6 m/s, HULKs 2025).
+/// Maximum displacement per cycle, m: three times the fastest foot's (0.6 m/s, HULKs 2025).
 const MAX_DISPLACEMENT: f32 = 0.02;
 /// Maximum turn per cycle, rad.
 const MAX_TURN: f32 = 0.1;

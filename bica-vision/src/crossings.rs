@@ -50,7 +50,7 @@ pub struct Crossing {
     pub ground: Pose2,
 }
 
-/// Finds the crossings among lines on the ground, m, and those of the circle with the halfway line, up to `farthest` m away.
+/// Finds the crossings among lines on the ground, m, and of the circle with the halfway line, up to `farthest` m away.
 #[must_use]
 pub fn find(
     frame: &Frame<'_>,

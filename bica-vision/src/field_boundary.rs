@@ -29,7 +29,7 @@ pub struct BoundaryTuning {
     pub pitch_error: f32,
     /// Maximum distance of an inlier from a side of the carpet, as a share of the frame height.
     pub inlier_distance: f32,
-    /// Minimum score of a side of the carpet: number of inlying columns minus that of columns above it.
+    /// Minimum score of a side of the carpet: number of inlying columns minus number of columns above it.
     pub min_score: i32,
 }
 

@@ -36,9 +36,9 @@ impl ImageCircle {
         sqrtf(part * part * self.radius * self.radius + pixels * pixels)
     }
 
-    /// Difference between the radius and that of a ball of `radius` metres on the ground at this pixel, in standard
-    /// deviations; positive if the circle is larger. Above the horizon the expected radius is negative. `None` without
-    /// a finite result, or if the camera is not above the ball.
+    /// Difference between the measured radius and the expected one of a ball of `radius` metres on the ground at this
+    /// pixel, in standard deviations; positive if the circle is larger. Above the horizon the expected radius is
+    /// negative. `None` without a finite result, or if the camera is not above the ball.
     #[must_use]
     pub fn size_error(self, camera: &Camera, radius: f32, errors: &Errors) -> Option<f32> {
         let ray = camera.ray(self.centre);

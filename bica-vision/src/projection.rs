@@ -1,6 +1,6 @@
 //! Camera projection: from pixels to the ground and back.
 //!
-//! The *ground* frame is that of [`bica_motion::kinematics::ground_from_robot`]: origin on the ground between the
+//! The *ground* frame is defined by [`bica_motion::kinematics::ground_from_robot`]: origin on the ground between the
 //! feet, x forward, y left, z up, m. The *camera* frame: x along the optical axis, y left, z up in the image. A pixel
 //! (u, v) is the ray (1, −(u − cx)/fx, −(v − cy)/fy) of the camera frame.
 //!

@@ -54,7 +54,8 @@ const NOWHERE: u16 = u16::MAX;
 
 /// Largest regions of a frame: at most `M` regions of at most `N` runs.
 ///
-/// `N` must be that of the [`Runs`] and below 65 535. Of more regions, the smallest are dropped and counted.
+/// `N` must equal the capacity of the [`Runs`] and be below 65 535. Of more regions, the smallest are dropped and
+/// counted.
 #[derive(Clone, Debug)]
 pub struct Regions<const N: usize, const M: usize> {
     labels: Vec<Label, N>,

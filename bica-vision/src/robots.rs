@@ -4,7 +4,7 @@
 //! is as high as a robot at that position. Neighbouring columns within a robot's width form one robot; the lowest of
 //! their feet is its position. The colour of the waistband and other parts gives the team.
 //!
-//! The columns are those of the field boundary, whose search has already read the green below the lowest obstacle.
+//! The scanned columns are the field boundary's; its search has already read the green below the lowest obstacle.
 //!
 //! Cost at 320 × 240: 40 columns of up to 120 pixels and the box of each robot.
 

@@ -158,7 +158,7 @@ fn messages<'a>(random: &mut Random, image: Option<&'a Vec<u8>>) -> Vec<ToRobot<
     messages
 }
 
-/// Returns sensor values near those of a standing robot, at a random time, which identifies them.
+/// Returns sensor values similar to a standing robot's, at a random time, which identifies them.
 fn sensors(random: &mut Random, image: Option<ImageInfo>) -> Sensors {
     let mut sensors = Sensors { image, ..standing(random.next() >> 24) };
     sensors.angles.iter_mut().for_each(|angle| *angle += random.within(0.3));

@@ -3,7 +3,7 @@
 use crate::install::{folder, python};
 use crate::process::run;
 
-/// Package of PyPI, with the version for which `typos.toml` is written.
+/// Package of `PyPI`, with the version for which `typos.toml` is written.
 const PACKAGE: &str = "typos==1.52.0";
 
 /// Checks the spelling.

@@ -124,7 +124,7 @@ pub trait MemberOf<T: Layout>: Component {
     #[inline]
     fn stop<P: Probe>(_: &mut Cycle<'_, T, P>) {}
 
-    /// Hands an output to a sink; returns whether there is one of that index.
+    /// Passes the output at `index` to `sink`; returns whether it exists.
     fn read_info<S: InfoSink>(_tree: &T, _index: usize, _sink: &mut S) -> bool {
         false
     }

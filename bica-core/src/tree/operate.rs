@@ -25,7 +25,7 @@ impl<T: Tree, S: InfoSink> Member<T> for Read<'_, T, S> {
     }
 }
 
-/// Hands an output to `sink`; returns whether there is one.
+/// Passes an output to `sink`; returns whether it exists.
 pub(super) fn read<T: Tree, S: InfoSink>(tree: &T, component: ComponentId, index: usize, sink: &mut S) -> bool {
     T::member(component.index(), Read { tree, index, sink }).unwrap_or(false)
 }

@@ -46,7 +46,7 @@ impl<M: RobotModel> KickMotion<M> {
         self.frames().iter().map(|frame| frame.duration).sum::<f32>() + END
     }
 
-    /// Whether the motion has ended; the targets are then those of the stand.
+    /// Whether the motion has ended; then the targets are the stand.
     #[must_use]
     pub const fn is_done(&self) -> bool {
         self.index > self.frames().len()
@@ -58,7 +58,7 @@ impl<M: RobotModel> KickMotion<M> {
         self.index == Technique::STRIKE
     }
 
-    /// Advances by `dt` seconds; returns the targets of legs and arms; those of the stand when done.
+    /// Advances by `dt` seconds; returns the targets of legs and arms; the stand when done.
     pub fn step(&mut self, feedback: &Feedback, dt: f32) -> Limbs {
         let gait = &self.profile.gait;
         self.balance.update::<M>(feedback, gait, 0.0);

@@ -17,8 +17,8 @@ pub struct CameraMount {
 
 /// Lengths in m, x forward, y left, z up, at zero joint angles.
 ///
-/// Points of paired parts are those of the left side; the right side is the mirror image (y negated). The *robot frame*
-/// has its origin midway between the hip joints.
+/// Points of paired parts are given for the left side; the right side is the mirror image (y negated). The *robot
+/// frame* has its origin midway between the hip joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimensions {
     /// Robot frame to the hip joint.

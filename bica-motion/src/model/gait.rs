@@ -31,8 +31,8 @@ pub struct Parameters {
     /// Quasi-static gait: maximum lateral distance from the support ankle to the hips' middle in single support, m. It
     /// determines the duration of double support.
     pub single_support_hip_offset: f32,
-    /// Quasi-static gait: lean of the torso over the support foot per metre of foot distance beyond that of the stand,
-    /// rad/m. With the legs spread, sway alone would turn the ankles beyond their limits.
+    /// Quasi-static gait: lean of the torso over the support foot per metre of foot distance beyond the stand's, rad/m.
+    /// With the legs spread, sway alone would turn the ankles beyond their limits.
     pub lean_gain: f32,
     /// Quasi-static gait: maximum lateral speed of the hips, m/s.
     pub max_sway_speed: f32,

@@ -1,8 +1,8 @@
 //! Kinematics of a leg with hip yaw-pitch, hip roll, hip pitch, knee pitch, ankle pitch and ankle roll, in closed form.
 //!
-//! These are the provided functions of [`RobotModel`](super::RobotModel). Inverse kinematics, own derivation: in the frame
-//! of the foot, the distance to the hip gives the knee angle, and the direction to the hip gives both ankle angles. The
-//! remaining rotation is that of the hip.
+//! These are the provided functions of [`RobotModel`](super::RobotModel). Inverse kinematics, own derivation: in the
+//! frame of the foot, the distance to the hip gives the knee angle, and the direction to the hip gives both ankle
+//! angles. The remaining rotation belongs to the hip.
 
 use core::f32::consts::FRAC_PI_4;
 

@@ -31,7 +31,7 @@ impl Mass {
 pub struct Masses([Mass; SEGMENTS]);
 
 impl Masses {
-    /// Masses of a symmetric body, from those of the trunk and of the left side.
+    /// Masses of a symmetric body, from the trunk and the left side.
     ///
     /// `trunk`: torso, neck, head. `arm`: shoulder, biceps, elbow, forearm, hand. `leg`: pelvis, hip, thigh, tibia, ankle, foot.
     #[must_use]

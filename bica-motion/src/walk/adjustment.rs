@@ -3,7 +3,7 @@
 use crate::model::Parameters;
 use crate::velocity::Velocity;
 
-/// Scales and offsets on top of the parameters of a gait. With [`NONE`](Self::NONE) the walk is exactly that of the gait.
+/// Scales and offsets on top of the parameters of a gait. With [`NONE`](Self::NONE) the walk follows the gait exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adjustment {
     /// Scale of the maximum speeds, above zero.

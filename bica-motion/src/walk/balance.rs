@@ -30,7 +30,7 @@ const MIN_PHASE_RATE: f32 = 0.1;
 pub(crate) struct Balance {
     /// Rates of roll and pitch, low-pass filtered, rad/s.
     rates: Vec2,
-    /// Capture point relative to that of an upright, still torso, m: forward and left.
+    /// Displacement of the capture point from its place under an upright, still torso, m: forward and left.
     capture_error: Vec2,
 }
 
@@ -39,7 +39,7 @@ impl Balance {
         Self { rates: Vec2::ZERO, capture_error: Vec2::ZERO }
     }
 
-    /// Processes the measurements of one cycle; `lean` is the lean of the torso, rad, in addition to that of the gait. NaN
+    /// Processes the measurements of one cycle; `lean` is the lean of the torso, rad, in addition to the gait's. NaN
     /// and infinite values count as zero.
     pub(crate) fn update<M: RobotModel>(&mut self, feedback: &Feedback, gait: &Parameters, lean: f32) {
         let sane = |x: f32, most: f32| if x.is_finite() { clamp(x, -most, most) } else { 0.0 };

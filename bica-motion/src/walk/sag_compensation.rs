@@ -15,7 +15,7 @@ use crate::walk::Feedback;
 const NEW_WEIGHT: f32 = 0.02;
 /// Maximum difference between measured and commanded knee angle, rad. With more, the knee is blocked or its sensor broken.
 const MAX_SAG: f32 = 0.4;
-/// Maximum sag that is compensated, rad: that of a knee at a third of its usual strength.
+/// Maximum compensated sag, rad: a knee at a third of its usual strength.
 const MAX_COMPENSATED_SAG: f32 = 0.1;
 
 /// Estimate of the sag of both knees.

@@ -123,7 +123,8 @@ fn sides(points: &[Vec2], close: f32, enough: i32) -> Vec<Side, SIDES> {
 /// last points wins.
 fn best_side(left: &[Vec2], taken: &[Vec2], close: f32, enough: i32) -> Option<Side> {
     let (blocks, taken) = (Blocks::of(left), Blocks::of(taken));
-    // The carpet is convex: no inlier of one side is above another side. The points far from those of the line decide first.
+    // The carpet is convex: no inlier of one side is above another side. The points far from the line's points are
+    // compared first.
     let score = |side: Side, least: i32, is_right_first: bool| {
         let part = side.score(&blocks, close, least, is_right_first)?;
         let all = part + side.score(&taken, close, i32::MIN, false)?.min(0);

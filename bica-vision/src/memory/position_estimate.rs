@@ -11,7 +11,7 @@ use crate::uncertainty::{Covariance, inverse, round, square};
 pub(super) const GATE: f32 = 13.8;
 /// Share of outliers among sightings, such as a ball half hidden or at the image edge.
 const OUTLIERS: f32 = 0.03;
-/// Ratio of the standard deviation of outliers to that of other sightings. A single outlier must not count as a kick.
+/// Standard deviation of outliers, relative to other sightings. A single outlier must not count as a kick.
 const OUTLIER_SPREAD: f32 = 4.0;
 /// Minimum standard deviation of a sighting, m.
 const SHARPEST: f32 = 0.001;

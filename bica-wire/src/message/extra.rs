@@ -58,7 +58,8 @@ pub enum FromMonitorExtra {
     Watch {
         /// What is sent.
         kind: ExtraKind,
-        /// That of every n-th cycle, or every n-th image; 0: none. Costs are sent every [`COSTS_CYCLES`] cycles for any other value.
+        /// Interval: sent in every n-th cycle, or for every n-th image; 0: never. Costs are sent every [`COSTS_CYCLES`]
+        /// cycles for any other value.
         every: u16,
     },
     /// The monitor has received all chunks of an image, and the next one can be sent.
@@ -152,15 +153,15 @@ pub struct Conditions {
     pub component: u16,
     /// Index of the first transition.
     pub first: u16,
-    /// The conditions; none for one that was not evaluated since the component came into its present state. That of the transition by which
-    /// it came held at that instant.
+    /// Latest value of each condition; `None` if not evaluated since the state was entered. The condition of the
+    /// transition into the state held at that instant.
     pub values: Vec<Option<ConditionState>, MAX_CONDITIONS>,
 }
 
 /// The condition of a transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct ConditionState {
-    /// Whether it held when it was evaluated last.
+    /// Whether it held at its last evaluation.
     pub holds: bool,
     /// Instant since which it has had this value, µs.
     pub since_us: u64,

@@ -18,8 +18,8 @@ pub enum LeaseAction {
     Acquire,
     /// Takes the lease, also from its owner. Programs send this only when a person asks for it.
     Take,
-    /// Keeps the lease with this number: the operator is not silent. The same on a new connection, after that of the owner has ended,
-    /// continues the lease there.
+    /// Keeps the lease with this number, which ends the operator's silence. On a new connection it continues the lease,
+    /// if the owner's connection has ended.
     Keep {
         /// Number of the lease, which only its owner knows.
         lease: u64,

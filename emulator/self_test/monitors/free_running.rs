@@ -46,7 +46,7 @@ pub(super) fn safe_stand(image: &Path) -> Outcome {
                 expect_eq(&next()?.1, &false)?;
             }
             sends.store(HEARTBEATS, Ordering::Relaxed);
-            // The time stamp of a cycle with sensor values is that of the values: 0.
+            // A cycle with sensor values has their time stamp: 0.
             let (mut blind_us, mut cycle) = (None, next()?);
             while !cycle.1 {
                 blind_us = blind_us.or((cycle.0 > 0).then_some(cycle.0));

@@ -2,7 +2,7 @@
 //!
 //! - [`Goalkeeper`]: the state machine, drawn with VICODE step by step in `docs/goalkeeper.md`.
 //! - [`Keeper`]: the activation tree, with the sensors and the command of the robot.
-//! - [`skills`]: the components that this package adds to those of the forward.
+//! - [`skills`]: the components that this package adds to the forward's.
 //! - [`shots`]: balls kicked at the goal, one or a hundred.
 //! - [`cli`]: the program.
 

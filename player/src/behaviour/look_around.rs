@@ -83,7 +83,7 @@ impl LookAround {
         }
     }
 
-    /// Sets the first side to that of `y`, positive for left; takes effect from the second direction on.
+    /// Sets the first side by the sign of `y`, positive for left; takes effect from the second direction on.
     pub const fn set_first_side(&mut self, y: f32) {
         self.side = 1.0_f32.copysign(y);
     }

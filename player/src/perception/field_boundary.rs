@@ -20,7 +20,7 @@ pub struct BoundaryDetection {
     /// Maximum distance of an inlier from a side of the carpet, as a share of the image height.
     #[param(default = 0.015, range = 0.001..=0.1, step = 0.001)]
     inlier_distance: f32,
-    /// Minimum score of a side of the carpet: number of inlying columns, of 40, minus that of columns above it.
+    /// Minimum score of a side of the carpet: number of inlying columns, of 40, minus number of columns above it.
     #[param(default = 4, range = 1..=40)]
     min_score: i32,
 }

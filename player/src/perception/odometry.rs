@@ -10,7 +10,7 @@ use crate::Model;
 use crate::info::Pose;
 use crate::input::{RobotProfile, RobotState};
 
-/// Corrections and errors of the odometry. The scales are factors on those of the robot's profile.
+/// Corrections and errors of the odometry. The scales are factors on the profile's scales.
 #[derive(Params)]
 pub struct OdometryCorrection {
     /// Factor on the displacement forward and backward.

@@ -12,7 +12,7 @@ pub struct Planning {
     /// Turn around the ball, positive to the left, if no goal was seen: it is assumed behind the robot.
     #[param(default = 2.5, range = -3.1..=3.1, unit = "rad", step = 0.1)]
     pub unknown_goal_turn: f32,
-    /// Cost of a path around the ball: above that of every kick without one.
+    /// Cost of a path around the ball: above the cost of every kick without one.
     #[param(default = 10.0, range = 0.0..=30.0, unit = "rad", step = 0.5)]
     pub circling_cost: f32,
     /// Weight of the cost of a kick in addition to a path around the ball.

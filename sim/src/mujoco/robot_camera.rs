@@ -81,7 +81,7 @@ impl RobotCamera {
     }
 }
 
-/// Lookup table from rendered colours to those of the camera with its exposure and white balance.
+/// Lookup table from rendered colours to the camera's, with its exposure and white balance.
 struct ColourResponse {
     /// Contribution of each value of each channel to luma, blue and red chroma, in 1/65536 counts.
     parts: [[[i32; 3]; 256]; 3],

@@ -57,7 +57,7 @@ pub struct Goal {
 pub struct Labels(Vec<Label>);
 
 impl Labels {
-    /// Reads the labels of a folder: those that name it, or all if none does.
+    /// Reads the labels that name a folder, or all labels if none does.
     ///
     /// # Errors
     /// If the file cannot be read or a label is malformed.

@@ -126,7 +126,7 @@ pub struct ComponentInfo {
 pub struct InformationInfo {
     /// Name.
     pub name: String,
-    /// Unit; none for what has none.
+    /// Unit; `None` if dimensionless.
     pub unit: Option<String>,
     /// Schema of its values; none if the values are not recorded.
     pub schema: Option<OwnedNamedType>,

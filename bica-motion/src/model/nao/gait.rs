@@ -7,12 +7,13 @@ use crate::velocity::Velocity;
 
 /// Quasi-static gait for a world without dynamics: the centre of mass moves from foot to foot.
 ///
-/// Orders of magnitude from B-Human 2018 and 2023, rUNSWift 2019, HULKs 2025 and Yggdrasil 2026 (half spacing, torso offset, step
-/// height, arm swing, toe-in, earliest support switch). Our choice, step duration, hip height, sway and velocities: the centre of
-/// mass stays over the feet at every moment, no joint needs more than 120 % of its maximum speed, and legs and ankles reach
-/// sideways. The ankle gain is that of those teams. The low-pass filter is slower than theirs (0.6 to 0.8): without compliance
-/// between ankle and torso, the loop gain `ankle_pitch_gain * (1 - gyro_smoothing) / dt` must stay below 1. The maximum speed of a
-/// capture step is the maximum foot speed of HULKs 2025.
+/// Orders of magnitude from B-Human 2018 and 2023, rUNSWift 2019, HULKs 2025 and Yggdrasil 2026 (half spacing, torso
+/// offset, step height, arm swing, toe-in, earliest support switch). Our choice, step duration, hip height, sway and
+/// velocities: the centre of mass stays over the feet at every moment, no joint needs more than 120 % of its maximum
+/// speed, and legs and ankles reach sideways. The ankle gain is from those teams. The low-pass filter is slower than
+/// theirs (0.6 to 0.8): without compliance between ankle and torso, the loop gain
+/// `ankle_pitch_gain * (1 - gyro_smoothing) / dt` must stay below 1. The maximum speed of a capture step is the maximum
+/// foot speed of HULKs 2025.
 pub(super) const KINEMATIC: Parameters = Parameters {
     hip_height: 0.215,
     half_spacing: 0.050,

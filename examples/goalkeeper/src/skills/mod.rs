@@ -1,4 +1,4 @@
-//! Components that the goalkeeper needs besides those of the forward.
+//! Components that the goalkeeper needs in addition to the forward's.
 
 mod ball_path;
 mod dive;

@@ -17,7 +17,7 @@ pub struct LineDetection {
     /// Minimum width of a line on the ground.
     #[param(default = 0.02, range = 0.0..=0.1, unit = "m", step = 0.005)]
     pub(super) min_line_width: f32,
-    /// Maximum width of a line on the ground; what is wider is a robot's limb.
+    /// Maximum width of a line on the ground; anything wider is a robot's limb.
     #[param(default = 0.085, range = 0.02..=0.3, unit = "m", step = 0.005)]
     pub(super) max_line_width: f32,
 }

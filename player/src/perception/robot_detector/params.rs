@@ -19,7 +19,7 @@ pub struct RobotDetection {
     /// Minimum width of a robot.
     #[param(default = 0.08, range = 0.01..=0.9, unit = "m", step = 0.01)]
     pub(super) min_width: f32,
-    /// Maximum width of one robot; what is wider is two robots side by side.
+    /// Maximum width of one robot; anything wider is two robots side by side.
     #[param(default = 0.38, range = 0.05..=0.9, unit = "m", step = 0.01)]
     pub(super) max_single_width: f32,
     /// Maximum gap between columns of one robot: the space between arm and leg.

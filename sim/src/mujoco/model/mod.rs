@@ -96,8 +96,8 @@ impl Model {
         Ok(())
     }
 
-    /// Sets the intrinsic parameters of both cameras to those of the pinhole model. There the centre of the first pixel
-    /// is at 0, in MuJoCo its edge is.
+    /// Sets the intrinsic parameters of both cameras from the pinhole model. There the centre of the first pixel is at
+    /// 0, in MuJoCo its edge is.
     fn set_intrinsics(&mut self, setup: &Setup) -> Result<(), Error> {
         let (width, height) = setup.frame.size();
         let (width, height) = (width as f32, height as f32);

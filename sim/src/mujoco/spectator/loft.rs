@@ -54,7 +54,7 @@ impl Loft {
         xml.push_str("\"/>\n");
     }
 
-    /// Returns the given cross-sections, those interpolated between, and those of the rounded ends.
+    /// Returns the given, the interpolated and the end cross-sections.
     fn all(&self) -> Vec<Section> {
         let last = self.sections.len() - 1;
         let between = (0..last * SUBDIVISION)

@@ -78,7 +78,7 @@ fn merge(base: &Filters, classes: &FittedClasses, samples: &[Sample]) -> Filters
     }
 }
 
-/// Labels and rectangles, with the number of those that apply to images of the folder.
+/// Labels and rectangles, with their number in images of the folder.
 struct TrainingData {
     rectangles: Vec<Rectangle>,
     labels: Option<Labels>,

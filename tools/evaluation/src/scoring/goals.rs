@@ -15,7 +15,7 @@ const MIN_OVERLAP: f32 = 0.6;
 pub(super) struct Goals {
     /// Complete goals: those with an overlapping box.
     pub(super) complete: Share,
-    /// Partial goals: those of which a part was detected.
+    /// Partial goals: those with a detected part.
     pub(super) partial: Share,
     /// Images without a goal: those without a detection.
     pub(super) without: Share,
