@@ -16,7 +16,8 @@ fn is_citation(code: &str) -> bool {
     let is_path =
         |part: &str| !part.is_empty() && part.chars().all(|c| c.is_ascii_alphanumeric() || "_./-".contains(c));
     let (place, name) = code.rsplit_once("::").unwrap_or((code, ""));
-    let is_file = name.is_empty() && place.contains('/') && place.ends_with(".rs");
+    let is_rust = Path::new(place).extension().is_some_and(|extension| extension == "rs");
+    let is_file = name.is_empty() && place.contains('/') && is_rust;
     let is_test = name.matches('_').count() >= 2
         && name.chars().all(|c| c.is_ascii_lowercase() || c == '_' || c.is_ascii_digit());
     place.split("::").all(is_path) && (is_file || is_test)
