@@ -14,7 +14,6 @@ mod params;
 mod paths;
 mod rate;
 mod requests;
-mod settled;
 mod steady;
 mod stopwatch;
 mod text;
