@@ -1,10 +1,11 @@
-//! Information: results of a component that a person or a tool may look at.
+//! Outputs: results of a component that a person or a tool may read.
 //!
 //! `#[info]` on a getter in the impl block of a component lists it in the graph. The getter is called only when somebody
 //! asks, by [`Tree::read_info`](crate::Tree::read_info).
 //!
-//! The type of the value must implement `serde::Serialize` and `postcard_schema::Schema` if the feature `info` of this crate
-//! is enabled. Without it information is described but its values cannot be taken out, and nothing is required.
+//! With the feature `info` of this crate, the type of the value must implement `serde::Serialize` and
+//! `postcard_schema::Schema`: `#[output]` before a struct or enum derives both. Without the feature outputs are described, but
+//! their values cannot be taken out.
 //!
 #![cfg_attr(feature = "info", doc = "```")]
 #![cfg_attr(not(feature = "info"), doc = "```ignore")]

@@ -77,6 +77,8 @@ pub enum NumberKind {
 
 /// An enum with `#[derive(ParamEnum)]`.
 pub struct Choice {
+    /// Whether it has parameters of the language, which is a mistake.
+    pub generic: bool,
     /// Name of the enum.
     pub name: Ident,
     /// Name and doc comment of each variant.

@@ -106,12 +106,13 @@ pub fn choice(item: TokenStream, report: &mut Report) -> Option<Choice> {
     if let Some(check) = checks.first() {
         report.add(check, wording::CHOICE_CHECK);
     }
-    let mut choice = Choice { name: input.ident, variants: Vec::new(), krate };
+    let mut choice =
+        Choice { generic: !input.generics.params.is_empty(), name: input.ident, variants: Vec::new(), krate };
     let Data::Enum(data) = &input.data else {
         report.add(&choice.name, wording::CHOICE_ENUM);
         return Some(choice);
     };
-    if !input.generics.params.is_empty() {
+    if choice.generic {
         report.add(&input.generics, wording::PARAMS_GENERIC);
     }
     if data.variants.is_empty() {

@@ -150,6 +150,9 @@ fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn
 
 fn entry(input: ParseStream) -> syn::Result<Entry> {
     let kind = component(input)?;
+    if input.peek(Token![:]) {
+        return Err(input.error(wording::VALUE_SIGN));
+    }
     let value = if input.parse::<Option<Token![=]>>()?.is_some() { Some(input.parse()?) } else { None };
     comma(input)?;
     Ok(Entry { kind, value })

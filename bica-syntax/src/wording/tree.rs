@@ -13,6 +13,7 @@ pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type, whic
 pub(crate) const COMPONENT_VALUE: &str =
     "a component is listed by its type: write its name here; in `components` a value can follow, `Name = Name::new()`";
 pub(crate) const TREE_IN_ITSELF: &str = "a tree is no component of itself: remove it here";
+pub(crate) const VALUE_SIGN: &str = "an initial value follows `=`: write `Name = Name::new()`";
 pub(crate) const SEMICOLON: &str = "the fields of a tree end with a comma: write `,` in place of each `;`";
 pub(crate) const FIELD_NAME: &str = "a field of a tree is `root`, `cycle_hz`, `budget_ms`, `tunable` or `components`";
 pub(crate) const TUNABLE_VALUE: &str = "`tunable` takes no value: write `tunable` alone, followed by a comma";

@@ -40,6 +40,9 @@ pub(crate) fn choice(choice: &Choice) -> TokenStream {
 /// The mistakes, and an enum without choices.
 pub(crate) fn choice_stub(choice: &Choice, report: &Report) -> TokenStream {
     let (name, krate, errors) = (&choice.name, &choice.krate, report.to_compile_errors());
+    if choice.generic {
+        return errors;
+    }
     let p = runtime();
     let items = quote! {
         #[automatically_derived]

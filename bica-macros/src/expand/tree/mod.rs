@@ -46,7 +46,7 @@ fn names(tree: &Tree) -> TokenStream {
 
 /// The names of the listed types.
 fn kinds(tree: &Tree) -> Vec<Ident> {
-    let name = |(place, entry): (usize, &Entry)| format_ident!("__{}{place}", tree.name, span = at(&entry.kind));
+    let name = |(place, entry): (usize, &Entry)| format_ident!("__{place}{}", tree.name, span = at(&entry.kind));
     tree.components.iter().enumerate().map(name).collect()
 }
 
@@ -54,8 +54,8 @@ fn kinds(tree: &Tree) -> Vec<Ident> {
 fn root(tree: &Tree) -> Ident {
     let root = text::written(&tree.root);
     let place = tree.components.iter().position(|entry| text::written(&entry.kind) == root);
-    let name = place.map_or_else(|| "Root".to_owned(), |place| place.to_string());
-    format_ident!("__{}{name}", tree.name, span = at(&tree.root))
+    let place = place.map_or_else(|| "Root".to_owned(), |place| place.to_string());
+    format_ident!("__{place}{}", tree.name, span = at(&tree.root))
 }
 
 /// The name of the crate for generated code.

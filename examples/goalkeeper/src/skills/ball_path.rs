@@ -38,7 +38,8 @@ impl Shooting {
 }
 
 /// Where and when a rolling ball crosses the line through the robot's toes.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
+#[output]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Distance to the left of the robot, m.
     pub aside: f32,
