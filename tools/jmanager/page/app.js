@@ -29,7 +29,7 @@ function Lost() {
   if (!own || own.connection === 'connecting') return null;
   const { name, connection, note, result, kind } = own;
   if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
-  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<div class="banner" role="status">${name}: <b>${result}</b>. ${note}</div>`;
+  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<div class="banner" role="status">${name}: <b>${result}</b>${note && `; ${note}`}</div>`;
   if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
   return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
 }

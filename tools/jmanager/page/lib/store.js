@@ -265,6 +265,8 @@ function showSession(info) {
   if (known) {
     const before = known.info.value;
     known.info.value = info;
+    // A restarted game has no past.
+    if (known === session.value && info.kind !== 'recording' && cursor.value > info.until_us && info.until_us < before.until_us) seek(null);
     if (before.control === 'yours' && info.control !== 'yours' && info.control !== 'unavailable') controlEnded(known);
     // The server knows all lines of a recording when it has read it.
     if (info.kind === 'recording' && before.connection === 'connecting' && info.connection !== 'connecting') {
@@ -350,8 +352,6 @@ const HANDLERS = {
   },
   described(message, of) {
     of.describe(message.description, message.drawing);
-    // A restarted game has no past.
-    if (cursor.value !== null && of === session.value && of.info.value.kind !== 'recording') seek(null);
     readLines(of);
     if (of === session.value) {
       lastWatch = '';

@@ -30,9 +30,10 @@ pub(crate) struct Driver {
 
 impl Driver {
     pub(crate) fn start() -> Self {
-        let (program, before) = match is_firefox() {
-            true => (geckodriver(), "Listening on 127.0.0.1:"),
-            false => ("chromedriver".into(), "successfully on port "),
+        let (program, before) = if is_firefox() {
+            (geckodriver(), "Listening on 127.0.0.1:")
+        } else {
+            ("chromedriver".into(), "successfully on port ")
         };
         let name = program.display();
         let mut child = Command::new(&program)

@@ -18,11 +18,16 @@ mod running;
 use jmanager_browser::{Page, Server};
 
 const WIDE: (u32, u32) = (1600, 940);
+/// Continues the world when its game is over. A paused world executes requests in its next cycle, and a busy machine takes longer for a
+/// story than the forward for a goal.
+const GOES_ON: &str = "return import('/lib/store.js').then(({ act, session }) => void setInterval(() => \
+    session.value.info.value.note.includes('game is over') && act('resume'), 200))";
 
 /// Starts a server of the built-in world, and opens its page.
 async fn game(name: &str) -> (Server, Page) {
     let server = Server::start(name, &[]);
     let page = open(&server).await;
+    page.run(GOES_ON, vec![]).await;
     (server, page)
 }
 

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use jmanager_browser::Page;
+use jmanager_browser::{Page, Server};
 
-use crate::{game, tab};
+use crate::{game, open, tab};
 
 /// Longest game, in real time on a busy machine.
 const GAME: Duration = Duration::from_mins(5);
@@ -71,7 +71,8 @@ async fn a_component_is_held_and_left_to_the_tree() {
 /// With the root latent and FaceBall held active the head follows the ball; the forward is driven, given back, and scores.
 #[tokio::test]
 async fn the_forward_scores_after_it_was_driven() {
-    let (_server, page) = game("drive").await;
+    let server = Server::start("drive", &[]);
+    let page = open(&server).await;
     tab(&page, "Drive").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
