@@ -9,8 +9,9 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use self::history::History;
-pub use self::merge::{Conflict, Merged, merge};
-pub use self::words::difference;
+pub use self::merge::Conflict;
+use self::merge::merge;
+use self::words::difference;
 use crate::edit::{Edit, Refusal, Splice, applied, inverse, plan};
 use crate::model::Model;
 use crate::read::read;
@@ -193,12 +194,12 @@ impl Document {
             return External::Same;
         }
         match merge(&self.saved, &self.text, theirs) {
-            Merged::Clean(text) => {
+            Ok(text) => {
                 self.conflict = None;
                 self.saved = theirs.into();
                 if text == *self.text { External::Same } else { External::Merged(self.replace(text)) }
             }
-            Merged::Conflict(conflict) => {
+            Err(conflict) => {
                 self.conflict = Some(conflict.clone());
                 External::Conflict(conflict)
             }
@@ -221,11 +222,6 @@ impl Document {
             Keep::Theirs => self.replace(conflict.theirs),
             Keep::Text(text) => self.replace(text),
         })
-    }
-
-    /// Notes that the file has the text now.
-    pub fn mark_saved(&mut self) {
-        self.saved = Arc::clone(&self.text);
     }
 
     /// Notes that the file has `text` now, which was the text of this document when it was written.

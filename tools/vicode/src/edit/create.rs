@@ -8,7 +8,7 @@ use ra_ap_syntax::{AstNode, T};
 use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
-use super::style::{Style, indentation};
+use super::style::{Style, indentation, snake};
 use super::types::previous;
 use super::{fragment, imports};
 use crate::DEFAULT_WIDTH;
@@ -29,13 +29,7 @@ pub fn module_of(name: &str) -> Result<String, Refusal> {
     if matches!(name, "Time" | "Rate" | "Tuned" | "Self") {
         return Err(Refusal::new(format!("`{name}` means something else in signatures: choose another name")));
     }
-    let mut module = String::new();
-    for character in name.chars() {
-        if character.is_uppercase() && !module.is_empty() {
-            module.push('_');
-        }
-        module.extend(character.to_lowercase());
-    }
+    let module = snake(name);
     fragment::name(&module)?;
     Ok(module)
 }

@@ -5,19 +5,20 @@ use ra_ap_syntax::ast::{self, HasName};
 use ra_ap_syntax::{AstNode, Edition, SyntaxKind};
 
 use super::request::Refusal;
-use crate::read::parse;
+use crate::read::{is_keyword, parse};
 
 /// Refuses what is no name for a function.
 pub(super) fn name(name: &str) -> Result<(), Refusal> {
-    match LexedStr::single_token(Edition::Edition2024, name) {
-        Some((SyntaxKind::IDENT, None)) if !name.starts_with("r#") => Ok(()),
-        Some((kind, _)) if kind.is_keyword(Edition::Edition2024) => {
-            Err(Refusal::new(format!("`{name}` is a keyword of Rust: choose another name")))
-        }
-        _ => Err(Refusal::new(format!(
-            "`{name}` is no name: take letters, digits and `_`, and begin with a letter, as in `look_for_ball`"
-        ))),
+    if is_keyword(name) {
+        return Err(Refusal::new(format!("`{name}` is a keyword of Rust: choose another name")));
     }
+    let is_name = matches!(LexedStr::single_token(Edition::Edition2024, name), Some((SyntaxKind::IDENT, None)));
+    if is_name && !name.starts_with("r#") {
+        return Ok(());
+    }
+    Err(Refusal::new(format!(
+        "`{name}` is no name: take letters, digits and `_`, and begin with a letter, as in `look_for_ball`"
+    )))
 }
 
 const BRACES: &str = "this code closes more braces than it opens";

@@ -6,6 +6,7 @@ use super::request::{Edit, Refusal};
 use super::splice::Splice;
 use super::style::indentation;
 use crate::model::{Component, Span, State};
+use crate::read::is_keyword;
 
 /// Changes an attribute.
 pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
@@ -146,7 +147,5 @@ pub(super) fn names(states: &[String]) -> String {
 
 /// A name as it must be written: with `r#` if it is a keyword.
 pub(super) fn written(name: &str) -> String {
-    let keyword = ra_ap_parser::LexedStr::single_token(ra_ap_syntax::Edition::Edition2024, name)
-        .is_some_and(|(kind, _)| kind.is_keyword(ra_ap_syntax::Edition::Edition2024));
-    if keyword { format!("r#{name}") } else { name.to_owned() }
+    if is_keyword(name) { format!("r#{name}") } else { name.to_owned() }
 }

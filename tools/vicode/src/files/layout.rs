@@ -82,13 +82,6 @@ impl Layout {
         self.positions.insert((key(component), state.to_owned()), position);
     }
 
-    /// Gives a renamed state the position that it had.
-    pub fn rename(&mut self, component: &str, from: &str, to: &str) {
-        if let Some(position) = self.positions.remove(&(key(component), from.to_owned())) {
-            self.set(component, to, position);
-        }
-    }
-
     /// Removes the position of a state.
     pub fn remove(&mut self, component: &str, state: &str) {
         self.positions.remove(&(key(component), state.to_owned()));
