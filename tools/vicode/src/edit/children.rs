@@ -91,14 +91,14 @@ fn argument_name(function: &Function, child: &str) -> String {
     name
 }
 
-/// Adds an argument behind the last one.
+/// Adds an argument after the last one.
 fn add(text: &str, style: &Style, function: &Function, argument: &str) -> Vec<Splice> {
     let inner = function.inputs.of(text);
     let last = last_token(inner);
     let comma = last.is_some_and(|last| last.of(inner) == ",");
     let at = function.inputs.start + last.map_or(0, |last| last.end);
     let indent = indentation(text, at);
-    // rustfmt breaks a list of arguments into lines with a comma behind each.
+    // rustfmt breaks a list of arguments into lines, each with a comma.
     if inner.contains('\n') && comma {
         return vec![Splice::insert(at, format!("{}{indent}{argument},", style.newline))];
     }
@@ -173,7 +173,7 @@ fn with_comma(text: &str, function: &Function, argument: &Argument) -> Span {
     let Some(last) = last_token(before) else { return argument.span };
     let start = function.inputs.start + last.start;
     if last.of(before) == "," {
-        // The comma behind stays the one behind the last argument.
+        // The comma after the removed argument becomes the trailing one.
         let behind = &text[argument.span.end..function.inputs.end];
         let comma = behind.trim_start().starts_with(',');
         let end = argument.span.end + if comma { behind.find(',').unwrap_or(0) } else { 0 };

@@ -18,13 +18,13 @@ use crate::read::{content, parse, span};
 /// The name of the file and module of a component: `ball_keeper` of `BallKeeper`.
 ///
 /// # Errors
-/// If the name is none for a type, or if the module would have a keyword as its name.
+/// If the name is not that of a type, or if the module would be named like a keyword.
 pub fn module_of(name: &str) -> Result<String, Refusal> {
     fragment::name(name)?;
     if !name.starts_with(|first: char| first.is_ascii_uppercase())
         || !name.chars().all(|one| one.is_ascii_alphanumeric())
     {
-        return Err(Refusal::new(format!("a component is called like a type, as in `BallKeeper`, not `{name}`")));
+        return Err(Refusal::new(format!("a component is called like a type: `BallKeeper`, not `{name}`")));
     }
     if matches!(name, "Time" | "Rate" | "Tuned" | "Self") {
         return Err(Refusal::new(format!("`{name}` means something else in signatures: choose another name")));

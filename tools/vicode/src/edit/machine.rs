@@ -31,7 +31,10 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             let list = arrow(component, from, to, *after_ms)?;
             let transition = transition(component, name)?;
             let Some(last) = transition.arrows.last() else {
-                return Err(Refusal::at(transition.function.name.span, "mend the attribute of this transition first"));
+                return Err(Refusal::at(
+                    transition.function.name.span,
+                    "correct the attribute of this transition first",
+                ));
             };
             let (newline, indent) = (context.style(component).newline, indentation(text, last.span.start));
             Ok(vec![Splice::insert(last.span.end, format!("{newline}{indent}#[transition({list})]"))])
@@ -39,7 +42,7 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         Edit::RemoveArrow { component, transition: name, arrow } => {
             let component = context.component(component)?;
             if transition(component, name)?.arrows.len() < 2 {
-                return Err(Refusal::new(format!("this is all that `{name}` decides: delete the transition")));
+                return Err(Refusal::new(format!("this is the only arrow of `{name}`: delete the transition instead")));
             }
             Ok(vec![Splice::remove(attribute_removal(text, arrow_of(component, name, *arrow)?.span))])
         }
@@ -53,7 +56,7 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             state(component, to)?;
             let arrow = arrow_of(component, name, *arrow)?;
             let Some(target) = &arrow.to else {
-                return Err(Refusal::at(arrow.list, "this transition enters no state yet: write one behind the arrow"));
+                return Err(Refusal::at(arrow.list, "this transition enters no state yet: write one after the arrow"));
             };
             Ok(vec![Splice::new(target.span, written(to))])
         }

@@ -59,7 +59,7 @@ pub(super) fn arrow<'a>(component: &'a Component, name: &str, index: usize) -> R
     })
 }
 
-/// Refuses a name that is no state.
+/// Refuses a name without a state.
 pub(super) fn state(component: &Component, name: &str) -> Result<(), Refusal> {
     if component.state(name).is_some() {
         return Ok(());

@@ -26,7 +26,7 @@ impl Splice {
         Self::new(Span::at(at), text)
     }
 
-    /// Replaces a part, whose comments stay behind the new text.
+    /// Replaces a part; its comments stay, after the new text.
     pub(super) fn keeping_comments(text: &str, span: Span, new: impl Into<String>) -> Self {
         let tokens = lexed(span.of(text));
         let mut new = new.into();

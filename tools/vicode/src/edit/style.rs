@@ -141,7 +141,7 @@ pub(super) fn line_number(text: &str, at: usize) -> usize {
     1 + text[..at].matches('\n').count()
 }
 
-/// Offset of the line end behind a byte, before `\r\n` or `\n`.
+/// Offset of the next line end, before `\r\n` or `\n`.
 pub(super) fn line_end(text: &str, at: usize) -> usize {
     let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
     if text[at..end].ends_with('\r') { end - 1 } else { end }

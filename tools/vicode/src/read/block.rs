@@ -60,7 +60,7 @@ fn options(attribute: &Attribute, text: &str) -> Options {
     Options { span: attribute.span, list: list.map(|(span, _)| *span), settings }
 }
 
-/// Puts a function where its role belongs, which is that of its first attribute that assigns one.
+/// Sorts a function by its role, which its first attribute with a role assigns.
 fn sort(component: &mut Component, item: &ast::Fn) {
     let Some(function) = function::function(item, &component.name.text) else { return };
     let all: Vec<Attribute> = item.attrs().filter_map(|one| attributes::attribute(&one)).collect();

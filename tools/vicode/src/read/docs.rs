@@ -15,7 +15,7 @@ pub(super) fn docs(item: &impl HasDocComments) -> Docs {
             ra_ap_syntax::NodeOrToken::Token(token) => {
                 let Some(comment) = ast::Comment::cast(token.clone()) else { continue };
                 let Some((text, _)) = comment.doc_comment() else { continue };
-                // With `\r\n` the token of a line comment ends behind the `\r`.
+                // With `\r\n` the token of a line comment ends after the `\r`.
                 let at = span(token.text_range());
                 let at = Span::new(at.start, at.end - usize::from(token.text().ends_with('\r')));
                 (text.to_owned(), at, comment.kind().shape.is_line())

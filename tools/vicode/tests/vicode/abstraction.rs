@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bica_vicode::Edit;
 use bica_vicode::model::{Component, Function, HookRole, LinkKind, Sources};
 
-/// Where a new function goes: behind the last one of its role, else of a role before it.
+/// Where a new function goes: after the last one of its role, else of a role before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 enum Role {
     State,

@@ -202,7 +202,7 @@ fn sequences(count: u64, seed: u64) -> (usize, usize) {
 }
 
 #[test]
-fn random_edits_change_what_they_say_and_nothing_else() {
+fn random_edits_change_nothing_else() {
     let (accepted, refused) = sequences(16, 1);
     assert!(accepted > refused, "{accepted} {refused}");
 }
@@ -210,14 +210,14 @@ fn random_edits_change_what_they_say_and_nothing_else() {
 /// Six of eight files are hostile: 2,025.
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_random_sequences_over_hostile_files_change_what_they_say_and_nothing_else() {
+fn long_random_edits_of_hostile_files_change_nothing_else() {
     let (accepted, refused) = sequences(2700, 1_000_000);
     println!("2700 sequences: {accepted} edits accepted, {refused} refused");
     assert!(accepted > refused, "{accepted} {refused}");
 }
 
 #[test]
-fn a_state_of_an_incomplete_machine_can_be_renamed() {
+fn state_of_an_incomplete_machine_is_renamed() {
     let text = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n}\n";
     let mut document = Document::new(text);
     assert_eq!(document.model().problems.len(), 1, "no transition leaves the state");
@@ -227,7 +227,7 @@ fn a_state_of_an_incomplete_machine_can_be_renamed() {
 }
 
 #[test]
-fn opening_and_saving_changes_no_byte_of_a_file() {
+fn opening_and_saving_changes_no_byte() {
     let files = sources::files(&sources::root());
     assert!(files.len() > 300, "{}", files.len());
     let path = scratch();
