@@ -28,7 +28,7 @@ mod files;
 pub mod model;
 mod read;
 
-pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep, Merged, difference, merge};
+pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep};
 pub use self::edit::{
     Edit, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
 };

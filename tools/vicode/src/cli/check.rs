@@ -3,14 +3,13 @@
 use std::io::Write;
 use std::path::Path;
 
-use super::{place, print, text_of};
+use super::{place, print, print_json, text_of};
 
 pub(super) fn run(file: &Path, json: bool, out: &mut dyn Write) -> Result<bool, String> {
     let text = text_of(file)?;
     let problems = crate::read(&text).problems;
     if json {
-        let list = serde_json::to_string_pretty(&problems).map_err(|error| format!("cannot write JSON: {error}"))?;
-        print(out, &(list + "\n"))?;
+        print_json(out, &problems)?;
         return Ok(problems.is_empty());
     }
     for problem in &problems {

@@ -28,32 +28,26 @@ pub(super) fn run(
     if file.exists() {
         return Err(format!("`{}` exists already: choose another name", file.display()));
     }
-    let parent = parent_of(folder)?;
-    let mut changes = vec![changed(&parent, |text, _| declare(text, name))?];
-    match tree {
-        Some(tree) if same(tree, &parent) => {
-            // Both edits of one file: the second on the result of the first.
-            let before = std::mem::take(&mut changes[0].before);
-            let second = change(tree, changes[0].after.clone(), |text, model| enlist(text, model, name, import))?;
-            changes[0] = Changed { path: parent, before, after: second.after };
-        }
-        Some(tree) => changes.push(changed(tree, |text, model| enlist(text, model, name, import))?),
-        None => {}
+    let mut changes = Vec::new();
+    change(&mut changes, &parent_of(folder)?, |text, _| declare(text, name))?;
+    if let Some(tree) = tree {
+        change(&mut changes, tree, |text, model| enlist(text, model, name, import))?;
     }
-    let new = Changed { path: file, before: String::new(), after: blank(name) };
+    let text = blank(name);
     if dry_run {
-        for one in [&new].into_iter().chain(&changes) {
+        print(out, &diff::unified(&file.display().to_string(), "", &text))?;
+        for one in &changes {
             print(out, &diff::unified(&one.path.display().to_string(), &one.before, &one.after))?;
         }
         return Ok(true);
     }
-    let (folder, file) = folder_of(&new.path)?;
-    folder.create(&file, &new.after).map_err(|error| error.to_string())?;
+    let (folder, name) = folder_of(&file)?;
+    folder.create(&name, &text).map_err(|error| error.to_string())?;
     for one in &changes {
         let (folder, file) = folder_of(&one.path)?;
         folder.save(&file, &one.before, &one.after).map_err(|error| error.to_string())?;
     }
-    print(out, &format!("made {}\n", new.path.display()))?;
+    print(out, &format!("made {}\n", file.display()))?;
     Ok(true)
 }
 
@@ -67,22 +61,21 @@ fn parent_of(folder: &Path) -> Result<PathBuf, String> {
     })
 }
 
-fn same(one: &Path, other: &Path) -> bool {
-    let real = |path: &Path| path.canonicalize().ok();
-    real(one).is_some() && real(one) == real(other)
-}
-
-fn changed(path: &Path, edit: impl FnOnce(&str, &Model) -> Result<Vec<Splice>, Refusal>) -> Result<Changed, String> {
-    change(path, text_of(path)?, edit)
-}
-
+/// Edits a file; one that was edited already, from its new text.
 fn change(
+    changes: &mut Vec<Changed>,
     path: &Path,
-    before: String,
     edit: impl FnOnce(&str, &Model) -> Result<Vec<Splice>, Refusal>,
-) -> Result<Changed, String> {
-    let refused = |refusal: Refusal| format!("`{}`: {refusal}", path.display());
-    let splices = edit(&before, &read(&before)).map_err(refused)?;
-    let splices = ordered(&before, splices).ok_or_else(|| format!("`{}` cannot be changed", path.display()))?;
-    Ok(Changed { path: path.to_owned(), after: applied(&before, &splices), before })
+) -> Result<(), String> {
+    let is_same = |one: &Changed| one.path.canonicalize().ok() == path.canonicalize().ok();
+    let mut changed = match changes.iter().position(is_same) {
+        Some(known) => changes.remove(known),
+        None => text_of(path).map(|text| Changed { path: path.to_owned(), after: text.clone(), before: text })?,
+    };
+    let text = &changed.after;
+    let splices = edit(text, &read(text)).map_err(|refusal| format!("`{}`: {refusal}", path.display()))?;
+    let splices = ordered(text, splices).ok_or_else(|| format!("`{}` cannot be changed", path.display()))?;
+    changed.after = applied(text, &splices);
+    changes.push(changed);
+    Ok(())
 }

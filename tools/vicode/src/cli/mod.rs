@@ -5,13 +5,13 @@ mod check;
 mod create;
 mod diff;
 mod draw;
-mod model;
 
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Subcommand, ValueEnum};
+use serde::Serialize;
 
 pub use self::diff::unified;
 
@@ -97,7 +97,10 @@ pub enum Format {
 /// If a file cannot be read or written, or an edit is refused. Nothing was changed then.
 pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
     match command {
-        Command::Model { file, .. } => model::run(file, out),
+        Command::Model { file, .. } => {
+            print_json(out, &crate::read(&text_of(file)?))?;
+            Ok(true)
+        }
         Command::Apply { file, edits, dry_run } => apply::run(file, edits, *dry_run, out),
         Command::Check { file, json } => check::run(file, *json, out),
         Command::Draw { file, format, component, output } => {
@@ -116,6 +119,12 @@ fn text_of(file: &Path) -> Result<String, String> {
 
 fn print(out: &mut dyn Write, text: &str) -> Result<(), String> {
     out.write_all(text.as_bytes()).map_err(|error| format!("cannot print: {error}"))
+}
+
+/// Prints a value as JSON.
+fn print_json(out: &mut dyn Write, value: &impl Serialize) -> Result<(), String> {
+    let json = serde_json::to_string_pretty(value).map_err(|error| format!("cannot write JSON: {error}"))?;
+    print(out, &(json + "\n"))
 }
 
 /// Line and column of a byte, both from 1, the column in characters.

@@ -26,7 +26,7 @@ pub(super) struct History {
 }
 
 impl History {
-    /// Adds a step. Undone ones cannot be made again.
+    /// Adds a step and forgets undone ones.
     pub(super) fn push(&mut self, forth: Splices, back: Splices) {
         self.steps.truncate(self.done);
         self.steps.push(Step { forth, back, group: None });
@@ -43,7 +43,7 @@ impl History {
         }
     }
 
-    /// The change of several documents of which the step to undo, or to make `again`, is a part.
+    /// Number of the change of several documents to which the step to undo, or to redo (`again`), belongs.
     pub(super) fn next_group(&self, again: bool) -> Option<usize> {
         let index = if again { self.done } else { self.done.checked_sub(1)? };
         self.steps.get(index)?.group
@@ -65,7 +65,7 @@ impl History {
         Some(self.steps[self.done].back.clone())
     }
 
-    /// The splices that make the last undone step again.
+    /// The splices that redo the last undone step.
     pub(super) fn redo(&mut self) -> Option<Splices> {
         let forth = self.steps.get(self.done)?.forth.clone();
         self.done += 1;

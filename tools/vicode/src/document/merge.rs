@@ -4,17 +4,8 @@ use serde::Serialize;
 
 use super::words::difference;
 use crate::edit::{Splice, applied};
-use crate::model::{Reporter, Span};
-use crate::read::read;
-
-/// Both sides' changes in one text, or why not.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Merged {
-    /// The text with the changes of both.
-    Clean(String),
-    /// Both changed the same part.
-    Conflict(Conflict),
-}
+use crate::model::Span;
+use crate::read::parse;
 
 /// Two texts whose changes touch each other.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -31,30 +22,25 @@ pub struct Conflict {
 
 /// Merges two changes of one text.
 ///
-/// Changes that touch different parts are both taken. Parts that overlap or meet are a conflict, unless both sides changed them to
-/// the same. So is a result that is worse Rust than both sides.
-#[must_use]
-pub fn merge(base: &str, ours: &str, theirs: &str) -> Merged {
+/// # Errors
+/// If both sides changed parts that overlap or meet, but not to the same text, or if the result has more syntax errors than either side.
+pub(super) fn merge(base: &str, ours: &str, theirs: &str) -> Result<String, Conflict> {
     if ours == theirs || base == theirs {
-        return Merged::Clean(ours.to_owned());
+        return Ok(ours.to_owned());
     }
     if base == ours {
-        return Merged::Clean(theirs.to_owned());
+        return Ok(theirs.to_owned());
     }
     let (here, there) = (difference(base, ours), difference(base, theirs));
     let conflict = |spans| {
         let (base, ours, theirs) = (base.to_owned(), ours.to_owned(), theirs.to_owned());
-        Merged::Conflict(Conflict { base, ours, theirs, spans })
+        Err(Conflict { base, ours, theirs, spans })
     };
     let mut spans = Vec::new();
     let mut all = here.clone();
-    for splice in there {
-        if here.contains(&splice) {
-            continue;
-        }
+    for splice in there.into_iter().filter(|splice| !here.contains(splice)) {
         for other in here.iter().filter(|other| touch(other, &splice)) {
-            let span = Span::new(other.span.start.min(splice.span.start), other.span.end.max(splice.span.end));
-            spans.push(span);
+            spans.push(Span::new(other.span.start.min(splice.span.start), other.span.end.max(splice.span.end)));
         }
         all.push(splice);
     }
@@ -66,7 +52,7 @@ pub fn merge(base: &str, ours: &str, theirs: &str) -> Merged {
     if mistakes(&merged) > mistakes(ours).max(mistakes(theirs)) {
         return conflict(all.iter().map(|splice| splice.span).collect());
     }
-    Merged::Clean(merged)
+    Ok(merged)
 }
 
 /// Whether two changes overlap or meet.
@@ -75,5 +61,5 @@ const fn touch(one: &Splice, other: &Splice) -> bool {
 }
 
 fn mistakes(text: &str) -> usize {
-    read(text).problems.iter().filter(|problem| problem.from == Reporter::Syntax).count()
+    parse(text).map_or(1, |root| root.problems.len())
 }

@@ -9,8 +9,9 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use self::history::History;
-pub use self::merge::{Conflict, Merged, merge};
-pub use self::words::difference;
+pub use self::merge::Conflict;
+use self::merge::merge;
+use self::words::difference;
 use crate::edit::{Edit, Refusal, Splice, applied, inverse, plan};
 use crate::model::Model;
 use crate::read::read;
@@ -44,7 +45,7 @@ pub struct Change {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "external", rename_all = "snake_case")]
 pub enum External {
-    /// The text is that of the file already.
+    /// The text already equals the file.
     Same,
     /// The text has both sides' changes now.
     Merged(Change),
@@ -105,7 +106,7 @@ impl Document {
         self.version
     }
 
-    /// Whether the text is not that of the file.
+    /// Whether the text differs from the file.
     #[must_use]
     pub fn is_changed(&self) -> bool {
         self.text != self.saved
@@ -150,13 +151,13 @@ impl Document {
         self.history.group(group);
     }
 
-    /// Number of the change of several documents of which the step to undo, or to make `again`, is a part.
+    /// Number of the change of several documents to which the step to undo, or to redo (`again`), belongs.
     #[must_use]
     pub fn next_group(&self, again: bool) -> Option<usize> {
         self.history.next_group(again)
     }
 
-    /// Undoes the last step; `None` if there is none.
+    /// Undoes the last step; `None` without one.
     pub fn undo(&mut self) -> Option<Change> {
         let splices = self.history.undo()?;
         Some(self.replay(splices))
@@ -168,13 +169,13 @@ impl Document {
         self.history.can_undo()
     }
 
-    /// Whether there is an undone step to make again.
+    /// Whether there is a step to redo.
     #[must_use]
     pub const fn can_redo(&self) -> bool {
         self.history.can_redo()
     }
 
-    /// Makes the last undone step again; `None` if there is none.
+    /// Redoes the last undone step; `None` without one.
     pub fn redo(&mut self) -> Option<Change> {
         let splices = self.history.redo()?;
         Some(self.replay(splices))
@@ -193,12 +194,12 @@ impl Document {
             return External::Same;
         }
         match merge(&self.saved, &self.text, theirs) {
-            Merged::Clean(text) => {
+            Ok(text) => {
                 self.conflict = None;
                 self.saved = theirs.into();
                 if text == *self.text { External::Same } else { External::Merged(self.replace(text)) }
             }
-            Merged::Conflict(conflict) => {
+            Err(conflict) => {
                 self.conflict = Some(conflict.clone());
                 External::Conflict(conflict)
             }
@@ -221,11 +222,6 @@ impl Document {
             Keep::Theirs => self.replace(conflict.theirs),
             Keep::Text(text) => self.replace(text),
         })
-    }
-
-    /// Notes that the file has the text now.
-    pub fn mark_saved(&mut self) {
-        self.saved = Arc::clone(&self.text);
     }
 
     /// Notes that the file has `text` now, which was the text of this document when it was written.

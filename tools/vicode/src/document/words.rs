@@ -15,8 +15,7 @@ const LIMIT: Duration = Duration::from_millis(200);
 ///
 /// Functions of the same name are compared with each other, so that a copy of a function is not mistaken for the function. Within a
 /// function, and between functions, lines are compared, then words within the lines that differ.
-#[must_use]
-pub fn difference(from: &str, to: &str) -> Vec<Splice> {
+pub(super) fn difference(from: &str, to: &str) -> Vec<Splice> {
     let (old, new) = (parts(from), parts(to));
     let key = |part: &Part| part.key.clone();
     let (old_keys, new_keys): (Vec<String>, Vec<String>) =

@@ -72,7 +72,7 @@ fn columns(component: &Component, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {
     columns
 }
 
-/// Sorts each column by the mean place of its neighbours in the column before it, or behind it.
+/// Sorts each column by the mean place of its neighbours in the previous or the next column.
 fn sort(columns: &mut [Vec<usize>], edges: &[(usize, usize)], forward: bool) {
     let order: Vec<usize> =
         if forward { (1..columns.len()).collect() } else { (0..columns.len().max(1) - 1).rev().collect() };

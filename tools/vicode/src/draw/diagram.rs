@@ -117,25 +117,19 @@ impl Diagram {
 
     /// Moves all so that nothing lies outside, and measures it.
     fn frame(&mut self) {
-        let mut low = (f32::MAX, f32::MAX);
-        let mut high = (f32::MIN, f32::MIN);
-        let mut include = |x: f32, y: f32| {
-            low = (low.0.min(x), low.1.min(y));
-            high = (high.0.max(x), high.1.max(y));
+        let corners = |node: &Node| {
+            let ((x, y), (width, height)) = (node.centre, node.size);
+            [(x - width / 2.0, y - height / 2.0), (x + width / 2.0, y + height / 2.0)]
         };
-        for node in &self.nodes {
-            include(node.centre.0 - node.size.0 / 2.0, node.centre.1 - node.size.1 / 2.0);
-            include(node.centre.0 + node.size.0 / 2.0, node.centre.1 + node.size.1 / 2.0);
+        let of_edge = |edge: &Edge| [&edge.points[..], &[(edge.label_at.0, edge.label_at.1 - LINE)]].concat();
+        let points = self.nodes.iter().flat_map(corners).chain(self.edges.iter().flat_map(of_edge));
+        let mut bounds: Option<[f32; 4]> = None;
+        for (x, y) in points {
+            let [left, top, right, bottom] = bounds.unwrap_or([x, y, x, y]);
+            bounds = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
         }
-        for edge in &self.edges {
-            edge.points.iter().for_each(|(x, y)| include(*x, *y));
-            include(edge.label_at.0, edge.label_at.1 - LINE);
-        }
-        if self.nodes.is_empty() {
-            include(0.0, 0.0);
-            include(WIDTH, HEIGHT);
-        }
-        let (x, y) = (MARGIN - low.0, MARGIN - low.1);
+        let [left, top, right, bottom] = bounds.unwrap_or([0.0, 0.0, WIDTH, HEIGHT]);
+        let (x, y) = (MARGIN - left, MARGIN - top);
         for node in &mut self.nodes {
             node.centre = (node.centre.0 + x, node.centre.1 + y);
         }
@@ -143,7 +137,7 @@ impl Diagram {
             edge.points.iter_mut().for_each(|point| *point = (point.0 + x, point.1 + y));
             edge.label_at = (edge.label_at.0 + x, edge.label_at.1 + y);
         }
-        (self.width, self.height) = (high.0 - low.0 + 2.0 * MARGIN, high.1 - low.1 + 2.0 * MARGIN);
+        (self.width, self.height) = (right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN);
     }
 }
 

@@ -9,6 +9,8 @@ const FILL: &str = "#fff3d6";
 const BORDER: &str = "#bf8700";
 const TEXT: &str = "#1f2328";
 const GREY: &str = "#7d8590";
+/// Small text that lines do not shine through.
+const OUTLINED: &str = "font-size=\"10\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 /// A drawing as SVG.
 #[must_use]
@@ -42,18 +44,15 @@ fn state(out: &mut String, node: &Node) {
     if node.last {
         frame(out, 4.0).unwrap_or_default();
     }
-    writeln!(
-        out,
-        "<text x=\"{x:.1}\" y=\"{:.1}\" fill=\"{TEXT}\" font-weight=\"bold\">{}</text>",
-        top + 24.0,
-        escaped(&node.name)
-    )
-    .unwrap_or_default();
+    text(out, (x, top + 24.0), "font-weight=\"bold\"", &node.name);
     for (index, line) in node.lines().iter().enumerate() {
-        let y = top + 40.0 + 14.0 * index as f32;
-        writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{TEXT}\" font-size=\"10\">{}</text>", escaped(line))
-            .unwrap_or_default();
+        text(out, (x, top + 40.0 + 14.0 * index as f32), "font-size=\"10\"", line);
     }
+}
+
+fn text(out: &mut String, (x, y): (f32, f32), attributes: &str, text: &str) {
+    let text = escaped(text);
+    writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{TEXT}\" {attributes}>{text}</text>").unwrap_or_default();
 }
 
 fn arrow(out: &mut String, edge: &Edge) {
@@ -73,14 +72,7 @@ fn arrow(out: &mut String, edge: &Edge) {
 fn names(out: &mut String, edge: &Edge) {
     for (index, label) in edge.labels.iter().enumerate() {
         let y = edge.label_at.1 + 13.0 * (index as f32 - (edge.labels.len() as f32 - 1.0) / 2.0) + 4.0;
-        writeln!(
-            out,
-            "<text x=\"{:.1}\" y=\"{y:.1}\" fill=\"{TEXT}\" font-size=\"10\" stroke=\"#ffffff\" stroke-width=\"3\" \
-             paint-order=\"stroke\">{}</text>",
-            edge.label_at.0,
-            escaped(label)
-        )
-        .unwrap_or_default();
+        text(out, (edge.label_at.0, y), OUTLINED, label);
     }
 }
 

@@ -1,14 +1,14 @@
 //! Children of functions: arguments that are links.
 
-use ra_ap_parser::LexedStr;
-use ra_ap_syntax::{Edition, SyntaxKind};
+use ra_ap_syntax::SyntaxKind;
 
 use super::plan::{Context, function, list};
 use super::request::{Edit, Refusal};
 use super::splice::Splice;
-use super::style::{Style, indentation, line_end, line_start};
+use super::style::{Style, indentation, line_end, line_start, snake};
 use super::{fragment, imports};
-use crate::model::{Argument, Function, Input, LinkKind, Span};
+use crate::model::{Argument, Function, Input, LinkKind, Name, Span};
+use crate::read::{Token, lexed};
 
 /// Adds, removes or changes a link.
 pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
@@ -77,13 +77,7 @@ fn find<'a>(function: &'a Function, child: &str) -> Result<&'a Argument, Refusal
 /// A free name for an argument: `ball_detector` of `BallDetector`.
 fn argument_name(function: &Function, child: &str) -> String {
     let last = child.split('<').next().unwrap_or(child).rsplit("::").next().unwrap_or(child);
-    let mut name = String::new();
-    for character in last.trim().chars() {
-        if character.is_uppercase() && !name.is_empty() && !name.ends_with('_') {
-            name.push('_');
-        }
-        name.extend(character.to_lowercase());
-    }
+    let mut name = snake(last.trim());
     let taken = |name: &str| function.arguments.iter().any(|known| known.name.text == name);
     if fragment::name(&name).is_err() {
         name.push_str("_child");
@@ -97,14 +91,14 @@ fn argument_name(function: &Function, child: &str) -> String {
     name
 }
 
-/// Adds an argument behind the last one.
+/// Adds an argument after the last one.
 fn add(text: &str, style: &Style, function: &Function, argument: &str) -> Vec<Splice> {
     let inner = function.inputs.of(text);
     let last = last_token(inner);
     let comma = last.is_some_and(|last| last.of(inner) == ",");
     let at = function.inputs.start + last.map_or(0, |last| last.end);
     let indent = indentation(text, at);
-    // rustfmt breaks a list of arguments into lines with a comma behind each.
+    // rustfmt breaks a list of arguments into lines, each with a comma.
     if inner.contains('\n') && comma {
         return vec![Splice::insert(at, format!("{}{indent}{argument},", style.newline))];
     }
@@ -139,29 +133,22 @@ fn broken(text: &str, style: &Style, function: &Function, argument: &str) -> Str
 
 /// The last token of a list that is neither white space nor a comment.
 fn last_token(list: &str) -> Option<Span> {
-    let lexed = LexedStr::new(Edition::Edition2024, list);
-    let last = (0..lexed.len()).rev().find(|index| !lexed.kind(*index).is_trivia())?;
-    Some(lexed.text_range(last).into())
+    Some(lexed(list).iter().rfind(|token| !token.kind.is_trivia())?.name.span)
 }
 
 /// Refuses to remove an argument that the body uses.
 fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Refusal> {
     let Some(body) = function.body else { return Ok(()) };
-    let lexed = LexedStr::new(Edition::Edition2024, body.of(text));
     let name = argument.name.text.trim_start_matches("mut ").trim();
-    let used = (0..lexed.len()).find(|index| {
-        let token = lexed.text(*index);
-        token.trim_start_matches("r#") == name || lexed.kind(*index) == SyntaxKind::STRING && formats(token, name)
-    });
-    match used {
-        Some(index) => {
-            let range = lexed.text_range(index);
-            let place = Span::new(body.start + range.start, body.start + range.end);
-            let message = format!("the code of `{}` uses `{name}`: remove that use first", function.name.text);
-            Err(Refusal::at(place, message))
-        }
-        None => Ok(()),
-    }
+    let is_use = |token: &Token| {
+        let word = &token.name.text;
+        word.trim_start_matches("r#") == name || token.kind == SyntaxKind::STRING && formats(word, name)
+    };
+    let Some(Token { name: Name { span, .. }, .. }) = lexed(body.of(text)).into_iter().find(is_use) else {
+        return Ok(());
+    };
+    let message = format!("the code of `{}` uses `{name}`: remove that use first", function.name.text);
+    Err(Refusal::at(Span::new(body.start + span.start, body.start + span.end), message))
 }
 
 /// Whether a string could be a format that shows a variable: `{name}`, `{name:?}`, `{:name$}`.
@@ -186,7 +173,7 @@ fn with_comma(text: &str, function: &Function, argument: &Argument) -> Span {
     let Some(last) = last_token(before) else { return argument.span };
     let start = function.inputs.start + last.start;
     if last.of(before) == "," {
-        // The comma behind stays the one behind the last argument.
+        // The comma after the removed argument becomes the trailing one.
         let behind = &text[argument.span.end..function.inputs.end];
         let comma = behind.trim_start().starts_with(',');
         let end = argument.span.end + if comma { behind.find(',').unwrap_or(0) } else { 0 };

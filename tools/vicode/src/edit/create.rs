@@ -8,7 +8,7 @@ use ra_ap_syntax::{AstNode, T};
 use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
-use super::style::{Style, indentation};
+use super::style::{Style, indentation, snake};
 use super::types::previous;
 use super::{fragment, imports};
 use crate::DEFAULT_WIDTH;
@@ -18,24 +18,18 @@ use crate::read::{content, parse, span};
 /// The name of the file and module of a component: `ball_keeper` of `BallKeeper`.
 ///
 /// # Errors
-/// If the name is none for a type, or if the module would have a keyword as its name.
+/// If the name is not that of a type, or if the module would be named like a keyword.
 pub fn module_of(name: &str) -> Result<String, Refusal> {
     fragment::name(name)?;
     if !name.starts_with(|first: char| first.is_ascii_uppercase())
         || !name.chars().all(|one| one.is_ascii_alphanumeric())
     {
-        return Err(Refusal::new(format!("a component is called like a type, as in `BallKeeper`, not `{name}`")));
+        return Err(Refusal::new(format!("a component is called like a type: `BallKeeper`, not `{name}`")));
     }
     if matches!(name, "Time" | "Rate" | "Tuned" | "Self") {
         return Err(Refusal::new(format!("`{name}` means something else in signatures: choose another name")));
     }
-    let mut module = String::new();
-    for character in name.chars() {
-        if character.is_uppercase() && !module.is_empty() {
-            module.push('_');
-        }
-        module.extend(character.to_lowercase());
-    }
+    let module = snake(name);
     fragment::name(&module)?;
     Ok(module)
 }

@@ -25,7 +25,7 @@ pub(super) fn set(
     let Some(span) = old.span else {
         let indent = indentation(context.text, start).to_owned();
         let lines = style.docs(docs, &indent);
-        // The first line has its indentation already, and the code behind needs one.
+        // The first line has its indentation already, and the code after it needs one.
         let own_line = starts_line(context.text, start);
         let lines = if own_line { lines.trim_start_matches([' ', '\t']).to_owned() + &indent } else { lines };
         let lines = if own_line { lines } else { format!("{}{lines}{indent}", style.newline) };
@@ -40,7 +40,7 @@ pub(super) fn set(
         let white = behind.len() - behind.trim_start().len();
         return Ok(vec![Splice::remove(Span::new(span.start, end + white))]);
     }
-    // The comment ends before its line end, and begins behind its indentation.
+    // The comment ends before its line end, and begins after its indentation.
     let lines = lines.trim_start_matches([' ', '\t']).trim_end();
     Ok(vec![Splice::new(span, lines)])
 }
@@ -51,5 +51,5 @@ fn simple(text: &str, docs: &Docs, span: Span) -> Result<(), Refusal> {
     if simple {
         return Ok(());
     }
-    Err(Refusal::at(span, "this doc comment does not consist of `///` lines alone: change it in the code"))
+    Err(Refusal::at(span, "this doc comment has more than `///` lines: change it in the code"))
 }

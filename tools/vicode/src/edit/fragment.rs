@@ -5,19 +5,20 @@ use ra_ap_syntax::ast::{self, HasName};
 use ra_ap_syntax::{AstNode, Edition, SyntaxKind};
 
 use super::request::Refusal;
-use crate::read::parse;
+use crate::read::{is_keyword, parse};
 
-/// Refuses what is no name for a function.
+/// Refuses an invalid name of a function.
 pub(super) fn name(name: &str) -> Result<(), Refusal> {
-    match LexedStr::single_token(Edition::Edition2024, name) {
-        Some((SyntaxKind::IDENT, None)) if !name.starts_with("r#") => Ok(()),
-        Some((kind, _)) if kind.is_keyword(Edition::Edition2024) => {
-            Err(Refusal::new(format!("`{name}` is a keyword of Rust: choose another name")))
-        }
-        _ => Err(Refusal::new(format!(
-            "`{name}` is no name: take letters, digits and `_`, and begin with a letter, as in `look_for_ball`"
-        ))),
+    if is_keyword(name) {
+        return Err(Refusal::new(format!("`{name}` is a keyword of Rust: choose another name")));
     }
+    let is_name = matches!(LexedStr::single_token(Edition::Edition2024, name), Some((SyntaxKind::IDENT, None)));
+    if is_name && !name.starts_with("r#") {
+        return Ok(());
+    }
+    Err(Refusal::new(format!(
+        "`{name}` is no name: use letters, digits and `_`, beginning with a letter, as in `look_for_ball`"
+    )))
 }
 
 const BRACES: &str = "this code closes more braces than it opens";
@@ -27,14 +28,14 @@ pub(super) fn body(code: &str) -> Result<(), Refusal> {
     only::<ast::Fn>(&format!("fn body() {{\n{code}\n}}"), "this code", BRACES).map(drop)
 }
 
-/// Refuses what is no value.
+/// Refuses an invalid value.
 pub(super) fn value(value: &str, what: &str) -> Result<(), Refusal> {
     one_line(value, what)?;
     let message = format!("`{value}` is no value for {what}");
     only::<ast::Const>(&format!("const VALUE: () = {value};"), what, &message).map(drop)
 }
 
-/// Refuses what is no type of a component.
+/// Refuses an invalid type of a component.
 pub(super) fn ty(ty: &str) -> Result<(), Refusal> {
     one_line(ty, "a type")?;
     let message = format!("`{ty}` is no type of a component: write its name, as in `BallDetector`");
@@ -42,7 +43,7 @@ pub(super) fn ty(ty: &str) -> Result<(), Refusal> {
     if matches!(alias.ty(), Some(ast::Type::PathType(_))) { Ok(()) } else { Err(Refusal::new(message)) }
 }
 
-/// Refuses what is no path of a module.
+/// Refuses an invalid path of a module.
 pub(super) fn path(path: &str) -> Result<(), Refusal> {
     one_line(path, "a path")?;
     let message = format!("`{path}` is no path of a module: write it as in `crate::perception`");
@@ -65,7 +66,7 @@ pub(super) fn functions(code: &str) -> Result<Vec<String>, Refusal> {
 fn one_line(code: &str, what: &str) -> Result<(), Refusal> {
     let comment = code.contains("//") || code.contains("/*");
     if code.trim().is_empty() || code.contains(['\n', '\r']) || comment {
-        return Err(Refusal::new(format!("{what} stands on one line without a comment: `{}` does not", code.trim())));
+        return Err(Refusal::new(format!("{what} must be one line without a comment, not `{}`", code.trim())));
     }
     Ok(())
 }

@@ -80,7 +80,7 @@ fn new(
     Ok(vec![layout::insert(context.text, component, &style, after, &code)?])
 }
 
-/// The function behind which a new one goes: the named one; else the last of its role (0 states, 1 transitions, 2 hooks) or of a
+/// The function after which a new one goes: the named one; else the last of its role (0 states, 1 transitions, 2 hooks) or of a
 /// role before it. `None` is the end of the block.
 fn behind<'a>(component: &'a Component, after: Option<&str>, role: usize) -> Result<Option<&'a Function>, Refusal> {
     if let Some(after) = after {
@@ -110,7 +110,7 @@ pub(super) fn body(context: &Context<'_>, component: &str, name: &str, code: &st
     Ok(vec![Splice::new(braces, style.block(code, indent))])
 }
 
-/// Copies a function behind itself.
+/// Copies a function to the place after it.
 pub(super) fn copy(context: &Context<'_>, component: &str, from: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
     let function = function(component, from)?;
@@ -132,7 +132,7 @@ pub(super) fn copy(context: &Context<'_>, component: &str, from: &str, name: &st
     Ok(vec![layout::insert(context.text, component, &style, Some(function), &copy)?])
 }
 
-/// Moves a function before another, or behind all.
+/// Moves a function before another, or to the end.
 pub(super) fn shift(
     context: &Context<'_>,
     component: &str,

@@ -162,7 +162,7 @@ fn kind(first_word: &str) -> &'static str {
     }
 }
 
-/// Offset of the first item, behind the docs and attributes of the module.
+/// Offset of the first item, after the docs and attributes of the module.
 fn first_item(scope: &SyntaxNode) -> usize {
     let item = scope.children().find(|node| node.kind() != SyntaxKind::ATTR);
     item.map_or(span(scope.text_range()).end, |node| span(node.text_range()).start)

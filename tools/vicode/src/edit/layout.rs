@@ -5,7 +5,7 @@ use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, starts_line};
 use crate::model::{Component, Function, Span};
 
-/// Inserts functions, given as laid out lines, behind `after`, or at the end of the block.
+/// Inserts functions, given as laid-out lines, after `after` or at the end of the block.
 pub(super) fn insert(
     text: &str,
     component: &Component,
@@ -54,7 +54,7 @@ pub(super) fn removal(text: &str, function: &Function) -> Span {
     }
 }
 
-/// Offset of the line behind that of a byte.
+/// Offset of the line after the line of a byte.
 fn next_line(text: &str, at: usize) -> usize {
     text[at..].find('\n').map_or(text.len(), |newline| at + newline + 1)
 }

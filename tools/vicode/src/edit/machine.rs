@@ -6,6 +6,7 @@ use super::request::{Edit, Refusal};
 use super::splice::Splice;
 use super::style::indentation;
 use crate::model::{Component, Span, State};
+use crate::read::is_keyword;
 
 /// Changes an attribute.
 pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
@@ -30,7 +31,10 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             let list = arrow(component, from, to, *after_ms)?;
             let transition = transition(component, name)?;
             let Some(last) = transition.arrows.last() else {
-                return Err(Refusal::at(transition.function.name.span, "mend the attribute of this transition first"));
+                return Err(Refusal::at(
+                    transition.function.name.span,
+                    "correct the attribute of this transition first",
+                ));
             };
             let (newline, indent) = (context.style(component).newline, indentation(text, last.span.start));
             Ok(vec![Splice::insert(last.span.end, format!("{newline}{indent}#[transition({list})]"))])
@@ -38,7 +42,7 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         Edit::RemoveArrow { component, transition: name, arrow } => {
             let component = context.component(component)?;
             if transition(component, name)?.arrows.len() < 2 {
-                return Err(Refusal::new(format!("this is all that `{name}` decides: delete the transition")));
+                return Err(Refusal::new(format!("this is the only arrow of `{name}`: delete the transition instead")));
             }
             Ok(vec![Splice::remove(attribute_removal(text, arrow_of(component, name, *arrow)?.span))])
         }
@@ -52,7 +56,7 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
             state(component, to)?;
             let arrow = arrow_of(component, name, *arrow)?;
             let Some(target) = &arrow.to else {
-                return Err(Refusal::at(arrow.list, "this transition enters no state yet: write one behind the arrow"));
+                return Err(Refusal::at(arrow.list, "this transition enters no state yet: write one after the arrow"));
             };
             Ok(vec![Splice::new(target.span, written(to))])
         }
@@ -146,7 +150,5 @@ pub(super) fn names(states: &[String]) -> String {
 
 /// A name as it must be written: with `r#` if it is a keyword.
 pub(super) fn written(name: &str) -> String {
-    let keyword = ra_ap_parser::LexedStr::single_token(ra_ap_syntax::Edition::Edition2024, name)
-        .is_some_and(|(kind, _)| kind.is_keyword(ra_ap_syntax::Edition::Edition2024));
-    if keyword { format!("r#{name}") } else { name.to_owned() }
+    if is_keyword(name) { format!("r#{name}") } else { name.to_owned() }
 }

@@ -59,7 +59,7 @@ pub(super) fn arrow<'a>(component: &'a Component, name: &str, index: usize) -> R
     })
 }
 
-/// Refuses a name that is no state.
+/// Refuses a name without a state.
 pub(super) fn state(component: &Component, name: &str) -> Result<(), Refusal> {
     if component.state(name).is_some() {
         return Ok(());
@@ -92,22 +92,17 @@ pub fn plan(text: &str, model: &Model, edit: &Edit, width: usize) -> Result<(Vec
 
 /// Refuses an edit after which more is wrong than before.
 fn accepted(before: &Model, after: &Model, edit: &Edit) -> Result<(), Refusal> {
-    let count = |model: &Model, from| model.problems.iter().filter(|problem| problem.from == from).count();
-    if count(after, Reporter::Syntax) > count(before, Reporter::Syntax) {
-        let new = after.problems.iter().find(|problem| {
-            problem.from == Reporter::Syntax && !before.problems.iter().any(|old| old.message == problem.message)
-        });
-        let why = new.map_or_else(String::new, |problem| format!(": {}", problem.message));
-        return Err(Refusal::new(format!("the file would no longer be Rust{why}")));
-    }
-    if is_local(edit) && count(after, Reporter::Macro) > count(before, Reporter::Macro) {
-        let is_new = |message: &str| {
-            let among = |model: &Model| model.problems.iter().filter(|problem| problem.message == message).count();
-            among(after) > among(before)
+    for (from, why) in [(Reporter::Syntax, "the file would no longer be Rust: "), (Reporter::Macro, "")] {
+        let of = |model: &Model| -> Vec<String> {
+            let all = model.problems.iter().filter(|problem| problem.from == from);
+            all.map(|problem| problem.message.clone()).collect()
         };
-        let new = after.problems.iter().find(|one| one.from == Reporter::Macro && is_new(&one.message));
-        if let Some(problem) = new {
-            return Err(Refusal::new(problem.message.clone()));
+        let (old, new) = (of(before), of(after));
+        let count = |messages: &[String], message: &String| messages.iter().filter(|one| *one == message).count();
+        let added = new.iter().find(|message| count(&new, message) > count(&old, message));
+        if let (Some(message), true, true) = (added, new.len() > old.len(), from == Reporter::Syntax || is_local(edit))
+        {
+            return Err(Refusal::new(format!("{why}{message}")));
         }
     }
     Ok(())

@@ -19,7 +19,7 @@ pub(super) fn rename(context: &Context<'_>, component: &str, from: &str, to: &st
     }
     fragment::name(to)?;
     if component.step.as_ref().is_some_and(|step| step.name.text == from) {
-        return Err(Refusal::at(renamed.name.span, "the tree calls the function `step`: it keeps its name"));
+        return Err(Refusal::at(renamed.name.span, "the tree calls `step` by its name: it cannot be renamed"));
     }
     free(context, component, to)?;
     let all = functions_of(context.text, component).into_iter().filter(|one| one.text == from);

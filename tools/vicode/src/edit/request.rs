@@ -10,7 +10,7 @@ use crate::model::{HookRole, LinkKind, Span};
 #[serde(tag = "edit", rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum Edit {
-    /// Adds a state `name` behind the function `after`, or behind the last state.
+    /// Adds a state `name` after the function `after`, or after the last state.
     AddState {
         component: String,
         name: String,
@@ -57,11 +57,11 @@ pub enum Edit {
     Rename { component: String, function: String, to: String },
     /// Deletes a function; with a state what only that state needs.
     Delete { component: String, function: String },
-    /// Moves a function before another, or behind all.
+    /// Moves a function before another, or to the end.
     Move { component: String, function: String, before: Option<String> },
-    /// Copies a function under another name, behind the original. A copied state is not initial.
+    /// Copies a function under another name, after the original. A copied state is not initial.
     Copy { component: String, function: String, name: String },
-    /// Makes a state the one in which the machine starts.
+    /// Sets the initial state.
     SetInitial { component: String, state: String },
     /// Sets whether no transition leaves a state.
     SetLast { component: String, state: String, last: bool },

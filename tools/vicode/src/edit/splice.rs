@@ -1,10 +1,10 @@
 //! Replacements of parts of a text.
 
-use ra_ap_parser::LexedStr;
-use ra_ap_syntax::{Edition, SyntaxKind};
+use ra_ap_syntax::SyntaxKind;
 use serde::{Deserialize, Serialize};
 
 use crate::model::Span;
+use crate::read::lexed;
 
 /// The part `span` of a text is replaced by `text`; all other bytes stay.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,19 +26,19 @@ impl Splice {
         Self::new(Span::at(at), text)
     }
 
-    /// Replaces a part, whose comments stay behind the new text.
+    /// Replaces a part; its comments stay, after the new text.
     pub(super) fn keeping_comments(text: &str, span: Span, new: impl Into<String>) -> Self {
-        let lexed = LexedStr::new(Edition::Edition2024, span.of(text));
+        let tokens = lexed(span.of(text));
         let mut new = new.into();
         let is_removal = new.is_empty();
-        for index in (0..lexed.len()).filter(|index| lexed.kind(*index) == SyntaxKind::COMMENT) {
+        for (index, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == SyntaxKind::COMMENT) {
             if !new.is_empty() && !new.ends_with(char::is_whitespace) {
                 new.push(' ');
             }
-            new.push_str(lexed.text(index));
+            new.push_str(&token.name.text);
             // A line comment must not swallow what follows.
-            if index + 1 < lexed.len() && lexed.kind(index + 1) == SyntaxKind::WHITESPACE {
-                new.push_str(lexed.text(index + 1));
+            if let Some(space) = tokens.get(index + 1).filter(|next| next.kind == SyntaxKind::WHITESPACE) {
+                new.push_str(&space.name.text);
             }
         }
         let trimmed = new.trim_end_matches([' ', '\t']);

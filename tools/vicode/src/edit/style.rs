@@ -1,9 +1,9 @@
 //! How new code is laid out: as `rustfmt` does, with the line ends and the indentation of the file.
 
-use ra_ap_parser::LexedStr;
-use ra_ap_syntax::Edition;
+use ra_ap_syntax::SyntaxKind;
 
 use crate::model::Component;
+use crate::read::lexed;
 
 /// Layout of a file.
 #[derive(Clone, Debug)]
@@ -96,13 +96,11 @@ impl Style {
 /// Whether each line begins within a string or a comment.
 fn continued(code: &str) -> Vec<bool> {
     let mut inside = vec![false; code.split('\n').count()];
-    let lexed = LexedStr::new(Edition::Edition2024, code);
     let mut line = 0;
-    for index in 0..lexed.len() {
-        let breaks = lexed.text(index).matches('\n').count();
-        let kind = lexed.kind(index);
-        if breaks > 0 && kind != ra_ap_syntax::SyntaxKind::WHITESPACE {
-            inside[line + 1..=line + breaks].fill(true);
+    for token in lexed(code) {
+        let breaks = token.name.text.matches('\n').count();
+        if token.kind != SyntaxKind::WHITESPACE {
+            inside[line + 1..][..breaks].fill(true);
         }
         line += breaks;
     }
@@ -113,6 +111,18 @@ fn continued(code: &str) -> Vec<bool> {
 fn common_indent(lines: &[&str], inside: &[bool]) -> usize {
     let lines = lines.iter().zip(inside).filter(|(line, inside)| !**inside && !line.trim().is_empty());
     lines.map(|(line, _)| line.len() - line.trim_start_matches([' ', '\t']).len()).min().unwrap_or(0)
+}
+
+/// `ball_detector` of `BallDetector`.
+pub(super) fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    for character in name.chars() {
+        if character.is_uppercase() && !snake.is_empty() && !snake.ends_with('_') {
+            snake.push('_');
+        }
+        snake.extend(character.to_lowercase());
+    }
+    snake
 }
 
 /// The white space at the beginning of the line of a byte.
@@ -131,7 +141,7 @@ pub(super) fn line_number(text: &str, at: usize) -> usize {
     1 + text[..at].matches('\n').count()
 }
 
-/// Offset of the line end behind a byte, before `\r\n` or `\n`.
+/// Offset of the next line end, before `\r\n` or `\n`.
 pub(super) fn line_end(text: &str, at: usize) -> usize {
     let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
     if text[at..end].ends_with('\r') { end - 1 } else { end }

@@ -16,12 +16,12 @@ pub(super) struct Types<'a> {
 /// Pointers through which methods of their content are called.
 const POINTERS: [&str; 9] = ["Box", "Rc", "Arc", "Ref", "RefMut", "Pin", "Cow", "MutexGuard", "ManuallyDrop"];
 
-/// The token before a token, white space and comments left out.
+/// The token before a token, without white space and comments.
 pub(super) fn previous(token: &SyntaxToken) -> Option<SyntaxToken> {
     std::iter::successors(token.prev_token(), SyntaxToken::prev_token).find(|token| !token.kind().is_trivia())
 }
 
-/// The token behind a token, white space and comments left out.
+/// The token after a token, without white space and comments.
 pub(super) fn next(token: &SyntaxToken) -> Option<SyntaxToken> {
     std::iter::successors(token.next_token(), SyntaxToken::next_token).find(|token| !token.kind().is_trivia())
 }

@@ -18,9 +18,9 @@ pub struct Folder {
 /// Why a file cannot be read or written. Nothing was changed then.
 #[derive(Debug)]
 pub enum FileError {
-    /// The name leads out of the folder, or is none.
+    /// The name is invalid, or leads out of the folder.
     Outside(String),
-    /// It is no source file.
+    /// Not a source file.
     NoSource(String),
     /// The file is not there.
     Missing(String),

@@ -27,7 +27,7 @@ pub struct Layout {
     positions: BTreeMap<(String, String), Position>,
 }
 
-/// A line of a layout that is none.
+/// An invalid line of a layout.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LayoutError {
     /// Number of the line, from 1.
@@ -58,7 +58,7 @@ impl Layout {
     /// Reads a layout. A state that stands twice, as after a merge, has its last position.
     ///
     /// # Errors
-    /// If a line is none; the layout must be mended by hand before it is written again.
+    /// If a line is invalid: the layout must be corrected by hand before it is written again.
     pub fn parse(text: &str) -> Result<Self, LayoutError> {
         let mut layout = Self::default();
         for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
@@ -80,13 +80,6 @@ impl Layout {
     /// Sets the position of a state.
     pub fn set(&mut self, component: &str, state: &str, position: Position) {
         self.positions.insert((key(component), state.to_owned()), position);
-    }
-
-    /// Gives a renamed state the position that it had.
-    pub fn rename(&mut self, component: &str, from: &str, to: &str) {
-        if let Some(position) = self.positions.remove(&(key(component), from.to_owned())) {
-            self.set(component, to, position);
-        }
     }
 
     /// Removes the position of a state.

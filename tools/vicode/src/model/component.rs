@@ -12,11 +12,11 @@ pub struct Component {
     pub key: String,
     /// Modules of the file that contain it, as `one::two`; empty at the top.
     pub module: String,
-    /// Its type as one writes it.
+    /// Its type as written.
     pub name: Name,
     /// The impl block with its attributes.
     pub span: Span,
-    /// What stands in the braces of the block; `None` if they are missing.
+    /// Text between the braces of the block; `None` if one is missing.
     pub block: Option<Span>,
     /// The attribute `#[component]`.
     pub options: Options,
@@ -82,7 +82,7 @@ impl Component {
 pub struct Options {
     /// The attribute.
     pub span: Span,
-    /// What stands in its parentheses; `None` without parentheses.
+    /// Text between its parentheses; `None` without parentheses.
     pub list: Option<Span>,
     /// The options, in the order of the text.
     pub settings: Vec<Setting>,
@@ -103,7 +103,7 @@ pub struct Setting {
     pub span: Span,
     /// The word before `=`.
     pub key: Name,
-    /// What stands behind `=`, as written.
+    /// Text after `=`.
     pub value: Option<Name>,
 }
 
@@ -134,13 +134,13 @@ pub struct Transition {
 pub struct Arrow {
     /// The attribute.
     pub span: Span,
-    /// What stands in its parentheses.
+    /// Text between its parentheses.
     pub list: Span,
     /// States that it leaves.
     pub from: Sources,
     /// The states before the arrow, as written.
     pub from_span: Span,
-    /// State that it enters; `None` while it is not written.
+    /// State that it enters; `None` if missing.
     pub to: Option<Name>,
     /// Least time in the state before it, ms: its value and its place, with the comma before it.
     pub after_ms: Option<(u32, Span)>,
@@ -167,7 +167,7 @@ pub struct Hook {
     pub attribute: Span,
     /// The states of `#[entry]` and `#[exit]`.
     pub states: Vec<Name>,
-    /// What stands in the parentheses of the attribute.
+    /// Text between the parentheses of the attribute.
     pub list: Option<Span>,
 }
 

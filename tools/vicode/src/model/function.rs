@@ -13,11 +13,11 @@ pub struct Function {
     pub span: Span,
     /// Its doc comment.
     pub docs: Docs,
-    /// What stands in the parentheses behind the name.
+    /// Text between the parentheses after the name.
     pub inputs: Span,
     /// Arguments beside `self`.
     pub arguments: Vec<Argument>,
-    /// What stands in the braces; `None` if they are missing.
+    /// Text between the braces; `None` if one is missing.
     pub body: Option<Span>,
 }
 

@@ -60,7 +60,7 @@ fn options(attribute: &Attribute, text: &str) -> Options {
     Options { span: attribute.span, list: list.map(|(span, _)| *span), settings }
 }
 
-/// Puts a function where its role belongs, which is that of its first attribute that assigns one.
+/// Sorts a function by its role, which its first attribute with a role assigns.
 fn sort(component: &mut Component, item: &ast::Fn) {
     let Some(function) = function::function(item, &component.name.text) else { return };
     let all: Vec<Attribute> = item.attrs().filter_map(|one| attributes::attribute(&one)).collect();
@@ -91,12 +91,8 @@ fn state(function: Function, attribute: &Attribute) -> State {
 }
 
 fn hook(function: Function, role: &str, attribute: &Attribute) -> Hook {
-    let role = match role {
-        "entry" => HookRole::Entry,
-        "exit" => HookRole::Exit,
-        "start" => HookRole::Start,
-        _ => HookRole::Stop,
-    };
+    let roles = [HookRole::Entry, HookRole::Exit, HookRole::Start, HookRole::Stop];
+    let role = roles.into_iter().find(|one| one.word() == role).unwrap_or(HookRole::Stop);
     let states = attribute.list.as_ref().map(|(_, tokens)| attributes::names(tokens)).unwrap_or_default();
     Hook { function, role, attribute: attribute.span, states, list: attribute.list.as_ref().map(|(span, _)| *span) }
 }

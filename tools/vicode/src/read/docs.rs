@@ -1,26 +1,21 @@
 //! Doc comments.
 
 use ra_ap_syntax::ast::{self, HasDocComments};
-use ra_ap_syntax::{AstNode, AstToken, SyntaxNode};
+use ra_ap_syntax::{AstNode, AstToken};
 
 use super::span;
 use crate::model::{Docs, Span};
 
 /// The doc comment of an item, its `#[doc = "..."]` attributes included.
 pub(super) fn docs(item: &impl HasDocComments) -> Docs {
-    of_node(item.syntax())
-}
-
-/// The doc comment of a node.
-pub(super) fn of_node(node: &SyntaxNode) -> Docs {
     let mut lines: Vec<String> = Vec::new();
     let mut docs = Docs { plain: true, ..Docs::default() };
-    for child in node.children_with_tokens() {
+    for child in item.syntax().children_with_tokens() {
         let (line, at, plain) = match &child {
             ra_ap_syntax::NodeOrToken::Token(token) => {
                 let Some(comment) = ast::Comment::cast(token.clone()) else { continue };
                 let Some((text, _)) = comment.doc_comment() else { continue };
-                // With `\r\n` the token of a line comment ends behind the `\r`.
+                // With `\r\n` the token of a line comment ends after the `\r`.
                 let at = span(token.text_range());
                 let at = Span::new(at.start, at.end - usize::from(token.text().ends_with('\r')));
                 (text.to_owned(), at, comment.kind().shape.is_line())

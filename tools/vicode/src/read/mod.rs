@@ -17,7 +17,7 @@ use ra_ap_syntax::{AstNode, Edition, SourceFile, SyntaxNode, TextRange, ast};
 use crate::model::{Component, Model, Name, Problem, Reporter, Span};
 
 pub(crate) use self::attributes::content;
-pub(crate) use self::tokens::tokens;
+pub(crate) use self::tokens::{Token, is_keyword, lexed, tokens};
 
 /// Reads a file.
 #[must_use]
@@ -119,19 +119,25 @@ fn within(span: Span) -> Span {
     Span::new(span.start + 1, span.end.saturating_sub(1).max(span.start + 1))
 }
 
+/// The functions of all impl blocks, each with its block, in the order of the text.
+fn functions(root: &SyntaxNode) -> impl Iterator<Item = (ast::Impl, ast::Fn)> {
+    let function = |item: SyntaxNode| {
+        let item = ast::Fn::cast(item)?;
+        Some((ast::Impl::cast(item.syntax().parent()?.parent()?)?, item))
+    };
+    root.descendants().filter_map(function)
+}
+
 /// The functions of impl blocks with the names of their types, in the order of the text, those within another one left out.
 pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
-    let Some(root) = parse(text) else { return Vec::new() };
+    let root = parse(text);
     let mut found: Vec<(String, Span)> = Vec::new();
-    for block in root.tree.descendants().filter_map(ast::Impl::cast) {
+    for (block, item) in root.iter().flat_map(|root| functions(&root.tree)) {
         let of = block.self_ty().map(|ty| tokens::written(&tokens(ty.syntax()))).unwrap_or_default();
-        for item in block.assoc_item_list().iter().flat_map(ast::AssocItemList::assoc_items) {
-            let ast::AssocItem::Fn(item) = item else { continue };
-            let Some(name) = item.name() else { continue };
-            let place = Span::new(function::start(item.syntax()), span(item.syntax().text_range()).end);
-            if found.last().is_none_or(|(_, last)| last.end <= place.start) {
-                found.push((format!("{of}::{}", name.text()), place));
-            }
+        let Some(name) = item.name() else { continue };
+        let place = Span::new(function::start(item.syntax()), span(item.syntax().text_range()).end);
+        if found.last().is_none_or(|(_, last)| last.end <= place.start) {
+            found.push((format!("{of}::{}", name.text()), place));
         }
     }
     found
@@ -139,7 +145,7 @@ pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
 
 /// The functions of all impl blocks of a component's type, whatever its arguments.
 pub(crate) fn functions_of(text: &str, component: &Component) -> Vec<Name> {
-    let Some(root) = parse(text) else { return Vec::new() };
+    let root = parse(text);
     let base = |written: &str| written.split('<').next().unwrap_or_default().trim().to_owned();
     let is_own = |block: &ast::Impl| {
         let ty = block.self_ty().map(|ty| base(&ty.syntax().text().to_string()));
@@ -147,8 +153,7 @@ pub(crate) fn functions_of(text: &str, component: &Component) -> Vec<Name> {
             && module_of(block.syntax()) == component.module
             && ty == Some(base(&component.name.text))
     };
-    let blocks = root.tree.descendants().filter_map(ast::Impl::cast).filter(is_own);
-    let items = blocks.filter_map(|block| block.assoc_item_list()).flat_map(|list| list.assoc_items());
-    let names = items.filter_map(|item| if let ast::AssocItem::Fn(item) = item { item.name() } else { None });
+    let all = root.iter().flat_map(|root| functions(&root.tree)).filter(|(block, _)| is_own(block));
+    let names = all.filter_map(|(_, item)| item.name());
     names.map(|ident| tokens::name(ident.text(), span(ident.syntax().text_range()))).collect()
 }

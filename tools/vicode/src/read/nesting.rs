@@ -74,7 +74,7 @@ mod tests {
     use super::is_too_deep;
 
     #[test]
-    fn code_that_people_write_is_read_and_a_tower_is_not() {
+    fn only_towers_are_too_deep() {
         let long = "fn f() { g(1, -2, &&x); if a { b() } else if c { d() } }\n".repeat(1000);
         assert!(!is_too_deep(&long));
         for tower in ["(", "!", "&", "A<", "if a {} else ", "|x| ", "a = ", "-"] {
@@ -85,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn closing_brackets_without_opening_ones_are_no_panic() {
+    fn unmatched_closing_brackets_do_not_panic() {
         assert!(!is_too_deep(")}]};,)(};"));
     }
 }

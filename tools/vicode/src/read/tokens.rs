@@ -1,6 +1,7 @@
 //! Tokens of a node without white space and comments.
 
-use ra_ap_syntax::{NodeOrToken, SyntaxKind, SyntaxNode, T};
+use ra_ap_parser::LexedStr;
+use ra_ap_syntax::{Edition, NodeOrToken, SyntaxKind, SyntaxNode, T};
 
 use super::span;
 use crate::model::{Name, Span};
@@ -17,6 +18,18 @@ pub(crate) fn tokens(node: &SyntaxNode) -> Vec<Token> {
     let all = node.descendants_with_tokens().filter_map(NodeOrToken::into_token);
     let tokens = all.filter(|token| !token.kind().is_trivia());
     tokens.map(|token| Token { kind: token.kind(), name: name(token.text(), span(token.text_range())) }).collect()
+}
+
+/// The tokens of a text that is no file, white space and comments too.
+pub(crate) fn lexed(text: &str) -> Vec<Token> {
+    let lexed = LexedStr::new(Edition::Edition2024, text);
+    let token = |index| Name { text: lexed.text(index).to_owned(), span: lexed.text_range(index).into() };
+    (0..lexed.len()).map(|index| Token { kind: lexed.kind(index), name: token(index) }).collect()
+}
+
+/// Whether a word is a keyword of the language.
+pub(crate) fn is_keyword(word: &str) -> bool {
+    LexedStr::single_token(Edition::Edition2024, word).is_some_and(|(kind, _)| kind.is_keyword(Edition::Edition2024))
 }
 
 /// A name without the `r#` of a raw identifier.

@@ -68,7 +68,7 @@ pub(crate) fn agrees<'a>(component: &Component, tree: &'a Value) -> &'a Value {
 }
 
 #[test]
-fn model_of_every_component_of_the_forward_is_its_node_in_the_graph() {
+fn models_of_the_forward_are_its_graph() {
     let tree: Value = serde_json::from_str(&bica_player::Forward::GRAPH.json().to_string()).unwrap();
     let mut seen = 0;
     for (_, text) in sources::components("player/src") {

@@ -18,7 +18,7 @@ fn out(output: &Output) -> String {
 const MACHINE: &str = "//! A.\n\nuse bica::prelude::*;\n\npub struct A;\n\n#[component]\nimpl A {\n    pub const fn new() -> Self {\n        Self\n    }\n\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> two)]\n    fn go(&self) -> bool {\n        true\n    }\n\n    #[state(last)]\n    fn two(&mut self) {}\n}\n";
 
 #[test]
-fn a_dry_run_prints_a_difference_and_a_run_applies_it() {
+fn dry_run_prints_what_a_run_applies() {
     let folder = scratch();
     fs::write(folder.join("a.rs"), MACHINE).unwrap();
     let edits = r#"[{"edit": "rename", "component": "A", "function": "two", "to": "end"},
@@ -43,7 +43,7 @@ fn a_dry_run_prints_a_difference_and_a_run_applies_it() {
 }
 
 #[test]
-fn check_prints_places_and_the_exit_code_says_whether_all_is_well() {
+fn check_prints_places_and_sets_the_exit_code() {
     let folder = scratch();
     fs::write(folder.join("a.rs"), MACHINE).unwrap();
     assert!(vicode(&["check", "a.rs"], &folder).status.success());
@@ -56,7 +56,7 @@ fn check_prints_places_and_the_exit_code_says_whether_all_is_well() {
 }
 
 #[test]
-fn the_model_is_json_and_drawings_have_all_states() {
+fn model_is_json_and_drawings_show_all_states() {
     let folder = scratch();
     let player = sources::root().join("player/src/behaviour/player.rs").canonicalize().unwrap();
     let player = player.to_str().unwrap();
@@ -78,7 +78,7 @@ fn the_model_is_json_and_drawings_have_all_states() {
 }
 
 #[test]
-fn a_new_component_has_a_file_a_mod_line_and_a_place_in_the_tree() {
+fn new_component_gets_file_mod_line_and_tree_entry() {
     let folder = scratch();
     fs::create_dir(folder.join("src")).unwrap();
     let lib = "//! Lib.\n\nmod a;\nmod z;\n\npub use a::A;\n\nactivation_tree! {\n    pub struct T {\n        root: A,\n        cycle_hz: 100,\n        components: [A],\n    }\n}\n";
@@ -123,7 +123,7 @@ fn save_with_limit(limit: &str) -> (Option<i32>, String) {
 
 #[cfg(unix)]
 #[test]
-fn a_full_disk_is_an_error_and_the_file_stays_whole() {
+fn full_disk_keeps_the_file() {
     let (code, error) = save_with_limit("trap '' XFSZ");
     assert_eq!(code, Some(2));
     assert!(error.contains("`a.rs` was not changed: File too large"), "{error}");
@@ -131,7 +131,7 @@ fn a_full_disk_is_an_error_and_the_file_stays_whole() {
 
 #[cfg(unix)]
 #[test]
-fn a_process_that_is_killed_while_it_saves_leaves_the_file_whole() {
+fn kill_while_saving_keeps_the_file() {
     let (code, _) = save_with_limit("true");
     assert_eq!(code, None, "a signal ended it");
 }

@@ -66,7 +66,7 @@ fn write_package(folder: &Path, documents: &[Document]) {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_results_of_edits_compile_and_their_graph_is_the_model() {
+fn slow_edited_machines_compile_to_their_model() {
     let documents: Vec<Document> = (0..).filter_map(edited).take(200).collect();
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("edited");
     write_package(&folder, &documents);

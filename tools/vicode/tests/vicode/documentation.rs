@@ -5,7 +5,7 @@ use bica_vicode::Edit;
 use crate::sources;
 
 #[test]
-fn the_edits_on_the_page_are_edits() {
+fn example_on_the_page_is_valid() {
     let page = sources::text("docs/vicode.md");
     let json = page.split("```json\n").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let edits: Vec<Edit> = serde_json::from_str(json).expect("edits");
@@ -14,7 +14,7 @@ fn the_edits_on_the_page_are_edits() {
 }
 
 #[test]
-fn the_page_lists_every_edit_and_every_field() {
+fn page_lists_every_edit_and_field() {
     let page = sources::text("docs/vicode.md");
     let unknown = serde_json::from_str::<Edit>(r#"{"edit": "none"}"#).unwrap_err().to_string();
     let names: Vec<&str> = unknown.split('`').skip(3).step_by(2).collect();

@@ -13,7 +13,7 @@ fn imported(text: &str, names: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn other_crates_share_a_paragraph_and_the_own_one_has_another() {
+fn imports_of_other_crates_share_a_paragraph() {
     let names = [("crate::skills", "Dive"), ("player::motion", "Body"), ("glam", "Vec2"), ("core::cell", "Cell")];
     let expected = "use bica::prelude::*;\nuse glam::Vec2;\nuse player::motion::Body;\n\nuse crate::skills::Dive;\n\n\
                     use core::cell::Cell;\n\nstruct A;\n";
@@ -21,7 +21,7 @@ fn other_crates_share_a_paragraph_and_the_own_one_has_another() {
 }
 
 #[test]
-fn a_name_joins_the_line_of_its_module() {
+fn import_joins_the_line_of_its_module() {
     let names = [("player::motion", "Body"), ("player::motion", "Arm"), ("player::motion", "Head")];
     assert_eq!(imported("struct A;\n", &names), "use player::motion::{Arm, Body, Head};\n\nstruct A;\n");
 }
@@ -35,7 +35,7 @@ fn exported_and_conditional_imports_stay() {
 }
 
 #[test]
-fn a_known_name_and_a_wrong_path_are_refused() {
+fn known_names_and_wrong_paths_are_refused() {
     for (import, name, why) in [
         ("player::motion", "Head", "is known in this file already"),
         ("other", "A", "is known in this file already"),

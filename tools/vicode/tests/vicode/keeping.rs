@@ -21,7 +21,7 @@ const MACHINE: &str = "#[component(hz = 20 /* why */, resume)]\r\nimpl A {\r\n  
     #[entry(one /* 1 */ | two // 2\r\n    )]\r\n    fn begin(&mut self) {}\r\n}\r\n";
 
 #[test]
-fn comments_in_attributes_line_ends_and_indented_docs_stay() {
+fn comments_line_ends_and_indented_docs_stay() {
     let on = |edit: &str| format!(r#"{{"component": "A", "edit": {edit}}}"#);
     for (edit, from, to) in [
         (r#""set_initial", "state": "two""#, "state(initial /* first */)", "state /* first */"),
@@ -65,7 +65,7 @@ const NAMESAKES: &str = "mod one {\n    use crate::parts::Net;\n\n    pub struct
     fn step(&mut self) {}\n    }\n\n    #[cfg(test)]\n    #[component]\n    impl A {\n        fn step(&mut self) {}\n    }\n}\n";
 
 #[test]
-fn each_component_of_one_name_is_edited_at_its_own_place() {
+fn components_of_one_name_are_edited_separately() {
     let keys: Vec<String> = Document::new(NAMESAKES).model().components.iter().map(|one| one.key.clone()).collect();
     assert_eq!(keys, ["one::A", "two::A", "two::A#2"]);
     let mut rest = NAMESAKES;

@@ -74,14 +74,14 @@ fn interleavings(count: u64) -> u64 {
 }
 
 #[test]
-fn random_interleavings_of_edits_on_both_sides_lose_no_edit() {
+fn interleavings_lose_no_edit() {
     let clean = interleavings(20);
     assert!(clean > 5, "{clean}");
 }
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_five_hundred_interleavings_of_edits_on_both_sides_lose_no_edit() {
+fn slow_interleavings_lose_no_edit() {
     let clean = interleavings(500);
     println!("{clean} of 500 merged");
     assert!((125..500).contains(&clean), "{clean}");
@@ -94,7 +94,7 @@ fn body(function: &str, body: &str) -> Edit {
 }
 
 #[test]
-fn both_sides_of_one_body_are_a_conflict_and_nothing_is_overwritten() {
+fn changes_of_one_body_are_a_conflict() {
     for (here, there) in [
         ("self.n = 2;", "self.n = 3;"),
         ("self.n = 1;\nself.m = 2;", "self.n = 1;\nself.m = 3;"),
@@ -117,7 +117,7 @@ fn both_sides_of_one_body_are_a_conflict_and_nothing_is_overwritten() {
 }
 
 #[test]
-fn the_same_change_on_both_sides_is_no_conflict() {
+fn equal_changes_are_no_conflict() {
     let mut document = Document::new(BASE);
     document.apply(&[body("one", "self.n = 2;")]).unwrap();
     let theirs = document.text().to_owned();
@@ -126,7 +126,7 @@ fn the_same_change_on_both_sides_is_no_conflict() {
 }
 
 #[test]
-fn a_file_that_was_changed_back_ends_the_conflict() {
+fn reverted_file_ends_the_conflict() {
     let mut document = Document::new(BASE);
     document.apply(&[body("one", "self.n = 2;")]).unwrap();
     assert!(matches!(document.external_change(&BASE.replace("n = 1", "n = 3")), External::Conflict(_)));
@@ -135,7 +135,7 @@ fn a_file_that_was_changed_back_ends_the_conflict() {
 }
 
 #[test]
-fn history_runs_over_canvas_code_and_file() {
+fn one_history_has_canvas_code_and_file() {
     let mut document = Document::new(BASE);
     document.apply(&[body("two", "self.n = 9;")]).unwrap();
     let canvas = document.text().to_owned();

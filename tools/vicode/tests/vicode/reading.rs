@@ -17,7 +17,7 @@ fn whole(model: &Model, text: &str) {
 }
 
 #[test]
-fn hostile_layout_is_read_with_its_places() {
+fn hostile_layout_is_read_with_places() {
     let model = read(HOSTILE);
     assert_eq!(model.problems.iter().filter(|one| one.from == Reporter::Syntax).collect::<Vec<_>>(), Vec::<&_>::new());
     let player = model.component("Player").expect("a component");
@@ -41,7 +41,7 @@ fn hostile_layout_is_read_with_its_places() {
 }
 
 #[test]
-fn every_prefix_of_a_file_is_read_without_a_panic() {
+fn no_prefix_of_a_file_panics() {
     let player = crate::sources::text("player/src/behaviour/player.rs");
     for text in [HOSTILE, &player] {
         let step = (text.len() / 30).max(1);
@@ -52,7 +52,7 @@ fn every_prefix_of_a_file_is_read_without_a_panic() {
 }
 
 #[test]
-fn a_half_typed_function_hides_no_other() {
+fn half_typed_function_hides_no_other() {
     let text = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> \n\n    #[state]\n    fn two(&mut self) {}\n}\n";
     let model = read(text);
     assert!(!model.problems.is_empty());
@@ -67,7 +67,7 @@ fn a_half_typed_function_hides_no_other() {
 }
 
 #[test]
-fn several_components_and_other_items_in_a_file_are_told_apart() {
+fn only_component_blocks_are_components() {
     let text = "mod inner { #[component] impl A { fn step(&mut self, b: &super::B) {} } }\nimpl A { fn step2() {} }\n#[bica::component(hz = 5)] impl B<4> {}\nstruct C;\n#[component] impl Trait for C {}\nmacro_rules! m { () => { #[component] impl D {} } }\n";
     let model = read(text);
     let names: Vec<_> = model.components.iter().map(|component| &*component.name.text).collect();
@@ -75,7 +75,7 @@ fn several_components_and_other_items_in_a_file_are_told_apart() {
 }
 
 #[test]
-fn mistakes_are_reported_in_the_words_and_at_the_places_of_the_macro() {
+fn mistakes_have_words_and_places_of_the_macro() {
     let text = "/* ä */ #[component(hz = fast)]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self, a: &mut B) {}\n    #[transition(one -> tow)]\n    fn go(&self, head: &mut Head) -> bool { true }\n    #[state]\n    fn two(&mut self) {}\n}\n";
     let model = read(text);
     let found: Vec<_> =
@@ -90,7 +90,7 @@ fn mistakes_are_reported_in_the_words_and_at_the_places_of_the_macro() {
 }
 
 #[test]
-fn parameters_and_trees_are_checked_too() {
+fn parameters_and_trees_are_checked() {
     let text = "#[derive(Clone, Params)]\nstruct P { #[param(default = 1, rnge = 2)] x: f32 }\nactivation_tree! { struct T { root: A, cycle_hz: 0, components: [A, A] } }\n";
     let found: Vec<_> = read(text).problems.into_iter().map(|one| one.span.of(text).to_owned()).collect();
     assert_eq!(found, ["P", "rnge", "x", "0", "A"]);

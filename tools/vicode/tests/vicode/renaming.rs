@@ -18,7 +18,7 @@ fn rename(text: &str) -> Result<String, String> {
 }
 
 #[test]
-fn all_uses_whose_type_is_known_are_renamed_and_namesakes_are_not() {
+fn rename_covers_known_types_and_leaves_namesakes() {
     for (code, items) in [
         ("(self).$(); (&mut *self).$(); self.$::<4>();", ""),
         ("k.$(); let x: &A = k; x.$(); let y = A::new(); y.$(); A::new().$();", ""),
@@ -57,7 +57,7 @@ fn all_uses_whose_type_is_known_are_renamed_and_namesakes_are_not() {
 }
 
 #[test]
-fn places_that_cannot_be_decided_are_listed_and_nothing_changes() {
+fn rename_lists_undecided_places() {
     for (code, lines) in [
         ("for x in all() { x.one(); }", "line 11"),
         ("let z = get();\n        z.one();\n        get().one();", "lines 12, 13"),
@@ -84,7 +84,7 @@ fn function_with_several_definitions_is_not_renamed() {
 }
 
 #[test]
-fn other_files_have_certain_and_undecided_uses_and_namesakes_leave_paths_undecided() {
+fn namesakes_make_uses_of_other_files_undecided() {
     let home = file("", "type Alias = A;");
     let other = "use crate::home::{A, Alias};\nuse crate::else_where::B;\nfn f(a: &A, b: &B) { A::one(a); Alias::one(a); a.one(); b.one(); x().one(); }\n";
     let certain = |has_namesakes| {
