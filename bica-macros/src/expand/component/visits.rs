@@ -89,9 +89,10 @@ impl Visits {
                 || quote!(#p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX)),
             );
             let is_first = plan.map(|plan| quote!(#p::visits_first::<__T, Self, #child>(#plan)));
-            let visit = match plan {
-                Some(plan) => quote!(<__T as #p::Has<#child>>::visit_steady::<__P, #plan>(cycle);),
-                None => quote!(<__T as #p::Has<#child>>::visit(cycle);),
+            let visit = if let Some(plan) = plan {
+                quote!(<__T as #p::Has<#child>>::visit_steady::<__P, #plan>(cycle);)
+            } else {
+                quote!(<__T as #p::Has<#child>>::visit(cycle);)
             };
             let conditions: Vec<_> = is_first.into_iter().chain(counts).collect();
             if conditions.is_empty() { visit } else { quote!(if const { #(#conditions)&&* } { #visit }) }
