@@ -76,7 +76,7 @@ activation_tree! {
 fn main() {
     let (mut robot, mut metres) = (Robot::new(), 0.5);
     for ms in (0..6000).step_by(20) {
-        metres -= if robot.is_active(Robot::id::<Legs>()) { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
+        metres -= if robot.is_active::<Legs>() { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
         robot.get_mut::<Ball>().distance = (500..4000).contains(&ms).then_some(metres);
         let before = robot.state(Robot::id::<Player>());
         robot.tick(Instant::from_millis(ms));

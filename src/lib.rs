@@ -79,6 +79,7 @@ pub mod prelude {
     };
     pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, output};
     pub use bica_runner::{Robot, Runner, World};
+    pub use core::convert::Infallible;
 }
 
 #[cfg(doctest)]

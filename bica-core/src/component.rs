@@ -36,13 +36,13 @@ pub trait Component: Sized + 'static {
     type Params: 'static;
     /// Description of the parameters, one group for each struct.
     const PARAMS: &'static [ParamGroup] = &[];
-    /// The information: getters with `#[info]`.
+    /// The outputs: getters with `#[info]`.
     const INFO: &'static [Info] = &[];
     /// The modulations that an operator may call: methods with `#[modulation]`.
     const MODULATIONS: &'static [Modulation] = &[];
     /// The default values of the parameters.
     const DEFAULT_PARAMS: Self::Params;
-    /// The same as a reference, which an untunable tree hands out.
+    /// The same as a reference, which an untunable tree returns.
     #[doc(hidden)]
     const CONSTANT_PARAMS: &'static Self::Params;
     /// Index in [`STATES`](Self::STATES) of the state in which the machine starts.

@@ -58,7 +58,7 @@ pub struct Node {
     pub transitions: &'static [Transition],
     /// The parameters, one group for each struct. A [`Setting`](crate::Setting) counts them through all groups.
     pub params: &'static [ParamGroup],
-    /// The information: what an operator may look at.
+    /// The outputs: what an operator may look at.
     pub info: &'static [Info],
     /// The modulations: what an operator may call.
     pub modulations: &'static [Modulation],

@@ -48,7 +48,7 @@ pub trait Probe {
     fn end(&mut self, component: ComponentId) {}
 
     /// The condition of a transition was evaluated: its index in [`Node::transitions`](crate::graph::Node::transitions), and
-    /// whether it holds. Conditions behind a timer that has not run out, and those after one that holds, are not evaluated. Called
+    /// whether it holds. A condition is not evaluated while its timer runs, or if an earlier one holds. Called
     /// within a section.
     #[inline]
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {}

@@ -36,6 +36,10 @@ pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
 /// from the other. A tree does no input or output and reads no clock: the same inputs at the same instants give the same
 /// outputs, bit for bit.
 ///
+/// # By type or by identifier
+/// Functions with a type parameter serve code that knows the component. Those with a [`ComponentId`] serve tools; their names
+/// end in `_at` if there is one by type, too. [`Tree::id`] and [`Graph::find`] return the identifier of a type and of a name.
+///
 /// # Panics in a step
 /// If a step, a hook, a transition or a probe panics and the caller catches the unwinding, the tree stays usable:
 ///
@@ -156,8 +160,8 @@ pub trait Tree: Layout {
         tuning::set(self, batch)
     }
 
-    /// Hands the information at `index` of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether there is
-    /// one. The getter is called only now.
+    /// Passes the output at `index` of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether it exists. The
+    /// getter is called only now.
     fn read_info<S: InfoSink>(&self, component: ComponentId, index: usize, sink: &mut S) -> bool {
         operate::read(self, component, index, sink)
     }
@@ -182,14 +186,22 @@ pub trait Tree: Layout {
         self.engine().held(component)
     }
 
-    /// Returns whether the component was visited in the last cycle.
-    fn is_active(&self, component: ComponentId) -> bool {
+    /// Returns whether component `C` was visited in the last cycle.
+    fn is_active<C: 'static>(&self) -> bool
+    where
+        Self: Has<C>,
+    {
+        self.is_active_at(Self::id::<C>())
+    }
+
+    /// As [`is_active`](Tree::is_active), by identifier; `false` for a component that the tree does not list.
+    fn is_active_at(&self, component: ComponentId) -> bool {
         self.engine().is_active(component)
     }
 
     /// Returns the components that were visited in the last cycle, in the order of the tree's list.
     fn active(&self) -> impl Iterator<Item = ComponentId> {
-        (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.is_active(component))
+        (0..Self::COUNT).map(ComponentId::new).filter(|&component| self.is_active_at(component))
     }
 
     /// Returns the state of a state machine, an index in [`Node::states`](crate::graph::Node::states); for a latent one
@@ -217,11 +229,11 @@ pub trait Tree: Layout {
         Self::GRAPH.nodes.get(component.index())?.states.get(state).map(|state| state.name)
     }
 
-    /// All that a monitor shows of a component; `None` for one that the tree does not list.
+    /// State of a component between two cycles; `None` for one that the tree does not list.
     fn status(&self, component: ComponentId) -> Option<Status> {
         let state = Self::component_state(self.engine().store.slots(), component.index())?;
         Some(Status {
-            active: self.is_active(component),
+            active: self.is_active_at(component),
             held: self.held(component),
             state: state.state(),
             since: state.since(),
@@ -229,10 +241,10 @@ pub trait Tree: Layout {
         })
     }
 
-    /// Sets the rate of a component by identifier, as [`Rate::set`] does; does nothing for one that the tree does not
-    /// list.
-    fn set_rate_at(&mut self, component: ComponentId, hz: f32) {
-        Self::set_hz(self, component.index(), hz);
+    /// Sets the rate of a component by identifier, as [`Rate::set`] does; `None` is the declared rate. Does nothing for a
+    /// component that the tree does not list.
+    fn set_rate_at(&mut self, component: ComponentId, hz: Option<f32>) {
+        Self::set_hz(self, component.index(), hz.unwrap_or(f32::NAN));
     }
 }
 

@@ -23,8 +23,8 @@ pub enum OwnedRequest {
     Rate {
         /// Component.
         component: ComponentId,
-        /// Runs per second.
-        hz: f32,
+        /// Runs per second; `None` is the declared rate.
+        hz: Option<f32>,
     },
     /// [`Request::Params`].
     Params(Vec<Setting>),

@@ -21,8 +21,8 @@ pub enum Request<'a> {
     Rate {
         /// Component.
         component: ComponentId,
-        /// Runs per second: above 0, and at most the declared rate or, without one, the rate of the cycles. NaN is the declared rate.
-        hz: f32,
+        /// Runs per second: above 0, and at most the declared rate or, without one, the rate of the cycles. `None` is the declared rate.
+        hz: Option<f32>,
     },
     /// Sets parameters, of any number of components: all of them or, if one is refused, none.
     Params(&'a [Setting]),
@@ -69,9 +69,9 @@ const fn listed<T: Tree>(component: ComponentId) -> Result<(), Refusal> {
 }
 
 /// Checks a rate for a component that the tree lists.
-fn possible<T: Tree>(component: ComponentId, hz: f32) -> Result<(), Refusal> {
+fn possible<T: Tree>(component: ComponentId, hz: Option<f32>) -> Result<(), Refusal> {
     let node = &T::GRAPH.nodes[component.index()];
-    if hz.is_nan() || (hz > 0.0 && hz <= node.hz.unwrap_or(T::GRAPH.cycle_hz)) {
+    if hz.is_none_or(|hz| hz > 0.0 && hz <= node.hz.unwrap_or(T::GRAPH.cycle_hz)) {
         return Ok(());
     }
     let reason = Reason::Rule("a rate is above 0 Hz and at most the declared rate, or that of the cycles");

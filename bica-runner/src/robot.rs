@@ -10,7 +10,8 @@ pub trait Robot: Tree {
     type Sensors<'a>;
     /// Command of all actuators for one cycle.
     type Command;
-    /// Reason for which sensor values are rejected; `core::convert::Infallible` if they are always accepted.
+    /// Reason for which sensor values are rejected; [`Infallible`](core::convert::Infallible) if they are always accepted. Rust
+    /// has no default for an associated type.
     type Error;
 
     /// Writes the sensor values of this cycle into the input components.

@@ -127,7 +127,7 @@ impl Requests for HoldSecond {
 }
 
 #[test]
-fn a_cycle_is_requests_sense_tick_act_and_each_calls_the_observer() {
+fn a_cycle_has_four_observed_steps() {
     let hold = Request::Hold { component: Doubler::id::<Double>(), hold: Hold::Latent };
     let runner = Runner::new(Box::new(Doubler::new()), script(&[3, 4]));
     let mut runner = runner.with_requests(HoldSecond(Some(hold))).with_observer(Log::default());
@@ -143,7 +143,7 @@ fn a_cycle_is_requests_sense_tick_act_and_each_calls_the_observer() {
 }
 
 #[test]
-fn rejected_sensor_values_end_the_cycle_before_the_tick() {
+fn rejected_sensor_values_prevent_the_tick() {
     let mut runner = Runner::new(Box::new(Doubler::new()), script(&[1, -7])).with_observer(Log::default());
     assert_eq!(runner.cycle(), Ok(2));
     let before = runner.observer().0.len();
@@ -153,7 +153,7 @@ fn rejected_sensor_values_end_the_cycle_before_the_tick() {
 }
 
 #[test]
-fn values_received_as_messages_give_the_same_commands_as_a_world() {
+fn messages_give_the_commands_of_a_world() {
     let values = [5, 2, 9, 0];
     let mut runner = Runner::new(Box::new(Doubler::new()), ());
     let commands = values.map(|value| {
@@ -169,7 +169,7 @@ fn values_received_as_messages_give_the_same_commands_as_a_world() {
 }
 
 #[test]
-fn requests_of_a_paused_loop_are_in_force_in_the_next_cycle() {
+fn paused_requests_apply_in_the_next_cycle() {
     let hold = Request::Hold { component: Doubler::id::<Double>(), hold: Hold::Latent };
     let runner = Runner::new(Box::new(Doubler::new()), script(&[3, 4]));
     let mut runner = runner.with_requests(HoldSecond(Some(hold))).with_observer(Log::default());

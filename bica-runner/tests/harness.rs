@@ -64,7 +64,7 @@ fn states_are_reached_and_kept_in_simulated_time() {
 }
 
 #[test]
-fn a_state_that_is_not_reached_fails_with_component_state_limit_and_history() {
+fn an_unreached_state_fails_with_history() {
     let text = message(|| {
         let mut test = Harness::new(House::new());
         test.tree_mut().get_mut::<Door>().0 = true;
@@ -85,7 +85,7 @@ fn a_state_that_is_not_reached_fails_with_component_state_limit_and_history() {
 }
 
 #[test]
-fn a_state_that_is_left_fails_and_an_unknown_one_is_rejected_with_a_list_of_all() {
+fn a_left_or_unknown_state_fails() {
     let text = message(|| {
         let mut test = Harness::new(House::new());
         test.tree_mut().get_mut::<Door>().0 = true;

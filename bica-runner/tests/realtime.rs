@@ -38,7 +38,7 @@ impl Robot for Sloth {
 /// World with one slow cycle.
 struct Slow {
     cycle: u64,
-    slow: Option<u64>,
+    late: Option<u64>,
     refused: Option<u64>,
 }
 
@@ -52,7 +52,7 @@ impl World<Sloth> for Slow {
     }
 
     fn act(&mut self, (): &()) {
-        if self.slow == Some(self.cycle) {
+        if self.late == Some(self.cycle) {
             thread::sleep(Duration::from_millis(45));
         }
         self.cycle += 1;
@@ -70,8 +70,8 @@ impl Observer<Sloth> for Overruns {
     }
 }
 
-fn runner(slow: Option<u64>, refused: Option<u64>) -> Runner<Box<Sloth>, Slow, (), Overruns> {
-    Runner::new(Box::new(Sloth::new()), Slow { cycle: 0, slow, refused }).with_observer(Overruns::default())
+fn runner(late: Option<u64>, refused: Option<u64>) -> Runner<Box<Sloth>, Slow, (), Overruns> {
+    Runner::new(Box::new(Sloth::new()), Slow { cycle: 0, late, refused }).with_observer(Overruns::default())
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn a_raised_stop_flag_ends_the_loop_after_the_cycle() {
 }
 
 #[test]
-fn the_policy_abort_and_rejected_sensor_values_end_the_loop() {
+fn aborts_and_rejections_end_the_loop() {
     let (mut slow, mut schedule) = (runner(Some(2), None), Schedule::new(100.0, OverrunPolicy::Abort));
     let ran = slow.run(&mut schedule, &Stop::new(), |_| true);
     assert!(matches!(ran, Err(RunError::Overrun(_))), "{ran:?}");
@@ -111,7 +111,7 @@ fn the_policy_abort_and_rejected_sensor_values_end_the_loop() {
 }
 
 #[test]
-fn the_loop_on_embassy_keeps_its_rate_and_ends_with_the_error() {
+fn the_embassy_loop_keeps_its_rate() {
     let (mut runner, mut schedule) = (runner(None, Some(20)), Schedule::new(200.0, OverrunPolicy::Skip));
     let began = time::Instant::now();
     let error = embassy_futures::block_on(runner.run_async(&mut schedule));

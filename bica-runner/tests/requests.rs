@@ -117,14 +117,14 @@ fn runner() -> Runner<Box<Counting>, Clock, RequestQueue, Log> {
 }
 
 #[test]
-fn every_kind_of_request_is_in_force_in_the_cycle_before_which_it_is_applied() {
+fn requests_apply_in_the_same_cycle() {
     let mut runner = runner();
     assert_eq!(runner.cycle(), Ok(101));
     let steps = [
         (OwnedRequest::Params(vec![slope(5), offset(200)]), 206),
         (modulate(COUNTER, 0, 40), 245),
-        (OwnedRequest::Rate { component: COUNTER, hz: 0.001 }, 245),
-        (OwnedRequest::Rate { component: COUNTER, hz: f32::NAN }, 250),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(0.001) }, 245),
+        (OwnedRequest::Rate { component: COUNTER, hz: None }, 250),
         (OwnedRequest::Hold { component: COUNTER, hold: Hold::Latent }, 250),
         (OwnedRequest::Hold { component: COUNTER, hold: Hold::Tree }, 255),
     ];
@@ -134,11 +134,11 @@ fn every_kind_of_request_is_in_force_in_the_cycle_before_which_it_is_applied() {
         assert_eq!(runner.requests_mut().take_answers(), [Ok(())], "{request:?}");
     }
     let requested = steps.map(|(request, _)| request);
-    assert_eq!(format!("{:?}", runner.observer().requested), format!("{requested:?}"), "NaN differs from itself");
+    assert_eq!(runner.observer().requested, requested);
 }
 
 #[test]
-fn a_refused_request_changes_nothing_is_answered_and_does_not_hinder_the_next() {
+fn a_refused_request_changes_nothing() {
     let refused = [
         (OwnedRequest::Params(vec![slope(5), offset(1001)]), "`Counter.offset`: 1001 is outside 0..=1000"),
         (OwnedRequest::Params(vec![slope(5), slope(6)]), "`Counter.slope`: set twice in one batch"),
@@ -149,11 +149,12 @@ fn a_refused_request_changes_nothing_is_answered_and_does_not_hinder_the_next() 
         (modulate(COUNTER, 0, 51), "`Counter.count`: 51 is outside 0..=50"),
         (modulate(COUNTER, 1, 5), "`Counter`: no such modulation, the component has 1"),
         (modulate(NOBODY, 0, 5), "entry 0: the tree has no such component"),
-        (OwnedRequest::Rate { component: NOBODY, hz: 0.0 }, "entry 0: the tree has no such component"),
-        (OwnedRequest::Rate { component: COUNTER, hz: 0.0 }, RATE),
-        (OwnedRequest::Rate { component: COUNTER, hz: -1e30 }, RATE),
-        (OwnedRequest::Rate { component: COUNTER, hz: f32::INFINITY }, RATE),
-        (OwnedRequest::Rate { component: COUNTER, hz: 1e6 }, RATE),
+        (OwnedRequest::Rate { component: NOBODY, hz: Some(0.0) }, "entry 0: the tree has no such component"),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(0.0) }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(-1e30) }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(f32::INFINITY) }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(1e6) }, RATE),
+        (OwnedRequest::Rate { component: COUNTER, hz: Some(f32::NAN) }, RATE),
         (OwnedRequest::Hold { component: NOBODY, hold: Hold::Latent }, "entry 0: the tree has no such component"),
     ];
     let mut runner = runner();

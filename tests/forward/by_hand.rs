@@ -92,7 +92,7 @@ fn turn_and_go_straight_move_the_robot_without_the_body() {
     hand.modulate::<Turn>("set_speed", &[Value::F32(-0.5)]);
     let turned = hand.motion(2.0).heading;
     assert!((-1.0..-0.6).contains(&turned), "{turned}");
-    assert!(!hand.robot().is_active(Forward::id::<Body>()));
+    assert!(!hand.robot().is_active::<Body>());
 
     let mut hand = ByHand::new(None);
     hand.hold::<GoStraight>(Hold::Active);

@@ -101,7 +101,7 @@ fn the_minimum_time_counts() {
 }
 
 #[test]
-fn the_table_shows_ratios_and_omits_empty_rows_and_columns() {
+fn the_table_omits_what_is_empty() {
     let mut figures = Figures::default();
     figures.record(Design::Bica, Workload::Chain10, 15.0);
     figures.record(Design::Copper, Workload::Chain10, 120.0);

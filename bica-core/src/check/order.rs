@@ -4,9 +4,9 @@ use super::{CAPACITY, Path, Set};
 use crate::graph::Node;
 
 /// Returns the rank of each node in a topological order: a permutation in which every activator comes before what it activates,
-/// and nodes without an order between them keep that of the list. Entries behind the last node are `N`.
+/// and nodes without an order between them keep that of the list. Entries after the last node are `N`.
 ///
-/// With an activation cycle the nodes on it and behind it come last.
+/// With an activation cycle the nodes on it and after it come last.
 ///
 /// # Panics
 /// If `nodes` has more than `N` entries.

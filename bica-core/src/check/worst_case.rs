@@ -8,7 +8,7 @@
 //!
 //! The search goes through the machines from the root on, branches over what each can do if it is active at all, and
 //! leaves out branches that cannot exceed what is found already. That is exact. The number of branches is limited
-//! ([`steps`]) because the compiler has to go through them; behind the limit the machines not yet decided are taken to
+//! ([`steps`]) because the compiler has to go through them; beyond the limit the machines not yet decided are taken to
 //! be in all their states at once, which is never less than the truth and sets [`WorstCase::exact`] to false.
 
 use super::reach::{all_links, links_in, states_reached};
@@ -95,7 +95,7 @@ struct Search<'g> {
 #[derive(Clone, Copy)]
 struct Branch {
     index: usize,
-    /// Where in the order the nodes behind the machine start.
+    /// Place in the order at which the nodes after the machine start.
     place: usize,
     /// What is active whatever the machine does.
     active: Set,

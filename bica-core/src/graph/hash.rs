@@ -3,7 +3,7 @@
 use super::{Graph, LinkKind, Node};
 use crate::params::{Kind, Param};
 
-/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, information, modulations, and
+/// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, outputs, modulations, and
 /// parameters with their units and kinds.
 ///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, and defaults and ranges of parameters. So

@@ -1,4 +1,4 @@
-//! Reading information and calling modulations by their index.
+//! Reading outputs and calling modulations by their index.
 
 use super::Tree;
 use super::layout::{Has, Member, MemberOf};

@@ -85,7 +85,7 @@ activation_tree! {
 }
 
 #[test]
-fn a_component_is_latent_until_activated_and_then_starts_and_runs_in_the_same_cycle() {
+fn an_activated_component_starts_and_runs_at_once() {
     let mut tree = Lamp::new();
     assert_eq!(cycle(&mut tree, 0), ["start Switch", "run Switch"]);
     assert_eq!(tree.active().collect::<Vec<_>>(), [Lamp::id::<Switch>()]);
@@ -96,14 +96,14 @@ fn a_component_is_latent_until_activated_and_then_starts_and_runs_in_the_same_cy
 }
 
 #[test]
-fn components_stop_at_the_end_of_the_cycle_activators_first() {
+fn activators_stop_first() {
     let mut tree = Lamp::new();
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(0));
     tree.get_mut::<Switch>().on = false;
     assert_eq!(cycle(&mut tree, 10), ["run Switch", "Switch: on -> off", "stop Parent", "stop Child"]);
     assert_eq!(cycle(&mut tree, 20), ["run Switch"]);
-    assert!(!tree.is_active(Lamp::id::<Child>()));
+    assert!(!tree.is_active::<Child>());
 }
 
 #[test]
@@ -122,13 +122,13 @@ fn a_restarted_component_is_due_at_once() {
 }
 
 #[test]
-fn a_component_that_the_tree_does_not_list_is_never_active() {
+fn an_unlisted_component_is_never_active() {
     let mut tree = Lamp::new();
     let stranger = bica_core::ComponentId::new(99);
     tree.hold_at(stranger, Hold::Active);
     tree.tick(at(0));
-    assert!(!tree.is_active(stranger));
-    tree.set_rate_at(stranger, 1.0);
+    assert!(!tree.is_active_at(stranger));
+    tree.set_rate_at(stranger, Some(1.0));
     assert_eq!((tree.state(stranger), tree.status(stranger)), (None, None));
     assert_eq!(tree.held(stranger), Hold::Tree);
 }
@@ -141,13 +141,13 @@ fn the_status_of_each_component_is_current() {
     assert_eq!(tree.status(child), Some(latent));
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(70));
-    tree.set_rate_at(child, 0.5);
-    tree.set_rate_at(switch, 20.0);
+    tree.set_rate_at(child, Some(0.5));
+    tree.set_rate_at(switch, Some(20.0));
     tree.hold_at(switch, Hold::Active);
     let since = Some(at(70));
     assert_eq!(tree.status(child), Some(Status { active: true, since, hz: Some(0.5), ..latent }));
     let expected = Status { active: true, held: Hold::Active, state: Some(1), since, hz: Some(20.0) };
     assert_eq!(tree.status(switch), Some(expected));
-    tree.set_rate_at(child, f32::INFINITY);
+    tree.set_rate_at(child, Some(f32::INFINITY));
     assert_eq!(tree.rate::<Child>().hz(), Some(1.0));
 }

@@ -4,7 +4,7 @@ use super::activity::{Child, Lamp, Parent, Switch};
 use super::*;
 
 #[test]
-fn components_held_active_are_visited_after_the_root_activators_first() {
+fn held_components_are_visited_after_the_root() {
     let mut tree = Lamp::new();
     tree.hold::<Child>(Hold::Active);
     tree.hold::<Parent>(Hold::Active);
@@ -22,7 +22,7 @@ fn a_component_held_latent_is_not_visited() {
     let mut tree = Lamp::new();
     tree.get_mut::<Switch>().on = true;
     tree.tick(at(0));
-    assert!(tree.is_active(Lamp::id::<Child>()));
+    assert!(tree.is_active::<Child>());
     tree.hold::<Parent>(Hold::Latent);
     assert_eq!(cycle(&mut tree, 10), ["run Switch", "stop Parent", "stop Child"]);
     assert_eq!(tree.get::<Parent>().ran, 1);
@@ -47,5 +47,5 @@ fn the_last_hold_applies() {
     tree.hold::<Child>(Hold::Latent);
     tree.hold::<Child>(Hold::Active);
     tree.tick(at(0));
-    assert!(tree.is_active(Lamp::id::<Child>()));
+    assert!(tree.is_active::<Child>());
 }

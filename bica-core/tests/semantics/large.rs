@@ -84,7 +84,7 @@ fn any_component_can_be_held() {
         let component = bica_core::ComponentId::new(index);
         tree.hold_at(component, Hold::Active);
         tree.tick(at(0));
-        assert!(tree.is_active(component), "{index}");
+        assert!(tree.is_active_at(component), "{index}");
         tree.hold_at(component, Hold::Tree);
         tree.hold::<Trunk>(Hold::Latent);
     }

@@ -137,7 +137,7 @@ fn state<T: Tree>(tree: &T, name: &str) -> Option<&'static str> {
 }
 
 #[test]
-fn a_machine_begins_in_its_initial_state_with_the_entry_hook() {
+fn a_machine_enters_its_initial_state() {
     let mut tree = Team::new();
     assert_eq!(state(&tree, "Player"), None);
     assert_eq!(player(&mut tree, 0), ["enter", "look"]);
@@ -157,7 +157,7 @@ fn a_transition_loses_no_cycle() {
 }
 
 #[test]
-fn a_machine_enters_its_initial_state_before_it_may_leave_it_in_the_first_run() {
+fn a_first_run_enters_before_it_leaves() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     assert_eq!(player(&mut tree, 0), ["enter", "leave look", "enter", "walk"]);
@@ -175,7 +175,7 @@ fn the_active_children_change_with_the_state() {
 }
 
 #[test]
-fn a_modulated_child_that_a_transition_reads_still_runs_after_the_state() {
+fn a_modulated_child_runs_after_though_read() {
     let mut tree = Team::new();
     tree.hold::<Resumer>(Hold::Latent);
     tree.get_mut::<Ball>().near = true;
@@ -188,7 +188,7 @@ fn a_modulated_child_that_a_transition_reads_still_runs_after_the_state() {
 }
 
 #[test]
-fn a_transition_with_a_timer_and_a_condition_needs_both() {
+fn a_transition_needs_timer_and_condition() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(0));
@@ -201,7 +201,7 @@ fn a_transition_with_a_timer_and_a_condition_needs_both() {
 }
 
 #[test]
-fn the_first_transition_in_the_text_is_taken_and_only_one() {
+fn one_transition_is_taken_the_first() {
     let mut tree = Team::new();
     *tree.get_mut::<Ball>() = Ball { near: true, lost: true, touched: 0 };
     tree.tick(at(0));
@@ -211,7 +211,7 @@ fn the_first_transition_in_the_text_is_taken_and_only_one() {
 }
 
 #[test]
-fn a_machine_that_was_latent_restarts_unless_it_resumes() {
+fn a_latent_machine_restarts_unless_it_resumes() {
     let mut tree = Team::new();
     tree.get_mut::<Ball>().near = true;
     tree.tick(at(0));
@@ -239,7 +239,7 @@ fn a_timer_tolerates_a_clock_that_is_set_back() {
 }
 
 #[test]
-fn a_run_with_a_transition_has_two_sections_around_the_new_children() {
+fn a_transition_splits_a_run_in_two_sections() {
     struct Sections(Vec<&'static str>);
     impl Probe for Sections {
         fn begin(&mut self, component: bica_core::ComponentId) {
@@ -272,7 +272,7 @@ fn the_name_of_the_current_state_is_reported() {
     assert_eq!(tree.state_name_at(Team::id::<Player>()), Some("walk"));
     tree.hold::<Coach>(Hold::Latent);
     tree.tick(at(20));
-    assert!(!tree.is_active(Team::id::<Player>()));
+    assert!(!tree.is_active::<Player>());
     assert_eq!(tree.state_name::<Player>(), Some("walk"), "the state in which it became latent");
     assert_eq!(tree.state_name::<Coach>(), None, "no states");
     assert_eq!(tree.state_name_at(bica_core::ComponentId::new(99)), None);

@@ -37,7 +37,7 @@ activation_tree! {
 }
 
 #[test]
-fn required_children_run_before_and_modulated_children_after() {
+fn required_run_before_and_modulated_after() {
     assert_eq!(runs(&mut Diamond::new(), 0), ["Shared", "Left", "Right", "Moved", "Root", "After"]);
 }
 
@@ -52,7 +52,7 @@ fn a_component_with_several_activators_runs_once() {
 }
 
 #[test]
-fn read_values_are_of_this_cycle_and_written_values_are_used_in_it() {
+fn values_pass_within_a_cycle() {
     let mut tree = Chain::new();
     tree.get_mut::<Sensor>().truth = 7;
     tree.tick(at(0));
@@ -79,7 +79,7 @@ activation_tree! {
 }
 
 #[test]
-fn siblings_are_visited_in_the_order_of_the_signature() {
+fn siblings_keep_the_signature_s_order() {
     let expected = ["Third", "First", "Second", "Parent", "Sixth", "Fourth", "Fifth"];
     assert_eq!(runs(&mut Siblings::new(), 0), expected);
 }
@@ -121,7 +121,7 @@ activation_tree! {
 }
 
 #[test]
-fn siblings_of_a_state_follow_its_function_its_hooks_and_its_transitions() {
+fn siblings_of_a_state_keep_the_text_s_order() {
     let expected = ["Sixth", "Fifth", "Third", "Fourth", "Chooser", "First", "Second"];
     assert_eq!(runs(&mut Choosing::new(), 0), expected);
 }

@@ -157,7 +157,7 @@ fn refusal(tree: &mut Adjusted, component: ComponentId, index: u16, value: Value
 }
 
 #[test]
-fn every_function_gets_the_values_of_its_own_component() {
+fn functions_get_their_component_s_values() {
     let mut tree = Adjusted::new();
     tree.set_params(&[Setting::new(machine(), 0, Value::U32(1)), Setting::new(kicker(), 5, Value::U32(7))]).unwrap();
     tree.tick(Instant::from_millis(0));
@@ -181,7 +181,7 @@ fn values_survive_a_component_that_resets_itself() {
 }
 
 #[test]
-fn parameters_are_counted_through_all_structs_of_a_component() {
+fn parameters_are_counted_through_structs() {
     let tree = Adjusted::new();
     let values = [Value::F32(-0.5), Value::I32(-7), Value::U32(3), Value::Bool(true), Value::Choice(1), Value::U32(2)];
     for (index, value) in values.into_iter().enumerate() {
@@ -234,7 +234,7 @@ fn a_refused_batch_changes_nothing() {
 }
 
 #[test]
-fn a_rule_judges_the_result_of_a_batch_and_not_its_steps() {
+fn a_rule_judges_the_result_of_a_batch() {
     let mut tree = Adjusted::new();
     tree.set_params(&[Setting::new(kicker(), 2, Value::U32(5))]).unwrap();
     assert!(tree.set_params(&[Setting::new(kicker(), 1, Value::I32(4))]).is_err());
@@ -244,7 +244,7 @@ fn a_rule_judges_the_result_of_a_batch_and_not_its_steps() {
 }
 
 #[test]
-fn all_values_of_a_component_are_replaced_at_once_or_not() {
+fn values_are_replaced_together_or_not() {
     let mut tree = Adjusted::new();
     let kicking = Kicking { back: 0.75, foot: Foot::Left, ..Kicking::default() };
     tree.set_params_of::<Kicker>((Tuned::new(kicking.clone()), Tuned::new(Waiting { runs: 5 }))).unwrap();
@@ -312,7 +312,7 @@ impl MapNames for [bica_core::params::Variant] {
 
 #[test]
 #[cfg_attr(miri, ignore = "its changed descriptions are static, so they are never freed")]
-fn the_hash_depends_on_what_an_index_means_and_on_nothing_else() {
+fn the_hash_depends_on_indices_only() {
     let graph = Adjusted::GRAPH;
     assert_eq!(Adjusted::HASH, graph::hash(&graph));
     assert_eq!(Adjusted::HASH, constant::Adjusted::HASH, "docs and `tunable` do not count");

@@ -66,12 +66,12 @@ activation_tree! {
 }
 
 #[test]
-fn a_child_written_by_one_path_and_read_by_another_runs_after_its_activator() {
+fn a_write_by_another_path_outranks_a_read() {
     assert_eq!(runs(&mut ByPaths::new(), 0), ["Camera", "super::paths::Player", "Hand"]);
 }
 
 #[test]
-fn a_child_read_by_one_path_whose_rate_is_set_by_another_runs_before_its_activator() {
+fn a_read_outranks_a_rate_by_another_path() {
     let mut tree = ByPaths::new();
     tree.tick(at(0));
     tree.tick(at(100));
@@ -79,7 +79,7 @@ fn a_child_read_by_one_path_whose_rate_is_set_by_another_runs_before_its_activat
 }
 
 #[test]
-fn the_graph_has_one_link_for_each_component_and_state() {
+fn links_are_unique_by_child_and_state() {
     let link = |to, kind, state| Link { to, kind, state: Some(state) };
     let links =
         [link(1, LinkKind::Requirement, 0), link(2, LinkKind::Modulation, 0), link(3, LinkKind::Requirement, 1)];
@@ -108,7 +108,7 @@ activation_tree! {
 }
 
 #[test]
-fn a_step_can_read_a_child_and_set_its_rate_by_another_path() {
+fn a_step_can_read_a_child_and_set_its_rate() {
     assert_eq!(runs(&mut Watching::new(), 0), ["Eye", "Watcher"]);
     assert_eq!(Watching::GRAPH.nodes[0].links, [Link { to: 1, kind: LinkKind::Requirement, state: None }]);
 }

@@ -114,7 +114,7 @@ fn a_component_with_a_requested_rate_of_0_never_runs() {
 }
 
 #[test]
-fn an_infinite_request_without_a_declared_rate_runs_in_every_cycle() {
+fn an_infinite_rate_runs_in_every_cycle() {
     let mut tree = Requests::new();
     tree.rate_mut::<Free>().set(f32::INFINITY);
     tree.tick(at(0));

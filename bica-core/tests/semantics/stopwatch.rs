@@ -80,7 +80,7 @@ fn watched(cycles: u64) -> (Bench, Stopwatch<fn() -> u64, 4>) {
 }
 
 #[test]
-fn the_time_of_a_component_contains_its_own_code_without_hooks() {
+fn a_component_s_time_excludes_hooks() {
     let (_, watch) = watched(5);
     let spent = |runs, last| Spent { runs, total: runs * last, last };
     assert_eq!(*watch.spent(), [spent(5, 1), spent(5, 20), spent(5, 300), spent(1, 4000)]);

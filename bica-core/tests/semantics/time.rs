@@ -33,7 +33,7 @@ fn seen(tree: &mut Clockwork, ms: u64) -> (Time, f32) {
 }
 
 #[test]
-fn the_time_since_the_last_run_is_zero_in_the_first() {
+fn since_run_is_zero_in_the_first_run() {
     let mut tree = Clockwork::new();
     let first = Time { now: at(500), since_run: Duration::from_ticks(0), in_state: Duration::from_ticks(0) };
     assert_eq!(seen(&mut tree, 500), (first, 0.0));
@@ -47,7 +47,7 @@ fn the_time_since_the_last_run_is_zero_in_the_first() {
 }
 
 #[test]
-fn after_a_clock_is_set_back_the_elapsed_time_is_0_and_counts_from_there() {
+fn a_clock_set_back_restarts_the_time_in_state() {
     let mut tree = Clockwork::new();
     tree.tick(at(5000));
     assert_eq!(seen(&mut tree, 1000).0.since_run, Duration::from_ticks(0));
@@ -125,7 +125,7 @@ fn a_year_in_a_state_is_exact_in_every_cycle() {
 }
 
 #[test]
-fn the_time_since_the_last_run_is_exact_after_a_century() {
+fn since_run_is_exact_after_a_century() {
     let mut tree = Clockwork::new();
     let century = 100 * 365 * 24 * 3600 * 1000;
     tree.tick(at(century));

@@ -177,7 +177,7 @@ fn without_panic_messages(test: impl FnOnce()) {
 const STOP_ORDER: [&str; 5] = ["Root", "Right", "Left", "Shared", "Leaf"];
 
 #[test]
-fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
+fn an_unwound_tree_stops_and_starts_anew() {
     without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.tick(at(0));
@@ -198,14 +198,14 @@ fn after_unwinding_everything_stops_activators_first_and_starts_anew() {
 }
 
 #[test]
-fn holds_made_after_unwinding_hold_and_the_component_is_still_stopped() {
+fn a_hold_after_unwinding_keeps_the_stop() {
     without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.tick(at(0));
         assert!(unwinds(&mut tree, 10, 0));
         assert_eq!(open(&tree), tree.active().collect());
         tree.hold::<Root>(Hold::Latent);
-        assert!(tree.is_active(Fragile::id::<Root>()), "it stops in the next tick");
+        assert!(tree.is_active::<Root>(), "it stops in the next tick");
         let lines = cycle(&mut tree, 20);
         assert!(lines.iter().all(|line| line.starts_with("stop")), "{lines:?}");
         assert_eq!(tree.active().count(), 0);
@@ -225,7 +225,7 @@ impl Probe for LastTransition {
 }
 
 #[test]
-fn a_machine_that_resumes_begins_in_its_initial_state_after_unwinding() {
+fn unwinding_discards_a_resumed_state() {
     without_panic_messages(|| {
         let mut tree = Fragile::new();
         tree.hold::<Right>(Hold::Active);

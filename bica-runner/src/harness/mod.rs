@@ -193,7 +193,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
         T: Has<C>,
     {
         let id = T::id::<C>();
-        let state = self.tree.state(id).filter(|_| self.tree.is_active(id))?;
+        let state = self.tree.state(id).filter(|_| self.tree.is_active_at(id))?;
         T::GRAPH.nodes[id.index()].states.get(state).map(|state| state.name)
     }
 
@@ -203,7 +203,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        self.tree.is_active(T::id::<C>())
+        self.tree.is_active::<C>()
     }
 
     fn name<C: 'static>() -> &'static str

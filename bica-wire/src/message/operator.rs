@@ -94,7 +94,9 @@ impl Change {
     pub fn request(&self) -> bica_runner::Request<'_> {
         match self {
             Self::Hold { component, hold } => bica_runner::Request::Hold { component: id(*component), hold: *hold },
-            Self::Rate { component, hz } => bica_runner::Request::Rate { component: id(*component), hz: *hz },
+            Self::Rate { component, hz } => {
+                bica_runner::Request::Rate { component: id(*component), hz: (!hz.is_nan()).then_some(*hz) }
+            }
             Self::Params(batch) => bica_runner::Request::Params(batch),
             Self::Modulate { component, modulation, arguments } => {
                 let (component, index) = (id(*component), usize::from(*modulation));

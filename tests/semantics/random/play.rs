@@ -37,7 +37,7 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
             model.set_rate(index, hz);
         }
         Action::RateAt(hz) => {
-            tree.set_rate_at(ComponentId::new(index), hz);
+            tree.set_rate_at(ComponentId::new(index), Some(hz));
             model.set_rate(index, hz);
         }
         Action::Reset => {
@@ -65,7 +65,7 @@ fn compare<T: TestTree>(tree: &T, model: &Model) -> Result<(), TestCaseError> {
         };
         prop_assert_eq!(tree.status(id), Some(expected));
         prop_assert_eq!(
-            (tree.is_active(id), tree.held(id), tree.state(id)),
+            (tree.is_active_at(id), tree.held(id), tree.state(id)),
             (expected.active, expected.held, expected.state)
         );
     }

@@ -118,7 +118,8 @@ impl FirmwareCheck {
         let robot = cycle.robot;
         let same_tree = (0..GRAPH.nodes.len()).map(ComponentId::new).all(|id| {
             let index = id.index();
-            report.active.get(index) == Some(&robot.is_active(id)) && report.states.get(index) == Some(&robot.state(id))
+            report.active.get(index) == Some(&robot.is_active_at(id))
+                && report.states.get(index) == Some(&robot.state(id))
         });
         if !command_bits(&report.command).eq(command_bits(cycle.command)) || !same_tree || report.lost > 0 {
             let what = format!("firmware and program deviate at {} µs", cycle.now.as_micros());
@@ -184,7 +185,9 @@ fn change_of(request: &Request<'_>) -> Option<Change> {
     let number = |index: usize| u16::try_from(index).ok();
     Some(match *request {
         Request::Hold { component, hold } => Change::Hold { component: number(component.index())?, hold },
-        Request::Rate { component, hz } => Change::Rate { component: number(component.index())?, hz },
+        Request::Rate { component, hz } => {
+            Change::Rate { component: number(component.index())?, hz: hz.unwrap_or(f32::NAN) }
+        }
         Request::Params(batch) => Change::Params(batch.try_into().ok()?),
         Request::Modulate { component, index, arguments } => {
             let (component, modulation) = (number(component.index())?, number(index)?);

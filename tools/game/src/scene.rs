@@ -46,7 +46,7 @@ impl Scene<'_> {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
         TreeState {
             graph: &GRAPH,
-            active: each().map(|id| self.robot.is_active(id)).collect(),
+            active: each().map(|id| self.robot.is_active_at(id)).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
         }
     }
@@ -134,6 +134,6 @@ impl Scene<'_> {
     where
         Forward: bica::Has<C>,
     {
-        self.robot.is_active(Forward::id::<C>())
+        self.robot.is_active::<C>()
     }
 }

@@ -63,7 +63,7 @@ impl RequestRecord {
         let number = |component: ComponentId| component.index() as u16;
         Some(match *request {
             Request::Hold { component, hold } => Self::Hold { component: number(component), hold },
-            Request::Rate { component, hz } => Self::Rate { component: number(component), hz },
+            Request::Rate { component, hz } => Self::Rate { component: number(component), hz: hz.unwrap_or(f32::NAN) },
             Request::Params(batch) => Self::Params { settings: batch.to_vec() },
             Request::Modulate { component, index, arguments } => {
                 Self::Modulate { component: number(component), index: index as u16, arguments: arguments.to_vec() }
@@ -78,7 +78,9 @@ impl RequestRecord {
         let component = |index: u16| ComponentId::new(index.into());
         Some(match self {
             Self::Hold { component: index, hold } => OwnedRequest::Hold { component: component(*index), hold: *hold },
-            Self::Rate { component: index, hz } => OwnedRequest::Rate { component: component(*index), hz: *hz },
+            Self::Rate { component: index, hz } => {
+                OwnedRequest::Rate { component: component(*index), hz: (!hz.is_nan()).then_some(*hz) }
+            }
             Self::Params { settings } => OwnedRequest::Params(settings.clone()),
             Self::Modulate { component: owner, index, arguments } => OwnedRequest::Modulate {
                 component: component(*owner),

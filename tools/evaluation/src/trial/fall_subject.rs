@@ -90,7 +90,7 @@ impl FallSubject {
         let robot = self.runner.robot();
         let guard = Forward::id::<SafetyGuard>();
         let states = Forward::GRAPH.nodes[guard.index()].states;
-        let gets_up = robot.is_active(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
+        let gets_up = robot.is_active_at(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
         self.attempts += u8::from(gets_up && !self.gets_up);
         self.gets_up = gets_up;
     }
@@ -131,6 +131,6 @@ impl FallSubject {
 
     /// Returns whether the robot has continued the game.
     pub(super) fn is_playing(&self) -> bool {
-        !self.runner.robot().is_active(Forward::id::<SafetyGuard>())
+        !self.runner.robot().is_active::<SafetyGuard>()
     }
 }

@@ -36,7 +36,7 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
             let hold = [Hold::Tree, Hold::Active, Hold::Latent][rng.next_u32() as usize % 3];
             OwnedRequest::Hold { component, hold }
         }
-        1 => OwnedRequest::Rate { component, hz: f32::from_bits(rng.next_u32()) },
+        1 => OwnedRequest::Rate { component, hz: Some(f32::from_bits(rng.next_u32())).filter(|hz| !hz.is_nan()) },
         2 => {
             let places: Vec<_> = Place::all(&GRAPH).collect();
             let settings = (0..=rng.next_u32() % 3).map(|_| {

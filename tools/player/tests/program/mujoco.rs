@@ -130,7 +130,7 @@ mod with_mujoco {
             world.act(&robot.act());
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), None);
-        assert!(!robot.is_active(Forward::id::<SafetyGuard>()));
+        assert!(!robot.is_active::<SafetyGuard>());
         assert_eq!((world.referee().falls(), world.referee().posture()), (0, Posture::Upright));
     }
 

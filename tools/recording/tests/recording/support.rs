@@ -206,7 +206,7 @@ pub(crate) fn record_sharing(
             runner
                 .request(now, Request::Hold { component: Lamp::id::<Counter>(), hold: Hold::Active })
                 .expect("listed");
-            runner.request(now, Request::Rate { component: Lamp::id::<Counter>(), hz: f32::NAN }).expect("listed");
+            runner.request(now, Request::Rate { component: Lamp::id::<Counter>(), hz: None }).expect("listed");
         }
         let yuyv = pixels(cycle);
         runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");

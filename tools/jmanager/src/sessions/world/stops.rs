@@ -26,7 +26,7 @@ impl GameObserver for Stops {
     fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let time_us = (scene.t * 1e6).round() as u64;
         let each = (0..GRAPH.nodes.len()).map(ComponentId::new);
-        let state = |id| (scene.robot.is_active(id), scene.robot.state(id).map(|state| state as u16));
+        let state = |id| (scene.robot.is_active_at(id), scene.robot.state(id).map(|state| state as u16));
         let before = std::mem::replace(&mut self.states, each.map(state).collect());
         let taken: Vec<_> = (0..GRAPH.nodes.len()).filter_map(|index| Some((index, scene.taken(index)?))).collect();
         self.pacer.cycle(time_us, &before, &self.states, taken);
