@@ -7,7 +7,7 @@ use bica_game::FirmwareImage;
 use bica_sim::setup::Frame;
 use clap::{Parser, Subcommand};
 
-use crate::sessions::RUN;
+use crate::options::RUN;
 
 const AFTER: &str = "\
 Examples:

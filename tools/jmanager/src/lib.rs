@@ -5,6 +5,8 @@
 
 pub mod cli;
 mod open;
+mod options;
+mod pages;
 pub mod protocol;
 mod run;
 pub mod sessions;

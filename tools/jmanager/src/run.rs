@@ -11,8 +11,9 @@ use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use clap::Parser;
 
 use crate::cli::{Cli, Command};
+use crate::options::Options;
 use crate::protocol::Open;
-use crate::sessions::{Manager, Options};
+use crate::sessions::Manager;
 use crate::sources::Sources;
 use crate::web::{Web, WebOptions};
 use crate::{open, sources, token};

@@ -111,7 +111,7 @@ export class Typing {
     if (!this.sent) return;
     this.waiting = this.waiting ? this.sent.compose(this.waiting) : this.sent;
     this.sent = null;
-    if (/stale/.test(error.text ?? '')) this.timer ??= setTimeout(() => this.send(), SEND_MS);
+    if (error.stale) this.timer ??= setTimeout(() => this.send(), SEND_MS);
     else this.giveUp(error.text, error.help);
   }
 

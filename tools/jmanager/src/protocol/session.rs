@@ -48,10 +48,11 @@ pub enum SessionKind {
 }
 
 /// State of a connection.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Connection {
     /// The first connection is being made.
+    #[default]
     Connecting,
     /// Data arrive, or the recording is open.
     Connected,

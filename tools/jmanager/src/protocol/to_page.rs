@@ -155,4 +155,7 @@ pub struct Failed {
     /// Index of the setting or argument that was refused.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entry: Option<usize>,
+    /// Whether the request is about an older version of a text, and can be sent again for the present one.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub stale: bool,
 }

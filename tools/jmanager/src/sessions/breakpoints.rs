@@ -2,8 +2,8 @@
 
 use bica_link::{Component, Description};
 
+use super::commands::Command;
 use super::history::{Change, History, States};
-use super::live::Command;
 use super::session::{Session, Shared};
 use super::value::unknown;
 use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, Reached, ToPage};

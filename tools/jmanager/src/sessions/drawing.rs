@@ -9,7 +9,7 @@ use bica::graph::{Graph, Link, LinkKind, Node, State};
 use bica_drawing::layout::{Kind, Layers, Placement, routes};
 use bica_link::Description;
 
-use super::pages::lock;
+use crate::pages::lock;
 use crate::protocol::{Drawing, DrawnBox, DrawnLink};
 
 /// Largest number of different trees that are drawn in the life of the program: the graph of each stays in memory.

@@ -6,11 +6,11 @@ use std::thread;
 use bica_evaluation::frame_io::{RecordedFrame, list};
 use bica_link::Description;
 
+use super::commands::Commands;
 use super::history::StoredImage;
-use super::live::Commands;
-use super::options::Options;
-use super::pages::Pages;
 use super::session::Session;
+use crate::options::Options;
+use crate::pages::Pages;
 use crate::protocol::{Capabilities, Connection, Failed, SessionId, SessionKind};
 
 /// Time from one image to the next, µs.

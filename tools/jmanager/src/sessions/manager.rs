@@ -6,15 +6,15 @@ use std::sync::{Arc, Mutex};
 
 use serde_json::{Value, json};
 
-use super::live;
-use super::options::Options;
-use super::outbox::Outbox;
-use super::pages::{PageId, Pages, lock};
+use super::commands;
 use super::registry::Registry;
 use super::session::Session;
 use super::value::unknown;
 use super::world::WORLDS;
 use super::{colours, recorded, storage, tune};
+use crate::options::Options;
+use crate::pages::Outbox;
+use crate::pages::{PageId, Pages, lock};
 use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION};
 use crate::source::{Editor, Host};
 
@@ -74,6 +74,8 @@ impl Manager {
     /// Registers a page. The first message in its outbox is [`ToPage::Hello`].
     pub fn attach(&self, outbox: Arc<dyn Outbox>) -> PageId {
         let page = self.last_page.fetch_add(1, Ordering::Relaxed) + 1;
+        let sessions = self.registry.infos(page);
+        let shown: Vec<_> = sessions.iter().map(|session| session.id).collect();
         outbox.state(ToPage::Hello {
             protocol: VERSION,
             program: env!("CARGO_PKG_VERSION"),
@@ -82,10 +84,13 @@ impl Manager {
             source: self.options.source.is_some(),
             build: self.options.source.is_some() && self.options.build && !self.options.read_only,
             worlds: WORLDS,
-            sessions: self.registry.infos(page),
+            sessions,
         });
         self.pages.add(page, outbox);
-        // A session that changed between the two lines above is sent again.
+        // What changed before the page was registered is sent again.
+        for session in shown.into_iter().filter(|session| self.registry.get(*session).is_err()) {
+            self.pages.state(page, ToPage::Closed { session });
+        }
         for session in self.registry.list() {
             session.greet(page);
         }
@@ -104,7 +109,7 @@ impl Manager {
         for session in self.registry.list() {
             session.shared().watching.remove(page);
             // A thread that has ended operates nothing.
-            let _ = session.command(live::Command::Left(page));
+            let _ = session.command(commands::Command::Left(page));
         }
     }
 
@@ -145,14 +150,14 @@ impl Manager {
             Request::Watch { watch } => {
                 session.watch(page, watch);
                 // A recording has no thread that needs to know.
-                let _ = session.command(live::Command::Watch);
+                let _ = session.command(commands::Command::Watch);
                 Ok(Some(Value::Null))
             }
             Request::Note { text } => {
                 if text.chars().count() > MAX_NOTE {
                     return Err(Failed::new("the note is too long", format!("write at most {MAX_NOTE} characters")));
                 }
-                if session.command(live::Command::Note { page, id, text: text.clone() }).is_ok() {
+                if session.command(commands::Command::Note { page, id, text: text.clone() }).is_ok() {
                     return Ok(None);
                 }
                 // A recording has no thread.
@@ -194,7 +199,7 @@ impl Manager {
                 let help = "open a robot or a world; a recording can be run again with other parameters";
                 Err(Failed::new("a recording cannot be operated", help))
             }
-            request => session.command(live::Command::Operate { page, id, request }).map(|()| None),
+            request => session.command(commands::Command::Operate { page, id, request }).map(|()| None),
         }
     }
 }
@@ -241,7 +246,7 @@ fn pace(session: &Session, page: PageId, id: u32, request: Request) -> Result<Op
         if session.kind == SessionKind::Recording {
             return Err(Failed::new("a recording has no time that could be paused", "choose a simulated world"));
         }
-        return session.command(live::Command::Operate { page, id, request }).map(|()| None);
+        return session.command(commands::Command::Operate { page, id, request }).map(|()| None);
     };
     match request {
         Request::Pause { .. } => pacer.pause(),

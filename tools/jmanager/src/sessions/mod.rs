@@ -6,15 +6,13 @@
 
 mod breakpoints;
 mod colours;
+mod commands;
 mod drawing;
 mod files;
 mod folder;
 mod history;
 mod live;
 mod manager;
-mod options;
-mod outbox;
-pub(crate) mod pages;
 mod query;
 mod recorded;
 mod registry;
@@ -27,8 +25,6 @@ mod value;
 mod watching;
 mod world;
 
+pub use crate::options::Options;
+pub use crate::pages::{DataKind, Frame, Key, Outbox, PageId};
 pub use manager::Manager;
-pub use options::Options;
-pub(crate) use options::RUN;
-pub use outbox::{DataKind, Frame, Key, Outbox};
-pub use pages::PageId;

@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::pages::PageId;
 use super::recorded::read_image;
 use super::session::Session;
+use crate::pages::PageId;
 use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};
 
 /// Longest series and lists that a page gets in one answer.
@@ -13,22 +13,17 @@ const MAX_POINTS: usize = 20_000;
 impl Session {
     /// Answers a question about the past.
     pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
-        let json = |value: serde_json::Result<Value>| {
-            value.map_err(|error| Failed::new(error.to_string(), "report this as a bug of the program"))
-        };
         match *request {
-            Request::At { time_us, ref info, image, .. } => self.at(page, id, time_us, info, image),
-            Request::Timeline { from_us, until_us, resolution_us, .. } => {
-                json(serde_json::to_value(self.shared().history.rows(from_us, until_us, resolution_us)))
+            Request::At { time_us, ref info, image } => self.at(page, id, time_us, info, image),
+            Request::Timeline { from_us, until_us, resolution_us } => {
+                Ok(json!(self.shared().history.rows(from_us, until_us, resolution_us)))
             }
-            Request::Series { component, info, from_us, until_us, points, .. } => {
+            Request::Series { component, info, from_us, until_us, points } => {
                 let points = points.min(MAX_POINTS);
-                let series = self.shared().history.info.series(component, info, from_us, until_us, points);
-                json(serde_json::to_value(series))
+                Ok(json!(self.shared().history.info.series(component, info, from_us, until_us, points)))
             }
-            Request::Lines { from_us, until_us, limit, .. } => {
-                let limit = limit.min(MAX_POINTS);
-                json(serde_json::to_value(self.shared().history.lines(from_us, until_us, limit)))
+            Request::Lines { from_us, until_us, limit } => {
+                Ok(json!(self.shared().history.lines(from_us, until_us, limit.min(MAX_POINTS))))
             }
             _ => Err(Failed::new("this is no question", "reload the page")),
         }

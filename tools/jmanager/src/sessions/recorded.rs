@@ -14,14 +14,14 @@ use bica_link::Description;
 use bica_recording::ImagePlace;
 use serde_json::{Value, json};
 
+use super::commands::Commands;
 use super::files;
 use super::history::StoredImage;
-use super::live::Commands;
-use super::options::Options;
-use super::pages::{PageId, Pages};
 use super::session::Session;
 use super::storage::MCAP;
 use super::value::{unknown, wire_value};
+use crate::options::Options;
+use crate::pages::{PageId, Pages};
 use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
 
 /// Images of a recording: they stay in its file.

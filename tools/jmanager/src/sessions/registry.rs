@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use super::options::Options;
-use super::pages::{PageId, Pages, lock};
 use super::session::Session;
 use super::{folder, live, recorded};
+use crate::options::Options;
+use crate::pages::{PageId, Pages, lock};
 use crate::protocol::{Failed, Open, SessionId, SessionInfo, ToPage};
 use crate::source::Host;
 

@@ -11,14 +11,14 @@ use bica_link::Description;
 use super::breakpoints::{self, Place};
 use super::colours::Edit;
 use super::history::{History, Limits, StoredImage};
-use super::options::Options;
-use super::outbox::{DataKind, Frame, Key};
-use super::pages::{PageId, Pages, lock};
 use super::recorded::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
 use super::watching::Watching;
 use super::world::Pacer;
-use super::{drawing, live};
+use super::{commands, drawing};
+use crate::options::Options;
+use crate::pages::{DataKind, Frame, Key};
+use crate::pages::{PageId, Pages, lock};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
     Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
@@ -29,9 +29,10 @@ use crate::protocol::{
 const POLL: Duration = Duration::from_millis(5);
 
 /// Who operates a session.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Operator {
     /// Nobody.
+    #[default]
     Nobody,
     /// A page.
     Page(PageId),
@@ -40,6 +41,7 @@ pub(super) enum Operator {
 }
 
 /// Part of a session that its thread and the manager change.
+#[derive(Default)]
 pub(super) struct Shared {
     pub(super) connection: Connection,
     pub(super) note: String,
@@ -89,7 +91,7 @@ pub(super) struct Session {
     closed: AtomicBool,
     /// Whether the thread has ended.
     ended: AtomicBool,
-    commands: live::Commands,
+    commands: commands::Commands,
     shared: Mutex<Shared>,
 }
 
@@ -99,7 +101,7 @@ impl Session {
         options: Arc<Options>,
         pages: Arc<Pages>,
         pacer: Option<Arc<Pacer>>,
-        commands: live::Commands,
+        commands: commands::Commands,
         record: Option<PathBuf>,
     ) -> Self {
         let recorder = record.clone().filter(|_| kind == SessionKind::Robot).map(RobotRecorder::new);
@@ -116,29 +118,7 @@ impl Session {
             closed: AtomicBool::new(false),
             ended: AtomicBool::new(false),
             commands,
-            shared: Mutex::new(Shared {
-                connection: Connection::Connecting,
-                note: String::new(),
-                result: String::new(),
-                can: Capabilities::default(),
-                recording: RecordingState::default(),
-                recording_file: PathBuf::new(),
-                epoch: 0,
-                operator: Operator::Nobody,
-                paused: false,
-                description: None,
-                drawing: Drawing::default(),
-                history: History::new(limits, 0),
-                recorded: Recorded::default(),
-                colours: None,
-                watching: Watching::default(),
-                breakpoints: Vec::new(),
-                inherited: None,
-                described: BTreeSet::new(),
-                images_taken: 0,
-                overruns: 0,
-                received: None,
-            }),
+            shared: Mutex::new(Shared { history: History::new(limits, 0), ..Shared::default() }),
         }
     }
 
@@ -147,7 +127,7 @@ impl Session {
     }
 
     /// Hands a command to the session's thread.
-    pub(super) fn command(&self, command: live::Command) -> Result<(), Failed> {
+    pub(super) fn command(&self, command: commands::Command) -> Result<(), Failed> {
         let ended = || Failed::new("the session has ended", "open it again");
         self.commands.send(command).then_some(()).ok_or_else(ended)
     }
@@ -410,6 +390,6 @@ impl Session {
             let _ = std::fs::remove_file(path);
         }
         // A thread that has ended needs no end.
-        let _ = self.command(live::Command::Close);
+        let _ = self.command(commands::Command::Close);
     }
 }

@@ -11,10 +11,10 @@ use bica_recording::repair::recover;
 use serde_json::{Map, Value, json};
 
 use super::files;
-use super::options::Options;
-use super::pages::PageId;
 use super::robot_recording;
 use super::session::Session;
+use crate::options::Options;
+use crate::pages::PageId;
 use crate::protocol::{Failed, LogKind, SessionKind};
 
 /// Ending of recordings.

@@ -10,7 +10,12 @@ impl Failed {
     /// An error with its remedy.
     #[must_use]
     pub fn new(text: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { text: text.into(), help: help.into(), entry: None }
+        Self { text: text.into(), help: help.into(), entry: None, stale: false }
+    }
+
+    /// An error of a request about an older version of a text.
+    pub(crate) fn stale(text: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { stale: true, ..Self::new(text, help) }
     }
 
     fn at(self, entry: usize) -> Self {
@@ -33,7 +38,7 @@ impl From<bica_link::Error> for Failed {
             bica_link::Error::Refused { entry, .. } => Some(*entry),
             _ => None,
         };
-        Self { text: error.to_string(), help: error.help(), entry }
+        Self { entry, ..Self::new(error.to_string(), error.help()) }
     }
 }
 

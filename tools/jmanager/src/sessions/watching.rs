@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 use bica_link::Transition;
 
 use super::history::{self, StoredImage};
-use super::outbox::{DataKind, Frame};
-use super::pages::PageId;
 use super::session::{Session, Shared};
+use crate::pages::PageId;
+use crate::pages::{DataKind, Frame};
 use crate::protocol::{
     ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Truth, Watch, WatchImages,
 };
@@ -214,10 +214,10 @@ mod tests {
     use std::thread;
 
     use super::*;
+    use crate::pages::lock;
+    use crate::pages::{Key, Outbox};
     use crate::protocol::RobotPose;
-    use crate::sessions::live::Commands;
-    use crate::sessions::outbox::{Key, Outbox};
-    use crate::sessions::pages::lock;
+    use crate::sessions::commands::Commands;
 
     /// Kinds of the data that a page received.
     #[derive(Default)]

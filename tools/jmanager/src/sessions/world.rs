@@ -3,6 +3,7 @@
 mod pacer;
 mod stops;
 
+use std::cell::Cell;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,8 +18,8 @@ use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use bica_tuning::Layers;
 
-use super::options::Options;
 use super::{files, storage};
+use crate::options::Options;
 use crate::protocol::Failed;
 
 pub(super) use pacer::Pacer;
@@ -150,7 +151,9 @@ fn play(
     recording: &std::path::Path,
     ready: &SyncSender<String>,
 ) -> Result<(), Failure> {
+    let has_begun = Cell::new(false);
     let started = |address: &str| {
+        has_begun.set(true);
         // Nobody waits for a world that was given up.
         let _ = ready.send(address.to_owned());
         Ok(())
@@ -162,12 +165,13 @@ fn play(
     let mut observer = stops::Stops::new(Arc::clone(pacer));
     let mut control = pacer::Control(Arc::clone(pacer));
     let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
-    result.map(drop).or_else(|failure| match failure {
-        // The recording's file cannot be made: the world is played without it.
-        Failure::Error { what, help } if what.contains(&*recording.to_string_lossy()) => {
-            pacer.not_recorded(&format!("{what}: {help}"));
-            play_controlled(rules, &mut observer, &mut control, None, Some(serve)).map(drop)
+    result.map(drop).or_else(|failure| {
+        if has_begun.get() {
+            return Err(failure);
         }
-        other => Err(other),
+        // The world or its file cannot be made. Without a file only the world's failure is left.
+        let Failed { text, help, .. } = failure.into();
+        pacer.not_recorded(&format!("{text}: {help}"));
+        play_controlled(rules, &mut observer, &mut control, None, Some(serve)).map(drop)
     })
 }

@@ -11,8 +11,8 @@ use serde_json::Value;
 use super::cargo::{Workspace, cargo};
 use super::files::Files;
 use super::process::{self, Group, LastLines};
+use crate::pages::lock;
 use crate::protocol::{Check, CheckState, CodeLevel, CodeMessage, Failed, ToPage};
-use crate::sessions::pages::lock;
 
 /// Time from a save to the check.
 const AFTER: Duration = Duration::from_millis(200);

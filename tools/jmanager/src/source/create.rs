@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 
 use super::files::{Files, failed};
 use super::{edit, limits};
+use crate::pages::PageId;
 use crate::protocol::{ChangedBy, Failed};
-use crate::sessions::PageId;
 
 /// A component that is made.
 pub(super) struct New {

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 
 use super::edit;
 use super::files::Files;
+use crate::pages::PageId;
 use crate::protocol::{ChangedBy, Failed};
-use crate::sessions::PageId;
 
 impl Files {
     /// Writes the present value of a parameter as its default.

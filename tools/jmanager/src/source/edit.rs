@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use super::file::OpenFile;
 use super::files::{Files, failed, no_component};
 use super::{limits, save};
+use crate::pages::PageId;
+use crate::pages::lock;
 use crate::protocol::{ChangedBy, Failed, KeepSide, MovedState, SourcePlace};
-use crate::sessions::PageId;
-use crate::sessions::pages::lock;
 
 /// Why an edit was refused, as a page gets it.
 pub(super) fn refused(refusal: &Refusal, file: &OpenFile) -> Failed {
@@ -46,10 +46,7 @@ impl Files {
         let from = file.document.version();
         if version != from && edits.iter().any(|edit| matches!(edit, Edit::Replace { .. })) {
             let help = "take in the changes that came meanwhile, then send the edit for the new version";
-            return Err(Failed::new(
-                format!("stale: the text has version {from}, the edit is of version {version}"),
-                help,
-            ));
+            return Err(Failed::stale(format!("the text has version {from}, the edit is of version {version}"), help));
         }
         let change = apply(file, edits)?;
         let version = change.version;
@@ -194,9 +191,8 @@ impl Files {
             let file = self.get(&mut open, other)?;
             let text = span.of(file.document.text());
             if file.name == main || (text != function && text.strip_prefix("r#") != Some(&*function)) {
-                let what =
-                    format!("stale: `{}` has no `{}` of another file at byte {}", file.name, function, span.start);
-                return Err(Failed::new(what, "list the uses again"));
+                let what = format!("`{}` has no `{}` of another file at byte {}", file.name, function, span.start);
+                return Err(Failed::stale(what, "list the uses again"));
             }
             let edit = Edit::Replace { span: *span, text: to.clone() };
             let file = file.name.clone();

@@ -8,9 +8,9 @@ use bica_vicode::{Change, Document, External};
 
 use super::sidecar::Sidecar;
 use super::stamp::Stamp;
+use crate::pages::PageId;
+use crate::pages::Pages;
 use crate::protocol::{ChangedBy, FileState, SourceChange, SourceState, StatePosition, ToPage};
-use crate::sessions::PageId;
-use crate::sessions::pages::Pages;
 
 /// A file that is open, for all pages.
 pub(super) struct OpenFile {

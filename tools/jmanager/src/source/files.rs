@@ -10,9 +10,9 @@ use bica_vicode::{Document, FileError, Folder};
 use super::check::Checks;
 use super::file::OpenFile;
 use super::{limits, search};
+use crate::pages::PageId;
+use crate::pages::{Pages, lock};
 use crate::protocol::Failed;
-use crate::sessions::PageId;
-use crate::sessions::pages::{Pages, lock};
 
 /// All open files, each with one document for all pages.
 pub(super) struct Files {

@@ -38,9 +38,9 @@ use self::files::Files;
 pub(crate) use self::run::Host;
 use self::run::{Rules, Runs};
 use self::watch::End;
+use crate::options::Options;
+use crate::pages::{PageId, Pages};
 use crate::protocol::{Failed, SourceRequest, ToPage};
-use crate::sessions::pages::Pages;
-use crate::sessions::{Options, PageId};
 
 /// All sources that pages edit.
 pub(crate) struct Editor {

@@ -13,8 +13,8 @@ use serde_json::Value;
 use super::cargo::{Workspace, cargo, progress};
 use super::files::Files;
 use super::process::{self, Group, LastLines};
+use crate::pages::lock;
 use crate::protocol::{Build, BuildState, CodeMessage, Failed, SessionId, ToPage};
-use crate::sessions::pages::lock;
 
 /// Longest time from the start of a program to its address.
 const START: Duration = Duration::from_mins(2);

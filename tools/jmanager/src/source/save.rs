@@ -9,8 +9,8 @@ use super::file::OpenFile;
 use super::files::{Files, failed};
 use super::sidecar;
 use super::stamp::Stamp;
+use crate::pages::{Pages, lock};
 use crate::protocol::{ChangedBy, Failed};
-use crate::sessions::pages::{Pages, lock};
 
 /// Time from the last edit to saving.
 const AFTER: Duration = Duration::from_millis(500);

@@ -10,8 +10,8 @@ use bica_vicode::{Target, read, uses};
 use super::files::{Files, failed, no_component};
 use super::limits;
 use super::stamp::Stamp;
+use crate::pages::lock;
 use crate::protocol::{Failed, SourceComponent, SourceFile, SourceUse};
-use crate::sessions::pages::lock;
 
 /// Largest number of Rust files that are read.
 const MAX_SOURCES: usize = 10_000;

@@ -9,8 +9,8 @@ use super::file::OpenFile;
 use super::files::Files;
 use super::stamp::Stamp;
 use super::{limits, save};
+use crate::pages::lock;
 use crate::protocol::ChangedBy;
-use crate::sessions::pages::lock;
 
 /// Time between two looks at what is to be saved.
 const TICK: Duration = Duration::from_millis(100);

@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use axum::extract::ws::Message;
 use tokio::sync::Notify;
 
+use crate::pages::{Frame, Key, Outbox};
 use crate::protocol::ToPage;
-use crate::sessions::{Frame, Key, Outbox};
 
 /// Largest number of messages of state that wait.
 const MAX_STATE: usize = 1024;
@@ -127,8 +127,8 @@ fn size(message: &Message) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pages::DataKind;
     use crate::protocol::InfoSample;
-    use crate::sessions::DataKind;
 
     fn next_text(queue: &Queue) -> Option<String> {
         queue.pop().map(|message| message.into_text().unwrap().to_string())

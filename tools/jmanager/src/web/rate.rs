@@ -26,18 +26,3 @@ impl Rate {
         self.left >= 0.0
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_burst_is_allowed_and_a_flood_is_not() {
-        let start = Instant::now();
-        let mut rate = Rate::new(start);
-        assert!((0..300).all(|_| rate.allows(start)));
-        assert!(!rate.allows(start));
-        let later = start + Duration::from_secs(1);
-        assert_eq!((0..300).filter(|_| rate.allows(later)).count(), 149);
-    }
-}

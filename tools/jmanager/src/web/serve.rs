@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
-use axum::extract::{Extension, Path, State};
+use axum::extract::{Extension, Path};
 use axum::http::{StatusCode, header};
 use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
@@ -64,8 +64,6 @@ fn routes(shared: &Arc<Shared>, stop: &watch::Receiver<bool>) -> Router {
         .layer(from_fn_with_state(Arc::clone(shared), guard::guard))
         .with_state((Arc::clone(shared), stop.clone()))
 }
-
-pub(crate) type Context = State<(Arc<Shared>, watch::Receiver<bool>)>;
 
 fn file(name: &str) -> Response {
     match assets::file(name) {

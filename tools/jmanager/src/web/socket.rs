@@ -14,10 +14,10 @@ use tokio::time::{interval, sleep, timeout};
 use super::places::Place;
 use super::queue::Queue;
 use super::rate::Rate;
-use super::serve::Context;
 use super::{Enter, Shared};
+use crate::pages::Outbox;
 use crate::protocol::{Failed, FromPage, ToPage};
-use crate::sessions::{Manager, Outbox};
+use crate::sessions::Manager;
 
 /// Largest message from a page, bytes.
 const MAX_MESSAGE: usize = 64 << 10;
@@ -46,7 +46,7 @@ const REFUSED: u16 = 4403;
 
 /// Accepts a WebSocket.
 pub(crate) async fn upgrade(
-    State((shared, stop)): Context,
+    State((shared, stop)): State<(Arc<Shared>, watch::Receiver<bool>)>,
     Extension(place): Extension<Arc<Place>>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
@@ -180,6 +180,7 @@ fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Rea
                 text: format!("this request is not understood: {error}"),
                 help: "reload the page: it may be of another version than the server".to_owned(),
                 entry: None,
+                stale: false,
             };
             queue.state(ToPage::Answer { id: id.unwrap_or(0) as u32, result: None, error: Some(failed) });
             None

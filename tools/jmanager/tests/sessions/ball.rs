@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use bica_game::{ReplayOptions, replay};
-use jmanager::protocol::{Open, Request, Watch};
+use jmanager::protocol::{Open, Request, Setting, Watch};
 use serde_json::json;
 
 use crate::page::Page;
-use crate::world::running;
+use crate::world::{find, running};
 
 const fn ball(x: f32, y: f32) -> Request {
     Request::PlaceBall { x, y }
@@ -45,9 +45,13 @@ fn the_operator_places_the_ball_of_a_running_and_of_a_paused_world() {
 }
 
 #[test]
-fn a_kept_recording_of_a_world_with_placements_replays() {
-    let (page, _) = running();
+fn a_kept_recording_of_a_world_with_requests_replays() {
+    let (page, description) = running();
     page.ask(Request::Acquire {}).unwrap();
+    let (component, param) = find(&description, "FaceBall", "params", "gain");
+    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    page.ask(Request::Set { settings }).unwrap();
+    page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
     let mut placed = 0;
     for step in 0..20_u8 {
         // A robot may stand at one of these places.
@@ -56,11 +60,16 @@ fn a_kept_recording_of_a_world_with_placements_replays() {
     assert!(placed > 10, "{placed} placements");
     let cycle = page.message("update", |update| update["cycle"].as_u64());
     page.message("update", |update| (update["cycle"].as_u64()? > cycle + 100).then_some(()));
-    let kept = page.ask(Request::KeepRecording { name: "placed".to_owned() }).unwrap();
-    let path = PathBuf::from(kept["path"].as_str().unwrap());
+    let keep = |name: &str| page.ask(Request::KeepRecording { name: name.to_owned() });
+    assert!(keep("../outside").is_err());
+    let path = PathBuf::from(keep("placed").unwrap()["path"].as_str().unwrap());
+    assert_eq!(path, page.bench.folder.0.join("recordings/placed.mcap"));
+    let again = keep("placed").unwrap_err();
+    assert!(again["text"].as_str().unwrap().contains("exists"), "{again}");
+    assert_eq!(page.ask(Request::Recordings {}).unwrap()[0]["name"], "placed.mcap");
     let options = ReplayOptions::whole(&path);
     let replayed = replay(&options).unwrap();
-    assert!(replayed.equal, "{:?}", replayed.first_difference);
+    assert!(replayed.equal && replayed.damage.is_none(), "{:?}", replayed.first_difference);
 
     let recording = page.open(Open::Recording { name: "placed.mcap".to_owned() });
     let info = page.session(|one| one["id"] == recording && one["connection"] == "connected");

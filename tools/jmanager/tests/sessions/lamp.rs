@@ -95,34 +95,46 @@ impl World<LampTree> for Room {
     }
 }
 
-/// Serves a lamp at an address until the end is set.
-fn lamp(address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
-    lamp_in(Room(0), Duration::from_millis(5), address, end)
+/// A lamp that is served until this is dropped.
+pub(crate) struct Served {
+    pub(crate) address: String,
+    end: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
 }
 
-/// Serves a lamp in a room, with a time between two cycles.
-pub(crate) fn lamp_in(room: Room, between: Duration, address: &str, end: &Arc<AtomicBool>) -> (String, JoinHandle<()>) {
-    let (address, end) = (Address::Tcp(address.to_owned()), Arc::clone(end));
-    let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
-    let bound = server.address().to_owned();
-    let thread = std::thread::spawn(move || {
-        let runner = Runner::new(Box::new(LampTree::new()), room);
-        let mut runner = runner.with_requests(requests).with_observer(observer);
-        while !end.load(Ordering::Relaxed) {
-            runner.cycle().unwrap();
-            std::thread::sleep(between);
-        }
-        drop(server);
-    });
-    (bound, thread)
+impl Served {
+    /// Serves a lamp in a room, with a time between two cycles.
+    pub(crate) fn new(room: Room, between: Duration, address: &str) -> Self {
+        let address = Address::Tcp(address.to_owned());
+        let (server, requests, observer) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
+        let address = server.address().to_owned();
+        let end = Arc::<AtomicBool>::default();
+        let ended = Arc::clone(&end);
+        let thread = std::thread::spawn(move || {
+            let runner = Runner::new(Box::new(LampTree::new()), room);
+            let mut runner = runner.with_requests(requests).with_observer(observer);
+            while !ended.load(Ordering::Relaxed) {
+                runner.cycle().unwrap();
+                std::thread::sleep(between);
+            }
+            drop(server);
+        });
+        Self { address, end, thread: Some(thread) }
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        self.end.store(true, Ordering::Relaxed);
+        let _ = self.thread.take().unwrap().join();
+    }
 }
 
 /// In each cycle of 20 ms one is added to what the conditions look at.
 #[test]
 fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
-    let end = Arc::new(AtomicBool::new(false));
-    let (address, lamp) = lamp("127.0.0.1:0", &end);
-    let (page, description) = attached(&address);
+    let lamp = Served::new(Room(0), Duration::from_millis(5), "127.0.0.1:0");
+    let (page, description) = attached(&lamp.address);
     page.session(|one| one["connection"] == "connected");
     for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
         let (component, transition) = find(&description, "Lamp", "transitions", name);
@@ -138,8 +150,6 @@ fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
         let next = page.ask(Request::NextHit { from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
         assert_eq!(next, times[1]);
     }
-    end.store(true, Ordering::Relaxed);
-    lamp.join().unwrap();
 }
 
 /// Attack 15.
@@ -155,8 +165,7 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     page.ask(Request::Breakpoints { list: vec![place] }).unwrap();
     drop(robot);
     page.session(|one| one["connection"] == "lost");
-    let end = Arc::new(AtomicBool::new(false));
-    let (_, lamp) = lamp(&address, &end);
+    let _lamp = Served::new(Room(0), Duration::from_millis(5), &address);
     let other = page.message("described", |message| Some(message["description"].clone()));
     assert_eq!(other["name"], "LampTree");
     assert_ne!((&other["name"], &other["hash"]), (&description["name"], &description["hash"]));
@@ -168,6 +177,4 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     let request = Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 };
     assert_eq!(page.ask(request).unwrap().as_array().unwrap().len(), 1, "rows of the new tree only");
-    end.store(true, Ordering::Relaxed);
-    lamp.join().unwrap();
 }

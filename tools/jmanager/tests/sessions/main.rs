@@ -3,6 +3,7 @@
 mod ball;
 mod breakpoints;
 mod colours;
+mod coming;
 mod kept_robot;
 mod lamp;
 mod page;

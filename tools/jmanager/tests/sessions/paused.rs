@@ -7,7 +7,7 @@ use crate::page::{Got, Page};
 use crate::robot::{Robot, attached};
 use crate::world::{find, running};
 
-/// Watches images, the number of images and the truth; returns number and time (µs) of the first image, the number, and the truth.
+/// Watches images, the number of images and the truth; returns number and time (µs) of the newest image, the number, and the truth.
 fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Value) {
     let watch = Watch {
         images: Some(WatchImages { max_hz: 30.0 }),
@@ -21,14 +21,15 @@ fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Va
         match got {
             Got::Binary(frame) if frame[0] == 1 && frame[24..28] == [0; 4] => {
                 let number = u32::from_le_bytes(frame[8..12].try_into().unwrap());
-                image.get_or_insert((number, u64::from_le_bytes(frame[16..24].try_into().unwrap())));
+                image = Some((number, u64::from_le_bytes(frame[16..24].try_into().unwrap())));
             }
             Got::Message(message) if message["type"] == "info" => count = message["samples"][0][3].as_u64().or(count),
             Got::Message(message) if message["type"] == "truth" => truth = Some(message["truth"]["ball"].clone()),
             _ => {}
         }
         let ((number, time_us), count, truth) = (image?, count?, truth.clone()?);
-        Some((number, time_us, count, truth))
+        // Of a busy computer an older image may come before the newest one.
+        (u64::from(number) + 1 >= count).then_some((number, time_us, count, truth))
     })
 }
 
@@ -40,7 +41,6 @@ fn check(page: &Page, description: &Value) {
     let time_us = paused["time_us"].as_u64().unwrap();
     let first = watched(page, count);
     assert!(first.1 <= time_us && time_us - first.1 < 150_000, "{first:?} at {time_us}");
-    assert!(u64::from(first.0) + 1 >= first.2, "{first:?}");
     let reloaded = Page::new(&page.bench);
     assert_eq!(watched(&reloaded, count), first);
     // Nobody watches any more, then somebody does again.

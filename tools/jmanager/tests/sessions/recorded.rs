@@ -1,6 +1,7 @@
 //! Recordings as sessions.
 
 use std::fs;
+use std::process::Command;
 use std::time::Duration;
 
 use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
@@ -14,9 +15,15 @@ use crate::world::find;
 
 /// Seconds of the recorded games.
 const SECONDS: u64 = 6;
+/// Longest game until a goal, s.
+const UNTIL_GOAL: u64 = 60;
 
 /// Records the beginning of a game.
 pub(crate) fn record(folder: &Folder, name: &str, seed: u64) {
+    record_for(folder, name, seed, SECONDS);
+}
+
+fn record_for(folder: &Folder, name: &str, seed: u64, seconds: u64) {
     let path = folder.0.join("recordings").join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
     let rules = Rules {
@@ -24,7 +31,7 @@ pub(crate) fn record(folder: &Folder, name: &str, seed: u64) {
         seed,
         size: Frame::Small,
         robots: 1,
-        limit: Duration::from_secs(SECONDS),
+        limit: Duration::from_secs(seconds),
         realtime: false,
         firmware: None,
         settings: &[],
@@ -121,6 +128,8 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
     fs::write(recordings.join("cut.mcap"), &bytes[..bytes.len() * 3 / 4]).unwrap();
     fs::write(recordings.join("text.mcap"), "no recording").unwrap();
     fs::write(recordings.join("empty.mcap"), "").unwrap();
+    assert!(Command::new("mkfifo").arg(recordings.join("pipe.mcap")).status().unwrap().success());
+    fs::write(recordings.join("run (1).mcap"), &bytes).unwrap();
     let mut damaged = bytes.clone();
     let middle = bytes.len() / 2;
     damaged[middle..middle + 64].fill(0xFF);
@@ -131,8 +140,24 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
         assert!(!info["note"].as_str().unwrap().is_empty(), "{name}: {info}");
         assert!(info["until_us"].as_u64().unwrap() < SECONDS * 1_000_000 - 10_000, "{name}: {info}");
     }
-    for name in ["text", "empty", "missing", "../recordings/one"] {
+    opened(&page, "run (1).mcap");
+    for name in ["text", "empty", "pipe", "missing", "../recordings/one"] {
         let error = page.ask(Request::Open { source: Open::Recording { name: name.to_owned() } }).unwrap_err();
         assert!(!error["help"].as_str().unwrap().is_empty(), "{name}: {error}");
     }
+}
+
+#[test]
+fn a_page_that_comes_later_gets_the_result_of_a_recorded_game() {
+    let folder = Folder::new();
+    record_for(&folder, "goal.mcap", 1, UNTIL_GOAL);
+    let page = Page::new(&Bench::with(folder, |options| options));
+    let (_, info) = opened(&page, "goal");
+    let result = info["result"].as_str().unwrap();
+    assert!(result.starts_with("Goal at ") && result.ends_with(" s"), "{info}");
+    let late = Page::new(&page.bench);
+    let sessions = late.message("hello", |hello| Some(hello["sessions"].clone()));
+    assert_eq!(sessions[0]["result"], result);
+    let line = result.replace("Goal at", "goal, at");
+    assert!(late.lines().iter().any(|one| one["kind"] == "referee" && one["text"] == line.as_str()), "{line}");
 }

@@ -2,16 +2,15 @@
 
 use std::io::copy;
 use std::net::{Shutdown, TcpListener, TcpStream};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
-use std::thread::{self, JoinHandle};
+use std::thread;
 use std::time::Duration;
 
 use bica_recording::Recording;
 use jmanager::protocol::{Open, Request};
 use serde_json::Value;
 
-use crate::lamp::{Room, lamp_in};
+use crate::lamp::{Room, Served};
 use crate::page::{Bench, Page};
 
 /// Time between two cycles: no lamp is faster than a clock.
@@ -67,26 +66,9 @@ impl Cable {
     }
 }
 
-/// A lamp that shines until this is dropped.
-struct Lamp {
-    address: String,
-    end: Arc<AtomicBool>,
-    thread: Option<JoinHandle<()>>,
-}
-
-impl Lamp {
-    fn at_cycle(first: u64) -> Self {
-        let end = Arc::new(AtomicBool::new(false));
-        let (address, thread) = lamp_in(Room(first), CYCLE, "127.0.0.1:0", &end);
-        Self { address, end, thread: Some(thread) }
-    }
-}
-
-impl Drop for Lamp {
-    fn drop(&mut self) {
-        self.end.store(true, Ordering::Relaxed);
-        let _ = self.thread.take().unwrap().join();
-    }
+/// A lamp that begins with a cycle.
+fn lamp_at(first: u64) -> Served {
+    Served::new(Room(first), CYCLE, "127.0.0.1:0")
 }
 
 /// Waits for a state after a time, µs; returns its time.
@@ -114,7 +96,7 @@ fn bars(page: &Page) -> Vec<(u64, u64)> {
 
 #[test]
 fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_a_gap() {
-    let lamp = Lamp::at_cycle(LONG_LIT.0);
+    let lamp = lamp_at(LONG_LIT.0);
     let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
     let last = watched_and_cut(&page, &cable);
     thread::sleep(10 * CYCLE);
@@ -147,10 +129,10 @@ fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_
 #[test]
 fn a_robot_that_began_again_and_another_one_of_the_same_tree_begin_with_an_empty_memory() {
     for first in [0, 10 * LONG_LIT.0] {
-        let lamp = Lamp::at_cycle(LONG_LIT.0);
+        let lamp = lamp_at(LONG_LIT.0);
         let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
         let last = watched_and_cut(&page, &cable);
-        let other = Lamp::at_cycle(first);
+        let other = lamp_at(first);
         cable.mend(&other.address);
         page.message("described", |_| Some(()));
         let shown = page.message("update", |update| update["time_us"].as_u64());

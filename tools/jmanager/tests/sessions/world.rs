@@ -1,9 +1,7 @@
 //! The built-in world, live.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
-use bica_game::{ReplayOptions, replay};
 use jmanager::protocol::{HoldKind, Open, Request, Setting};
 use serde_json::{Value, json};
 
@@ -139,19 +137,6 @@ fn a_note_after_the_request_to_begin_again_is_in_the_log_and_the_recording_of_th
 }
 
 #[test]
-fn a_paused_world_is_operated() {
-    let (page, description) = running();
-    let (component, param) = find(&description, "FaceBall", "params", "gain");
-    page.paused();
-    page.ask(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
-    let answer = page.ask(Request::Set { settings }).unwrap();
-    assert_eq!(answer["values"], json!([0.9]));
-    page.ask(Request::Step { cycles: 1 }).unwrap();
-    page.message("update", |update| (update["cycle"] == answer["cycle"]).then_some(()));
-}
-
-#[test]
 fn the_past_can_be_read_and_agrees_with_what_was_live() {
     let (page, description) = running();
     let (component, info) = find(&description, "CameraInput", "info", "count");
@@ -182,31 +167,6 @@ fn the_past_can_be_read_and_agrees_with_what_was_live() {
     let series = page.ask(request).unwrap();
     let counts: Vec<u64> = series.as_array().unwrap().iter().map(|one| one[1].as_u64().unwrap()).collect();
     assert!(counts.len() > 2 && counts.is_sorted(), "{counts:?}");
-}
-
-#[test]
-fn a_kept_recording_can_be_replayed_from_its_first_cycle() {
-    let (page, description) = running();
-    let (component, param) = find(&description, "FaceBall", "params", "gain");
-    page.ask(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
-    page.ask(Request::Set { settings }).unwrap();
-    page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
-    page.cycle(101);
-    let bad = page.ask(Request::KeepRecording { name: "../outside".to_owned() });
-    assert!(bad.is_err());
-    let kept = page.ask(Request::KeepRecording { name: "mine".to_owned() }).unwrap();
-    let path = PathBuf::from(kept["path"].as_str().unwrap());
-    assert_eq!(path, page.bench.folder.0.join("recordings/mine.mcap"));
-    let again = page.ask(Request::KeepRecording { name: "mine".to_owned() }).unwrap_err();
-    assert!(again["text"].as_str().unwrap().contains("exists"), "{again}");
-    let list = page.ask(Request::Recordings {}).unwrap();
-    assert_eq!(list[0]["name"], "mine.mcap");
-    let options = ReplayOptions::whole(&path);
-    let replayed = replay(&options).unwrap();
-    assert!(replayed.equal, "{:?}", replayed.first_difference);
-    assert!(replayed.cycles > 50, "{}", replayed.cycles);
-    assert_eq!(replayed.damage, None);
 }
 
 #[test]

@@ -136,10 +136,11 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         let Some(image) = self.image_of.and_then(|image_of| image_of(sensors)) else { return };
         let number = control.next.images as u32;
         control.next.images += 1;
-        let (watchers, can_pause) = (control.watchers.of_image(number, false), control.can_pause());
-        if watchers.is_empty() && !can_pause {
+        // A monitor that is not ready for this image gets it if the world stands still after it.
+        if !control.watchers.wants_images() && !control.can_pause() {
             return;
         }
+        let watchers = control.watchers.of_image(number, false);
         let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
         let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
         let LinkImage { bottom_camera, width, height, .. } = image;

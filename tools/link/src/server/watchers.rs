@@ -177,6 +177,11 @@ impl Watchers {
         self.list.iter().filter(|watcher| watcher.wants_image(number, stands)).cloned().collect()
     }
 
+    /// Whether somebody watches images, ready for the next one or not.
+    pub(super) fn wants_images(&self) -> bool {
+        self.list.iter().any(|watcher| watcher.images > 0)
+    }
+
     /// The monitors as they are now.
     pub(super) fn shared(&mut self) -> Arc<[Watcher]> {
         Arc::clone(self.shared.get_or_insert_with(|| self.list.as_slice().into()))

@@ -16,9 +16,9 @@ use bica_vision::table::CompactTable;
 use serde_json::{Value, json};
 
 use super::history::StoredImage;
-use super::pages::PageId;
 use super::session::Session;
-use super::{files, live, storage};
+use super::{commands, files, storage};
+use crate::pages::PageId;
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{Failed, Request, Setting};
 use limits::Limits;
@@ -184,7 +184,7 @@ pub(super) fn handle(
         Request::SendColours { .. } => {
             let settings = edit.settings(&*session.description()?)?;
             let request = Request::Set { settings };
-            return session.command(live::Command::Operate { page, id, request }).map(|()| None);
+            return session.command(commands::Command::Operate { page, id, request }).map(|()| None);
         }
         Request::SaveColours { name, .. } => {
             let path = files::path(&session.options.profiles, name, ".toml")?;

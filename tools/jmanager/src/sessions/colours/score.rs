@@ -12,8 +12,8 @@ use bica_vision::colour::Filters;
 use bica_vision::table::CompactTable;
 use serde_json::{Value, json};
 
+use crate::pages::PageId;
 use crate::protocol::Failed;
-use crate::sessions::pages::PageId;
 use crate::sessions::session::Session;
 
 /// Radius of a ball of 2009, m.

@@ -21,7 +21,7 @@ pub(crate) struct StoredImage {
 }
 
 /// Images of the last time, in bounded memory.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Images {
     all: VecDeque<StoredImage>,
     bytes: usize,

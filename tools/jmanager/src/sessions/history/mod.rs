@@ -20,7 +20,7 @@ pub(super) use timed::Timed;
 pub(super) type Conditions = Vec<Option<(bool, u64)>>;
 
 /// Limits of what is remembered.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Limits {
     /// Time, µs; none for a recording, which is remembered whole.
     pub(super) ring_us: Option<u64>,
@@ -31,7 +31,7 @@ pub(super) struct Limits {
 }
 
 /// What a session remembers: the last minutes of a robot, or a recording.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct History {
     limits: Limits,
     pub(super) states: States,
@@ -50,18 +50,7 @@ pub(super) struct History {
 
 impl History {
     pub(super) fn new(limits: Limits, components: usize) -> Self {
-        Self {
-            limits,
-            states: States::new(components),
-            info: InfoStore::default(),
-            images: Images::new(limits.image_bytes),
-            lines: Timed::default(),
-            truths: Timed::default(),
-            costs: Timed::default(),
-            conditions: BTreeMap::new(),
-            overruns: Timed::default(),
-            taken: Timed::default(),
-        }
+        Self { limits, states: States::new(components), images: Images::new(limits.image_bytes), ..Self::default() }
     }
 
     /// First and last time of which the state is known, µs.

@@ -18,7 +18,7 @@ pub(crate) struct Change {
 }
 
 /// States of all components over time, exact to the cycle.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct States {
     /// States before the first change in memory.
     base: Vec<ComponentNow>,

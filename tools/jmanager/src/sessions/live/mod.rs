@@ -10,60 +10,23 @@ mod returned;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-use bica_link::{Address, Client, ClientOptions, Waker, Wakeups, waker};
+use bica_link::{Address, Client, ClientOptions, Wakeups, waker};
 use bica_wire::message::Offers;
 
-use super::options::Options;
-use super::pages::{PageId, Pages};
+use super::commands::{Command, Commands};
 use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Pacer, Setup, World};
+use crate::options::Options;
+use crate::pages::Pages;
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
 use attached::{Attached, Exit};
 
 /// Time between two attempts to connect.
 const RETRY: Duration = Duration::from_millis(300);
-
-/// What the manager asks of a session's thread.
-#[derive(Debug)]
-pub(super) enum Command {
-    /// A request of a page.
-    Operate { page: PageId, id: u32, request: Request },
-    /// A person notes something: after what was asked before, such as the begin of another game.
-    Note { page: PageId, id: u32, text: String },
-    /// What pages watch has changed.
-    Watch,
-    /// A page has gone.
-    Left(PageId),
-    /// The session ends.
-    Close,
-}
-
-/// Hands commands to a session's thread.
-pub(super) struct Commands {
-    commands: Sender<Command>,
-    /// Ends the thread's wait for the robot.
-    waker: Option<Waker>,
-}
-
-impl Commands {
-    /// Commands that nobody receives.
-    pub(super) fn of_nobody() -> Self {
-        Self { commands: channel().0, waker: None }
-    }
-
-    /// Hands over a command; returns whether the thread still works.
-    pub(super) fn send(&self, command: Command) -> bool {
-        let is_sent = self.commands.send(command).is_ok();
-        if let Some(waker) = &self.waker {
-            waker.wake();
-        }
-        is_sent
-    }
-}
 
 /// Commands that have come, and the end of waits for the robot.
 struct Inbox {
@@ -116,7 +79,7 @@ fn start(
     let (commands, commands_in) = channel();
     let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     let inbox = Inbox { commands: commands_in, wakeups };
-    let commands = Commands { commands, waker: Some(waker) };
+    let commands = Commands::new(commands, waker);
     let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);

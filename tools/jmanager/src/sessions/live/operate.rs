@@ -11,8 +11,8 @@ use serde_json::{Value, json};
 use super::attached::Attached;
 use super::not_connected;
 use super::pace::world_change;
+use crate::pages::PageId;
 use crate::protocol::{Failed, LogKind, Request};
-use crate::sessions::pages::PageId;
 use crate::sessions::session::Operator;
 use crate::sessions::value::change;
 
@@ -238,7 +238,7 @@ impl Attached<'_> {
         let result = match (refused, change) {
             (Some((_, entry, text)), Some(_)) => {
                 let help = "values must be in their ranges, and requests come from the page in control".to_owned();
-                Err(Failed { text, help, entry: Some(entry) })
+                Err(Failed { entry: Some(entry), ..Failed::new(text, help) })
             }
             (Some((.., text)), None) => Err(Failed::new(text, "place it where it is in play and nothing stands")),
             (None, Some(change)) => {

@@ -7,8 +7,8 @@ use bica_wire::message::WorldChange;
 use serde_json::Value;
 
 use super::attached::Attached;
+use crate::pages::PageId;
 use crate::protocol::{Failed, Request};
-use crate::sessions::pages::PageId;
 use crate::sessions::session::Operator;
 
 /// Returns the change of the world that a request asks for.

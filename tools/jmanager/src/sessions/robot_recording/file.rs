@@ -11,8 +11,8 @@ use std::time::Duration;
 
 use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
+use crate::pages::lock;
 use crate::sessions::history::StoredImage;
-use crate::sessions::pages::lock;
 
 /// Largest number of cycles and images that wait for the disk: 40 s at 100 Hz.
 const QUEUE: usize = 4096;

@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use bica_game::{GameControl, NextStep};
 
+use crate::pages::lock;
 use crate::protocol::{Breakpoint, Reached};
 use crate::sessions::breakpoints::{Activity, Place};
-use crate::sessions::pages::lock;
 
 /// Time between two looks for requests while a world is paused.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(10);

@@ -1,10 +1,13 @@
-//! All pages.
+//! All pages, and the queue of what each receives.
+
+mod outbox;
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::outbox::{Frame, Key, Outbox};
 use crate::protocol::{Failed, ToPage};
+
+pub use outbox::{DataKind, Frame, Key, Outbox};
 
 /// Identifier of a page.
 pub type PageId = u64;
