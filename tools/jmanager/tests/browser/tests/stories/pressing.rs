@@ -25,7 +25,10 @@ async fn colours_are_picked_with_a_press_a_region_and_paint_from_the_limits_of_t
     let (_server, page) = game("pick").await;
     page.press("3").await;
     page.click("radio", "orange", "Colours").await;
-    let (x, y) = page.find("img", "Image to pick colours from", "Colours").await.middle().await;
+    let image = page.find("img", "Image to pick colours from", "Colours").await;
+    let ((x, middle), [_, _, _, height]) = (image.middle().await, image.place().await);
+    // The ground: the robot keeps the ball, whose colour is in the class, in the middle.
+    let y = middle + 0.3 * height;
     page.until(
         "an image is classified",
         "return import('/lib/store.js').then(({ classified }) => classified.value !== null)",
