@@ -326,7 +326,7 @@ function pointers({ place, press, pointer, selection, scroll, listed, descriptio
       press.current = null;
       selection.value = null;
     },
-    onLostPointerCapture() {
+    onPointerCancel() {
       press.current = null;
       selection.value = null;
     },

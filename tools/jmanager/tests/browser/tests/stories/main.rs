@@ -20,8 +20,8 @@ use jmanager_browser::{Page, Server};
 const WIDE: (u32, u32) = (1600, 940);
 /// Continues the world when its game is over. A paused world executes requests in its next cycle, and a busy machine takes longer for a
 /// story than the forward for a goal.
-const GOES_ON: &str = "return import('/lib/store.js').then(({ act, session }) => void setInterval(() => \
-    session.value.info.value.note.includes('game is over') && act('resume'), 200))";
+const GOES_ON: &str = "setInterval(() => { const over = document.querySelector('.banner')?.textContent.includes('game is over'); \
+    if (over) [...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Continue')?.click(); }, 200)";
 
 /// Starts a server of the built-in world, and opens its page.
 async fn game(name: &str) -> (Server, Page) {

@@ -42,21 +42,6 @@ async fn a_component_tells_why_it_is_latent() {
 }
 
 #[tokio::test]
-async fn the_timeline_is_paused_scrubbed_and_live_again() {
-    let (_server, page) = game("timeline").await;
-    page.until("rows are drawn", &drawn("Activation timeline")).await;
-    page.press(" ").await;
-    page.find("button", "Time: paused", "").await;
-    let before =
-        page.until("the cursor is in the address", "return location.hash.includes('t=') && location.hash").await;
-    page.press("\u{e012}").await;
-    page.until("one cycle back", &format!("return location.hash.includes('t=') && location.hash !== {before}")).await;
-    page.press("l").await;
-    page.find("button", "Time: live", "").await;
-    page.close().await;
-}
-
-#[tokio::test]
 async fn the_camera_shows_images_and_toggles_overlays() {
     let (_server, page) = game("camera").await;
     page.until("an image is drawn", &drawn("Camera image")).await;

@@ -25,10 +25,13 @@ async fn colours_are_picked_with_a_press_a_region_and_paint_from_the_limits_of_t
     let (_server, page) = game("pick").await;
     page.press("3").await;
     page.click("radio", "orange", "Colours").await;
-    let (x, y) = page.find("img", "Image to pick colours from", "Colours").await.middle().await;
+    let image = page.find("img", "Image to pick colours from", "Colours").await;
+    let ((x, middle), [_, _, _, height]) = (image.middle().await, image.place().await);
+    // The ground: the robot keeps the ball, whose colour is in the class, in the middle.
+    let y = middle + 0.3 * height;
     page.until(
-        "an image is classified",
-        "return import('/lib/store.js').then(({ classified }) => classified.value !== null)",
+        "an image is shown",
+        "return /image \\d+/.test(document.querySelector('.tuner figcaption')?.textContent)",
     )
     .await;
     let mut limits = page.until("the limits are known", LIMITS).await;
@@ -78,8 +81,8 @@ async fn a_slider_and_the_timeline_are_dragged() {
     page.until("some seconds have passed", &format!("{CLOCK} > 2")).await;
     let [x, y, width, _] = page.find("img", "Activation timeline", "").await.place().await;
     page.drag((x + 130.0, y + 20.0), (x + 130.0 + width * 0.2, y + 20.0)).await;
-    let zoomed =
-        "return import('/lib/store.js').then(({ range }) => range.value.end !== null && range.value.span < 10e6)";
+    let zoomed = "return document.querySelector('[aria-label=Timeline] button.live') !== null && \
+        ![...document.querySelectorAll('[aria-label=Timeline] button.on')].some((one) => one.textContent === '20 s')";
     page.until("the interval is shown", zoomed).await;
     page.click_at((x + 200.0, y + 20.0)).await;
     page.find("button", "Time: paused", "").await;
