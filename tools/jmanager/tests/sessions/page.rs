@@ -114,7 +114,12 @@ impl Page {
                 panic!("{what} did not come; the newest of each type: {:#?}", self.newest.borrow())
             });
             if let Got::Message(message) = &got {
-                self.newest.borrow_mut().insert(message["type"].to_string(), message.clone());
+                let mut newest = self.newest.borrow_mut();
+                if message["type"] == "described" {
+                    // The update is of the run before.
+                    newest.remove(&json!("update").to_string());
+                }
+                newest.insert(message["type"].to_string(), message.clone());
             }
             if let Some(value) = found(&got) {
                 return value;
@@ -167,7 +172,7 @@ impl Page {
 
     /// Waits for a cycle.
     pub(crate) fn cycle(&self, number: u64) {
-        self.message("update", |update| (update["cycle"].as_u64()? >= number).then_some(()));
+        self.state("update", |update| (update["cycle"].as_u64()? >= number).then_some(()));
     }
 
     /// All lines of the log.

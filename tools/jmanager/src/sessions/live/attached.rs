@@ -298,7 +298,9 @@ impl<'a> Attached<'a> {
         session.shared().history.evict();
         let paused = session.is_paused();
         let note = match &session.pacer {
-            Some(pacer) if pacer.is_over() && paused => "the game is over: restart the world, or continue it".to_owned(),
+            Some(pacer) if pacer.is_over() && paused => {
+                "the game is over: restart the world, or continue it".to_owned()
+            }
             _ if !paused && self.received.elapsed() > SILENCE => "nothing comes from the robot".to_owned(),
             _ => String::new(),
         };
