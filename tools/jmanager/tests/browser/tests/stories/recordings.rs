@@ -29,11 +29,8 @@ async fn a_recording_is_kept_opened_and_played() {
     .await;
     page.click("button", "To the end", "Replay").await;
     page.find("button", "Time: paused", "").await;
-    page.until(
-        "the camera shows an image",
-        "return document.querySelector('canvas[aria-label=\"Camera image\"]').width > 20",
-    )
-    .await;
+    // The recording of a world has no images: its rules make them again.
+    page.reads("No images").await;
     page.close().await;
 }
 
@@ -97,7 +94,7 @@ async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     page.find("button", "FaceBall", "Activation tree").await;
     page.until(
         "the camera shows an image",
-        "return document.querySelector('canvas[aria-label=\"Camera image\"]').width > 20",
+        "return document.querySelector('canvas[aria-label=\"Camera image\"]')?.width > 20",
     )
     .await;
     page.screenshot("robot-kept").await;
