@@ -6,7 +6,7 @@ use bica_motion::model::{Nao, RobotModel};
 use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
-use bica_sim::World as _;
+use bica_sim::World;
 use bica_sim::setup::{Frame, Setup};
 
 use crate::game::{Game, new_game};
