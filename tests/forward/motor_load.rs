@@ -3,7 +3,6 @@
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
-use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
 use bica_sim::World;
