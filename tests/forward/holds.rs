@@ -20,7 +20,7 @@ fn run_into_a_step(game: &mut Game, cycles: usize) {
     let mut on_one_foot = 0;
     while on_one_foot < cycles {
         game.cycle().expect("the image fits");
-        let feet = game.robot().get::<RobotState>().feet().map(|foot| foot.total());
+        let feet = game.robot().get::<RobotState>().feet().map(bica_motion::robot::FootPressure::total);
         on_one_foot = if feet.contains(&0.0) { on_one_foot + 1 } else { 0 };
         assert!(game.world().referee().goals() == 0, "the robot never stood on one foot");
     }

@@ -3,10 +3,9 @@
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
-use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
-use bica_sim::World as _;
+use bica_sim::World;
 use bica_sim::setup::{Frame, Setup};
 
 use crate::game::{Game, new_game};

@@ -53,7 +53,7 @@ pub fn frame_sets(folder: &Path, size: (u16, u16)) -> Vec<FrameSet> {
 fn scaled(yuyv: &[u8], (width, height): (u16, u16)) -> Vec<u8> {
     let at = |x: u16, y: u16| {
         let (x, y) = (usize::from(x) * 320 / usize::from(width), usize::from(y) * 240 / usize::from(height));
-        let pair = &yuyv[(320 * y + x) / 2 * 4..][..4];
+        let pair = &yuyv[4 * (160 * y + x / 2)..][..4];
         [pair[2 * (x % 2)], pair[1], pair[3]]
     };
     let pairs =

@@ -1,7 +1,7 @@
 //! Playing of a script on a tree and on its model.
 
-use bica::prelude::*;
 use bica::Status;
+use bica::prelude::*;
 use proptest::prelude::*;
 
 use super::event::{Recorder, take_events};
