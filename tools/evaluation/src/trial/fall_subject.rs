@@ -90,7 +90,8 @@ impl FallSubject {
         let robot = self.runner.robot();
         let guard = Forward::id::<SafetyGuard>();
         let states = Forward::GRAPH.nodes[guard.index()].states;
-        let gets_up = robot.is_active_at(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
+        let gets_up =
+            robot.is_active_at(guard) && robot.state(guard).is_some_and(|state| states[state].name == "get_up");
         self.attempts += u8::from(gets_up && !self.gets_up);
         self.gets_up = gets_up;
     }
