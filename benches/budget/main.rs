@@ -34,7 +34,9 @@ fn main() -> Result<(), String> {
     let mut cycles = Vec::new();
     play::all(*frame, |cycle| cycles.push(cycle.to_vec()))?;
     println!("{header}");
-    cycles.iter().for_each(|cycle| println!("{}", serde_json::json!(cycle)));
+    for cycle in &cycles {
+        println!("{}", serde_json::json!(cycle));
+    }
     Ok(())
 }
 
