@@ -96,8 +96,8 @@ fn a_foot_is_silent_without_a_fault_while_it_is_lifted_or_carries_nothing() {
     lifted[Joint::LAnklePitch] -= 0.1;
     let mut shifted = Nao::STAND;
     for (hip, ankle) in [(Joint::LHipRoll, Joint::LAnkleRoll), (Joint::RHipRoll, Joint::RAnkleRoll)] {
-        shifted[hip] += 0.25;
-        shifted[ankle] -= 0.25;
+        shifted[hip] += 0.4;
+        shifted[ankle] -= 0.4;
     }
     for posture in [lifted, shifted] {
         let upright = |sensors: &mut Sensors<'_>| {
