@@ -138,7 +138,9 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
             return Err(Failed::new(text, "wait until it is complete, then compare"));
         }
     }
-    let paths = [one.shared().recorded.path.clone(), other.shared().recorded.path.clone()];
+    // Both may be one session, whose lock is not taken twice at once.
+    let path = |session: &Session| session.shared().recorded.path.clone();
+    let paths = [path(one), path(other)];
     if paths.iter().any(|path| path.as_os_str().is_empty()) {
         return Err(Failed::new("only recordings are compared", "keep a recording of the live session, and open it"));
     }
