@@ -12,8 +12,8 @@ const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
 /// Builds every crate that runs on a robot for a Cortex-M, then links the firmware image without an allocator; linking
 /// fails if any part needs `alloc`.
 ///
+/// # Errors
 /// If an installation or a build fails.
-/// What could not be installed or built.
 pub(crate) fn check() -> Result<(), String> {
     let rust = Toolchain::get()?;
     for name in CRATES {

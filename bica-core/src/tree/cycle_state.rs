@@ -109,10 +109,13 @@ impl CycleState {
         self.held_active.set(other.held_active.get());
     }
 
+    /// Begins a cycle. If the tree `keeps_parity`, a steady tick has the parity of the previous one.
     #[inline]
-    pub(crate) fn begin(&self, now: Instant) {
+    pub(crate) fn begin(&self, now: Instant, keeps_parity: bool) {
         self.now.set(now.as_ticks());
-        self.parity.swap(&self.previous);
+        if !(keeps_parity && self.steady.get()) {
+            self.parity.swap(&self.previous);
+        }
     }
 
     #[inline]

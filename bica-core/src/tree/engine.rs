@@ -28,7 +28,7 @@ impl<T: Layout> Engine<T> {
     #[inline]
     pub(crate) fn tick<P: Probe>(&mut self, now: Instant, probe: &mut P) {
         probe.cycle_begin(now);
-        self.store.cycle_state().begin(now);
+        self.store.cycle_state().begin(now, const { T::PLANS.is_whole() });
         let mut cycle = Cycle { store: self.store.open(), probe };
         if !const { T::PLANS.exist() } {
             T::visit_root(&mut cycle);

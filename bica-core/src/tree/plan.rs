@@ -7,6 +7,9 @@
 //! In a *steady* tick every fixed component was active in the previous cycle and is not held latent. So it needs no test
 //! whether it is latent, and the links to it that are not the first need no test whether it was visited. All other
 //! components are visited as in any cycle.
+//!
+//! If every component is fixed, and the root has no states, a steady tick visits no other components. Then it keeps the parity
+//! of the previous cycle, so that the components need not record their visits.
 
 use crate::check::{CAPACITY, Set};
 use crate::graph::{Graph, Link, LinkKind, Node};
@@ -24,16 +27,24 @@ pub struct Plans {
     count: usize,
     first: &'static [u16],
     fixed: &'static [Set],
+    /// The root has no states, and every component is fixed.
+    whole: bool,
 }
 
 impl Plans {
     /// No plan: every tick tests each component.
-    pub const NONE: Self = Self { count: 0, first: &[], fixed: &[] };
+    pub const NONE: Self = Self { count: 0, first: &[], fixed: &[], whole: false };
 
     /// Whether there is a plan.
     #[must_use]
     pub const fn exist(&self) -> bool {
         !self.fixed.is_empty()
+    }
+
+    /// Whether every component is fixed in every tick. Then no visit of a steady tick needs the parity of the cycle.
+    #[must_use]
+    pub const fn is_whole(&self) -> bool {
+        self.whole
     }
 
     /// Whether in plan `plan` the link from the fixed component `from` is the first one to `to`.
@@ -56,13 +67,15 @@ pub struct Planned<const N: usize> {
     fixed: [Set; MOST],
     /// Number of plans.
     len: usize,
+    /// The root has no states, and every component is fixed.
+    whole: bool,
 }
 
 impl<const N: usize> Planned<N> {
     /// Computes the plans of a graph. `rates` are for each component the ones whose rates its functions borrow.
     #[must_use]
     pub const fn of(graph: &Graph, rates: &[&[usize]]) -> Self {
-        let mut planned = Self { first: [[NONE; N]; MOST], fixed: [Set::EMPTY; MOST], len: 0 };
+        let mut planned = Self { first: [[NONE; N]; MOST], fixed: [Set::EMPTY; MOST], len: 0, whole: false };
         // A larger tree, or one with another number of nodes, is reported by the check of its graph.
         if N > CAPACITY || graph.nodes.len() != N || graph.root >= N {
             return planned;
@@ -77,6 +90,7 @@ impl<const N: usize> Planned<N> {
             let walk = Walk::<N>::of(graph, planned.len, &unusual);
             planned.first[planned.len] = walk.first;
             planned.fixed[planned.len] = walk.fixed;
+            planned.whole = states == 0 && contains_all(&walk.fixed, N);
             planned.len += 1;
         }
         planned
@@ -85,8 +99,18 @@ impl<const N: usize> Planned<N> {
     /// The result.
     #[must_use]
     pub const fn plans(&'static self) -> Plans {
-        Plans { count: N, first: self.first.as_flattened(), fixed: self.fixed.split_at(self.len).0 }
+        let fixed = self.fixed.split_at(self.len).0;
+        Plans { count: N, first: self.first.as_flattened(), fixed, whole: self.whole }
     }
+}
+
+/// Whether a set contains all indices below `count`.
+const fn contains_all(set: &Set, count: usize) -> bool {
+    let mut index = 0;
+    while index < count && set.contains(index) {
+        index += 1;
+    }
+    index == count
 }
 
 /// Whether the children of a component depend on its state.

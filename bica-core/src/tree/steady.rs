@@ -13,7 +13,9 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     where
         T: Has<C>,
     {
-        self.store.component_state::<C>().activation().visit(self.store.cycle_state().parity());
+        if !const { T::PLANS.is_whole() } {
+            self.store.component_state::<C>().activation().visit(self.store.cycle_state().parity());
+        }
         let is_due = !const { visits_at_rate::<T, C>() } || self.is_due::<C>();
         if !is_due {
             self.skip::<C>();
