@@ -53,7 +53,7 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
             ] {
                 shown.press(key).await;
                 shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
-                tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+                tokio::time::sleep(std::time::Duration::from_millis(300)).await;
                 shown.screenshot(&format!("{theme}-{width}-{name}")).await;
                 let faults = shown.run(FAULTS, vec![]).await;
                 assert_eq!(faults, json!([]), "{theme} {width} {name}");
