@@ -59,6 +59,11 @@ export function start(element) {
       return { element: note, init() {} };
     },
   });
+  // The cross of a tab is for the mouse, beside the key that closes a panel: a tab contains no other control.
+  api.onDidAddPanel(({ view }) => {
+    const cross = view.tab.element.querySelector('.dv-default-tab-action');
+    for (const name of ['role', 'tabindex']) cross?.removeAttribute(name);
+  });
   api.onDidLayoutChange(() => {
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();

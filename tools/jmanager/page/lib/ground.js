@@ -2,7 +2,7 @@
 
 let focal = null;
 
-/** Reads an information of the shown moment by names. */
+/** Reads an output of the shown moment by names. */
 function read(shown, component, name) {
   const place = shown.findInfo(component, name);
   return place ? shown.info_of(...place).now.value?.value ?? null : null;

@@ -2,14 +2,14 @@
 
 import { signal } from './dom.js';
 
-/** Samples that are kept of an information. */
+/** Samples that are kept of an output. */
 const MAX_SAMPLES = 6000;
 const MAX_LINES = 4000;
 const MAX_IMAGES = 8;
 /** Longest time for which an image waits for its findings, µs. */
 const LATE = 250e3;
 
-/** Values of an information over time, and the newest one for the cursor. */
+/** Values of an output over time, and the newest one for the cursor. */
 export class Information {
   constructor() {
     this.times = [];
@@ -193,7 +193,7 @@ export class Session {
     return this.description.value?.components.findIndex((component) => component.name === name) ?? -1;
   }
 
-  /** Component and index of an information by names; null if there is none. */
+  /** Component and index of an output by names; null if there is none. */
   findInfo(component, name) {
     const index = this.find(component);
     const info = this.description.value?.components[index]?.info.findIndex((one) => one.name === name) ?? -1;

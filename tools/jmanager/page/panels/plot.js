@@ -35,7 +35,7 @@ export function Plot({ visible, params, remember }) {
   };
   const add = (name) => {
     const curve = resolve(shown, name);
-    if (!curve) notify('error', `there is no information “${name}”`, 'write Component.information, as in the list of the field');
+    if (!curve) notify('error', `there is no output “${name}”`, 'write Component.information, as in the list of the field');
     else if (!names.value.includes(name)) set([...names.value, name]);
   };
   // A struct becomes one curve for each of its numbers, as soon as a value of it is known.
@@ -69,7 +69,7 @@ export function Plot({ visible, params, remember }) {
       <button disabled=${curves.length === 0} onClick=${() => csv(shown, curves)}>CSV</button>
     <//>
     ${curves.length === 0
-      ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an information from a component tab onto this panel, or choose one above." />`
+      ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an output from a component tab onto this panel, or choose one above." />`
       : html`<${Chart} key=${curves.map(({ name }) => name).join() + theme.value} ...${{ shown, curves, visible }} />`}
   </div>`;
 }

@@ -3,7 +3,7 @@
 use jmanager_browser::{Page, Server};
 use serde_json::json;
 
-/// Nothing is wider than the window, no text of a button is cut, and all controls have a name.
+/// Nothing is wider than the window, no text of a button is cut, and all controls have a name and contain no other control.
 const FAULTS: &str = r"
 const faults = [];
 if (document.documentElement.scrollWidth > innerWidth) faults.push(`the page is ${document.documentElement.scrollWidth} px wide`);
@@ -11,6 +11,8 @@ for (const one of document.querySelectorAll('button, input, select, summary, can
   if (one.getClientRects().length === 0 || one.closest('.chart') || one.closest('.dv-dockview [class*=dropdown]')) continue;
   const name = one.ariaLabel || one.textContent.trim() || one.labels?.[0]?.textContent.trim() || one.placeholder || one.title;
   if (!name && !one.className.baseVal) faults.push(`no name: ${one.outerHTML.slice(0, 120)}`);
+  const around = one.parentElement.closest('button, summary, [role=button], [role=tab]');
+  if (around) faults.push(`inside another control: ${around.outerHTML.slice(0, 120)}`);
   if (one.tagName === 'BUTTON' && one.scrollWidth > one.clientWidth + 2 && getComputedStyle(one).overflow === 'visible') faults.push(`cut: ${one.textContent}`);
 }
 return faults;
@@ -51,7 +53,7 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
             ] {
                 shown.press(key).await;
                 shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
-                tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+                tokio::time::sleep(std::time::Duration::from_millis(300)).await;
                 shown.screenshot(&format!("{theme}-{width}-{name}")).await;
                 let faults = shown.run(FAULTS, vec![]).await;
                 assert_eq!(faults, json!([]), "{theme} {width} {name}");

@@ -92,7 +92,7 @@ async fn picture_of_a_comparison() {
     )
     .await;
     page.find("button", "Time: paused", "").await;
-    page.click("tab", "kick-off.mcap", "").await;
+    page.click("button", "kick-off.mcap", "Sessions").await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
     page.run("location.hash = '#t=11.000&layout=replay'", vec![]).await;
