@@ -25,13 +25,11 @@ fn at_the_limits() -> Figures {
     ] {
         figures.record(design, workload, ns);
     }
-    for workload in [Workload::Chain3, Workload::Chain100, Workload::Diamond] {
+    for workload in [Workload::Chain3, Workload::Chain100, Workload::Diamond, Workload::Forward] {
         figures.record(Design::Bica, workload, 11.5);
         figures.record(Design::Boxed, workload, 15.0);
         figures.record(Design::ByHand, workload, 10.0);
     }
-    figures.record(Design::Bica, Workload::Forward, 10.0);
-    figures.record(Design::Boxed, Workload::Forward, 10.0);
     for workload in [Workload::SizedChain10, Workload::SizedMachine, Workload::SizedForward] {
         figures.record(Design::Bica, workload, 11.5);
         figures.record(Design::ByHand, workload, 10.0);
@@ -64,10 +62,10 @@ fn a_slower_bica_violates_each_claim() {
     assert_eq!(slower(Design::Bica, Workload::Chain3, 1.01), [7, 8]);
     assert_eq!(slower(Design::Bica, Workload::Chain100, 1.1), [11, 12]);
     assert_eq!(slower(Design::Bica, Workload::Diamond, 1.1), [13, 14]);
-    assert_eq!(slower(Design::Bica, Workload::Forward, 1.1), [15]);
-    assert_eq!(slower(Design::Bica, Workload::SizedChain10, 1.01), [16]);
-    assert_eq!(slower(Design::Bica, Workload::SizedForward, 1.01), [17]);
-    assert_eq!(slower(Design::Bica, Workload::SizedMachine, 1.01), [18, 19, 20]);
+    assert_eq!(slower(Design::Bica, Workload::Forward, 1.1), [15, 16]);
+    assert_eq!(slower(Design::Bica, Workload::SizedChain10, 1.01), [17]);
+    assert_eq!(slower(Design::Bica, Workload::SizedForward, 1.01), [18]);
+    assert_eq!(slower(Design::Bica, Workload::SizedMachine, 1.01), [19, 20, 21]);
     assert_eq!(slower(Design::BicaTimed, Workload::Chain10, 1.01), [1]);
     assert_eq!(slower(Design::Bica, Workload::Tree100, 1.01), [4]);
     assert_eq!(slower(Design::Bica, Workload::Latent, 1.01), [5]);
@@ -90,7 +88,7 @@ fn one_allocation_violates_the_claim() {
 
 #[test]
 fn a_claim_without_a_measurement_does_not_hold() {
-    assert_eq!(violated(&Figures::default()), (0..21).collect::<Vec<_>>());
+    assert_eq!(violated(&Figures::default()), (0..22).collect::<Vec<_>>());
 }
 
 #[test]

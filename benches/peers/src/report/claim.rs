@@ -31,11 +31,10 @@ pub fn judge(figures: &Figures) -> Vec<Verdict> {
         latent(figures),
         no_heap(figures),
     ];
-    for workload in [Workload::Chain3, Workload::Chain10, Workload::Chain100, Workload::Diamond] {
+    for workload in [Workload::Chain3, Workload::Chain10, Workload::Chain100, Workload::Diamond, Workload::Forward] {
         verdicts.push(at_least(figures, BOXED, (Design::Boxed, workload), (Design::Bica, workload)));
         verdicts.push(at_most(figures, BY_HAND, (Design::Bica, workload), (Design::ByHand, workload)));
     }
-    verdicts.push(at_least(figures, 1.0, (Design::Boxed, Workload::Forward), (Design::Bica, Workload::Forward)));
     // A tick by itself takes as long as several empty steps, and the compiler folds them as it likes.
     for workload in [Workload::SizedChain10, Workload::SizedForward] {
         verdicts.push(at_most(figures, BY_HAND, (Design::Bica, workload), (Design::ByHand, workload)));
