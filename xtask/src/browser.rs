@@ -1,5 +1,6 @@
 //! Tests of JManager's page in Chromium and Firefox, in their own workspace, so that nothing else needs their dependencies.
 
+use crate::firmware;
 use crate::install::{folder, packages};
 use crate::process::{run, works};
 
@@ -41,12 +42,13 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
     run("cargo", &test, &[("JMANAGER_FIGURES", "1"), ("JMANAGER_PROFILE", "release")])
 }
 
-/// Installs the browser, and builds the programs that [`TEST`] starts.
+/// Installs the browser, and builds the programs and the firmware that [`TEST`] starts.
 ///
 /// # Errors
 /// If the installation or the build fails.
 pub(crate) fn prepare() -> Result<(), String> {
     install()?;
+    firmware::prepare()?;
     run("cargo", &PROGRAMS, &[])
 }
 
