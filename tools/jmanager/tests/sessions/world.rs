@@ -22,6 +22,8 @@ pub(crate) fn find(description: &Value, component: &str, list: &str, name: &str)
 #[cfg(feature = "mujoco")]
 #[test]
 fn a_game_in_mujoco_is_shown_with_its_images() {
+    use jmanager::protocol::{Watch, WatchImages};
+
     let page = Page::new(&Bench::new());
     page.open(Open::World { world: "mujoco".to_owned(), seed: 1, robots: 0 });
     page.message("described", |_| Some(()));
