@@ -129,6 +129,9 @@ pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
 /// Builds the image of a board. Each board is built alone, because Cargo would unify the features of both.
 fn build_for(rust: &Toolchain, board: &str, more: &[&str]) -> Result<(), String> {
     let manifest = format!("firmware/boards/{board}/Cargo.toml");
-    let options = ["--config", "firmware/.cargo/config.toml", "--target-dir", "firmware/target"];
+    // The image contains the paths of sources for its panics: its size must not depend on the folder of the checkout.
+    let paths = root().display().to_string();
+    let paths = format!("target.thumbv7em-none-eabihf.rustflags=['--remap-path-prefix={paths}/=']");
+    let options = ["--config", "firmware/.cargo/config.toml", "--config", &paths, "--target-dir", "firmware/target"];
     rust.build(&[&options[..], &["--manifest-path", &manifest, "--release"], more].concat())
 }
