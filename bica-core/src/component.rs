@@ -20,6 +20,9 @@ pub trait Component: Sized + 'static {
     /// The type itself: a tree that names it finds out whether it is a component.
     #[doc(hidden)]
     type Itself;
+    /// The impl block that makes the component. Only this trait collides if there are two, so there is one message.
+    #[doc(hidden)]
+    type Block;
     /// The type's name, without its path.
     const NAME: &'static str;
     /// The doc comment of the impl block, or else of the type with `#[derive(ComponentDoc)]`, or else of the step.

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 
 use crate::expand::component as expand;
+use crate::expand::quoting::at;
 use bica_syntax::component::check;
 use bica_syntax::component::parse::{Parsed, parse};
 use bica_syntax::report::Report;
@@ -10,10 +11,13 @@ use bica_syntax::report::Report;
 /// Expands `#[component(options)] item`.
 pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
     let mut report = Report::default();
-    let component = match parse(options, item, &mut report) {
+    let mut component = match parse(options, item, &mut report) {
         Parsed::Component(component) => component,
         Parsed::Misplaced { item, of } => return expand::misplaced(&item, of.as_deref(), &report),
     };
+    // Behind an `impl` of the user's text, the compiler offers an unknown type in angle brackets as a parameter of the block. It
+    // offers none in generated code, and two different messages are both shown.
+    component.block.header.impl_token.span = at(&component.block.header.impl_token);
     match check::check(&component, &mut report) {
         Some(behaviour) if report.is_empty() => expand::expand(&component, &behaviour),
         _ => expand::stub(&component, &report),

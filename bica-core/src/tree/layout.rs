@@ -91,7 +91,7 @@ pub trait Member<T: Layout> {
     label = "its impl block has no `#[component]`",
     note = "write `#[component]` on the impl block that holds its `step` or its states"
 )]
-pub trait MemberOf<T: Layout>: Component {
+pub trait MemberOf<T: Layout, B = <Self as Component>::Block>: Component {
     /// Links as the signatures write them, before two paths to one component are recognised as one.
     const WRITTEN: &'static [WrittenLink];
     /// Description of the component in that tree.

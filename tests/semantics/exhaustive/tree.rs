@@ -26,6 +26,7 @@ const fn state(name: &'static str, initial: bool) -> State {
 
 impl<const I: usize, const R: bool> Component for Node<I, R> {
     type Itself = Self;
+    type Block = ();
     const NAME: &'static str = "Node";
     const DOC: &'static str = "";
     const HZ: Option<f32> = if R { Some(50.0) } else { None };

@@ -27,6 +27,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
             type Itself = Self;
+            type Block = __Block;
             const NAME: &'static str = #name;
             const DOC: &'static str = #doc;
             const HZ: ::core::option::Option<f32> = #hz;

@@ -42,7 +42,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let operator = operator::functions(component);
     quote! {
         #[automatically_derived]
-        impl #parameters #p::MemberOf<__T> for #own #bounds {
+        impl #parameters #p::MemberOf<__T, __Block> for #own #bounds {
             #node
             const TIMED: bool = #timed;
             #rates

@@ -30,7 +30,7 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let member = member::expand(component, behaviour);
     let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
-    let traits = enclosed(&component.options.krate, &quote!(#description #member));
+    let traits = enclosed(&component.options.krate, &quote!(pub struct __Block; #description #member));
     quote!(#block #traits #no_step)
 }
 

@@ -39,11 +39,14 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
     let (parameters, _, bounds) = generics.split_for_impl();
     let (member_parameters, _, _) = member.split_for_impl();
     let items = quote! {
+        pub struct __Block;
+
         #time
 
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
             type Itself = Self;
+            type Block = __Block;
             const NAME: &'static str = #name;
             const DOC: &'static str = "";
             const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
@@ -57,7 +60,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
         }
 
         #[automatically_derived]
-        impl #member_parameters #p::MemberOf<__T> for #own #bounds {
+        impl #member_parameters #p::MemberOf<__T, __Block> for #own #bounds {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
             const NODE: #p::Node = #p::Node::new(#name);
             const TIMED: bool = false;

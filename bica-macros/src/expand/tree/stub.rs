@@ -54,6 +54,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
 
         impl #p::Component for Any {
             type Itself = Self;
+            type Block = ();
             const NAME: &'static str = "";
             const DOC: &'static str = "";
             const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
