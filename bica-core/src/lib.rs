@@ -55,6 +55,7 @@
 //! exceeds them.
 #![no_std]
 
+pub mod blob;
 pub mod check;
 mod component;
 pub mod graph;
@@ -74,6 +75,7 @@ mod tree;
 #[path = "private.rs"]
 pub mod __private;
 
+pub use blob::{Blob, Format};
 pub use component::{Component, Time};
 pub use embassy_time::{Duration, Instant};
 pub use graph::Graph;

@@ -1,5 +1,6 @@
 //! What generated code uses. It is no part of the public interface and changes without notice.
 
+pub use crate::__message as message;
 pub use crate::__output as output;
 pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
@@ -23,7 +24,7 @@ pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 
-#[cfg(feature = "info")]
+#[cfg(any(feature = "info", feature = "wire"))]
 pub use {postcard_schema, serde};
 
 /// Returns a doc comment; nothing with the feature `terse`.

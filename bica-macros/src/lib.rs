@@ -1,5 +1,5 @@
-//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]` and
-//! `#[derive(ComponentDoc)]`.
+//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]`,
+//! `#[message]` and `#[derive(ComponentDoc)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
 //! and the wording of every message are the crate `bica-syntax`, which tools use too; `expand` has one file for each thing
@@ -57,6 +57,12 @@ pub fn component_doc(item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
     plain_item::output(options.into(), &item.into()).into()
+}
+
+#[doc = include_str!("../doc/message.md")]
+#[proc_macro_attribute]
+pub fn message(options: TokenStream, item: TokenStream) -> TokenStream {
+    plain_item::message(options.into(), &item.into()).into()
 }
 
 #[cfg(doctest)]

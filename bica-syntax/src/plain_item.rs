@@ -1,28 +1,59 @@
-//! Attributes of a struct or an enum that is no impl block: `#[output]` and `#[derive(ComponentDoc)]`.
+//! Attributes of a struct or an enum that is no impl block: `#[output]`, `#[message]` and `#[derive(ComponentDoc)]`.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{DeriveInput, Path, Token, parse_quote};
+use syn::{Data, DeriveInput, Field, Path, Token, parse_quote};
 
 use crate::report::Report;
 use crate::{text, wording};
 
-/// The crate that `#[output(crate = path)]` names, with mistakes reported.
-pub fn output(options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
+/// The crate that `#[attribute(crate = path)]` names, with mistakes reported. The attribute is `output` or `message`.
+pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
     if syn::parse2::<DeriveInput>(item.clone()).is_err() {
-        report.add(item, wording::OUTPUT_ITEM);
+        report.add(item, wording::plain_item(attribute));
     }
     let parser = |input: syn::parse::ParseStream| {
         if input.is_empty() {
             return Ok(parse_quote!(::bica));
         }
-        let form = |found: syn::Error| syn::Error::new(found.span(), wording::OUTPUT_FORM);
+        let form = |found: syn::Error| syn::Error::new(found.span(), wording::plain_options(attribute));
         input.parse::<Token![crate]>().map_err(form)?;
         input.parse::<Token![=]>().map_err(form)?;
         input.call(Path::parse_mod_style).map_err(form)
     };
     let krate = syn::parse::Parser::parse2(parser, options);
     report.take(krate).unwrap_or_else(|| parse_quote!(::bica))
+}
+
+/// The item with `#[message]`, in which serde's attribute `borrow` precedes each field that borrows.
+#[must_use]
+pub fn borrowing(item: &TokenStream) -> TokenStream {
+    let Ok(mut input) = syn::parse2::<DeriveInput>(item.clone()) else { return item.clone() };
+    let mark = |field: &mut Field| {
+        if borrows(field.ty.to_token_stream()) {
+            field.attrs.push(parse_quote!(#[serde(borrow)]));
+        }
+    };
+    match &mut input.data {
+        Data::Struct(data) => data.fields.iter_mut().for_each(mark),
+        Data::Enum(data) => data.variants.iter_mut().flat_map(|variant| &mut variant.fields).for_each(mark),
+        Data::Union(_) => {}
+    }
+    input.into_token_stream()
+}
+
+/// Whether a type names a lifetime other than `'static`.
+fn borrows(ty: TokenStream) -> bool {
+    let mut is_lifetime = false;
+    ty.into_iter().any(|token| match token {
+        TokenTree::Group(group) => borrows(group.stream()),
+        TokenTree::Ident(name) => std::mem::take(&mut is_lifetime) && name != "static",
+        TokenTree::Punct(punct) => {
+            is_lifetime = punct.as_char() == '\'';
+            false
+        }
+        TokenTree::Literal(_) => false,
+    })
 }
 
 /// The item with `#[derive(ComponentDoc)]`, and its doc comment.

@@ -91,7 +91,7 @@ fn read(item: TokenStream, report: &mut Report) {
         let _ = plain_item::component_doc(item, report);
     } else if attributes.iter().any(|one| one.starts_with("output")) {
         let (options, item) = split("output", item);
-        let _ = plain_item::output(options, &item, report);
+        let _ = plain_item::framework("output", options, &item, report);
     } else {
         let (options, item) = split("component", item);
         if let Parsed::Component(component) = component::parse::parse(options, &item, report) {

@@ -74,9 +74,13 @@ pub(crate) fn hook_states(role: &str) -> String {
 }
 
 // Items beside the block.
-pub(crate) const OUTPUT_ITEM: &str = "`#[output]` belongs on a struct or an enum: move it there, or remove it";
-pub(crate) const OUTPUT_FORM: &str =
-    "write `#[output]`, or `#[output(crate = bica_core)]` for another path of the framework";
+pub(crate) fn plain_item(attribute: &str) -> String {
+    format!("`#[{attribute}]` belongs on a struct or an enum: move it there, or remove it")
+}
+
+pub(crate) fn plain_options(attribute: &str) -> String {
+    format!("write `#[{attribute}]`, or `#[{attribute}(crate = bica_core)]` for another path of the framework")
+}
 
 pub(crate) fn component_doc(name: &str) -> String {
     format!("`{name}` has no doc comment that its component could have: write one above it, `/// ...`")
