@@ -119,6 +119,30 @@ pub enum ExtraKind {
     Truth,
     /// Camera images.
     Images,
+    /// Transitions that components take, each as [`ToMonitorExtra::Taken`].
+    Taken,
+    /// A stop: it is reported when it is reached, for any interval but 0.
+    Stop(Stop),
+}
+
+/// A place in a tree at which a simulated world pauses after the cycle in which it is reached. A robot is never paused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+pub struct Stop {
+    /// Index of the component.
+    pub component: u16,
+    /// What is reached.
+    pub at: StopAt,
+    /// Whether the world pauses there. It pauses if nobody, or this monitor, owns the lease.
+    pub pauses: bool,
+}
+
+/// What is reached at a [`Stop`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+pub enum StopAt {
+    /// The active component is in this state, and was not after the cycle before.
+    State(u16),
+    /// The component takes this transition.
+    Transition(u16),
 }
 
 /// A message to a monitor with what only a program on a computer offers.
@@ -140,6 +164,32 @@ pub enum ToMonitorExtra<'a> {
     ImageChunk(ImageChunk<'a>),
     /// Whether the world is paused: sent when a monitor attaches, when it changes, and when the requested steps are done.
     World(WorldState),
+    /// A component has taken a transition.
+    Taken(Taken),
+    /// A stop was reached.
+    Reached(Reached),
+}
+
+/// A component has taken a transition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Taken {
+    /// Instant of the cycle, µs.
+    pub time_us: u64,
+    /// Index of the component.
+    pub component: u16,
+    /// Index of the transition.
+    pub transition: u16,
+}
+
+/// A stop was reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Reached {
+    /// Instant of the cycle, µs.
+    pub time_us: u64,
+    /// The stop.
+    pub stop: Stop,
+    /// Whether the world is paused there.
+    pub paused: bool,
 }
 
 /// Conditions of consecutive transitions of a component, as they were evaluated last.

@@ -21,8 +21,8 @@ pub use bica_core::params::{Setting, Value};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use extra::{
     COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
-    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, ToMonitorExtra, Truth, WorldChange, WorldRequest,
-    WorldState,
+    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, Reached, Stop, StopAt, Taken, ToMonitorExtra, Truth,
+    WorldChange, WorldRequest, WorldState,
 };
 pub use graph::GraphItem;
 pub use image::{ImageChunk, ImageInfo};

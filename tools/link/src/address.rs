@@ -6,11 +6,13 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use crate::error::Error;
+use crate::memory::Memory;
 
 /// Baud rate of a serial line whose address names none.
 const BAUD: u32 = 115_200;
 
-/// Address of a link: `HOST:PORT` for TCP, or `/PATH[@BAUD]` for a serial line, such as `/dev/ttyUSB0@921600`.
+/// Address of a link: `HOST:PORT` for TCP, `/PATH[@BAUD]` for a serial line, such as `/dev/ttyUSB0@921600`, or a place in this process,
+/// which has no text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Address {
     /// Host and port.
@@ -22,6 +24,8 @@ pub enum Address {
         /// Baud rate.
         baud: u32,
     },
+    /// A server in this process.
+    Memory(Memory),
 }
 
 impl FromStr for Address {
@@ -47,6 +51,7 @@ impl fmt::Display for Address {
         match self {
             Self::Tcp(address) => f.write_str(address),
             Self::Serial { path, baud } => write!(f, "{}@{baud}", path.display()),
+            Self::Memory(_) => f.write_str("this process"),
         }
     }
 }

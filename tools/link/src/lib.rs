@@ -1,6 +1,6 @@
 //! The link between a running robot and its monitors.
 //!
-//! - [`LinkServer`] accepts monitors over TCP or a serial line. Its two halves stand in a
+//! - [`LinkServer`] accepts monitors over TCP or a serial line, or in this process. Its two halves stand in a
 //!   [`Runner`](bica::runner::Runner): [`LinkRequests`] is the source of requests, [`LinkObserver`] the observer. Neither
 //!   ever waits for a monitor or a thread.
 //! - [`Client`] attaches to a server, describes the tree, watches, requests changes, and connects again after a cut.
@@ -22,6 +22,7 @@ mod client;
 mod description;
 mod error;
 mod frame;
+mod memory;
 mod schema;
 mod server;
 mod stream;
@@ -33,6 +34,7 @@ pub use description::{
     Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, number, to_json,
 };
 pub use error::Error;
+pub use memory::Memory;
 pub use schema::decode as decode_info;
 pub use server::{
     ConditionTable, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions,

@@ -1,8 +1,10 @@
-//! Byte streams: TCP connections and serial lines.
+//! Byte streams: TCP connections, serial lines, and connections inside this process.
 
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{Shutdown, TcpStream};
+#[cfg(unix)]
+use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::Duration;
 
@@ -14,6 +16,9 @@ use crate::error::Error;
 pub(crate) enum Stream {
     Tcp(TcpStream),
     Serial(File),
+    /// One end of a pair that no other program reaches.
+    #[cfg(unix)]
+    Pair(UnixStream),
 }
 
 /// Result of reading.
@@ -33,6 +38,7 @@ impl Stream {
         let failed = |error| Error::connect(address, error);
         match address {
             Address::Serial { path, baud } => Self::open(path, *baud).map_err(failed),
+            Address::Memory(memory) => memory.connect(timeout).map_err(failed),
             Address::Tcp(host) => {
                 let mut last = io::Error::new(ErrorKind::NotFound, "the host has no address");
                 for socket in resolve(host)? {
@@ -52,6 +58,24 @@ impl Stream {
         stream.set_nodelay(true)?;
         stream.set_nonblocking(false)?;
         Ok(Self::Tcp(stream))
+    }
+
+    /// Returns both ends of a connection inside this process.
+    #[cfg(unix)]
+    pub(crate) fn pair() -> io::Result<(Self, Self)> {
+        UnixStream::pair().map(|(one, other)| (Self::Pair(one), Self::Pair(other)))
+    }
+
+    /// Returns both ends of a connection inside this process.
+    #[cfg(not(unix))]
+    pub(crate) fn pair() -> io::Result<(Self, Self)> {
+        let listener = std::net::TcpListener::bind((std::net::Ipv4Addr::LOCALHOST, 0))?;
+        let one = TcpStream::connect(listener.local_addr()?)?;
+        let (other, peer) = listener.accept()?;
+        if peer != one.local_addr()? {
+            return Err(io::Error::new(ErrorKind::ConnectionRefused, "another program connected first"));
+        }
+        Ok((Self::tcp(one)?, Self::tcp(other)?))
     }
 
     /// Opens a serial line.
@@ -88,6 +112,8 @@ impl Stream {
     pub(crate) fn try_clone(&self) -> io::Result<Self> {
         match self {
             Self::Tcp(stream) => stream.try_clone().map(Self::Tcp),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.try_clone().map(Self::Pair),
             Self::Serial(file) => file.try_clone().map(Self::Serial),
         }
     }
@@ -96,6 +122,8 @@ impl Stream {
     pub(crate) fn set_read_timeout(&self, timeout: Duration) -> io::Result<()> {
         match self {
             Self::Tcp(stream) => stream.set_read_timeout(Some(timeout.max(Duration::from_millis(1)))),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.set_read_timeout(Some(timeout.max(Duration::from_millis(1)))),
             Self::Serial(_) => Ok(()),
         }
     }
@@ -104,6 +132,8 @@ impl Stream {
     pub(crate) fn set_write_timeout(&self, timeout: Duration) -> io::Result<()> {
         match self {
             Self::Tcp(stream) => stream.set_write_timeout(Some(timeout)),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.set_write_timeout(Some(timeout)),
             Self::Serial(_) => Ok(()),
         }
     }
@@ -112,6 +142,8 @@ impl Stream {
     pub(crate) fn read(&mut self, buffer: &mut [u8]) -> io::Result<Reading> {
         let read = match self {
             Self::Tcp(stream) => stream.read(buffer),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.read(buffer),
             Self::Serial(file) => file.read(buffer),
         };
         match read {
@@ -129,16 +161,21 @@ impl Stream {
     pub(crate) fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
         match self {
             Self::Tcp(stream) => stream.write_all(bytes),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.write_all(bytes),
             Self::Serial(file) => file.write_all(bytes),
         }
     }
 
     /// Ends reads and writes of all handles, if the stream can do so.
     pub(crate) fn shut_down(&self) {
-        if let Self::Tcp(stream) = self {
-            // It fails only if the other end has already closed the connection.
-            let _ = stream.shutdown(Shutdown::Both);
-        }
+        // It fails only if the other end has already closed the connection.
+        let _ = match self {
+            Self::Tcp(stream) => stream.shutdown(Shutdown::Both),
+            #[cfg(unix)]
+            Self::Pair(stream) => stream.shutdown(Shutdown::Both),
+            Self::Serial(_) => Ok(()),
+        };
     }
 }
 
@@ -147,6 +184,7 @@ impl std::os::fd::AsFd for Stream {
     fn as_fd(&self) -> std::os::fd::BorrowedFd<'_> {
         match self {
             Self::Tcp(stream) => stream.as_fd(),
+            Self::Pair(stream) => stream.as_fd(),
             Self::Serial(file) => file.as_fd(),
         }
     }

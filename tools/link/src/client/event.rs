@@ -1,8 +1,8 @@
 //! What a client receives.
 
 use bica_wire::message::{
-    self, ComponentCost, ComponentState, ConditionState, CycleInfo, ImageHead, LeaseState, RefusalCode, Truth, Value,
-    WorldState,
+    self, ComponentCost, ComponentState, ConditionState, CycleInfo, ImageHead, LeaseState, Reached, RefusalCode, Taken,
+    Truth, Value, WorldState,
 };
 
 use crate::error::Error;
@@ -58,6 +58,10 @@ pub enum Event {
     Image(Image),
     /// Whether a simulated world is paused.
     World(WorldState),
+    /// A component has taken a transition.
+    Taken(Taken),
+    /// A stop was reached.
+    Reached(Reached),
 }
 
 /// Costs of the components and of the cycle.

@@ -35,6 +35,8 @@ impl Extras {
             }
             ToMonitorExtra::ImageChunk(chunk) => self.chunk(&chunk),
             ToMonitorExtra::World(state) => Some(Event::World(state)),
+            ToMonitorExtra::Taken(taken) => Some(Event::Taken(taken)),
+            ToMonitorExtra::Reached(reached) => Some(Event::Reached(reached)),
         }
     }
 

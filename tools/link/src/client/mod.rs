@@ -193,14 +193,17 @@ impl Client {
         self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
     }
 
-    /// Watches conditions, costs, the true state or images, of every n-th cycle or every n-th image; 0 ends it. Costs come every
+    /// Watches conditions, costs, the true state or images, of every n-th cycle or every n-th image, or transitions, or sets a stop; 0
+    /// ends it. Costs come every
     /// [`COSTS_CYCLES`](bica_wire::message::COSTS_CYCLES) cycles for any other number.
     ///
     /// # Errors
     /// [`Error::NotOffered`], [`Error::Disconnected`].
     pub fn watch_extra(&mut self, kind: ExtraKind, every: u16) -> Result<(), Error> {
         let (offer, name) = match kind {
-            ExtraKind::Conditions { .. } => (Offers::CONDITIONS, "conditions of transitions"),
+            ExtraKind::Conditions { .. } | ExtraKind::Taken | ExtraKind::Stop(_) => {
+                (Offers::CONDITIONS, "conditions of transitions")
+            }
             ExtraKind::Costs => (Offers::COSTS, "costs of components"),
             ExtraKind::Truth => (Offers::TRUTH, "the true state of a world"),
             ExtraKind::Images => (Offers::IMAGES, "images"),

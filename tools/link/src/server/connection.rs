@@ -14,7 +14,7 @@ use super::MAX_MONITORS;
 use super::cycle_data::{Encoded, Watched};
 use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
-use super::outbox::{Message, Outbox, Taken};
+use super::outbox::{Batch, Message, Outbox};
 use super::picture::{Picture, Sending};
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
@@ -227,6 +227,10 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
         }
         Incoming::Extra(FromMonitorExtra::World(request)) => Command::World(request),
         Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Images, every }) => Command::WatchImages(every),
+        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Taken, every }) => Command::WatchTaken(every > 0),
+        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Stop(stop), every }) => {
+            Command::Stop(stop, every > 0)
+        }
         Incoming::Extra(FromMonitorExtra::Watch { kind, every }) => match Key::of_extra(kind, every) {
             Some(watch) => Command::WatchKey(watch),
             None => return true,
@@ -257,7 +261,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
 fn write(connection: &Connection, mut stream: Stream) {
     let (mut packets, mut schemas) = (Packets::new(), BTreeSet::new());
     let mut sending: Option<Sending> = None;
-    while let Some(Taken { messages, data, image }) = connection.outbox.take(sending.is_some()) {
+    while let Some(Batch { messages, data, image }) = connection.outbox.take(sending.is_some()) {
         let mut closing = false;
         for message in messages {
             closing |= matches!(message, Message::Closing(_));

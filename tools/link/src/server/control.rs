@@ -14,6 +14,7 @@ use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
 use super::outbox::{AnswerKind, Message};
 use super::pace::{LoopClock, Pace};
+use super::stops::Stops;
 use super::watcher::Watcher;
 use super::watchers::Watchers;
 
@@ -42,10 +43,11 @@ pub(super) struct Control {
     pub(super) hub: Arc<Hub>,
     /// Whether silence is measured in the robot's time.
     by_robot: bool,
-    watch_only: bool,
+    pub(super) watch_only: bool,
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
+    pub(super) stops: Stops,
     /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
     pub(super) stands: bool,
     /// What the distributor gets at the end of the cycle.
@@ -73,6 +75,7 @@ impl Control {
             clock: LoopClock::new(),
             pace: Pace::default(),
             watchers: Watchers::default(),
+            stops: Stops::default(),
             stands: false,
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence),
@@ -150,11 +153,14 @@ impl Control {
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
             Command::WatchImages(every) => self.watchers.watch_images(id, every),
+            Command::WatchTaken(is_watched) => self.stops.watch_taken(id, is_watched),
+            Command::Stop(stop, is_set) => {
+                let room = self.stops.set(id, stop, is_set);
+                self.has_room(now, id, room);
+            }
             Command::WatchKey(watch) => {
-                if !self.watchers.watch_key(id, watch) {
-                    let text = "a monitor cannot watch so much".into();
-                    self.tell(id, Message::Log { time_us: now.as_micros(), level: 3, text });
-                }
+                let room = self.watchers.watch_key(id, watch);
+                self.has_room(now, id, room);
             }
             Command::ReadParams => {
                 self.readers.insert(id);
@@ -166,10 +172,18 @@ impl Control {
         None
     }
 
+    fn has_room(&mut self, now: bica::Instant, connection: u64, room: bool) {
+        if !room {
+            let text = "a monitor cannot watch so much".into();
+            self.tell(connection, Message::Log { time_us: now.as_micros(), level: 3, text });
+        }
+    }
+
     /// Forgets monitors that are disconnected; another connection may continue the lease of one.
     pub(super) fn forget_closed(&mut self) {
         for closed in self.watchers.remove_closed() {
             self.lease.disconnect(closed);
+            self.stops.forget(closed);
         }
     }
 

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use bica::Graph;
 use bica_wire::SCHEMA;
-use bica_wire::message::{Attached, LeaseAction, Offers, Request, Watch, WorldRequest};
+use bica_wire::message::{Attached, LeaseAction, Offers, Request, Stop, Watch, WorldRequest};
 
 use super::connection::Connection;
 use super::exchange::Exchange;
@@ -53,6 +53,8 @@ pub(super) enum Command {
     Watch(Watch),
     WatchKey((Key, u16)),
     WatchImages(u16),
+    WatchTaken(bool),
+    Stop(Stop, bool),
     ReadParams,
     Lease(LeaseAction),
     Request(Box<Request>),
@@ -163,6 +165,7 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
+        // A stop comes before the request that was sent after it.
         let only_watches =
             matches!(command, Command::Watch(_) | Command::WatchKey(_) | Command::WatchImages(_) | Command::ReadParams);
         let inbox = if only_watches { &self.watches } else { &self.inbox };

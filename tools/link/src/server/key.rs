@@ -21,14 +21,14 @@ impl Key {
         (Self::Info(watch.component, watch.info), watch.every)
     }
 
-    /// Returns what a message asks for, and n for every n-th cycle; none for images.
+    /// Returns what a message asks for, and n for every n-th cycle; none for images, transitions and stops.
     pub(super) const fn of_extra(kind: ExtraKind, every: u16) -> Option<(Self, u16)> {
         Some(match kind {
             ExtraKind::Conditions { component } => (Self::Conditions(component), every),
             // One window for all monitors.
             ExtraKind::Costs => (Self::Costs, if every == 0 { 0 } else { COSTS_CYCLES }),
             ExtraKind::Truth => (Self::Truth, every),
-            ExtraKind::Images => return None,
+            ExtraKind::Images | ExtraKind::Taken | ExtraKind::Stop(_) => return None,
         })
     }
 }

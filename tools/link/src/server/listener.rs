@@ -31,7 +31,21 @@ pub(super) fn start(hub: &Arc<Hub>, address: &Address, anywhere: bool) -> Result
             let listener = TcpListener::bind(&*sockets).map_err(failed)?;
             listener.set_nonblocking(true).map_err(failed)?;
             let bound = listener.local_addr().map_err(failed)?.to_string();
-            Ok((bound, thread.spawn(move || accept(&hub, &listener)).map_err(failed)?))
+            let next = move || {
+                let accepted = listener.accept().and_then(|(stream, _)| Stream::tcp(stream));
+                accepted.inspect_err(|_| thread::sleep(ACCEPT)).ok()
+            };
+            Ok((bound, thread.spawn(move || accept(&hub, next)).map_err(failed)?))
+        }
+        Address::Memory(memory) => {
+            let place = memory.clone();
+            let serve = move || {
+                accept(&hub, || place.accept(ACCEPT));
+                place.close();
+            };
+            let listener = thread.spawn(serve).map_err(failed)?;
+            memory.serve();
+            Ok((address.to_string(), listener))
         }
         Address::Serial { path, baud } => {
             // Opened here, so that a wrong path is an error.
@@ -54,13 +68,10 @@ pub(super) fn start(hub: &Arc<Hub>, address: &Address, anywhere: bool) -> Result
     }
 }
 
-fn accept(hub: &Arc<Hub>, listener: &TcpListener) {
+/// Serves each connection in a thread of its own. `next` waits for a short time.
+fn accept(hub: &Arc<Hub>, next: impl Fn() -> Option<Stream>) {
     while !hub.stopped.load(Ordering::Relaxed) {
-        let Ok((stream, _)) = listener.accept() else {
-            thread::sleep(ACCEPT);
-            continue;
-        };
-        let Ok(stream) = Stream::tcp(stream) else { continue };
+        let Some(stream) = next() else { continue };
         let hub = Arc::clone(hub);
         let serve = move || {
             // The monitor is gone: there is nobody to report an error to.

@@ -17,6 +17,7 @@ mod pace;
 mod picture;
 mod requests;
 mod snapshot;
+mod stops;
 mod union;
 mod watcher;
 mod watchers;
@@ -27,7 +28,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica::runner::Robot;
-use bica_wire::message::Offers;
+use bica_wire::message::{Offers, WorldChange};
 
 use crate::address::Address;
 use crate::error::Error;
@@ -88,7 +89,8 @@ pub struct LinkServer {
 }
 
 impl LinkServer {
-    /// Starts a server for a robot. Returns it and its two halves in the loop, for
+    /// Starts a server for a robot. A world that can be paused begins paused in this process: its monitor continues it once it watches
+    /// what it needs, and misses no cycle. Returns it and its two halves in the loop, for
     /// [`Runner::with_requests`](bica::runner::Runner::with_requests) and
     /// [`Runner::with_observer`](bica::runner::Runner::with_observer).
     ///
@@ -105,7 +107,11 @@ impl LinkServer {
             hub.stopped.store(true, Ordering::Relaxed);
             Error::connect(address, error)
         })?;
-        let control = Arc::new(Mutex::new(Control::new(Arc::clone(&hub), options)));
+        let mut control = Control::new(Arc::clone(&hub), options);
+        if matches!(address, Address::Memory(_)) && control.can_pause() {
+            control.pace.change(WorldChange::Pause);
+        }
+        let control = Arc::new(Mutex::new(control));
         let requests = LinkRequests::new(inboxes, Arc::clone(&control));
         let observer = LinkObserver::new(control);
         Ok((Self { hub, address: bound, listener: Some(listener), distributor: Some(distributor) }, requests, observer))

@@ -160,6 +160,7 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         control.send_data(cycle.robot, &self.conditions, &mut self.costs);
         control.stands = false;
         control.next_cycle();
+        control.look_at_stops(cycle.now, cycle.robot, &self.conditions);
         if control.pace.ends_cycle() {
             control.announce_world();
         }

@@ -5,7 +5,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use bica::Graph;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, RefusalCode, Value, WorldState,
+    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, Reached, RefusalCode, Taken,
+    Value, WorldState,
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 
@@ -26,6 +27,8 @@ pub(super) enum Message {
     Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
     Log { time_us: u64, level: u8, text: Arc<str> },
     World(WorldState),
+    Taken(Taken),
+    Reached(Reached),
     Closing(&'static str),
 }
 
@@ -44,7 +47,7 @@ pub(super) struct Outbox {
 }
 
 /// What the writer sends next.
-pub(super) struct Taken {
+pub(super) struct Batch {
     pub(super) messages: VecDeque<Message>,
     pub(super) data: Waiting,
     pub(super) image: Option<Picture>,
@@ -89,7 +92,7 @@ impl Outbox {
 
     /// Waits for messages and takes all; `None` after [`close`](Self::close). It does not wait, and leaves the next image, while
     /// `is_sending` an image.
-    pub(super) fn take(&self, is_sending: bool) -> Option<Taken> {
+    pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
         let mut queues = self.lock();
         let is_idle = |queues: &Queues| queues.state.is_empty() && queues.data.is_empty() && queues.image.is_none();
         while !is_sending && is_idle(&queues) && !queues.closed {
@@ -98,7 +101,7 @@ impl Outbox {
         }
         queues.sleeps = false;
         let queues = &mut *queues;
-        (!queues.closed).then(|| Taken {
+        (!queues.closed).then(|| Batch {
             messages: std::mem::take(&mut queues.state),
             data: std::mem::take(&mut queues.data),
             image: if is_sending { None } else { queues.image.take() },
@@ -150,6 +153,8 @@ impl Message {
                 packets.push(&ToMonitor::Log(LogLine { time_us: *time_us, level: *level, text }))
             }
             Self::World(state) => packets.push_extra(&ToMonitorExtra::World(*state)),
+            Self::Taken(taken) => packets.push_extra(&ToMonitorExtra::Taken(*taken)),
+            Self::Reached(reached) => packets.push_extra(&ToMonitorExtra::Reached(*reached)),
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
     }

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use bica::params::find;
 use bica::runner::{Request, Requests};
 use bica::{Graph, Instant, Refusal};
-use bica_wire::message::{Change, RefusalCode};
+use bica_wire::message::{Change, RefusalCode, WorldChange};
 
 use super::control::{Applied, Control, Placement};
 use super::hub::{Command, Inbound};
@@ -50,6 +50,14 @@ impl LinkRequests {
     /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests) at intervals instead.
     pub fn begins_cycle(&mut self) -> bool {
         lock(&self.control).pace.begins_cycle()
+    }
+
+    /// Pauses the world, as its program decides: its run is over.
+    pub fn pause(&mut self) {
+        let mut control = lock(&self.control);
+        control.pace.change(WorldChange::Pause);
+        control.announce_world();
+        control.hand_over();
     }
 
     /// Returns the position, m, field frame, at which the operator requests the ball of a simulated world to lie; `None` without a

@@ -10,8 +10,8 @@ use bica::runner::{Observer, Runner};
 use bica::{ComponentId, Instant, Probe};
 use bica_link::{Client, ClientOptions, Costs, Error, Event, Image};
 use bica_wire::message::{
-    COSTS_CYCLES, Change, ConditionState, ExtraKind, Offers, RefusalCode, Setting, Truth, Value, WorldChange,
-    WorldState,
+    COSTS_CYCLES, Change, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Truth,
+    Value, WorldChange, WorldState,
 };
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 
@@ -323,4 +323,47 @@ fn a_robot_of_an_older_version_is_named_as_such() {
     assert!(matches!(&result, Err(Error::Schema { robot }) if *robot == SCHEMA ^ 1), "{:?}", result.err());
     drop(result);
     robot.join().unwrap();
+}
+
+#[test]
+fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease() {
+    let session = Session::start_world();
+    let (mut watcher, mut operator) = (session.client(), session.client());
+    // The cart waits while the wall is near, and approaches it when it is far.
+    let (near, far) = ([0.1, 0.0], [3.0, 0.0]);
+    watcher.watch_extra(ExtraKind::Taken, 1).unwrap();
+    // The stop that is reached, and the transition that was reported before it.
+    let reached = |client: &mut Client| {
+        let mut last = None;
+        event(client, "a stop", |event| match event {
+            Event::Taken(taken) => {
+                last = Some(taken);
+                None
+            }
+            Event::Reached(reached) => Some((reached, last)),
+            _ => None,
+        })
+    };
+    let stop = |at| Stop { component: CART, at, pauses: true };
+    for at in [StopAt::Transition(0), StopAt::State(1)] {
+        watcher.watch_extra(ExtraKind::Stop(stop(at)), 1).unwrap();
+        watcher.acquire(false).unwrap();
+        watcher.place_ball(near).unwrap();
+        let (Reached { time_us, stop: found, paused }, taken) = reached(&mut watcher);
+        assert_eq!((found, paused), (stop(at), true));
+        assert_eq!(taken, Some(Taken { time_us, component: CART, transition: 0 }));
+        thread::sleep(Duration::from_millis(50));
+        assert_eq!(session.cycles(), time_us / CYCLE_US + 1, "{at:?}");
+        watcher.watch_extra(ExtraKind::Stop(stop(at)), 0).unwrap();
+        watcher.place_ball(far).unwrap();
+        watcher.change_world(WorldChange::Resume).unwrap();
+        let is_back = |event| matches!(event, Event::Taken(Taken { transition: 1, .. })).then_some(());
+        event(&mut watcher, "the way back", is_back);
+        watcher.release().unwrap();
+    }
+    operator.acquire(false).unwrap();
+    watcher.watch_extra(ExtraKind::Stop(stop(StopAt::State(1))), 1).unwrap();
+    operator.place_ball(near).unwrap();
+    assert!(!reached(&mut watcher).0.paused);
+    session.run(20);
 }

@@ -1,4 +1,4 @@
-//! The link over a serial line: two pseudo terminals, connected to each other.
+//! The link over a serial line, two pseudo terminals that are connected to each other, and inside a process.
 
 use std::fs::File;
 use std::io;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;
 
-use bica_link::{Address, Client, ClientOptions};
+use bica_link::{Address, Client, ClientOptions, Error, Memory};
 use bica_wire::message::{Change, Hold};
 use nix::pty::openpty;
 use nix::unistd::ttyname;
@@ -37,9 +37,24 @@ fn line() -> [Address; 2] {
 #[test]
 fn a_serial_line_carries_the_same_link() {
     let [robot, monitor] = line();
-    let session = Session::start_with(&robot, Duration::from_secs(1_000_000));
+    carries_the_link(&robot, &monitor);
+}
+
+#[test]
+fn a_server_in_this_process_is_reached_while_it_runs() {
+    let place = Memory::default();
+    let address = Address::Memory(place.clone());
+    assert!(!place.is_served_within(Duration::ZERO));
+    carries_the_link(&address, &address);
+    assert!(!place.is_served_within(Duration::ZERO));
+    let options = ClientOptions { timeout: Duration::from_millis(1), ..ClientOptions::default() };
+    assert!(matches!(Client::connect(&address, options), Err(Error::Connect { .. })));
+}
+
+fn carries_the_link(robot: &Address, monitor: &Address) {
+    let session = Session::start_with(robot, Duration::from_secs(1_000_000));
     let options = ClientOptions { timeout: Duration::from_mins(1), ..ClientOptions::default() };
-    let mut client = Client::connect(&monitor, options).unwrap();
+    let mut client = Client::connect(monitor, options).unwrap();
     assert_eq!(client.description().components.len(), 3);
     client.acquire(false).unwrap();
     client.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
