@@ -63,7 +63,7 @@ pub use bica_core::__private;
 pub use bica_core::{
     Blob, Component, ComponentId, Duration, Format, Graph, Has, Hold, Instant, ParamEnum, Params, ParamsOf, Probe,
     Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, graph, info, modulation, params, probe, rate,
-    refusal, stopwatch,
+    refusal, stopwatch, visual,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};

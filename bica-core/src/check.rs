@@ -1,4 +1,5 @@
-//! Rules for a tree as a whole: no activation cycle, no unreachable component, feasible rates and budgets.
+//! Rules for a tree as a whole: no activation cycle, no unreachable component, feasible rates and budgets, one
+//! place for a frame.
 //!
 //! `activation_tree!` calls [`check`] in a constant: a tree that breaks a rule does not compile, and the compiler reports
 //! the panic's message. Everything here is ordinary code as well, for tools that have a [`Graph`]:
@@ -7,6 +8,7 @@
 //! The indices of a graph (`root`, `to`, `from`, `state`) must lie inside their slices, as the macros write them; every
 //! function here panics on one that does not.
 
+mod frames;
 mod message;
 mod order;
 mod path;
@@ -18,6 +20,7 @@ mod weight;
 mod wording;
 mod worst_case;
 
+pub use frames::Output;
 pub use message::message;
 pub use order::{activators, cycle, ranks};
 #[doc(hidden)]

@@ -41,6 +41,8 @@
 //! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
 //! ```
 
+use crate::visual::Placement;
+
 /// Description of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Info {
@@ -52,6 +54,8 @@ pub struct Info {
     pub unit: Option<&'static str>,
     /// The type of the value, as the getter writes it.
     pub ty: &'static str,
+    /// The visual type and its frames, of `#[info(frame = "...")]`; `None` for what is not drawn.
+    pub placement: Option<&'static Placement<'static>>,
 }
 
 /// A type that an output can have: `serde::Serialize` and `postcard_schema::Schema`.

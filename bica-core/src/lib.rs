@@ -70,6 +70,7 @@ pub mod render;
 pub mod stopwatch;
 mod text;
 mod tree;
+pub mod visual;
 
 #[doc(hidden)]
 #[path = "private.rs"]

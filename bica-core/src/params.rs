@@ -59,7 +59,7 @@
 
 use core::ops::Deref;
 
-mod declare;
+pub(crate) mod declare;
 mod kind;
 pub mod refusal;
 mod text;

@@ -23,6 +23,7 @@ pub use crate::tree::plan::{Planned, Plans};
 pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
+pub use crate::visual::{Frame, Placement, Visual};
 
 #[cfg(any(feature = "info", feature = "wire"))]
 pub use {postcard_schema, serde};
@@ -31,6 +32,18 @@ pub use {postcard_schema, serde};
 #[must_use]
 pub const fn doc(text: &'static str) -> &'static str {
     if cfg!(feature = "terse") { "" } else { text }
+}
+
+/// Placement of an output of type `V`.
+#[must_use]
+pub const fn placed<V: Visual>(frame: &'static str) -> Placement<'static> {
+    Placement { shape: V::NAME, frame, child: None }
+}
+
+/// Placement of an output of type `V` that is the place of another frame.
+#[must_use]
+pub const fn placed_frame<V: Frame>(frame: &'static str, child: &'static str) -> Placement<'static> {
+    Placement { shape: V::NAME, frame, child: Some(child) }
 }
 
 /// The doc comment of a component's type: `#[derive(ComponentDoc)]` writes a constant of this name that takes precedence.

@@ -168,7 +168,8 @@ impl Description {
                 let info = node.info.get(self.index)?;
                 self.doc = info.doc;
                 let type_name = truncate(info.ty, TYPE_BYTES);
-                GraphItem::Info { component, index, name: info.name, unit: info.unit, type_name }
+                let placement = info.placement.copied();
+                GraphItem::Info { component, index, name: info.name, unit: info.unit, type_name, placement }
             }
             List::Modulations => {
                 let modulation = node.modulations.get(self.index)?;

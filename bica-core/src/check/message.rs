@@ -1,8 +1,9 @@
 //! The message for each violation: what was found, what is required, the remedy.
 
+use super::frames::parent;
 use super::sum_message::{over_budget, overload};
 use super::wording::{Message, push_given, words};
-use super::{CAPACITY, Number, Path, Violation};
+use super::{CAPACITY, Number, Output, Path, Violation};
 use crate::graph::{Graph, Node};
 
 /// Returns the message for a violation, in one line.
@@ -18,6 +19,8 @@ pub const fn message(graph: &Graph, violation: &Violation) -> Message {
         Violation::TooFast(index) => too_fast(&mut text, graph, *index),
         Violation::OverBudget(chain) => over_budget(&mut text, graph, chain),
         Violation::Overload(load) => overload(&mut text, graph, load),
+        Violation::TwoPlaces(first, second) => two_places(&mut text, graph, *first, *second),
+        Violation::FrameCycle(output) => frame_cycle(&mut text, graph, *output),
     }
     text
 }
@@ -98,4 +101,37 @@ const fn too_fast(text: &mut Message, graph: &Graph, index: usize) {
     words(text, &[", faster than tree `", graph.name, "`, which is ticked with cycle_hz = "]);
     text.push_number(graph.cycle_hz as f64);
     text.push("; lower the component's hz or raise the tree's cycle_hz");
+}
+
+/// The output, as `Localization.robot_pose`.
+const fn output(text: &mut Message, graph: &Graph, output: Output) {
+    words(text, &["`", graph.nodes[output.0].name, ".", output.of(graph).name, "`"]);
+}
+
+const fn two_places(text: &mut Message, graph: &Graph, first: Output, second: Output) {
+    output(text, graph, first);
+    text.push(" and ");
+    output(text, graph, second);
+    if let Some(child) = first.child(graph) {
+        words(
+            text,
+            &[" are both the place of the frame `", child, "`; a frame has one place: remove `child` from one"],
+        );
+    }
+}
+
+const fn frame_cycle(text: &mut Message, graph: &Graph, first: Output) {
+    text.push("frame cycle: ");
+    let mut at = Some(first);
+    while let Some(here) = at {
+        if let (Some(child), Some(frame)) = (here.child(graph), here.frame(graph)) {
+            words(text, &[child, " in ", frame, " by "]);
+        }
+        output(text, graph, here);
+        at = match parent(graph, here) {
+            Some(next) if next.0 == first.0 && next.1 == first.1 => None,
+            next => next,
+        };
+        text.push(if at.is_some() { ", " } else { "; remove one of these places" });
+    }
 }

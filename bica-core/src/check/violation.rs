@@ -1,7 +1,8 @@
 //! The rules in the order in which they are checked.
 
+use super::frames::{frame_cycle, two_places};
 use super::weight::hz;
-use super::{CAPACITY, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
+use super::{CAPACITY, Output, Path, WorstCase, cycle, load, longest_chain, steps, unreachable};
 use crate::graph::{Graph, Node};
 
 /// A broken rule.
@@ -23,6 +24,10 @@ pub enum Violation {
     OverBudget(WorstCase),
     /// The active components need more than a whole processor; see [`load`].
     Overload(WorstCase),
+    /// Two outputs that are the place of one frame.
+    TwoPlaces(Output, Output),
+    /// An output that places a frame in itself, directly or by other frames.
+    FrameCycle(Output),
 }
 
 /// A number of the declaration.
@@ -59,6 +64,12 @@ pub const fn first_violation(graph: &Graph) -> Option<Violation> {
     }
     if let Some(index) = too_fast(graph) {
         return Some(Violation::TooFast(index));
+    }
+    if let Some((first, second)) = two_places(graph) {
+        return Some(Violation::TwoPlaces(first, second));
+    }
+    if let Some(output) = frame_cycle(graph) {
+        return Some(Violation::FrameCycle(output));
     }
     sums(graph)
 }

@@ -169,7 +169,7 @@ const fn common(a: &ParamGroup, b: &ParamGroup) -> Option<&'static str> {
     None
 }
 
-const fn equal(a: &str, b: &str) -> bool {
+pub(crate) const fn equal(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len() != b.len() {
         return false;

@@ -39,7 +39,11 @@ fn component(f: &mut Formatter<'_>, node: &Node) -> Result {
 
 fn info(f: &mut Formatter<'_>, info: &Info) -> Result {
     write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(info.name), quoted(info.doc))?;
-    write!(f, "\"unit\": {}, \"type\": {}}}", or_null(info.unit.map(quoted)), quoted(info.ty))
+    write!(f, "\"unit\": {}, \"type\": {}, ", or_null(info.unit.map(quoted)), quoted(info.ty))?;
+    let (shape, frame) = (info.placement.map(|one| quoted(one.shape)), info.placement.map(|one| quoted(one.frame)));
+    let child = info.placement.and_then(|placement| placement.child);
+    write!(f, "\"shape\": {}, \"frame\": {}, ", or_null(shape), or_null(frame))?;
+    write!(f, "\"child\": {}}}", or_null(child.map(quoted)))
 }
 
 fn modulation(f: &mut Formatter<'_>, modulation: &Modulation) -> Result {

@@ -4,6 +4,7 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{Kind, Param, ParamGroup, Value, Variant};
+use bica_core::visual::Placement;
 use proptest::prelude::*;
 
 use crate::build;
@@ -135,8 +136,11 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
         let mut nodes = graph.nodes.to_vec();
         for (node, groups) in nodes.iter_mut().zip(groups.into_iter().cycle()) {
             node.params = groups;
-            let info =
-                |group: &ParamGroup| Info { name: group.name, doc: group.doc, unit: Some(group.doc), ty: group.name };
+            let info = |group: &ParamGroup| {
+                let (name, doc) = (group.name, group.doc);
+                let placement = &*Box::leak(Box::new(Placement { shape: name, frame: doc, child: Some(name) }));
+                Info { name, doc, unit: Some(doc), ty: name, placement: (!doc.is_empty()).then_some(placement) }
+            };
             node.info = groups.iter().map(info).collect::<Vec<_>>().leak();
             let modulation =
                 |group: &ParamGroup| Modulation { name: group.doc, doc: group.name, arguments: group.params };

@@ -44,7 +44,9 @@ fn group_is(written: &Value, group: &ParamGroup) -> bool {
 }
 
 fn info_is(written: &Value, info: &Info) -> bool {
-    *written == json!({ "name": info.name, "doc": info.doc, "unit": info.unit, "type": info.ty })
+    *written
+        == json!({ "name": info.name, "doc": info.doc, "unit": info.unit, "type": info.ty,
+        "shape": info.placement.map(|one| one.shape), "frame": info.placement.map(|one| one.frame), "child": info.placement.and_then(|one| one.child) })
 }
 
 fn modulation_is(written: &Value, modulation: &Modulation) -> bool {

@@ -2,6 +2,8 @@
 
 use bica_core::check::{check, first_violation, message};
 use bica_core::graph::{Graph, Node, State};
+use bica_core::info::Info;
+use bica_core::visual::Placement;
 
 use crate::build::{graph, in_state, node, state, to, transition};
 
@@ -129,4 +131,40 @@ fn too_many() {
         graph(nodes),
         "component `Player` has 256 states, and a machine can be checked for 255 at most; make a component of some",
     );
+}
+
+const fn pose(name: &'static str, placement: &'static Placement<'static>) -> Info {
+    Info { name, doc: "", unit: None, ty: "Pose2", placement: Some(placement) }
+}
+
+const ROBOT: Info = pose("robot", &Placement { shape: "Pose2", frame: "odometry", child: Some("robot") });
+const ODOMETRY: Info = pose("origin", &Placement { shape: "Pose2", frame: "field", child: Some("odometry") });
+const FIELD: Info = pose("field", &Placement { shape: "Pose2", frame: "robot", child: Some("field") });
+const BALL: Info = pose("ball", &Placement { shape: "Point2", frame: "robot", child: None });
+
+#[test]
+fn frames_with_two_places() {
+    const NODES: [Node; 2] = [
+        Node { info: &[ROBOT, BALL, ODOMETRY], links: &[to(1)], ..node("Legs") },
+        Node { info: &[BALL, BALL, ROBOT], ..node("Eye") },
+    ];
+    reports(
+        graph(&NODES),
+        "`Legs.robot` and `Eye.robot` are both the place of the frame `robot`; a frame has one place: remove `child` from one",
+    );
+}
+
+#[test]
+fn frame_cycle() {
+    const NODES: [Node; 2] = [
+        Node { info: &[ROBOT, ODOMETRY, BALL], links: &[to(1)], ..node("Legs") },
+        Node { info: &[BALL, FIELD], ..node("Eye") },
+    ];
+    reports(
+        graph(&NODES),
+        "frame cycle: robot in odometry by `Legs.robot`, odometry in field by `Legs.origin`, field in robot by `Eye.field`; \
+         remove one of these places",
+    );
+    let chain = graph(const { &[Node { info: &[ROBOT, BALL, ODOMETRY, BALL], ..node("Legs") }] });
+    assert!(first_violation(&chain).is_none(), "a chain of frames is no cycle");
 }

@@ -136,8 +136,14 @@ fn a_modulation_with_a_wrong_argument_is_not_called() {
 #[test]
 fn descriptions_hold_what_the_functions_declare() {
     let node = Robot::GRAPH.nodes[0];
-    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "u32" };
-    let strength = Info { name: "strength", doc: "Strength of the last kick.", unit: Some("N"), ty: "Option<f32>" };
+    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "u32", placement: None };
+    let strength = Info {
+        name: "strength",
+        doc: "Strength of the last kick.",
+        unit: Some("N"),
+        ty: "Option<f32>",
+        placement: None,
+    };
     assert_eq!(node.info, [kicks, strength]);
     let [kick, forget] = node.modulations else { panic!("two modulations") };
     assert_eq!((kick.name, kick.doc, forget.name, forget.arguments.len()), ("kick", "Kicks.", "forget", 0));

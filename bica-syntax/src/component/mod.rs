@@ -4,6 +4,7 @@ mod arguments;
 mod attributes;
 pub mod block;
 pub mod check;
+mod info_options;
 pub mod links;
 pub mod model;
 mod near_miss;

@@ -61,8 +61,18 @@ pub struct Info {
     pub doc: String,
     /// Unit of the value.
     pub unit: Option<String>,
+    /// Frames of a value that can be drawn.
+    pub placement: Option<Placement>,
     /// Type of the value.
     pub ty: Type,
+}
+
+/// Frames of an output.
+pub struct Placement {
+    /// The frame in which the value is given.
+    pub frame: String,
+    /// The frame whose place the value is.
+    pub child: Option<String>,
 }
 
 /// A method with `#[modulation]`.

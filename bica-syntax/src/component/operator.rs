@@ -2,12 +2,11 @@
 
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::parse::ParseStream;
-use syn::{Attribute, Expr, FnArg, Meta, Pat, PatType, ReturnType, Token, Type};
+use syn::{Attribute, Expr, FnArg, Meta, Pat, PatType, ReturnType, Type};
 
 use super::block::Function;
 use super::model::{Info, Modulation};
-use super::{arguments, signature};
+use super::{arguments, info_options, signature};
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
 use crate::report::Report;
@@ -18,7 +17,7 @@ const KEYS: [&str; 4] = ["range", "unit", "step", "default"];
 
 /// Reads a getter.
 pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
-    let unit = report.take(info_unit(attribute))?;
+    let (unit, placement) = report.take(info_options::parse(attribute))?;
     let (name, doc) = described(function, "info", report);
     signature::read_operator(&function.signature, own, "&self", report);
     for input in function.signature.inputs.iter().filter(|input| matches!(input, FnArg::Typed(_))) {
@@ -26,33 +25,13 @@ pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, repor
     }
     match &function.signature.output {
         ReturnType::Type(_, kind) if text::written(kind) != "()" => {
-            Some(Info { name, doc, unit, ty: (**kind).clone() })
+            Some(Info { name, doc, unit, placement, ty: (**kind).clone() })
         }
         _ => {
             report.add(&name, wording::info_value(&text::name(&name)));
             None
         }
     }
-}
-
-/// `#[info]` or `#[info(unit = "m")]`
-fn info_unit(attribute: &Attribute) -> syn::Result<Option<String>> {
-    let list = match &attribute.meta {
-        Meta::Path(_) => return Ok(None),
-        Meta::List(list) => list,
-        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::INFO_FORM)),
-    };
-    list.parse_args_with(|input: ParseStream| {
-        let form = |found: syn::Error| syn::Error::new(found.span(), wording::INFO_FORM);
-        let key: Ident = input.parse().map_err(form)?;
-        let written = key.to_string();
-        if written != "unit" {
-            let nearest = text::nearest(&written, ["unit"].into_iter());
-            return Err(syn::Error::new(key.span(), wording::unknown_key(&written, nearest, "`unit`")));
-        }
-        input.parse::<Token![=]>().map_err(form)?;
-        field::unit(&input.parse().map_err(form)?).map(Some)
-    })
 }
 
 /// Reads a method, and takes the attributes of its arguments off.

@@ -87,11 +87,22 @@ pub(crate) fn component_doc(name: &str) -> String {
 }
 
 // Outputs and calls for an operator.
-pub(crate) const INFO_FORM: &str = "write `#[info]` or `#[info(unit = \"m\")]`";
+pub(crate) const INFO_FORM: &str =
+    "write `#[info]`, `#[info(unit = \"m\")]` or `#[info(unit = \"m\", frame = \"robot\")]`";
+pub(crate) const CHILD_WITHOUT_FRAME: &str =
+    "a child frame has a place in another frame: add `frame = \"...\"`, the name of that frame";
 pub(crate) const INFO_ARGUMENTS: &str = "an output is read without arguments: remove this";
 pub(crate) const MODULATION_FORM: &str =
     "`#[modulation]` takes no options: describe each argument by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
+
+pub(crate) fn frame_form(key: &str) -> String {
+    format!("`{key}` is the name of a frame: write `{key} = \"robot\"`")
+}
+
+pub(crate) fn frame_in_itself(frame: &str) -> String {
+    format!("the frame `{frame}` has no place in itself: name another frame in `frame` or `child`")
+}
 
 pub(crate) fn info_value(name: &str) -> String {
     format!("`{name}` returns no value: add `-> Type`")

@@ -1,5 +1,6 @@
 //! The graph of a tree.
 
+use bica_core::visual::Placement;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -115,6 +116,8 @@ pub enum GraphItem<'a> {
         unit: Option<&'a str>,
         /// Type of the value, as in the source text.
         type_name: &'a str,
+        /// Visual type and frames; none for what is not drawn.
+        placement: Option<Placement<'a>>,
     },
     /// A modulation of a component.
     Modulation {

@@ -4,6 +4,7 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
+use bica_core::visual::Placement;
 use bica_wire::message::{GraphItem, ParamKind, Value};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
@@ -29,6 +30,8 @@ const SIDE: Param = Param {
     default: params::Value::Choice(1),
 };
 
+const PLACEMENT: Placement<'static> = Placement { shape: "Pose2", frame: "field", child: Some("robot") };
+
 static GRAPH: Graph = Graph {
     name: "Pair",
     doc: "Two components.",
@@ -40,7 +43,7 @@ static GRAPH: Graph = Graph {
         Node {
             budget_us: Some(5.0),
             params: &[ParamGroup { name: "Seeing", doc: "", params: &[GAIN, SIDE] }],
-            info: &[Info { name: "at", doc: "", unit: Some("m"), ty: "Option < Vec2 >" }],
+            info: &[Info { name: "at", doc: "", unit: Some("m"), ty: "Option < Vec2 >", placement: Some(&PLACEMENT) }],
             modulations: &[Modulation { name: "look", doc: "Looks.", arguments: &[GAIN] }],
             ..Node::new("Eye")
         },
@@ -78,7 +81,14 @@ fn every_part_of_the_graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::Info { component: 0, index: 0, name: "at", unit: Some("m"), type_name: "Option < Vec2 >" },
+        GraphItem::Info {
+            component: 0,
+            index: 0,
+            name: "at",
+            unit: Some("m"),
+            type_name: "Option < Vec2 >",
+            placement: Some(PLACEMENT),
+        },
         GraphItem::Modulation { component: 0, index: 0, name: "look" },
         doc("Looks."),
         GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },

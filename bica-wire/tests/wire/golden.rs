@@ -2,7 +2,8 @@
 //!
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
-//! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits.
+//! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
+//! their frames.
 
 use bica_core::ComponentId;
 use bica_field::GoalColour;
@@ -17,7 +18,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x8c4b_7a70_9496_623d;
+const GOLDEN_SCHEMA: u64 = 0xc842_ad63_32ed_a207;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

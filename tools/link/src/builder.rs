@@ -4,7 +4,7 @@ use bica_wire::message::{GraphItem, ParamKind, Value};
 use serde_json::json;
 
 use crate::description::{
-    Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, to_json,
+    Component, Description, Info, Kind, Link, Modulation, Param, Placement, State, Transition, Variant, to_json,
 };
 use crate::error::Error;
 
@@ -87,9 +87,15 @@ impl Builder {
                 self.last = Last::Param(component.into());
             }
             GraphItem::Variant { name } => self.variant(name)?,
-            GraphItem::Info { component, name, unit, type_name, .. } => {
+            GraphItem::Info { component, name, unit, type_name, placement, .. } => {
                 let (name, unit, type_name) = (name.to_owned(), unit.map(str::to_owned), type_name.to_owned());
-                self.at(component)?.info.push(Info { name, doc: String::new(), unit, type_name });
+                self.at(component)?.info.push(Info {
+                    name,
+                    doc: String::new(),
+                    unit,
+                    type_name,
+                    placement: placement.map(Placement::from),
+                });
                 self.last = Last::Info(component.into());
             }
             GraphItem::Modulation { component, name, .. } => {

@@ -178,6 +178,26 @@ pub struct Info {
     /// Type of the value, as in the source text.
     #[serde(rename = "type")]
     pub type_name: String,
+    /// Visual type and frames; none for what is not drawn.
+    #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Placement>,
+}
+
+/// Visual type and frames of an output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Placement {
+    /// Name of a type of [`bica::visual`].
+    pub shape: String,
+    /// The frame in which the value is given.
+    pub frame: String,
+    /// The frame whose place the value is.
+    pub child: Option<String>,
+}
+
+impl From<bica::visual::Placement<'_>> for Placement {
+    fn from(one: bica::visual::Placement<'_>) -> Self {
+        Self { shape: one.shape.to_owned(), frame: one.frame.to_owned(), child: one.child.map(str::to_owned) }
+    }
 }
 
 /// A modulation.

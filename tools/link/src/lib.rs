@@ -31,7 +31,7 @@ mod waker;
 pub use address::Address;
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
 pub use description::{
-    Component, Description, Info, Kind, Link, Modulation, Param, State, Transition, Variant, number, to_json,
+    Component, Description, Info, Kind, Link, Modulation, Param, Placement, State, Transition, Variant, number, to_json,
 };
 pub use error::Error;
 pub use memory::Memory;

@@ -10,6 +10,7 @@ use bica::graph::{self, Graph, Node};
 use bica::info::Info as Information;
 use bica::params::{Kind, Param, find};
 use bica::{ComponentId, Tree};
+use bica_link::Placement;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::{Deserialize, Serialize};
 
@@ -130,6 +131,9 @@ pub struct InformationInfo {
     pub unit: Option<String>,
     /// Schema of its values; none if the values are not recorded.
     pub schema: Option<OwnedNamedType>,
+    /// Visual type and frames; none for what is not drawn.
+    #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Placement>,
 }
 
 /// A parameter of a recorded tree.
@@ -261,7 +265,8 @@ impl ComponentInfo {
 
 impl InformationInfo {
     fn new(info: &Information) -> Self {
-        Self { name: info.name.to_owned(), unit: info.unit.map(str::to_owned), schema: None }
+        let (name, unit) = (info.name.to_owned(), info.unit.map(str::to_owned));
+        Self { name, unit, schema: None, placement: info.placement.map(|placement| Placement::from(*placement)) }
     }
 }
 

@@ -48,7 +48,7 @@ impl InformationInfo {
     /// An output whose values are recorded as JSON text.
     pub(crate) fn in_json(name: &str, unit: Option<&str>) -> Self {
         let schema = OwnedNamedType { name: JSON.to_owned(), ty: OwnedDataModelType::String };
-        Self { name: name.to_owned(), unit: unit.map(str::to_owned), schema: Some(schema) }
+        Self { name: name.to_owned(), unit: unit.map(str::to_owned), schema: Some(schema), placement: None }
     }
 
     /// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes without this schema.

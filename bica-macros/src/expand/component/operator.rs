@@ -5,7 +5,7 @@ use quote::{format_ident, quote, quote_spanned};
 
 use crate::expand::params::describe;
 use crate::expand::quoting::{at, option, placed, runtime};
-use bica_syntax::component::model::{Component, Info, Modulation};
+use bica_syntax::component::model::{Component, Info, Modulation, Placement};
 use bica_syntax::text;
 
 /// The descriptions, for `impl Component`.
@@ -14,11 +14,22 @@ pub(super) fn descriptions(component: &Component) -> TokenStream {
     let infos = component.infos.iter().map(|info| {
         let (name, doc, unit, ty) =
             (text::name(&info.name), &info.doc, option(info.unit.as_ref()), text::written(&info.ty));
-        quote!(#p::Info { name: #name, doc: #p::doc(#doc), unit: #unit, ty: #ty })
+        let placement = option(info.placement.as_ref().map(|placement| placed_at(info, placement)).as_ref());
+        quote!(#p::Info { name: #name, doc: #p::doc(#doc), unit: #unit, ty: #ty, placement: #placement })
     });
     let infos = (!component.infos.is_empty()).then(|| quote!(const INFO: &'static [#p::Info] = &[#(#infos),*];));
     let modulations = (!component.modulations.is_empty()).then(|| modulations(&p, &component.modulations));
     quote!(#infos #modulations)
+}
+
+/// The placement of an output. The compiler points at its type if it is not visual.
+fn placed_at(info: &Info, Placement { frame, child }: &Placement) -> TokenStream {
+    let (ty, place) = (&info.ty, at(&info.ty));
+    let p = placed(&runtime(), place);
+    match child {
+        None => quote_spanned!(place => const { &#p::placed::<#ty>(#frame) }),
+        Some(child) => quote_spanned!(place => const { &#p::placed_frame::<#ty>(#frame, #child) }),
+    }
 }
 
 fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {

@@ -23,7 +23,13 @@ const PERIOD_US: u64 = 10_000;
 fn description() -> Description {
     let text = str::to_owned;
     let state = |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false };
-    let info = Information { name: text("seen"), doc: String::new(), unit: Some(text("m")), type_name: text("Seen") };
+    let info = Information {
+        name: text("seen"),
+        doc: String::new(),
+        unit: Some(text("m")),
+        type_name: text("Seen"),
+        placement: None,
+    };
     let states = vec![state("dark", true), state("bright", false)];
     let blinker = Component { name: text("Blinker"), root: true, states, info: vec![info], ..Component::default() };
     let counter = Component { name: text("Counter"), ..Component::default() };

@@ -66,6 +66,7 @@ fn names(header: &Header) -> Description {
                 doc: String::new(),
                 unit: info.unit.clone(),
                 type_name: info.schema.as_ref().map(|schema| schema.name.clone()).unwrap_or_default(),
+                placement: info.placement.clone(),
             })
             .collect(),
         modulations: info

@@ -1,0 +1,59 @@
+//! On the ground: x forward, y left.
+
+use super::List;
+
+/// Point or vector.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Point2 {
+    /// First coordinate, m unless the getter states another unit.
+    pub x: f32,
+    /// Second coordinate.
+    pub y: f32,
+}
+
+/// Pose.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Pose2 {
+    /// Position along x, m.
+    pub x: f32,
+    /// Position along y, m.
+    pub y: f32,
+    /// Heading, rad, counter-clockwise from x.
+    pub heading: f32,
+}
+
+/// Uncertain point: its covariance is drawn as the ellipse of one standard deviation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Ellipse {
+    /// Position along x, m.
+    pub x: f32,
+    /// Position along y, m.
+    pub y: f32,
+    /// Variance of x, m².
+    pub xx: f32,
+    /// Covariance of x and y, m².
+    pub xy: f32,
+    /// Variance of y, m².
+    pub yy: f32,
+}
+
+/// Line segment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Segment {
+    /// One end.
+    pub start: Point2,
+    /// The other end.
+    pub end: Point2,
+}
+
+/// Points joined by lines, such as a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Polyline<const N: usize> {
+    /// The points in order.
+    pub points: List<Point2, N>,
+}
