@@ -18,7 +18,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xc842_ad63_32ed_a207;
+const GOLDEN_SCHEMA: u64 = 0xe910_b91c_edce_7da1;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
