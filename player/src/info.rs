@@ -1,39 +1,35 @@
-//! Types of published outputs.
-//!
-//! With the feature `info` they can be serialised. glam's types cannot, because they have no postcard schema.
+//! Conversions to the types of outputs that tools draw.
 
-use bica_motion::pose::Pose2;
-use glam::Vec2;
+use bica::visual::{Ellipse, ImagePoint, Point2, Point3, Pose2, Pose3, Quaternion};
+use bica_motion::pose;
+use bica_vision::memory::PositionEstimate;
+use glam::{Affine3A, Quat, Vec2, Vec3};
 
-/// Point or vector: on the ground, x forward and y left, or in an image, x right and y down. The getter states the frame
-/// and the unit.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
-pub struct Point {
-    /// First coordinate.
-    pub x: f32,
-    /// Second coordinate.
-    pub y: f32,
+/// Returns a point on the ground.
+#[must_use]
+pub const fn point(Vec2 { x, y }: Vec2) -> Point2 {
+    Point2 { x, y }
 }
 
-impl From<Vec2> for Point {
-    fn from(Vec2 { x, y }: Vec2) -> Self {
-        Self { x, y }
-    }
+/// Returns a pose on the ground.
+#[must_use]
+pub const fn pose(pose::Pose2 { position: Vec2 { x, y }, heading }: pose::Pose2) -> Pose2 {
+    Pose2 { x, y, heading }
 }
 
-/// Pose on the ground; the getter states the frame.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
-pub struct Pose {
-    /// Position along x, m.
-    pub x: f32,
-    /// Position along y, m.
-    pub y: f32,
-    /// Heading, rad, counter-clockwise from x.
-    pub heading: f32,
+/// Returns a position with its covariance.
+pub(crate) fn ellipse(PositionEstimate { position: Vec2 { x, y }, covariance }: PositionEstimate) -> Ellipse {
+    Ellipse { x, y, xx: covariance.x_axis.x, xy: covariance.x_axis.y, yy: covariance.y_axis.y }
 }
 
-impl From<Pose2> for Pose {
-    fn from(Pose2 { position: Vec2 { x, y }, heading }: Pose2) -> Self {
-        Self { x, y, heading }
-    }
+/// Returns a pose in space.
+pub(crate) fn pose_in_space(pose: &Affine3A) -> Pose3 {
+    let Vec3 { x, y, z } = pose.translation.into();
+    let turn = Quat::from_mat3a(&pose.matrix3);
+    Pose3 { position: Point3 { x, y, z }, orientation: Quaternion { x: turn.x, y: turn.y, z: turn.z, w: turn.w } }
+}
+
+/// Returns a pixel.
+pub(crate) const fn pixel(Vec2 { x, y }: Vec2) -> ImagePoint {
+    ImagePoint { x, y }
 }

@@ -1,6 +1,7 @@
 //! Properties of the whole forward in games in the kinematic world.
 
 mod by_hand;
+mod frames;
 mod game;
 mod holds;
 mod motor_load;

@@ -46,12 +46,10 @@ pub struct ImagePolyline<const N: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
 pub struct CameraCalibration {
-    /// Width of the image.
-    pub width: f32,
-    /// Height of the image.
-    pub height: f32,
-    /// Focal length.
-    pub focal_length: f32,
+    /// Focal length, in columns.
+    pub focal_x: f32,
+    /// Focal length, in rows.
+    pub focal_y: f32,
     /// Column of the optical axis.
     pub centre_x: f32,
     /// Row of the optical axis.

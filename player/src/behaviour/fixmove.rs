@@ -1,12 +1,12 @@
 //! A fixed movement after an alignment.
 
 use bica::prelude::*;
+use bica::visual::Pose2;
 use bica_motion::kick::Kick;
 use bica_motion::pose::{rotate, wrap};
 use bica_motion::walk::Velocity;
 
 use super::LineUp;
-use crate::info::Pose;
 use crate::input::RobotProfile;
 use crate::motion::{Body, KickChoice, Kicker, SideChoice};
 use crate::perception::{BallDetector, Odometry};
@@ -19,7 +19,7 @@ pub struct Fixmove {
     /// Kick that an operator requested, and the turn before it, rad.
     by_hand: Option<(Kick, f32)>,
     /// Way to the pose in which the kick hits the ball, in the ground frame; `None` without a kick or a ball.
-    error: Option<Pose>,
+    error: Option<Pose2>,
     /// Number of aligned runs at rest.
     settled: u8,
     far: bool,
@@ -65,7 +65,7 @@ impl Fixmove {
         self.far = at.length() > tuned.far_distance;
         let turn = wrap(strike.heading - odometry.pose().heading);
         let error = at - rotate(tuned.ball(strike.kick, &profile.get().kicks), turn);
-        let error = Pose { x: error.x, y: error.y, heading: turn };
+        let error = Pose2 { x: error.x, y: error.y, heading: turn };
         self.error = Some(error);
         let aligned = tuned.allows(&error);
         self.settled = if aligned && body.is_still() { self.settled.saturating_add(1) } else { 0 };
@@ -156,9 +156,9 @@ impl Fixmove {
 
     /// Way from the body to the pose in which the kick hits the ball, forward and left, with the turn; `None` without a
     /// requested kick or a ball.
-    #[info(unit = "m, rad")]
+    #[info(unit = "m, rad", frame = "robot")]
     #[must_use]
-    pub const fn error(&self) -> Option<Pose> {
+    pub const fn error(&self) -> Option<Pose2> {
         self.error
     }
 

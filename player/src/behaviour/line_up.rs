@@ -1,13 +1,12 @@
 //! Parameters of the alignment before a kick.
 
 use bica::prelude::*;
+use bica::visual::Pose2;
 use bica_motion::bounds::clamp;
 use bica_motion::kick::{Kick, Kicks};
 use bica_motion::walk::Velocity;
 use glam::Vec2;
 use libm::fabsf;
-
-use crate::info::Pose;
 
 /// How the robot lines up with the ball before a kick.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -54,7 +53,7 @@ impl LineUp {
     }
 
     /// Velocity that reduces an error: forward and to the left, m, and in heading, rad.
-    pub(super) fn velocity(&self, error: &Pose) -> Velocity {
+    pub(super) fn velocity(&self, error: &Pose2) -> Velocity {
         Velocity {
             forward: clamp(self.position_gain * error.x, -self.max_speed, self.max_speed),
             left: clamp(self.position_gain * error.y, -self.max_speed, self.max_speed),
@@ -63,7 +62,7 @@ impl LineUp {
     }
 
     /// Whether the error allows a kick.
-    pub(super) fn allows(&self, error: &Pose) -> bool {
+    pub(super) fn allows(&self, error: &Pose2) -> bool {
         fabsf(error.x) < self.position_tolerance
             && fabsf(error.y) < self.position_tolerance
             && fabsf(error.heading) < self.heading_tolerance
@@ -81,10 +80,10 @@ mod tests {
 
     #[test]
     fn tolerances_gains_and_limits_are_tuned_ones() {
-        let error = Pose { x: 0.02, y: -0.02, heading: 0.05 };
+        let error = Pose2 { x: 0.02, y: -0.02, heading: 0.05 };
         let tuned = LineUp { position_tolerance: 0.03, position_gain: 2.0, max_turn: 0.05, ..LineUp::DEFAULT };
         assert!(tuned.allows(&error) && !LineUp::DEFAULT.allows(&error));
-        assert!(!tuned.allows(&Pose { heading: 0.09, ..error }) && !tuned.allows(&Pose { y: -0.04, ..error }));
+        assert!(!tuned.allows(&Pose2 { heading: 0.09, ..error }) && !tuned.allows(&Pose2 { y: -0.04, ..error }));
         assert_eq!(tuned.velocity(&error), Velocity { forward: 0.04, left: -0.04, turn: 0.05 });
     }
 

@@ -3,18 +3,18 @@
 mod params;
 
 use bica::prelude::*;
+use bica::visual::{Ellipse, ImageCircle, Point2};
 use bica_field::FIELD;
 use bica_motion::robot::CameraId;
 use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
-use bica_vision::uncertainty;
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info::Point;
+use crate::info;
 use crate::input::{CameraInput, Colours};
 
 pub use params::{BallDetection, BallTracking};
@@ -130,16 +130,14 @@ impl BallDetector {
         self.seen.as_ref()
     }
 
-    /// Centre of the ball in the newest image.
-    #[info(unit = "px")]
-    fn centre_in_image(&self) -> Option<Point> {
-        self.seen.map(|seen| seen.ball.centre.into())
-    }
-
-    /// Radius of the ball in the newest image.
-    #[info(unit = "px")]
-    fn radius_in_image(&self) -> Option<f32> {
-        self.seen.map(|seen| seen.ball.radius)
+    /// The ball in the newest image.
+    #[info(unit = "px", frame = "camera")]
+    fn ball_in_image(&self) -> Option<ImageCircle> {
+        self.seen.map(|BallSighting { ball, .. }| ImageCircle {
+            x: ball.centre.x,
+            y: ball.centre.y,
+            radius: ball.radius,
+        })
     }
 
     /// Confidence in the ball of the newest image, 0 to 1.
@@ -182,22 +180,16 @@ impl BallDetector {
         self.estimate().map(|place| place.position)
     }
 
-    /// Most probable position of the ball now, in the ground frame between the feet: x forward, y left.
-    #[info(unit = "m")]
-    fn ball_position(&self) -> Option<Point> {
-        self.position().map(Point::from)
+    /// Most probable position of the ball now.
+    #[info(unit = "m", frame = "robot")]
+    fn ball_position(&self) -> Option<Ellipse> {
+        self.estimate().map(info::ellipse)
     }
 
-    /// Largest standard deviation of the position.
-    #[info(unit = "m")]
-    fn position_error(&self) -> Option<f32> {
-        self.estimate().map(|place| uncertainty::largest(&place.covariance))
-    }
-
-    /// Velocity of the ball over the ground, in the same frame; zero for a resting ball.
+    /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
     #[info(unit = "m/s")]
-    fn ball_velocity(&self) -> Point {
-        self.memory.velocity().into()
+    fn ball_velocity(&self) -> Point2 {
+        info::point(self.memory.velocity())
     }
 
     /// Probability that the ball rolls, 0 to 1.

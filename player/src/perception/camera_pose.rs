@@ -3,13 +3,13 @@
 mod params;
 
 use bica::prelude::*;
-use bica_vision::projection::{Camera, Mounting};
+use bica::visual::{CameraCalibration, ImagePoint, ImageSegment, Pose3};
+use bica_vision::projection::{Camera, Intrinsics, Mounting};
 use bica_vision::uncertainty::Errors;
-use glam::Vec3;
 
-use super::Bearing;
 use super::ego_motion::LastImage;
 use crate::Model;
+use crate::info;
 use crate::input::{CameraInput, RobotState};
 
 pub use params::{CameraErrors, CameraMounting};
@@ -67,22 +67,27 @@ impl CameraPose {
         self.turned
     }
 
-    /// Position of the camera in the ground frame between the feet: x forward, y left, z up.
-    #[info(unit = "m")]
-    fn camera_position(&self) -> Option<[f32; 3]> {
-        self.camera.map(|camera| Vec3::from(camera.pose().translation).to_array())
+    /// Pose of the camera that took the newest image.
+    #[info(frame = "robot", child = "camera")]
+    fn camera_pose(&self) -> Option<Pose3> {
+        self.camera.map(|camera| info::pose_in_space(&camera.pose()))
     }
 
-    /// Direction of the optical axis.
-    #[info(unit = "rad")]
-    fn optical_axis(&self) -> Option<Bearing> {
-        self.camera.map(|camera| Bearing::of(camera.pose().matrix3.x_axis.into()))
+    /// Intrinsic parameters of the camera that took the newest image.
+    #[info(unit = "px", frame = "camera")]
+    fn calibration(&self) -> Option<CameraCalibration> {
+        self.camera.map(|camera| {
+            let Intrinsics { focal, centre } = camera.intrinsics();
+            CameraCalibration { focal_x: focal.x, focal_y: focal.y, centre_x: centre.x, centre_y: centre.y }
+        })
     }
 
-    /// Row of the horizon in the middle column of the image.
-    #[info(unit = "px")]
-    fn horizon(&self) -> Option<f32> {
-        self.camera.and_then(|camera| camera.horizon(camera.intrinsics().centre.x))
+    /// The horizon, from the left edge of the newest image to the right one.
+    #[info(unit = "px", frame = "camera")]
+    fn horizon(&self) -> Option<ImageSegment> {
+        let camera = self.camera?;
+        let at = |x: f32| camera.horizon(x).map(|y| ImagePoint { x, y });
+        Some(ImageSegment { start: at(0.0)?, end: at(2.0 * camera.intrinsics().centre.x)? })
     }
 
     /// Standard deviations of the pose of the camera.
@@ -111,6 +116,7 @@ mod tests {
     use bica_motion::joints::{JOINTS, Joints};
     use bica_motion::robot::{CameraId, Image};
 
+    use super::super::Bearing;
     use super::*;
 
     #[test]
@@ -121,7 +127,7 @@ mod tests {
             input.receive(&image, &Joints([0.0; JOINTS])).expect("the image fits");
             let mounting = CameraMounting { top_tilt, ..CameraMounting::DEFAULT };
             pose.step(&Tuned::new(mounting), &Tuned::DEFAULT, &input, &RobotState::new());
-            pose.optical_axis().expect("an image").down
+            Bearing::of(pose.camera().expect("an image").pose().matrix3.x_axis.into()).down
         };
         assert!((axis(CameraId::Top, 0.1) - axis(CameraId::Top, 0.0) - 0.1).abs() < 1e-5);
         assert_eq!(axis(CameraId::Bottom, 0.1).to_bits(), axis(CameraId::Bottom, 0.0).to_bits());

@@ -58,8 +58,8 @@ impl EgoMotion {
         motion
     }
 
-    /// The heading at the last run, rad, in the frame of the odometry.
-    pub(super) const fn heading(&self) -> f32 {
-        self.pose.heading
+    /// The pose at the last run, in the frame of the odometry.
+    pub(super) const fn pose(&self) -> Pose2 {
+        self.pose
     }
 }

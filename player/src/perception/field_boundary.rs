@@ -1,11 +1,12 @@
 //! The field boundary in the image.
 
 use bica::prelude::*;
-use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary as Line};
+use bica::visual::ImagePolyline;
+use bica_vision::field_boundary::{BoundaryTuning, COLUMNS, FieldBoundary as Line};
 use bica_vision::frame::Frame;
 
 use super::ego_motion::LastImage;
-use crate::info::Point;
+use crate::info;
 use crate::input::{CameraInput, Colours};
 
 /// Detection of the field boundary.
@@ -65,17 +66,10 @@ impl FieldBoundary {
         self.line.top()
     }
 
-    /// Leftmost and rightmost corner of the boundary.
-    #[info(unit = "px")]
-    fn ends(&self) -> [Option<Point>; 2] {
-        let corners = self.line.corners();
-        [corners.first(), corners.last()].map(|corner| corner.map(|corner| Point::from(*corner)))
-    }
-
-    /// Number of corners of the boundary; 0 if no field is in view.
-    #[info]
-    fn corner_count(&self) -> u32 {
-        self.line.corners().len() as u32
+    /// The boundary from its left end to its right one; without points if no field is in view.
+    #[info(unit = "px", frame = "camera")]
+    fn corners(&self) -> ImagePolyline<COLUMNS> {
+        ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
     }
 
     /// The boundary.

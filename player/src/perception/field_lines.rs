@@ -3,6 +3,7 @@
 mod params;
 
 use bica::prelude::*;
+use bica::visual::{List, Point2, Segment};
 use bica_vision::frame::Frame;
 use bica_vision::lines::{self, Line};
 use bica_vision::markings::Markings;
@@ -10,10 +11,13 @@ use glam::Vec2;
 
 use super::ego_motion::LastImage;
 use super::{CameraPose, FieldBoundary, OwnBody, RobotDetector};
-use crate::info::Point;
+use crate::info;
 use crate::input::{CameraInput, Colours};
 
 pub use params::{LineDetection, MarkingDetection};
+
+/// Maximum number of published line segments.
+const DRAWN: usize = 16;
 
 /// Field lines in the newest image, their crossings and the centre circle. White pixels on robots, including this one,
 /// are excluded.
@@ -72,10 +76,17 @@ impl FieldLines {
         self.markings.crossings.len() as u32
     }
 
-    /// Centre of the centre circle, in the ground frame between the feet: x forward, y left.
-    #[info(unit = "m")]
-    fn circle_centre(&self) -> Option<Point> {
-        self.markings.circle.map(|circle| circle.centre.into())
+    /// The first line segments on the ground.
+    #[info(unit = "m", frame = "robot")]
+    fn lines(&self) -> List<Segment, DRAWN> {
+        let segment = |line: &Line| Segment { start: info::point(line.from), end: info::point(line.to) };
+        self.markings.lines.iter().map(segment).collect()
+    }
+
+    /// Centre of the centre circle.
+    #[info(unit = "m", frame = "robot")]
+    fn circle_centre(&self) -> Option<Point2> {
+        self.markings.circle.map(|circle| info::point(circle.centre))
     }
 
     /// The markings, m, in the ground frame between the feet.

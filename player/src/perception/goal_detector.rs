@@ -3,6 +3,7 @@
 mod params;
 
 use bica::prelude::*;
+use bica::visual::{Ellipse, ImageSegment, Point2};
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::rotate;
 use bica_vision::frame::Frame;
@@ -15,7 +16,7 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info::Point;
+use crate::info;
 use crate::input::{CameraInput, Colours};
 
 pub use params::{GoalDetection, GoalTracking};
@@ -119,7 +120,7 @@ impl GoalDetector {
         if let Some(second) = goal.second.and_then(|post| post.ground(camera)) {
             let across = first - second;
             if (across.length() - FIELD.goal_width()).abs() < detection.max_width_error * FIELD.goal_width() {
-                self.across = rotate(across.normalize(), self.ego_motion.heading());
+                self.across = rotate(across.normalize(), self.ego_motion.pose().heading);
                 (self.complete, self.found) = (true, true);
                 self.memory.see(0.5 * (first + second), &spread(), both);
             }
@@ -133,7 +134,7 @@ impl GoalDetector {
                 self.memory.miss();
             }
         } else if let Some(middle) = goal.ground(camera) {
-            self.across = rotate(middle.normalize_or_zero().perp(), self.ego_motion.heading());
+            self.across = rotate(middle.normalize_or_zero().perp(), self.ego_motion.pose().heading);
             self.found = true;
             self.memory.see(middle, &(spread() + uncertainty::round(HALF_GOAL)), one);
         }
@@ -209,11 +210,12 @@ impl GoalDetector {
         self.seen.as_ref()
     }
 
-    /// Bases of the left or only post, and of the right post, of the attacked goal in the newest image.
-    #[info(unit = "px")]
-    fn post_bases_in_image(&self) -> [Option<Point>; 2] {
+    /// Left or only post, and right post, of the attacked goal in the newest image, from the base to the top.
+    #[info(unit = "px", frame = "camera")]
+    fn posts_in_image(&self) -> [Option<ImageSegment>; 2] {
         let posts = self.seen.map_or([None; 2], |goal| [Some(goal.first), goal.second]);
-        posts.map(|post| post.map(|post| post.base.into()))
+        let segment = |post: Post| ImageSegment { start: info::pixel(post.base), end: info::pixel(post.top) };
+        posts.map(|post| post.map(segment))
     }
 
     /// Whether the newest image shows the yellow and the sky-blue goal.
@@ -239,7 +241,7 @@ impl GoalDetector {
     /// The unit vector along the goal line, from the right post to the left one, in the ground frame.
     #[must_use]
     pub fn across(&self) -> Vec2 {
-        rotate(self.across, -self.ego_motion.heading())
+        rotate(self.across, -self.ego_motion.pose().heading)
     }
 
     /// The middle of the widest gap, m to the left of the middle of the goal; `None` if both posts were never in view
@@ -256,16 +258,10 @@ impl GoalDetector {
         self.memory.position()
     }
 
-    /// Middle of the goal, in the ground frame between the feet: x forward, y left.
-    #[info(unit = "m")]
-    fn goal_position(&self) -> Option<Point> {
-        self.position().map(Point::from)
-    }
-
-    /// Largest standard deviation of the position.
-    #[info(unit = "m")]
-    fn position_error(&self) -> Option<f32> {
-        self.estimate().map(|place| uncertainty::largest(&place.covariance))
+    /// Middle of the goal.
+    #[info(unit = "m", frame = "robot")]
+    fn goal_position(&self) -> Option<Ellipse> {
+        self.estimate().map(info::ellipse)
     }
 
     /// Confidence in the position, 0 to 1.
@@ -276,8 +272,8 @@ impl GoalDetector {
 
     /// Unit vector along the goal line, from the right post to the left one, in the ground frame.
     #[info]
-    fn goal_line(&self) -> Point {
-        self.across().into()
+    fn goal_line(&self) -> Point2 {
+        info::point(self.across())
     }
 
     /// The same position with its covariance, m².

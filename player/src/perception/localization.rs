@@ -3,6 +3,7 @@
 mod params;
 
 use bica::prelude::*;
+use bica::visual::{self, Ellipse, Point2};
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_vision::localization::{Estimate, Localizer, Sightings};
@@ -10,7 +11,7 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldLines, GoalDetector, Odometry};
-use crate::info::{Point, Pose};
+use crate::info;
 use crate::input::CameraInput;
 
 pub use params::{MotionNoise, SightingUse};
@@ -59,9 +60,15 @@ impl Localization {
     }
 
     /// Most probable pose on the field, reliable or not: x towards the attacked goal, from the centre.
-    #[info]
-    fn robot_pose(&self) -> Option<Pose> {
-        self.estimate().map(|estimate| estimate.pose.into())
+    #[info(frame = "field")]
+    fn robot_pose(&self) -> Option<visual::Pose2> {
+        self.estimate().map(|estimate| info::pose(estimate.pose))
+    }
+
+    /// Most probable pose of the odometry's frame on the field.
+    #[info(frame = "field", child = "odometry")]
+    fn odometry_origin(&self) -> Option<visual::Pose2> {
+        self.estimate().map(|estimate| info::pose(estimate.pose * self.ego_motion.pose().inverse()))
     }
 
     /// Whether most particles agree on the pose.
@@ -76,16 +83,20 @@ impl Localization {
         self.estimate().map_or(0.0, |estimate| estimate.belief)
     }
 
-    /// Standard deviation of the positions of the particles near the pose.
-    #[info(unit = "m")]
-    fn spread(&self) -> Option<f32> {
-        self.estimate().map(|estimate| estimate.spread)
+    /// Most probable position on the field, with the standard deviation of the particles near it.
+    #[info(unit = "m", frame = "field")]
+    fn robot_position(&self) -> Option<Ellipse> {
+        let ellipse = |Estimate { pose: Pose2 { position: Vec2 { x, y }, .. }, spread, .. }| {
+            let variance = spread * spread;
+            Ellipse { x, y, xx: variance, xy: 0.0, yy: variance }
+        };
+        self.estimate().map(ellipse)
     }
 
-    /// Left and right post of the attacked goal by the pose, in the ground frame between the feet.
-    #[info(unit = "m")]
-    fn post_positions(&self) -> Option<[Point; 2]> {
-        self.posts().map(|posts| posts.map(Point::from))
+    /// Left and right post of the attacked goal by the pose.
+    #[info(unit = "m", frame = "robot")]
+    fn post_positions(&self) -> Option<[Point2; 2]> {
+        self.posts().map(|posts| posts.map(info::point))
     }
 
     /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` while it

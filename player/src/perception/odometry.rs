@@ -1,13 +1,14 @@
 //! Odometry.
 
 use bica::prelude::*;
+use bica::visual;
 use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimator, OdometryTuning};
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::Vec2;
 
 use crate::Model;
-use crate::info::Pose;
+use crate::info;
 use crate::input::{RobotProfile, RobotState};
 
 /// Corrections and errors of the odometry. The scales are factors on the profile's scales.
@@ -89,10 +90,10 @@ impl Odometry {
         self.turn_error
     }
 
-    /// Pose of the point on the ground between the feet, in the frame of the start: x forward, y left.
-    #[info]
-    fn walked(&self) -> Pose {
-        self.pose().into()
+    /// Pose of the point on the ground between the feet, in the frame of the start.
+    #[info(frame = "odometry", child = "robot")]
+    fn walked(&self) -> visual::Pose2 {
+        info::pose(self.pose())
     }
 
     /// Foot that bears most of the weight, if one does.

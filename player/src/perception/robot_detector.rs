@@ -3,6 +3,7 @@
 mod params;
 
 use bica::prelude::*;
+use bica::visual::{List, Point2};
 use bica_vision::frame::Frame;
 use bica_vision::memory::multi_target::MultiTargetMemory;
 use bica_vision::memory::{PositionEstimate, visibility};
@@ -12,7 +13,7 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info::Point;
+use crate::info;
 use crate::input::{CameraInput, Colours};
 
 pub use params::{RobotDetection, RobotTracking};
@@ -78,11 +79,10 @@ impl RobotDetector {
         self.memory.places()
     }
 
-    /// Positions of the remembered robots, in the ground frame between the feet: x forward, y left.
-    #[info(unit = "m")]
-    fn robot_positions(&self) -> [Option<Point>; REMEMBERED] {
-        let mut places = self.places().map(|place| Point::from(place.position));
-        core::array::from_fn(|_| places.next())
+    /// Positions of the remembered robots.
+    #[info(unit = "m", frame = "robot")]
+    fn robot_positions(&self) -> List<Point2, REMEMBERED> {
+        self.places().map(|place| info::point(place.position)).collect()
     }
 
     /// Number of robots in the newest image.

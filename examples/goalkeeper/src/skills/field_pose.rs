@@ -1,8 +1,9 @@
 //! The robot's pose on the field.
 
 use bica::prelude::*;
+use bica::visual;
 use bica_motion::pose::Pose2;
-use bica_player::info::Pose;
+use bica_player::info;
 use bica_player::perception::{Localization, Odometry};
 
 /// Pose in the field frame, in which the robot starts: in the middle of its goal, facing the field.
@@ -38,8 +39,8 @@ impl FieldPose {
     }
 
     /// Pose in the field frame.
-    #[info]
-    fn field_pose(&self) -> Pose {
-        self.pose.into()
+    #[info(frame = "field")]
+    fn field_pose(&self) -> visual::Pose2 {
+        info::pose(self.pose)
     }
 }

@@ -1,10 +1,11 @@
 //! The place between ball and goal.
 
 use bica::prelude::*;
+use bica::visual;
 use bica_motion::bounds::clamp;
 use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::walk::Velocity;
-use bica_player::info::Pose;
+use bica_player::info;
 use bica_player::motion::Body;
 use bica_player::perception::BallDetector;
 use glam::Vec2;
@@ -91,8 +92,8 @@ impl GuardPost {
     }
 
     /// Way to the place, forward and left, with the turn.
-    #[info(unit = "m, rad")]
-    fn way(&self) -> Pose {
-        self.way.into()
+    #[info(unit = "m, rad", frame = "robot")]
+    fn way(&self) -> visual::Pose2 {
+        info::pose(self.way)
     }
 }

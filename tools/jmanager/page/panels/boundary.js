@@ -46,16 +46,13 @@ export function Boundary({ visible }) {
     if (!one) return;
     const at = placed(one, width, height, zoom.value);
     context.drawImage(picture.of(one), at.left, at.top, one.width * at.scale, one.height * at.scale);
-    const ends = read('ends', one.time_us)?.filter(Boolean) ?? [];
-    if (columns.value && green.value !== null && classified.value?.session === shown.id && classified.value.number === one.number) drawColumns(context, at, classified.value, green.value, ends);
-    if (ends.length === 2) {
-      context.strokeStyle = css('--cursor');
-      context.lineWidth = 2.5;
-      context.beginPath();
-      context.moveTo(at.x(ends[0].x), at.y(ends[0].y));
-      context.lineTo(at.x(ends[1].x), at.y(ends[1].y));
-      context.stroke();
-    }
+    const corners = read('corners', one.time_us)?.points ?? [];
+    if (columns.value && green.value !== null && classified.value?.session === shown.id && classified.value.number === one.number) drawColumns(context, at, classified.value, green.value, corners);
+    context.strokeStyle = css('--cursor');
+    context.lineWidth = 2.5;
+    context.beginPath();
+    for (const { x, y } of corners) context.lineTo(at.x(x), at.y(y));
+    context.stroke();
   };
   return html`<${Bar} label="End of field"><${Toggle} on=${columns.value} label="Scan columns" title="The page computes them from the classes of the pixels" onChange=${(on) => { columns.value = on; }} />
       <span class="dim">● first green of a column · <span class="warn">× far from the line</span> · — found by the robot</span><span class="grow"></span>
@@ -88,7 +85,7 @@ function useGreen(shown, visible, image, component) {
   return green;
 }
 
-function drawColumns(context, at, { width, height, pixels }, green, ends) {
+function drawColumns(context, at, { width, height, pixels }, green, corners) {
   context.lineWidth = 1;
   for (let x = COLUMNS / 2; x < width; x += COLUMNS) {
     let [run, top] = [0, null];
@@ -102,7 +99,9 @@ function drawColumns(context, at, { width, height, pixels }, green, ends) {
     context.lineTo(at.x(x), at.y(top ?? height));
     context.stroke();
     if (top === null) continue;
-    const line = ends.length === 2 ? ends[0].y + ((ends[1].y - ends[0].y) * (x - ends[0].x)) / (ends[1].x - ends[0].x || 1) : top;
+    const right = corners.findIndex((corner, index) => index > 0 && corner.x >= x);
+    const [from, to] = [corners[right - 1], corners[right]];
+    const line = from ? from.y + ((to.y - from.y) * (x - from.x)) / (to.x - from.x || 1) : top;
     const far = Math.abs(top - line) > FAR * height;
     context.fillStyle = css(far ? '--warn' : '--perceive');
     context.beginPath();

@@ -1,0 +1,25 @@
+//! Frames of the outputs.
+
+use bica::Tree;
+use bica::info::Info;
+use bica_player::Forward;
+
+fn outputs() -> impl Iterator<Item = &'static Info> {
+    Forward::GRAPH.nodes.iter().flat_map(|node| node.info)
+}
+
+/// The frame in which this one has its place.
+fn parent(frame: &str) -> Option<&'static str> {
+    let mut places = outputs().filter_map(|info| info.placement).filter(|place| place.child == Some(frame));
+    places.next().map(|place| place.frame)
+}
+
+#[test]
+fn every_frame_has_its_place_in_the_field() {
+    for (info, place) in outputs().filter_map(|info| info.placement.map(|place| (info, place))) {
+        let frames: Vec<_> = std::iter::successors(Some(place.frame), |frame| parent(frame)).take(9).collect();
+        assert_eq!(frames.last(), Some(&"field"), "`{}` is in {frames:?}", info.name);
+    }
+    let drawn = outputs().filter(|info| info.placement.is_some()).count();
+    assert!(drawn > 12, "only {drawn} outputs have a frame");
+}
