@@ -36,6 +36,7 @@ pub mod kick;
 pub mod kinematics;
 pub mod limbs;
 mod limits;
+mod message;
 pub mod model;
 pub mod odometry;
 pub mod pose;

@@ -3,12 +3,16 @@
 //! A simulated world, a recording, a firmware link and a real robot all use these two types. A controller receives nothing
 //! else from its world.
 
+use core::fmt;
+
 use glam::Vec3;
+use postcard_schema::Schema;
+use serde::{Deserialize, Serialize};
 
 use crate::joints::Joints;
 
 /// One of the two cameras in the head. The robot sends images of one camera at a time; [`Command::camera`] selects it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, postcard_schema::Schema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub enum CameraId {
     /// In the forehead, directed to the horizon.
     #[default]
@@ -44,7 +48,7 @@ pub struct Inertial {
 }
 
 /// Forces on the four pressure sensors of one sole, N; 0 when the foot is in the air.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Schema)]
 pub struct FootPressure {
     /// Under the toes, left side.
     pub front_left: f32,
@@ -65,7 +69,7 @@ impl FootPressure {
 }
 
 /// Buttons and bumpers; true while pressed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct Buttons {
     /// The button in the chest.
     pub chest: bool,
@@ -76,7 +80,7 @@ pub struct Buttons {
 }
 
 /// Sensor readings of one control cycle.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Sensors<'a> {
     /// Measured joint angles, rad.
     pub angles: Joints<f32>,
@@ -93,15 +97,16 @@ pub struct Sensors<'a> {
     /// Buttons and bumpers.
     pub buttons: Buttons,
     /// New image; `None` in cycles without one.
+    #[serde(borrow, deserialize_with = "crate::message::whole_image")]
     pub image: Option<Image<'a>>,
 }
 
 /// RGB light; red, green and blue are 0 to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Light(pub f32, pub f32, pub f32);
 
 /// Lights that a controller may set.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Lights {
     /// Chest button.
     pub chest: Light,
@@ -112,7 +117,7 @@ pub struct Lights {
 }
 
 /// Command of one control cycle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Command {
     /// Target joint angles, rad.
     pub targets: Joints<f32>,
@@ -122,4 +127,32 @@ pub struct Command {
     pub lights: Lights,
     /// Camera whose images are requested.
     pub camera: CameraId,
+}
+
+/// The command contains a value that is not finite or out of range, so no part of it may be executed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InvalidCommand;
+
+impl fmt::Display for InvalidCommand {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the command contains a value that is not finite or out of range")
+    }
+}
+
+impl core::error::Error for InvalidCommand {}
+
+impl Command {
+    /// Checks a command that was received.
+    ///
+    /// # Errors
+    /// [`InvalidCommand`] if a target is not finite, or a stiffness or light is not within 0 and 1.
+    pub fn check(&self) -> Result<(), InvalidCommand> {
+        let is_fraction = |value: &f32| (0.0..=1.0).contains(value);
+        let Lights { chest, left_eye, right_eye } = self.lights;
+        let lights = [chest, left_eye, right_eye].map(|Light(red, green, blue)| [red, green, blue]);
+        let is_valid = self.targets.0.iter().all(|target| target.is_finite())
+            && self.stiffness.0.iter().all(is_fraction)
+            && lights.as_flattened().iter().all(is_fraction);
+        is_valid.then_some(()).ok_or(InvalidCommand)
+    }
 }

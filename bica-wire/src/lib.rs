@@ -32,6 +32,7 @@
 //! `docs/link.md` describes its protocol.
 #![no_std]
 
+pub mod blobs;
 mod convert;
 mod crc;
 mod decoder;
@@ -41,6 +42,7 @@ mod float_array;
 mod image;
 pub mod message;
 mod packet;
+mod recordable;
 mod schema;
 pub mod server;
 mod text;
@@ -53,6 +55,7 @@ pub use encoder::{Encoder, TooLarge};
 pub use image::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 pub use message::{FromMonitor, FromMonitorExtra, FromRobot, ToMonitor, ToMonitorExtra, ToRobot};
 pub use packet::MAX_PACKET;
+pub use recordable::{Recordable, messages_hash};
 pub use schema::SCHEMA;
 pub use text::truncate;
 

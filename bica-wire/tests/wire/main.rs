@@ -1,6 +1,7 @@
 //! Properties that hold for every message and every kind of damage.
 
 mod arbitrary;
+mod blobs;
 mod conversions;
 mod damage;
 mod describe;
