@@ -82,6 +82,13 @@ fn functions_of_a_run_are_not_inlined_on_bare_metal_unless_the_user_asks_for_it(
     assert_eq!(never(&machine()), 3, "two states and a hook that may write");
 }
 
+/// The first message about two trees of one name is then about that name.
+#[test]
+fn the_struct_is_the_first_item_of_a_tree() {
+    let file: File = parse2(tree::run(forward())).expect("code");
+    assert!(matches!(&file.items[0], Item::Struct(owner) if owner.ident == "Forward"));
+}
+
 #[test]
 fn generated_code_contains_no_unsafe() {
     for code in [component::run(quote!(), &machine()), tree::run(forward())] {

@@ -3,13 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 
-use super::{fields, kinds, root, runtime, slots};
+use super::{fields, kinds, root, runtime};
 use crate::expand::quoting::{at, placed};
 use bica_syntax::tree::model::Tree;
 
 pub(super) fn expand(tree: &Tree) -> TokenStream {
     let p = runtime(tree);
-    let (name, slots, cycle_hz) = (&tree.name, slots(tree), tree.cycle_hz);
+    let (name, cycle_hz) = (&tree.name, tree.cycle_hz);
     let count = tree.components.len();
     let root = &root(tree);
     let visit = quote_spanned!(at(root) => <Self as #p::Has<#root>>::visit);
@@ -18,7 +18,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl #p::Layout for #name {
-            type Slots = #slots;
+            type Slots = __Slots;
             const CYCLE_HZ: f32 = #cycle_hz;
             const ACTIVATORS: &'static [usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
             const ORDER: &'static [u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));

@@ -18,27 +18,25 @@ pub(crate) use stub::stub;
 
 /// Everything of a tree.
 pub(crate) fn expand(tree: &Tree) -> TokenStream {
-    let owner = owner::expand(tree);
+    let (owner, new) = (owner::expand(tree), owner::new(tree));
     let slots = slots::expand(tree);
     let layout = layout::expand(tree);
     let graph = graph::expand(tree);
     let has = has::expand(tree);
     let names = names(tree);
-    quote!(#names #owner #slots #layout #graph #has)
+    quote!(#owner const _: () = { #names #new #slots #layout #graph #has };)
 }
 
-/// Names for the crate and for each type that the tree lists. All other code uses these names, so that the compiler finds
-/// a path that leads nowhere once.
+/// Names for each type that the tree lists. All other code uses these names, so that the compiler finds a path that leads
+/// nowhere once.
 fn names(tree: &Tree) -> TokenStream {
-    let (krate, runtime, root) = (&tree.krate, runtime(tree), root(tree));
+    let root = root(tree);
     let (names, kinds) = (kinds(tree), tree.components.iter().map(|entry| &entry.kind));
     let unlisted = (!names.contains(&root)).then(|| {
         let kind = &tree.root;
         quote!(type #root = #kind;)
     });
     quote! {
-        #[doc(hidden)]
-        use #krate::__private as #runtime;
         #(type #names = #kinds;)*
         #unlisted
     }
@@ -46,7 +44,7 @@ fn names(tree: &Tree) -> TokenStream {
 
 /// The names of the listed types.
 fn kinds(tree: &Tree) -> Vec<Ident> {
-    let name = |(place, entry): (usize, &Entry)| format_ident!("__{place}{}", tree.name, span = at(&entry.kind));
+    let name = |(place, entry): (usize, &Entry)| format_ident!("__Component{place}", span = at(&entry.kind));
     tree.components.iter().enumerate().map(name).collect()
 }
 
@@ -55,7 +53,7 @@ fn root(tree: &Tree) -> Ident {
     let root = text::written(&tree.root);
     let place = tree.components.iter().position(|entry| text::written(&entry.kind) == root);
     let place = place.map_or_else(|| "Root".to_owned(), |place| place.to_string());
-    format_ident!("__{place}{}", tree.name, span = at(&tree.root))
+    format_ident!("__Component{place}", span = at(&tree.root))
 }
 
 /// The name of the crate for generated code.
@@ -69,12 +67,7 @@ fn stored(tree: &Tree, kind: &Ident) -> TokenStream {
     if tree.tunable { quote_spanned!(at(kind) => <#kind as #p::Component>::Params) } else { quote!(()) }
 }
 
-/// The struct of the slots.
-fn slots(tree: &Tree) -> Ident {
-    format_ident!("__{}Slots", tree.name)
-}
-
-/// The fields of that struct, one for each component: its name in small letters and its place.
+/// The fields of the struct of the slots, one for each component: its name in small letters and its place.
 fn fields(tree: &Tree) -> Vec<Ident> {
     let field = |(place, entry): (usize, &Entry)| {
         let name: String = entry
