@@ -1,9 +1,10 @@
 //! The graph of a tree.
 
+use bica_core::params::Kind;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-use super::{ParamKind, Value};
+use super::Value;
 
 /// One item of the graph of a tree. All numbers are indices into lists, as in [`bica_core::graph`].
 ///
@@ -92,8 +93,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Unit; none for a pure number.
         unit: Option<&'a str>,
-        /// Kind and range.
-        kind: ParamKind,
+        /// Kind and range; of a choice the number of variants.
+        kind: Kind<u16>,
         /// Default value.
         default: Value,
     },
@@ -131,8 +132,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Unit; none for a pure number.
         unit: Option<&'a str>,
-        /// Kind and range.
-        kind: ParamKind,
+        /// Kind and range; of a choice the number of variants.
+        kind: Kind<u16>,
         /// Default value.
         default: Value,
     },

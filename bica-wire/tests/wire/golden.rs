@@ -17,7 +17,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x8c4b_7a70_9496_623d;
+const GOLDEN_SCHEMA: u64 = 0xaffe_19aa_fee8_a074;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

@@ -25,7 +25,7 @@ fn description() -> Description {
     let state = |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false };
     let info = Information { name: text("seen"), doc: String::new(), unit: Some(text("m")), type_name: text("Seen") };
     let states = vec![state("dark", true), state("bright", false)];
-    let blinker = Component { name: text("Blinker"), root: true, states, info: vec![info], ..Component::default() };
+    let blinker = Component { name: text("Blinker"), states, info: vec![info], ..Component::default() };
     let counter = Component { name: text("Counter"), ..Component::default() };
     let components = vec![blinker, counter];
     Description { name: text("Lamp"), hash: text("0123"), cycle_hz: 100.0, components, ..Description::default() }
