@@ -126,6 +126,7 @@ pub struct Link {
 
 /// How a component uses a child.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum LinkKind {
     /// The child is read: it is visited before the component runs.
     Requirement,

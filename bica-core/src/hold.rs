@@ -3,6 +3,7 @@
 /// What decides whether a component is active.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "wire", serde(rename_all = "snake_case"))]
 pub enum Hold {
     /// The tree: the component is active while an active component links to it.
     #[default]

@@ -64,7 +64,7 @@ mod kind;
 pub mod refusal;
 mod text;
 
-pub use kind::{Kind, Value, Variant};
+pub use kind::{Kind, Value, Variant, Variants};
 pub use text::ValueText;
 
 #[doc(hidden)]

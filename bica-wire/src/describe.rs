@@ -5,7 +5,7 @@ use core::iter::FusedIterator;
 use bica_core::graph::{Graph, LinkKind, Node};
 use bica_core::params::{self, Kind, Param, Variant};
 
-use crate::message::{GraphItem, ParamKind, Value};
+use crate::message::{GraphItem, Value};
 use crate::text::truncate;
 
 /// Largest size of a part of a doc comment, bytes.
@@ -17,13 +17,13 @@ const TYPE_BYTES: usize = 512;
 /// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document, variants and arguments what
 /// they belong to.
 #[must_use]
-pub const fn describe(graph: &'static Graph) -> Description {
-    Description { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 }
+pub const fn describe(graph: &'static Graph) -> GraphItems {
+    GraphItems { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 }
 }
 
 /// The items that describe a tree. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
 #[derive(Clone, Debug)]
-pub struct Description {
+pub struct GraphItems {
     graph: &'static Graph,
     list: List,
     /// Index of the component.
@@ -69,9 +69,9 @@ impl List {
     }
 }
 
-impl FusedIterator for Description {}
+impl FusedIterator for GraphItems {}
 
-impl Iterator for Description {
+impl Iterator for GraphItems {
     type Item = GraphItem<'static>;
 
     fn next(&mut self) -> Option<GraphItem<'static>> {
@@ -85,7 +85,7 @@ impl Iterator for Description {
     }
 }
 
-impl Description {
+impl GraphItems {
     /// Returns what still follows the last listed item.
     fn attachment(&mut self) -> Option<GraphItem<'static>> {
         if !self.doc.is_empty() {
@@ -187,12 +187,12 @@ impl Description {
     }
 
     /// Prepares what follows a parameter or argument; returns its kind and default.
-    fn begin_param(&mut self, param: &Param) -> (ParamKind, Value) {
+    fn begin_param(&mut self, param: &Param) -> (Kind<u16>, Value) {
         self.doc = param.doc;
         if let Kind::Choice { variants } = param.kind {
             self.variants = variants;
         }
-        (ParamKind::of(&param.kind), param.default)
+        (param.kind.map(|variants| variants.len() as u16), param.default)
     }
 }
 

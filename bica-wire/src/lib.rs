@@ -30,7 +30,12 @@
 //! Two kinds of programs send to a robot. The *host* is the body or the world: [`message::Hello`], sensor values, images. A
 //! *monitor* attaches without changing anything, watches, and requests changes while it owns the lease. The page
 //! `docs/link.md` describes its protocol.
+//!
+//! With the feature `std`, [`model`] is the description of a robot that every tool reads.
 #![no_std]
+
+#[cfg(feature = "std")]
+extern crate std;
 
 pub mod blobs;
 mod convert;
@@ -41,6 +46,8 @@ mod encoder;
 mod float_array;
 mod image;
 pub mod message;
+#[cfg(feature = "std")]
+pub mod model;
 mod packet;
 mod recordable;
 mod schema;
@@ -50,7 +57,7 @@ mod text;
 pub use convert::InvalidCommand;
 pub use crc::crc32;
 pub use decoder::{Decoder, Packet, UnknownMessage};
-pub use describe::{Description, describe};
+pub use describe::{GraphItems, describe};
 pub use encoder::{Encoder, TooLarge};
 pub use image::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 pub use message::{FromMonitor, FromMonitorExtra, FromRobot, ToMonitor, ToMonitorExtra, ToRobot};

@@ -46,10 +46,11 @@ impl fmt::Display for Value {
     }
 }
 
-/// Kind of a parameter, with the values that it can have.
+/// Kind of a parameter, with the values that it can have. `V` tells the variants of an enum: in a tree's description all of them, in a
+/// message their number, in a tool's model texts that it owns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Kind {
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
+pub enum Kind<V = &'static [Variant]> {
     /// A finite number.
     F32 {
         /// Smallest value.
@@ -82,7 +83,7 @@ pub enum Kind {
     /// One variant of an enum.
     Choice {
         /// The variants.
-        variants: &'static [Variant],
+        variants: V,
     },
 }
 
@@ -95,7 +96,26 @@ pub struct Variant {
     pub doc: &'static str,
 }
 
-impl Kind {
+/// The variants of an enum, in the order of their indices.
+pub trait Variants {
+    /// Number of variants.
+    fn count(&self) -> usize;
+
+    /// Returns the name of the variant at `index`.
+    fn name(&self, index: usize) -> Option<&str>;
+}
+
+impl Variants for &'static [Variant] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn name(&self, index: usize) -> Option<&str> {
+        self.get(index).map(|variant| variant.name)
+    }
+}
+
+impl<V> Kind<V> {
     /// `"f32"`, `"i32"`, `"u32"`, `"bool"` or `"choice"`.
     #[must_use]
     pub const fn name(&self) -> &'static str {
@@ -108,25 +128,39 @@ impl Kind {
         }
     }
 
+    /// Returns the kind with another form of its variants.
+    #[must_use]
+    pub fn map<W>(&self, variants: impl FnOnce(&V) -> W) -> Kind<W> {
+        match self {
+            &Self::F32 { min, max, step } => Kind::F32 { min, max, step },
+            &Self::I32 { min, max, step } => Kind::I32 { min, max, step },
+            &Self::U32 { min, max, step } => Kind::U32 { min, max, step },
+            Self::Bool => Kind::Bool,
+            Self::Choice { variants: of } => Kind::Choice { variants: variants(of) },
+        }
+    }
+}
+
+impl<V: Variants> Kind<V> {
     /// Checks that a value is of this kind, finite and in range.
     ///
     /// # Errors
     /// The reason why it is not.
     pub fn accepts(&self, value: Value) -> Result<(), Reason> {
         let range = |min, max| Err(Reason::OutOfRange { value, min, max });
-        match (*self, value) {
+        match (self, value) {
             (Self::F32 { .. }, Value::F32(number)) if !number.is_finite() => Err(Reason::NotFinite),
-            (Self::F32 { min, max, .. }, Value::F32(number)) if number < min || number > max => {
+            (&Self::F32 { min, max, .. }, Value::F32(number)) if number < min || number > max => {
                 range(Value::F32(min), Value::F32(max))
             }
-            (Self::I32 { min, max, .. }, Value::I32(number)) if number < min || number > max => {
+            (&Self::I32 { min, max, .. }, Value::I32(number)) if number < min || number > max => {
                 range(Value::I32(min), Value::I32(max))
             }
-            (Self::U32 { min, max, .. }, Value::U32(number)) if number < min || number > max => {
+            (&Self::U32 { min, max, .. }, Value::U32(number)) if number < min || number > max => {
                 range(Value::U32(min), Value::U32(max))
             }
-            (Self::Choice { variants }, Value::Choice(index)) if index as usize >= variants.len() => {
-                Err(Reason::UnknownVariant { count: variants.len() })
+            (Self::Choice { variants }, Value::Choice(index)) if index as usize >= variants.count() => {
+                Err(Reason::UnknownVariant { count: variants.count() })
             }
             (Self::F32 { .. }, Value::F32(_))
             | (Self::I32 { .. }, Value::I32(_))

@@ -3,16 +3,16 @@
 use core::fmt;
 
 use super::refusal::Reason;
-use super::{Kind, Value};
+use super::{Kind, Value, Variants};
 
-impl Kind {
+impl<V: Variants> Kind<V> {
     /// Reads a value: a number, `true` or `false`, or the name of a variant.
     ///
     /// ```
     /// use bica_core::Value;
     /// use bica_core::params::Kind;
     ///
-    /// let kind = Kind::F32 { min: 0.0, max: 1.0, step: None };
+    /// let kind: Kind = Kind::F32 { min: 0.0, max: 1.0, step: None };
     /// assert_eq!(kind.parse("0.5"), Ok(Value::F32(0.5)));
     /// assert!(kind.parse("1.5").is_err());
     /// ```
@@ -27,8 +27,8 @@ impl Kind {
             Self::U32 { .. } => Value::U32(text.parse().map_err(|_| wrong)?),
             Self::Bool => Value::Bool(text.parse().map_err(|_| wrong)?),
             Self::Choice { variants } => {
-                let index = variants.iter().position(|variant| variant.name == text);
-                Value::Choice(index.ok_or(Reason::UnknownVariant { count: variants.len() })? as u32)
+                let index = (0..variants.count()).find(|&index| variants.name(index) == Some(text));
+                Value::Choice(index.ok_or(Reason::UnknownVariant { count: variants.count() })? as u32)
             }
         };
         self.accepts(value).map(|()| value)
@@ -38,24 +38,25 @@ impl Kind {
     ///
     /// A number with a decimal point has one also if it is whole, and a variant is its name.
     #[must_use]
-    pub const fn text(&self, value: Value) -> ValueText<'_> {
+    pub const fn text(&self, value: Value) -> ValueText<'_, V> {
         ValueText { kind: self, value }
     }
 }
 
 /// A value that prints as text; see [`Kind::text`].
 #[derive(Clone, Copy, Debug)]
-pub struct ValueText<'a> {
-    kind: &'a Kind,
+pub struct ValueText<'a, V> {
+    kind: &'a Kind<V>,
     value: Value,
 }
 
-impl fmt::Display for ValueText<'_> {
+impl<V: Variants> fmt::Display for ValueText<'_, V> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.kind, self.value) {
-            (Kind::Choice { variants }, Value::Choice(index)) if (index as usize) < variants.len() => {
-                f.pad(variants[index as usize].name)
-            }
+            (Kind::Choice { variants }, Value::Choice(index)) => match variants.name(index as usize) {
+                Some(name) => f.pad(name),
+                None => self.value.fmt(f),
+            },
             // The shortest digits that give the same number, with a point.
             (_, Value::F32(value)) => write!(f, "{value:?}"),
             (_, value) => value.fmt(f),

@@ -113,7 +113,8 @@ fn special_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
     let bools = any::<bool>().prop_map(|value| (Kind::Bool, Value::Bool(value)));
     let choices =
         (prop::collection::vec((special_text(), special_text()), 0..3), 0..3_u32).prop_map(|(variants, value)| {
-            let variants = variants.into_iter().map(|(name, doc)| Variant { name, doc }).collect::<Vec<_>>().leak();
+            let variants: Vec<_> = variants.into_iter().map(|(name, doc)| Variant { name, doc }).collect();
+            let variants: &[Variant] = variants.leak();
             (Kind::Choice { variants }, Value::Choice(value))
         });
     let kind = prop_oneof![f32s, i32s, u32s, bools, choices];

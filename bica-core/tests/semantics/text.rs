@@ -33,9 +33,11 @@ fn text_that_is_no_value_is_refused_with_the_reason() {
     assert_eq!(F32.parse("fast"), wrong("f32"));
     assert_eq!(F32.parse(""), wrong("f32"));
     assert_eq!(F32.parse("inf"), Err(Reason::NotFinite));
-    assert_eq!(Kind::Bool.parse("1"), wrong("bool"));
-    assert_eq!(Kind::U32 { min: 0, max: 9, step: None }.parse("-1"), wrong("u32"));
-    assert_eq!(Kind::I32 { min: 0, max: 9, step: None }.parse("1.0"), wrong("i32"));
+    let is_on: Kind = Kind::Bool;
+    assert_eq!(is_on.parse("1"), wrong("bool"));
+    let (count, offset): (Kind, Kind) =
+        (Kind::U32 { min: 0, max: 9, step: None }, Kind::I32 { min: 0, max: 9, step: None });
+    assert_eq!((count.parse("-1"), offset.parse("1.0")), (wrong("u32"), wrong("i32")));
     assert_eq!(Kind::Choice { variants: VARIANTS }.parse("left"), Err(Reason::UnknownVariant { count: 2 }));
     let (value, min, max) = (Value::F32(2e9), Value::F32(-1e9), Value::F32(1e9));
     assert_eq!(F32.parse("2e9"), Err(Reason::OutOfRange { value, min, max }));

@@ -1,10 +1,11 @@
 //! The graph of a tree.
 
+use bica_core::params::Kind;
 use bica_core::visual::Placement;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-use super::{ParamKind, Value};
+use super::Value;
 
 /// One item of the graph of a tree. All numbers are indices into lists, as in [`bica_core::graph`].
 ///
@@ -93,8 +94,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Unit; none for a pure number.
         unit: Option<&'a str>,
-        /// Kind and range.
-        kind: ParamKind,
+        /// Kind and range; of a choice the number of variants.
+        kind: Kind<u16>,
         /// Default value.
         default: Value,
     },
@@ -134,8 +135,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Unit; none for a pure number.
         unit: Option<&'a str>,
-        /// Kind and range.
-        kind: ParamKind,
+        /// Kind and range; of a choice the number of variants.
+        kind: Kind<u16>,
         /// Default value.
         default: Value,
     },

@@ -9,7 +9,6 @@ mod graph;
 mod image;
 mod monitor;
 mod operator;
-mod param_kind;
 mod robot;
 mod session;
 
@@ -33,7 +32,6 @@ pub use monitor::{
 pub use operator::{
     Answer, AnswerResult, Change, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
 };
-pub use param_kind::ParamKind;
 pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};
 

@@ -5,7 +5,8 @@ use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
 use bica_core::visual::Placement;
-use bica_wire::message::{GraphItem, ParamKind, Value};
+use bica_wire::message::{GraphItem, Value};
+use bica_wire::model::{Builder, Description};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
 const fn state(name: &'static str, initial: bool) -> State {
@@ -61,7 +62,7 @@ static GRAPH: Graph = Graph {
 fn every_part_of_the_graph_is_described_once_and_in_order() {
     let items: Vec<_> = describe(&GRAPH).collect();
     let doc = |text| GraphItem::Doc { text };
-    let (kind, default) = (ParamKind::F32 { min: 0.0, max: 1.0, step: Some(0.5) }, Value::F32(0.5));
+    let (kind, default) = (Kind::F32 { min: 0.0, max: 1.0, step: Some(0.5) }, Value::F32(0.5));
     let expected = [
         GraphItem::Tree { name: "Pair", cycle_hz: 100.0, budget_ms: None, tunable: true, components: 2 },
         doc("Two components."),
@@ -75,7 +76,7 @@ fn every_part_of_the_graph_is_described_once_and_in_order() {
             group: "Seeing",
             name: "side",
             unit: None,
-            kind: ParamKind::Choice { variants: 2 },
+            kind: Kind::Choice { variants: 2 },
             default: Value::Choice(1),
         },
         GraphItem::Variant { name: "Left" },
@@ -115,4 +116,27 @@ fn a_long_doc_comment_is_sent_in_parts_that_fit_into_packets() {
         }
     }
     assert_eq!(text, doc);
+}
+
+#[test]
+fn items_and_json_give_the_description_of_the_graph() {
+    let description = Description::of(&GRAPH);
+    let mut builder = Builder::default();
+    let mut received: Vec<_> = describe(&GRAPH).filter_map(|item| builder.add(&item).unwrap()).collect();
+    let received = received.pop().expect("the last item completes the description");
+    assert_eq!(Description { hash: description.hash.clone(), ..received }, description);
+    let text = serde_json::to_string(&description).unwrap();
+    assert!(text.contains(r#""kind":"choice","variants":[{"name":"Left","doc":""}"#), "{text}");
+    assert!(text.contains(r#""default":"Right""#), "{text}");
+    assert_eq!(serde_json::from_str::<Description>(&text).unwrap(), description);
+}
+
+#[test]
+fn an_unknown_name_gets_the_most_similar_one_as_remedy() {
+    let description = Description::of(&GRAPH);
+    let help = |path| description.param(path).unwrap_err().help;
+    assert_eq!(description.param("Eye.side"), Ok((0, 1)));
+    assert_eq!([help("Eye.sdie"), help("Eyes.side")], ["did you mean `side`?", "did you mean `Eye`?"]);
+    assert_eq!([help("Eye.xyz"), help("Head.xyz")], ["it has `gain`, `side`", "it has none"]);
+    assert_eq!(help("gain"), "write it as `Component.name`");
 }

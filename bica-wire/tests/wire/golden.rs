@@ -18,7 +18,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xe910_b91c_edce_7da1;
+const GOLDEN_SCHEMA: u64 = 0x3a9c_a027_a804_9160;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

@@ -4,6 +4,7 @@ use std::fmt;
 use std::io;
 
 use bica_wire::message::RefusalCode;
+use bica_wire::model::Invalid;
 
 /// Reason for which an operation on a link failed.
 #[derive(Debug)]
@@ -49,12 +50,7 @@ pub enum Error {
         text: String,
     },
     /// The tree has nothing of this name, or a value does not fit.
-    Unknown {
-        /// What is wrong.
-        what: String,
-        /// Remedy.
-        help: String,
-    },
+    Unknown(Invalid),
     /// The robot sent a description or schema that is not valid.
     Invalid(&'static str),
 }
@@ -84,7 +80,7 @@ impl Error {
                 "only a simulated world can be changed, and its ball lies on the field, where nothing stands"
             }
             Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
-            Self::Unknown { help, .. } => help,
+            Self::Unknown(Invalid { help, .. }) => help,
             Self::Schema { .. } | Self::Invalid(_) => "build the robot's program and this one from the same version",
         }
         .to_owned()
@@ -114,9 +110,15 @@ impl fmt::Display for Error {
             Self::NotOffered(what) => write!(f, "the robot's program does not offer {what}"),
             Self::Lease => f.write_str("another operator owns the lease"),
             Self::Refused { text, .. } => write!(f, "refused: {text}"),
-            Self::Unknown { what, .. } => f.write_str(what),
+            Self::Unknown(invalid) => invalid.fmt(f),
             Self::Invalid(what) => write!(f, "the robot's description is not valid: {what}"),
         }
+    }
+}
+
+impl From<Invalid> for Error {
+    fn from(invalid: Invalid) -> Self {
+        Self::Unknown(invalid)
     }
 }
 

@@ -17,9 +17,7 @@
 //!   cut connection left in a queue is dropped.
 
 mod address;
-mod builder;
 mod client;
-mod description;
 mod error;
 mod frame;
 mod memory;
@@ -29,10 +27,10 @@ mod stream;
 mod waker;
 
 pub use address::Address;
-pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
-pub use description::{
-    Component, Description, Info, Kind, Link, Modulation, Param, Placement, State, Transition, Variant, number, to_json,
+pub use bica_wire::model::{
+    Component, Description, Info, Invalid, Kind, Link, Modulation, Param, Placement, Plain, State, Transition, Variant, Variants,
 };
+pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
 pub use error::Error;
 pub use memory::Memory;
 pub use schema::decode as decode_info;

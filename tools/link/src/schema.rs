@@ -3,8 +3,6 @@
 use postcard_schema::schema::owned::{OwnedDataModelType, OwnedDataModelVariant, OwnedNamedType};
 use serde_json::{Map, Value, json};
 
-use crate::description::number;
-
 /// Largest nesting of a value.
 const DEPTH: usize = 64;
 
@@ -163,4 +161,10 @@ mod tests {
             }
         }
     }
+}
+
+/// Returns a number in JSON with the digits of `f32`; `null` if it is not finite.
+fn number(value: f32) -> Value {
+    // The shortest decimal text of the f32, not the exact value of its f64.
+    value.to_string().parse::<f64>().map_or(Value::Null, |value| json!(value))
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::ComponentId;
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use bica_link::{Client, ClientOptions, Component, Error, Event, Kind, Param, Snapshot, to_json};
+use bica_link::{Client, ClientOptions, Component, Error, Event, Invalid, Param, Plain, Snapshot};
 use bica_wire::message::{Change, Hold, Setting, Value, WorldChange};
 use serde::Serialize;
 use serde_json::json;
@@ -56,6 +56,10 @@ fn failure(error: &Error) -> Failure {
     Failure::new(error.to_string(), error.help())
 }
 
+fn invalid(Invalid { what, help }: Invalid) -> Failure {
+    Failure::new(what, help)
+}
+
 /// One line of JSON.
 #[derive(Serialize)]
 struct Line<T> {
@@ -73,7 +77,7 @@ struct Monitor {
 impl Monitor {
     fn component(&self, name: &str) -> Result<u16, Failure> {
         let found = self.client.description().component(name);
-        found.map(|index| index as u16).map_err(|error| failure(&error))
+        found.map(|index| index as u16).map_err(invalid)
     }
 
     fn line(&self, schema: &'static str, content: impl Serialize) -> Result<(), Failure> {
@@ -120,7 +124,7 @@ impl Monitor {
     ) -> Result<Outcome, Failure> {
         self.client.watch(every).map_err(|error| failure(&error))?;
         for path in paths {
-            let (component, info) = self.client.description().info(path).map_err(|error| failure(&error))?;
+            let (component, info) = self.client.description().info(path).map_err(invalid)?;
             self.client.watch_info(component, info, every).map_err(|error| failure(&error))?;
         }
         let (mut seen, mut last) = (0, String::new());
@@ -214,13 +218,13 @@ impl Monitor {
                 return Err(Failure::new(format!("`{text}` sets nothing"), "write COMPONENT.NAME=VALUE"));
             };
             let description = self.client.description();
-            let (component, index) = description.param(path).map_err(|error| failure(&error))?;
+            let (component, index) = description.param(path).map_err(invalid)?;
             let param = &description.components[component].params[index];
-            let value = param.parse(value).map_err(|error| failure(&error))?;
+            let value = param.parse(value).map_err(invalid)?;
             batch.push((
                 path.to_owned(),
                 Setting::new(ComponentId::new(component), index as u16, value),
-                param.kind.clone(),
+                param.clone(),
             ));
         }
         let settings = batch.iter().map(|(_, setting, _)| *setting);
@@ -232,10 +236,10 @@ impl Monitor {
         let change = Change::Params(settings.collect());
         self.operate(|monitor| {
             let answer = monitor.request(change)?;
-            for ((path, _, kind), value) in batch.iter().zip(&answer.values) {
-                let value = to_json(*value, kind);
-                monitor.console.print_row(&format!("cycle {}", answer.cycle), &format!("{path} = {value}"))?;
-                let line = json!({ "cycle": answer.cycle, "name": path, "value": value });
+            for ((path, _, param), &value) in batch.iter().zip(&answer.values) {
+                let text = param.kind.text(value);
+                monitor.console.print_row(&format!("cycle {}", answer.cycle), &format!("{path} = {text}"))?;
+                let line = json!({ "cycle": answer.cycle, "name": path, "value": param.plain(value) });
                 monitor.line("bica-player/link-set/1", line)?;
             }
             Ok(Outcome::Success)
@@ -248,7 +252,7 @@ impl Monitor {
         self.operate(|monitor| {
             let answer = monitor.request(change)?;
             monitor.console.print_row(&format!("cycle {}", answer.cycle), "in force until this command ends")?;
-            let values: Vec<_> = answer.values.iter().map(|&value| to_json(value, &Kind::Unknown)).collect();
+            let values: Vec<_> = answer.values.iter().map(|&value| Plain::from(value)).collect();
             monitor.line("bica-player/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
             while until.is_none_or(|until| Instant::now() < until) {
                 if interrupt::requested() {
@@ -265,14 +269,14 @@ impl Monitor {
 
     fn modulate(&mut self, path: &str, arguments: &[String]) -> Result<Outcome, Failure> {
         let description = self.client.description();
-        let (component, modulation) = description.modulation(path).map_err(|error| failure(&error))?;
+        let (component, modulation) = description.modulation(path).map_err(invalid)?;
         let declared = &description.components[component].modulations[modulation].arguments;
         if declared.len() != arguments.len() {
             let names: Vec<_> = declared.iter().map(|argument| argument.name.as_str()).collect();
             let what = format!("`{path}` takes {} arguments, found {}", declared.len(), arguments.len());
             return Err(Failure::new(what, format!("give these: {}", names.join(", "))));
         }
-        let parse = |(argument, text): (&Param, &String)| argument.parse(text).map_err(|error| failure(&error));
+        let parse = |(argument, text): (&Param, &String)| argument.parse(text).map_err(invalid);
         let arguments: Vec<Value> = declared.iter().zip(arguments).map(parse).collect::<Result<_, _>>()?;
         let arguments = arguments.into_iter().take(bica_wire::message::MAX_ARGUMENTS).collect();
         let change = Change::Modulate { component: component as u16, modulation: modulation as u16, arguments };
@@ -308,9 +312,9 @@ fn describe_component(console: Console, component: &Component) -> Result<(), Fai
     let heading = console.styled(Style::Strong, &component.name);
     console.print(&format!("\n{heading}  {hz}  {}", console.styled(Style::Faint, first_line(&component.doc))))?;
     for param in &component.params {
-        let value = param.value.as_ref().map(ToString::to_string).unwrap_or_default();
-        let (unit, range) = (param.unit.as_deref().unwrap_or_default(), range(&param.kind));
-        let text = format!("{} = {value} {unit} {range}", param.name);
+        let value = param.value.map(|value| param.kind.text(value).to_string()).unwrap_or_default();
+        let text =
+            format!("{} = {value} {} ({})", param.name, param.unit.as_deref().unwrap_or_default(), param.range());
         console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&param.doc))))?;
     }
     for info in &component.info {
@@ -321,7 +325,7 @@ fn describe_component(console: Console, component: &Component) -> Result<(), Fai
     for modulation in &component.modulations {
         let argument = |argument: &Param| {
             let unit = argument.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();
-            format!("{}{unit} {}", argument.name, range(&argument.kind))
+            format!("{}{unit} ({})", argument.name, argument.range())
         };
         let arguments: Vec<_> = modulation.arguments.iter().map(argument).collect();
         let text = format!("{}({})", modulation.name, arguments.join(", "));
@@ -332,18 +336,4 @@ fn describe_component(console: Console, component: &Component) -> Result<(), Fai
 
 fn first_line(doc: &str) -> &str {
     doc.lines().next().unwrap_or_default()
-}
-
-fn range(kind: &Kind) -> String {
-    match kind {
-        Kind::F32 { min, max, .. } => format!("({min} to {max})"),
-        Kind::I32 { min, max, .. } => format!("({min} to {max})"),
-        Kind::U32 { min, max, .. } => format!("({min} to {max})"),
-        Kind::Bool => "(true, false)".to_owned(),
-        Kind::Choice { variants } => {
-            let names: Vec<_> = variants.iter().map(|variant| variant.name.as_str()).collect();
-            format!("({})", names.join(", "))
-        }
-        Kind::Unknown => String::new(),
-    }
 }

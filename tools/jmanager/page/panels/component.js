@@ -16,7 +16,7 @@ const HOLDS = [['tree', 'by the tree'], ['active', 'active'], ['latent', 'latent
 export function ComponentTab({ visible, params, retitle }) {
   const own = params.component;
   const shown = session.value;
-  const name = own ?? selected.value ?? shown?.description.value?.components.find((component) => component.root)?.name;
+  const name = own ?? selected.value ?? shown?.description.value?.components[shown.description.value.root]?.name;
   const index = name ? shown?.find(name) ?? -1 : -1;
   const component = shown?.description.value?.components[index];
   useEffect(() => {

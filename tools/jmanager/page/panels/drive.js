@@ -37,7 +37,7 @@ export function Drive({ visible }) {
 }
 
 function Controls({ shown, description, body, head, visible }) {
-  const root = description.components.findIndex((component) => component.root);
+  const root = description.root;
   // What is driven is the present, also while the page shows the past.
   const now = shown.live.value?.components;
   const held = (part) => now?.[part?.component]?.[1] === 'active';

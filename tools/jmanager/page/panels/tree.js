@@ -23,7 +23,7 @@ function hiddenBy(description, folded) {
     reached.add(index);
     if (!folded.has(index)) description.components[index].links.forEach((one) => visit(one.to));
   };
-  visit(Math.max(0, description.components.findIndex((component) => component.root)));
+  visit(description.root);
   return new Set(description.components.keys().filter((index) => !reached.has(index)));
 }
 
@@ -151,7 +151,7 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     folded.value = next;
   };
   // Tab reaches one component; the arrow keys go to its neighbours.
-  const stop = Math.max(0, description.components.findIndex((component) => (selected.value ? component.name === selected.value : component.root)));
+  const stop = Math.max(0, selected.value ? description.components.findIndex((component) => component.name === selected.value) : description.root);
   const key = (event, component, index) => {
     if (event.key === 'Enter' || (event.key === ' ' && !isPointed(event.currentTarget))) openComponent(component.name, event.shiftKey);
     else if (event.key === 'f') fold(index);

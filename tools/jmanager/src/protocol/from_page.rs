@@ -1,5 +1,6 @@
 //! Messages from the page.
 
+use bica_link::Plain;
 use serde::{Deserialize, Serialize};
 
 use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
@@ -109,7 +110,7 @@ pub enum Request {
         /// Modulation.
         modulation: usize,
         /// Arguments: numbers, booleans, or names of variants.
-        arguments: Vec<serde_json::Value>,
+        arguments: Vec<Plain>,
     },
     /// Pauses a simulated world between two cycles.
     Pause {},
@@ -244,7 +245,7 @@ pub struct Setting {
     /// Parameter.
     pub param: usize,
     /// Number, boolean, or name of a variant.
-    pub value: serde_json::Value,
+    pub value: Plain,
 }
 
 /// How a component is held.

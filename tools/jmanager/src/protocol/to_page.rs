@@ -1,6 +1,6 @@
 //! Messages to the page.
 
-use bica_link::Description;
+use bica_link::{Description, Plain};
 use serde::Serialize;
 
 use super::{
@@ -106,7 +106,7 @@ pub enum ToPage {
         /// Component.
         component: usize,
         /// Values in the order of the description.
-        values: Vec<serde_json::Value>,
+        values: Vec<Plain>,
     },
     /// New lines of the log.
     Log {

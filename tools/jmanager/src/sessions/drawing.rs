@@ -70,13 +70,19 @@ fn path(segments: &[(Point, Point)]) -> String {
 /// leaked once.
 fn graph(description: &Description) -> Option<&'static Graph> {
     let count = description.components.len();
-    let root = description.components.iter().position(|component| component.root)?;
+    let root = description.root;
+    if root >= count {
+        return None;
+    }
     let shape: Shape = description
         .components
         .iter()
         .map(|component| {
             let links = component.links.iter().filter(|link| link.to < count);
-            (!component.states.is_empty(), links.map(|link| (link.to, link.modulation, link.state)).collect())
+            (
+                !component.states.is_empty(),
+                links.map(|link| (link.to, link.kind == LinkKind::Modulation, link.state)).collect(),
+            )
         })
         .collect();
     let links: usize = shape.iter().map(|(_, links)| links.len()).sum();

@@ -19,7 +19,7 @@ use super::files;
 use super::history::StoredImage;
 use super::session::Session;
 use super::storage::MCAP;
-use super::value::{unknown, wire_value};
+use super::value::unknown;
 use crate::options::Options;
 use crate::pages::{PageId, Pages};
 use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
@@ -123,9 +123,8 @@ fn assignments(description: &Description, settings: &[Setting]) -> Result<Vec<St
     let one = |Setting { component, param, value }: &Setting| {
         let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
         let param = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
-        wire_value(param, value)?;
-        let text = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        Ok(format!("{}.{}={text}", owner.name, param.name))
+        let value = param.value_of(value)?;
+        Ok(format!("{}.{}={}", owner.name, param.name, param.kind.text(value)))
     };
     settings.iter().map(one).collect()
 }

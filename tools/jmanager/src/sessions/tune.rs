@@ -35,13 +35,8 @@ pub(super) fn save(session: &Session, params: &[(usize, usize)], name: &str) -> 
 fn value(description: &Description, component: usize, param: usize) -> Result<(&str, &str, String), Failed> {
     let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
     let param = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
-    let value = param.value.as_ref().unwrap_or(&param.default);
-    let text = match (value, &param.kind) {
-        (Value::String(name), Kind::Choice { .. }) => format!("{name:?}"),
-        // A TOML file tells whole numbers from others.
-        (value, Kind::F32 { .. }) if !value.to_string().contains(['.', 'e']) => format!("{value}.0"),
-        (value, _) => value.to_string(),
-    };
+    let text = param.kind.text(param.current());
+    let text = if matches!(param.kind, Kind::Choice { .. }) { format!("\"{text}\"") } else { text.to_string() };
     Ok((&owner.name, &param.name, text))
 }
 

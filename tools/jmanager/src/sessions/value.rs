@@ -1,7 +1,7 @@
 //! Values of the page and of the link.
 
-use bica_link::{Description, Param};
-use bica_wire::message::{Change, MAX_ARGUMENTS, MAX_BATCH, Setting as WireSetting, Value};
+use bica_link::{Description, Invalid, Param, Plain};
+use bica_wire::message::{Change, MAX_ARGUMENTS, MAX_BATCH, Setting as WireSetting};
 
 use crate::protocol::{Failed, HoldKind, Request, Setting};
 use bica_wire::message::Hold;
@@ -42,6 +42,12 @@ impl From<bica_link::Error> for Failed {
     }
 }
 
+impl From<Invalid> for Failed {
+    fn from(Invalid { what, help }: Invalid) -> Self {
+        Self::new(what, help)
+    }
+}
+
 /// Hold of the link.
 pub(super) const fn wire_hold(hold: HoldKind) -> Hold {
     match hold {
@@ -65,21 +71,12 @@ pub(super) fn unknown(what: &str, index: usize) -> Failed {
     Failed::new(format!("there is no {what} {index}"), "the tree may have changed: reload the page")
 }
 
-/// Returns the value of a parameter or an argument from the page.
-pub(super) fn wire_value(param: &Param, value: &serde_json::Value) -> Result<Value, Failed> {
-    let text = match value {
-        serde_json::Value::String(text) => text.clone(),
-        other => other.to_string(),
-    };
-    Ok(param.parse(&text)?)
-}
-
 /// Returns the setting of the link for a setting of the page.
 fn wire_setting(description: &Description, setting: &Setting) -> Result<WireSetting, Failed> {
     let Setting { component, param, value } = setting;
     let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
     let declared = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
-    let value = wire_value(declared, value)?;
+    let value = declared.value_of(value)?;
     Ok(WireSetting::new(bica::ComponentId::new(*component), *param as u16, value))
 }
 
@@ -127,7 +124,7 @@ fn modulate(
     description: &Description,
     component: usize,
     modulation: usize,
-    arguments: &[serde_json::Value],
+    arguments: &[Plain],
 ) -> Result<Change, Failed> {
     let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
     let called = owner.modulations.get(modulation).ok_or_else(|| unknown("modulation", modulation))?;
@@ -135,7 +132,9 @@ fn modulate(
         let what = format!("`{}` takes {} arguments, found {}", called.name, called.arguments.len(), arguments.len());
         return Err(Failed::new(what, "give one value for each argument"));
     }
-    let one = |(entry, (param, value))| wire_value(param, value).map_err(|failed| failed.at(entry));
+    let one = |(entry, (param, value)): (usize, (&Param, &Plain))| {
+        param.value_of(value).map_err(|invalid| Failed::from(invalid).at(entry))
+    };
     let arguments = called.arguments.iter().zip(arguments).enumerate().map(one).collect::<Result<_, _>>()?;
     Ok(Change::Modulate { component: component as u16, modulation: modulation as u16, arguments })
 }

@@ -1,6 +1,6 @@
 //! A tuned value as the new default in its source.
 
-use bica_link::{Kind, Param};
+use bica_link::{Param, Plain};
 use bica_vicode::cli::unified;
 use bica_vicode::model::{Input, Model};
 use bica_vicode::{Edit, read};
@@ -20,7 +20,7 @@ impl Files {
             let file = self.get(&mut open, &name)?;
             let (before, from) = (file.document.text().to_owned(), file.document.version());
             let written = default_of(file.document.model(), param).unwrap_or_default();
-            let value = literal(param, &written)?;
+            let value = literal(param, &written);
             let (parameters, parameter) = (param.group.clone(), param.name.clone());
             let change = edit::apply(file, &[Edit::SetDefault { parameters, parameter, value }])?;
             file.publish(&self.pages, Some((from, change)), ChangedBy::Page, page);
@@ -80,21 +80,13 @@ fn default_of(model: &Model, param: &Param) -> Option<String> {
 }
 
 /// The present value as Rust; `written` is the default that it replaces.
-fn literal(param: &Param, written: &str) -> Result<String, Failed> {
-    let value = param.value.as_ref().unwrap_or(&param.default);
-    match (value, &param.kind) {
-        (Value::String(name), Kind::Choice { .. }) => Ok(match written.rsplit_once("::") {
+fn literal(param: &Param, written: &str) -> String {
+    let value = param.current();
+    match param.plain(value) {
+        Plain::Name(name) => match written.rsplit_once("::") {
             Some((path, _)) => format!("{}::{name}", path.trim_end()),
-            None => name.clone(),
-        }),
-        (Value::Number(number), Kind::F32 { .. }) => {
-            let text = number.to_string();
-            Ok(if text.contains(['.', 'e']) { text } else { format!("{text}.0") })
-        }
-        (Value::Number(_), Kind::I32 { .. } | Kind::U32 { .. }) | (Value::Bool(_), Kind::Bool) => Ok(value.to_string()),
-        _ => Err(Failed::new(
-            format!("`{}` has the value {value}, which is no Rust", param.name),
-            "write the default by hand",
-        )),
+            None => name,
+        },
+        _ => param.kind.text(value).to_string(),
     }
 }

@@ -49,7 +49,7 @@ fn a_kept_recording_of_a_world_with_requests_replays() {
     let (page, description) = running();
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
     page.ask(Request::Set { settings }).unwrap();
     page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
     let mut placed = 0;

@@ -53,7 +53,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     page.ask(Request::Watch { watch }).unwrap();
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
     page.ask(Request::Set { settings }).unwrap();
     page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
     page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();

@@ -72,8 +72,7 @@ fn a_page_that_comes_to_a_paused_world_behind_a_link_gets_its_newest_image_at_on
 #[test]
 fn a_moment_of_the_past_has_the_conditions_costs_and_truth_of_that_time() {
     let (page, description) = running();
-    let components = description["components"].as_array().unwrap();
-    let root = components.iter().position(|one| one["root"] == true).unwrap();
+    let root = description["root"].as_u64().unwrap() as usize;
     page.ask(Request::Watch { watch: Watch { conditions: vec![root], costs: true, ..Watch::default() } }).unwrap();
     // Costs come every half second; the conditions of the first state differ from those of a later one.
     page.message("costs", |_| Some(()));

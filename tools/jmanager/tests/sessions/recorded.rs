@@ -8,7 +8,7 @@ use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
 use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use jmanager::protocol::{Open, Request, Setting};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::page::{Bench, Folder, Got, Page};
 use crate::world::find;
@@ -112,7 +112,7 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
     assert_eq!(again(Vec::new())["equal"], true);
     // The ball is not seen any more.
     let (component, param) = find(&described, "Colours", "params", "orange_luma_min");
-    let settings = vec![Setting { component, param, value: json!(230) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Integer(230) }];
     let difference = again(settings);
     assert_eq!(difference["equal"], false, "{difference}");
     assert!(difference["cycle"].as_u64().unwrap() > 0);

@@ -93,7 +93,7 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
     drop(robot);
     page.session(|one| one["connection"] == "lost");
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
     let error = page.ask(Request::Set { settings }).unwrap_err();
     assert!(!error["text"].as_str().unwrap().is_empty(), "{error}");
 
@@ -117,7 +117,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
         assert_eq!(info["can"][capability], true, "{capability}");
     }
     let components = description["components"].as_array().unwrap();
-    let root = components.iter().position(|one| one["root"] == true).unwrap();
+    let root = description["root"].as_u64().unwrap() as usize;
     let images = Some(WatchImages { max_hz: 30.0 });
     let watch = Watch { conditions: vec![root], costs: true, truth: true, images, ..Watch::default() };
     page.ask(Request::Watch { watch }).unwrap();
@@ -150,7 +150,7 @@ fn a_world_behind_a_link_is_paused_stepped_and_continued() {
     page.session(|one| one["paused"] == true && one["control"] == "free");
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
     let next = page.ask(Request::Set { settings }).unwrap()["cycle"].as_u64().unwrap();
     page.ask(Request::Step { cycles: 3 }).unwrap();
     let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle >= next + 2));
@@ -213,7 +213,7 @@ fn changed_values_are_saved_to_a_tune_file_and_are_in_force_in_the_next_world() 
     let (page, description) = crate::world::running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
     page.ask(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component, param, value: json!(0.9) }];
+    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
     page.ask(Request::Set { settings }).unwrap();
     let save = |name: &str| Request::SaveTune { params: vec![(component, param)], name: name.to_owned() };
     assert!(page.ask(save("../built-in")).is_err());

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use bica_link::Plain;
 use jmanager::protocol::{HoldKind, Open, Request, Setting};
 use serde_json::{Value, json};
 
@@ -63,15 +64,15 @@ fn other_users_cannot_read_what_is_recorded() {
 fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     let (page, description) = running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let set = |value: Value| Request::Set { settings: vec![Setting { component, param, value }] };
-    let error = page.ask(set(json!(0.9))).unwrap_err();
+    let set = |value: Plain| Request::Set { settings: vec![Setting { component, param, value }] };
+    let error = page.ask(set(Plain::Number(0.9))).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     page.ask(Request::Acquire {}).unwrap();
-    let answer = page.ask(set(json!(0.9))).unwrap();
+    let answer = page.ask(set(Plain::Number(0.9))).unwrap();
     assert_eq!(answer["values"], json!([0.9]));
-    let error = page.ask(set(json!(1000.0))).unwrap_err();
+    let error = page.ask(set(Plain::Number(1000.0))).unwrap_err();
     assert_eq!(error["entry"], 0, "{error}");
-    let error = page.ask(set(json!("text"))).unwrap_err();
+    let error = page.ask(set(Plain::Name("text".to_owned()))).unwrap_err();
     assert_eq!(error["entry"], 0, "{error}");
     for hz in [-1e30, 0.0, 1e6, f32::NAN, f32::INFINITY] {
         let error = page.ask(Request::Rate { component, hz: Some(hz) }).unwrap_err();
@@ -86,8 +87,8 @@ fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     assert_eq!(other.ask(Request::Acquire {}).unwrap_err()["text"], "another page controls the robot");
     other.ask(Request::Take {}).unwrap();
     page.session(|session| session["control"] == "other_page");
-    assert!(page.ask(set(json!(0.8))).is_err());
-    assert_eq!(other.ask(set(json!(0.8))).unwrap()["values"], json!([0.8]));
+    assert!(page.ask(set(Plain::Number(0.8))).is_err());
+    assert_eq!(other.ask(set(Plain::Number(0.8))).unwrap()["values"], json!([0.8]));
     drop(other);
     page.message("log", |log| {
         log["lines"][0]["text"].as_str()?.contains("was closed: control has ended").then_some(())
@@ -99,7 +100,7 @@ fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_hold_ends_when_the_page_is_silent() {
     let (page, description) = running();
-    let component = description["components"].as_array().unwrap().iter().position(|one| one["root"] == true).unwrap();
+    let component = description["root"].as_u64().unwrap() as usize;
     page.ask(Request::Acquire {}).unwrap();
     page.ask(Request::Hold { component, hold: HoldKind::Latent }).unwrap();
     let is = |hold: &'static str| move |update: &Value| (update["components"][component][1] == hold).then_some(());

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use bica_link::Plain;
 use jmanager::protocol::{Open, Request, Setting};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::view::{Sources, View, text_of};
 
@@ -29,7 +30,7 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { component, param });
     let gain = find(&description, "FaceBall", "gain");
     view.request(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component: gain.0, param: gain.1, value: json!(1.0) }];
+    let settings = vec![Setting { component: gain.0, param: gain.1, value: Plain::Number(1.0) }];
     view.request(Request::Set { settings }).unwrap();
     let saved = save(gain).unwrap();
     assert_eq!(saved["path"], "face_ball.rs");

@@ -4,7 +4,7 @@ use bica_wire::ToMonitorExtra;
 use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead};
 
 use super::event::{Costs, Event, Image};
-use crate::description::Description;
+use bica_wire::model::Description;
 
 /// Largest image, bytes.
 const MAX_IMAGE: usize = 1 << 24;

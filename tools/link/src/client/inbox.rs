@@ -13,10 +13,9 @@ use postcard_schema::schema::owned::OwnedNamedType;
 use super::event::{Answered, Event, Snapshot};
 use super::events::Events;
 use super::extras::Extras;
-use crate::builder::Builder;
-use crate::description::{Description, to_json};
 use crate::error::Error;
 use crate::schema::decode;
+use bica_wire::model::{Builder, Description};
 
 /// Largest size of a schema, bytes.
 const MAX_SCHEMA: usize = 1 << 14;
@@ -53,7 +52,7 @@ impl Inbox {
         Self {
             attached: None,
             description: Description::default(),
-            builder: Some(Builder::new()),
+            builder: Some(Builder::default()),
             lease: None,
             events: Events::default(),
             closing: None,
@@ -155,7 +154,7 @@ impl Inbox {
 
     fn describe(&mut self, item: &GraphItem<'_>) -> Result<(), Error> {
         let Some(builder) = &mut self.builder else { return Ok(()) };
-        if let Some(mut description) = builder.add(item)? {
+        if let Some(mut description) = builder.add(item).map_err(Error::Invalid)? {
             description.hash = self.attached.as_ref().map_or_else(String::new, |at| format!("{:016x}", at.tree_hash));
             (self.description, self.builder) = (description, None);
         }
@@ -201,7 +200,7 @@ impl Inbox {
         let component = usize::from(values.component);
         let Some(described) = self.description.components.get_mut(component) else { return };
         for (param, value) in described.params.iter_mut().skip(values.first.into()).zip(&values.values) {
-            param.value = Some(value.map_or(serde_json::Value::Null, |value| to_json(value, &param.kind)));
+            param.value = *value;
         }
         self.events.push(Event::Params { component });
     }

@@ -18,10 +18,10 @@ use bica_wire::message::{
 use bica_wire::{FromMonitor, SCHEMA};
 
 use crate::address::Address;
-use crate::description::Description;
 use crate::error::Error;
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
+use bica_wire::model::Description;
 use inbox::Inbox;
 
 pub use event::{Answered, Costs, Event, Image, Snapshot};

@@ -6,7 +6,6 @@ use bica::runner::Runner;
 use bica::{ComponentId, Tree};
 use bica_link::{Error, Event, Kind, MAX_MONITORS};
 use bica_wire::message::{Change, Hold, Setting, Value};
-use serde_json::json;
 
 use crate::robot::{CART, CartTree, DRIVE};
 use crate::session::{CYCLE_US, Session, Wall, event, snapshot};
@@ -22,7 +21,7 @@ fn the_description_has_everything_that_the_graph_has() {
     let names: Vec<_> = description.components.iter().map(|component| component.name.as_str()).collect();
     assert_eq!(names, ["Cart", "Range", "Drive"]);
     let cart = &description.components[0];
-    assert_eq!((cart.doc.as_str(), cart.root, cart.links.len()), ("Keeps the distance.", true, 3));
+    assert_eq!((cart.doc.as_str(), description.root, cart.links.len()), ("Keeps the distance.", 0, 3));
     let states: Vec<_> = cart.states.iter().map(|state| (&*state.name, &*state.doc, state.initial)).collect();
     assert_eq!(states, [("approach", "Approaches.", true), ("wait", "Waits.", false)]);
     let near = &cart.transitions[0];
@@ -30,9 +29,9 @@ fn the_description_has_everything_that_the_graph_has() {
     let gain = &cart.params[0];
     assert_eq!((&*gain.group, &*gain.name, gain.unit.as_deref()), ("Keeping", "gain", Some("1/s")));
     assert_eq!(gain.kind, Kind::F32 { min: 0.0, max: 2.0, step: Some(0.05) });
-    assert_eq!((&gain.default, &gain.value), (&json!(0.5), &Some(json!(0.5))));
+    assert_eq!((gain.default, gain.value), (Value::F32(0.5), Some(Value::F32(0.5))));
     let side = &cart.params[3];
-    assert_eq!((&side.default, &side.value), (&json!("Left"), &Some(json!("Left"))));
+    assert_eq!((side.default, side.value), (Value::Choice(0), Some(Value::Choice(0))));
     let range = &description.components[1].info[0];
     assert_eq!((&*range.name, range.unit.as_deref()), ("distance", Some("m")));
     let drive = &description.components[2];
@@ -126,7 +125,7 @@ fn every_monitor_receives_changed_parameters_and_log_lines() {
             Some(())
         });
     }
-    assert_eq!(watcher.description().components[0].params[0].value, Some(json!(0.75)));
+    assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.75)));
 }
 
 #[test]

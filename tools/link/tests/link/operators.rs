@@ -5,7 +5,6 @@ use std::time::Duration;
 use bica::ComponentId;
 use bica_link::{Client, Error, Event};
 use bica_wire::message::{Change, Hold, LeaseAction, RefusalCode, Setting, Value};
-use serde_json::json;
 
 use crate::robot::{CART, DRIVE};
 use crate::session::{CYCLE_US, Session, event, snapshot};
@@ -61,8 +60,8 @@ fn a_batch_is_applied_whole_or_refused_whole() {
         assert!(code == RefusalCode::Tree && text.contains("above 0 Hz"), "{hz}: {text}");
     }
     let watcher = session.client();
-    let values: Vec<_> = watcher.description().components[0].params.iter().map(|param| param.value.clone()).collect();
-    assert_eq!(values, [json!(0.5), json!(1.5), json!(1.0), json!("Left")].map(Some));
+    let values: Vec<_> = watcher.description().components[0].params.iter().map(|param| param.value).collect();
+    assert_eq!(values, [Value::F32(0.5), Value::F32(1.5), Value::F32(1.0), Value::Choice(0)].map(Some));
 }
 
 #[test]
@@ -80,7 +79,7 @@ fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
     let ended = snapshot(&mut watcher, "the hold ends", |snapshot| snapshot.states[0].held == Hold::Tree);
     assert_eq!(ended.states[2].hz, Some(50.0));
     assert!(ended.states[0].active);
-    assert_eq!(session.client().description().components[0].params[0].value, Some(json!(0.25)));
+    assert_eq!(session.client().description().components[0].params[0].value, Some(Value::F32(0.25)));
     let (code, ..) = refusal(operator.request(HOLD));
     assert_eq!(code, RefusalCode::NoLease);
 }
@@ -104,7 +103,7 @@ fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
     let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
     assert_eq!(ended.states[0].held, Hold::Tree);
     assert!(!watcher.lease().owned);
-    assert_eq!(watcher.description().components[0].params[0].value, Some(json!(0.25)));
+    assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.25)));
     let (code, ..) = refusal(operator.request(HOLD));
     assert_eq!(code, RefusalCode::NoLease);
 }

@@ -102,10 +102,10 @@ fn an_operator_describes_sets_holds_changes_rates_and_calls() {
     for (args, error) in [
         (&["set", "FaceBall.gain=9"][..], "is outside"),
         (&["set", "FaceBall.gain=high"], "`high` is not a value of `gain`"),
-        (&["set", "FaceBall.gian=0.5"], "the nearest name is `gain`"),
-        (&["set", "FaceBal.gain=0.5"], "the nearest name is `FaceBall`"),
-        (&["hold", "Playr", "latent"], "the nearest name is `Player`"),
-        (&["watch", "FaceBall.eror"], "the nearest name is `error`"),
+        (&["set", "FaceBall.gian=0.5"], "did you mean `gain`?"),
+        (&["set", "FaceBal.gain=0.5"], "did you mean `FaceBall`?"),
+        (&["hold", "Playr", "latent"], "did you mean `Player`?"),
+        (&["watch", "FaceBall.eror"], "did you mean `error`?"),
         (&["modulate", "Body.go", "1"], "takes 2 arguments, found 1"),
     ] {
         let (code, _, errors) = game.monitor(args);

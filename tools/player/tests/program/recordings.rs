@@ -93,7 +93,7 @@ fn files_are_mended_cut_and_exported() {
 
 /// Makes a recording as a monitor does.
 fn monitored(file: &str) {
-    let component = Component { name: "Lamp".to_owned(), root: true, ..Component::default() };
+    let component = Component { name: "Lamp".to_owned(), ..Component::default() };
     let description = Description { components: vec![component], cycle_hz: 100.0, ..Description::default() };
     let header = Header::of_monitor("tcp://lamp:7400", &description);
     let mut recorder = MonitorRecorder::new(fs::File::create(file).unwrap(), &header).unwrap();

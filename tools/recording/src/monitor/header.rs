@@ -1,7 +1,6 @@
 //! The header of a recording that a monitor makes.
 
-use bica_link::{Component, Description, Kind, Param};
-use serde_json::Value;
+use bica_link::{Component, Description, Kind, Param, Variants};
 
 use crate::header::{
     ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program,
@@ -45,7 +44,9 @@ fn component(described: &Component) -> ComponentInfo {
     let parameter = |param: &Param| ParameterInfo {
         name: param.name.clone(),
         variants: match &param.kind {
-            Kind::Choice { variants } => variants.iter().map(|variant| variant.name.clone()).collect(),
+            Kind::Choice { variants: Variants(variants) } => {
+                variants.iter().map(|variant| variant.name.clone()).collect()
+            }
             _ => Vec::new(),
         },
     };
@@ -64,9 +65,8 @@ fn component(described: &Component) -> ComponentInfo {
 
 fn parameters(described: &Component) -> impl Iterator<Item = Parameter> {
     described.params.iter().filter_map(|param| {
-        let value = param.value.as_ref()?;
-        let text = if let Value::String(text) = value { text.clone() } else { value.to_string() };
-        let is_default = *value == param.default;
+        let value = param.value?;
+        let (text, is_default) = (param.kind.text(value).to_string(), value == param.default);
         Some(Parameter { component: described.name.clone(), name: param.name.clone(), value: text, is_default })
     })
 }

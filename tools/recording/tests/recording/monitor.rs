@@ -31,7 +31,7 @@ fn description() -> Description {
         placement: None,
     };
     let states = vec![state("dark", true), state("bright", false)];
-    let blinker = Component { name: text("Blinker"), root: true, states, info: vec![info], ..Component::default() };
+    let blinker = Component { name: text("Blinker"), states, info: vec![info], ..Component::default() };
     let counter = Component { name: text("Counter"), ..Component::default() };
     let components = vec![blinker, counter];
     Description { name: text("Lamp"), hash: text("0123"), cycle_hz: 100.0, components, ..Description::default() }

@@ -43,7 +43,7 @@ function Activators({ shown, component, index, components, active }) {
   const description = shown.description.value;
   const links = shown.incoming[index] ?? [];
   const held = components[index]?.[1];
-  const merged = [...Map.groupBy(links, (one) => one.from)].map(([from, all]) => ({ from, states: all.map((one) => one.state), modulation: all.every((one) => one.modulation) }));
+  const merged = [...Map.groupBy(links, (one) => one.from)].map(([from, all]) => ({ from, states: all.map((one) => one.state), modulation: all.every((one) => one.kind === 'modulation') }));
   const reason = ({ from, states, modulation }) => {
     const source = description.components[from];
     const [isActive, sourceHeld, state] = components[from];
@@ -59,10 +59,10 @@ function Activators({ shown, component, index, components, active }) {
   return html`<section aria-label=${active ? 'Why it is active' : 'Why it is latent'}><h3>${active ? 'Why it is active' : 'Why it is latent'}</h3>
     ${held === 'latent' && html`<div class="why false"><b>An operator holds it latent.</b> Choose “by the tree” below.</div>`}
     ${held === 'active' && html`<div class="why true"><b>An operator holds it active.</b></div>`}
-    ${component.root && held === 'tree' && html`<div class="why true"><b>It is the root</b> of the tree.</div>`}
+    ${description.root === index && held === 'tree' && html`<div class="why true"><b>It is the root</b> of the tree.</div>`}
     ${rows.map(({ from, why }) => html`<div key=${from} class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
       <button class="name" onClick=${() => openComponent(description.components[from].name)}>${description.components[from].name}</button> <span>${why.text}</span></div>`)}
-    ${rows.length === 0 && !component.root && html`<p class="dim">No component activates it.</p>`}</section>`;
+    ${rows.length === 0 && description.root !== index && html`<p class="dim">No component activates it.</p>`}</section>`;
 }
 
 const order = ({ why }) => ['yes', 'no', 'off'].indexOf(why.level);

@@ -1,6 +1,7 @@
 //! How the field boundary in an image is found: the robot's own code on the same image.
 
-use bica_link::Description;
+use bica::Value;
+use bica_link::{Description, Param};
 use bica_vision::colour::Filters;
 use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
 use bica_vision::frame::Frame;
@@ -44,8 +45,11 @@ fn tuning(tree: &Description) -> BoundaryTuning {
     let Some(component) = tree.components.iter().find(|one| one.name == COMPONENT) else { return default };
     let number = |name: &str, otherwise: f32| {
         let param = component.params.iter().find(|param| param.name == name);
-        let value = param.and_then(|param| param.value.as_ref().unwrap_or(&param.default).as_f64());
-        value.map_or(otherwise, |value| value as f32)
+        match param.map(Param::current) {
+            Some(Value::F32(value)) => value,
+            Some(Value::I32(value)) => value as f32,
+            _ => otherwise,
+        }
     };
     BoundaryTuning {
         min_green: number("min_green", default.min_green),

@@ -8,7 +8,7 @@ use std::fs;
 use std::sync::Arc;
 
 use bica_evaluation::profile::{self, CLASSES, Notes};
-use bica_link::Description;
+use bica_link::{Description, Plain};
 use bica_vision::colour::{Classify, Colour, Filters};
 use bica_vision::frame::{Frame, Pixel};
 use bica_vision::profile::BUILT_IN;
@@ -61,7 +61,7 @@ impl Edit {
         let Some(component) = component else { return edit };
         let value = |name: &str| {
             let param = component.params.iter().find(|param| param.name == name)?;
-            param.value.as_ref().unwrap_or(&param.default).as_u64()
+            if let bica::Value::U32(value) = param.current() { Some(u64::from(value)) } else { None }
         };
         for (class, limits) in CLASSES.iter().zip(&mut edit.limits) {
             let of = |what: &str| value(&format!("{class}_{what}"));
@@ -133,7 +133,11 @@ impl Edit {
             })
         };
         let setting = |(param, described): (usize, &bica_link::Param)| {
-            value(&described.name).map(|value| Setting { component: position, param, value: json!(value) })
+            value(&described.name).map(|value| Setting {
+                component: position,
+                param,
+                value: Plain::Integer(value as i64),
+            })
         };
         Ok(params.iter().enumerate().filter_map(setting).collect())
     }

@@ -267,7 +267,7 @@ impl<'a> Attached<'a> {
     fn params(&mut self, component: usize) {
         let description = self.client.description();
         let Some(described) = description.components.get(component) else { return };
-        let values = described.params.iter().map(|param| param.value.clone().unwrap_or(Value::Null)).collect();
+        let values = described.params.iter().map(|param| param.plain(param.current())).collect();
         self.session.shared().description = Some(Arc::new(description.clone()));
         self.session.pages.broadcast(&ToPage::Params { session: self.session.id, component, values });
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use bica_link::{Answered, to_json};
+use bica_link::{Answered, Plain};
 use bica_wire::message::{Change, LeaseAction, LeaseState};
 use serde_json::{Value, json};
 
@@ -242,9 +242,8 @@ impl Attached<'_> {
             }
             (Some((.., text)), None) => Err(Failed::new(text, "place it where it is in play and nothing stands")),
             (None, Some(change)) => {
-                let values = self.effective(&change, &values);
                 self.remember(&change, &values);
-                Ok(json!({ "cycle": cycle, "values": values }))
+                Ok(json!({ "cycle": cycle, "values": self.plain(&change, &values) }))
             }
             (None, None) => Ok(json!({ "cycle": cycle })),
         };
@@ -252,7 +251,7 @@ impl Attached<'_> {
     }
 
     /// Takes over values before the robot reports them: whoever reads them after the answer gets the new ones.
-    fn remember(&self, change: &Change, values: &[Value]) {
+    fn remember(&self, change: &Change, values: &[bica::Value]) {
         let Change::Params(batch) = change else { return };
         let mut shared = self.session.shared();
         let Some(description) = &mut shared.description else { return };
@@ -260,22 +259,21 @@ impl Attached<'_> {
         for (setting, value) in batch.iter().zip(values) {
             let owner = components.get_mut(setting.component.index());
             if let Some(param) = owner.and_then(|owner| owner.params.get_mut(usize::from(setting.index))) {
-                param.value = Some(value.clone());
+                param.value = Some(*value);
             }
         }
     }
 
-    fn effective(&self, change: &Change, values: &[bica_wire::message::Value]) -> Vec<Value> {
+    /// Returns the values of an answer as the page gets them.
+    fn plain(&self, change: &Change, values: &[bica::Value]) -> Vec<Plain> {
         let components = &self.client.description().components;
-        let Change::Params(batch) = change else {
-            return values.iter().map(|value| to_json(*value, &bica_link::Kind::Unknown)).collect();
+        let param = |entry: usize| {
+            let Change::Params(batch) = change else { return None };
+            let setting = batch.get(entry)?;
+            components.get(setting.component.index())?.params.get(usize::from(setting.index))
         };
-        let one = |(setting, value): (&bica_wire::message::Setting, &bica_wire::message::Value)| {
-            let owner = components.get(setting.component.index());
-            let param = owner.and_then(|owner| owner.params.get(usize::from(setting.index)));
-            to_json(*value, param.map_or(&bica_link::Kind::Unknown, |param| &param.kind))
-        };
-        batch.iter().zip(values).map(one).collect()
+        let one = |(entry, &value)| param(entry).map_or_else(|| Plain::from(value), |param| param.plain(value));
+        values.iter().enumerate().map(one).collect()
     }
 
     /// Answers what the robot will not answer any more.

@@ -1,9 +1,9 @@
 //! The tree of a recording as a description.
 
+use bica::Value;
 use bica_game::GRAPH;
-use bica_link::{Component, Description, Info, Kind, Modulation, Param, State, Variant};
+use bica_link::{Component, Description, Info, Kind, Modulation, Param, State, Variant, Variants};
 use bica_recording::{ComponentInfo, Header};
-use serde_json::{Value, json};
 
 use crate::protocol::Failed;
 
@@ -17,7 +17,7 @@ pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
         let what = format!("the recording has {count} components");
         return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
     }
-    let own = Description::of(&GRAPH)?;
+    let own = Description::of(&GRAPH);
     let mut description = match received(header) {
         Some(description) => description,
         None if own.hash == header.tree.hash => own,
@@ -27,7 +27,7 @@ pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
         let component = description.components.iter_mut().find(|component| component.name == parameter.component);
         let param = component.and_then(|one| one.params.iter_mut().find(|param| param.name == parameter.name));
         if let Some(param) = param {
-            param.value = Some(value(&parameter.value));
+            param.value = param.parse(&parameter.value).ok();
         }
     }
     Ok(description)
@@ -40,10 +40,6 @@ fn received(header: &Header) -> Option<Description> {
     (description.components.len() == header.tree.components.len()).then_some(description)
 }
 
-fn value(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|_| json!(text))
-}
-
 /// What a recording tells of the tree of another program: names.
 fn names(header: &Header) -> Description {
     let state = |(index, name): (usize, &String)| State {
@@ -52,10 +48,9 @@ fn names(header: &Header) -> Description {
         initial: index == 0,
         last: false,
     };
-    let component = |(index, info): (usize, &ComponentInfo)| Component {
+    let component = |info: &ComponentInfo| Component {
         name: info.name.clone(),
         doc: "The tree of another program: its links and documentation are not in the recording.".to_owned(),
-        root: index == 0,
         states: info.states.iter().enumerate().map(state).collect(),
         params: info.parameters.iter().map(|param| parameter(&param.name, &param.variants)).collect(),
         info: info
@@ -81,7 +76,7 @@ fn names(header: &Header) -> Description {
         hash: header.tree.hash.clone(),
         cycle_hz: header.tree.cycle_hz,
         tunable: false,
-        components: header.tree.components.iter().enumerate().map(component).collect(),
+        components: header.tree.components.iter().map(component).collect(),
         ..Description::default()
     }
 }
@@ -89,9 +84,9 @@ fn names(header: &Header) -> Description {
 fn parameter(name: &str, variants: &[String]) -> Param {
     let variant = |name: &String| Variant { name: name.clone(), doc: String::new() };
     let kind = if variants.is_empty() {
-        Kind::Unknown
+        Kind::F32 { min: f32::MIN, max: f32::MAX, step: None }
     } else {
-        Kind::Choice { variants: variants.iter().map(variant).collect() }
+        Kind::Choice { variants: Variants(variants.iter().map(variant).collect()) }
     };
     Param {
         group: String::new(),
@@ -99,7 +94,7 @@ fn parameter(name: &str, variants: &[String]) -> Param {
         doc: String::new(),
         unit: None,
         kind,
-        default: Value::Null,
+        default: if variants.is_empty() { Value::F32(0.0) } else { Value::Choice(0) },
         value: None,
     }
 }

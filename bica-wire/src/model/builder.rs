@@ -1,16 +1,20 @@
-//! Assembly of a description from items.
+//! Assembly of a description from the items that a robot sends.
 
-use bica_wire::message::{GraphItem, ParamKind, Value};
-use serde_json::json;
+use std::borrow::ToOwned;
+use std::string::String;
+use std::vec::Vec;
 
-use crate::description::{
-    Component, Description, Info, Kind, Link, Modulation, Param, Placement, State, Transition, Variant, to_json,
-};
-use crate::error::Error;
+use bica_core::Value;
+use bica_core::graph::LinkKind;
+use bica_core::params::Kind;
+
+use super::{Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants};
+use crate::message::GraphItem;
 
 /// What the next doc comment belongs to.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default)]
 enum Last {
+    #[default]
     Tree,
     Component(usize),
     State(usize),
@@ -24,28 +28,26 @@ enum Last {
     Link,
 }
 
-/// Builds a description from items.
-pub(crate) struct Builder {
+/// Builds a description from [`GraphItem`]s.
+#[derive(Clone, Debug, Default)]
+pub struct Builder {
     description: Description,
     last: Last,
     items: u32,
 }
 
 impl Builder {
-    pub(crate) fn new() -> Self {
-        Self { description: Description::default(), last: Last::Tree, items: 0 }
-    }
-
-    /// Adds an item; returns the description after the last one.
-    pub(crate) fn add(&mut self, item: &GraphItem<'_>) -> Result<Option<Description>, Error> {
+    /// Adds an item; returns the description after the last one. It has no [hash](Description::hash).
+    ///
+    /// # Errors
+    /// What is wrong with the items.
+    pub fn add(&mut self, item: &GraphItem<'_>) -> Result<Option<Description>, &'static str> {
         if let GraphItem::End { items } = *item {
-            let complete = items == self.items;
-            let description = std::mem::take(&mut self.description);
-            *self = Self::new();
-            return if complete { Ok(Some(description)) } else { Err(Error::Invalid("items are missing")) };
+            let Self { description, items: received, .. } = core::mem::take(self);
+            return if items == received { Ok(Some(description)) } else { Err("items are missing") };
         }
         self.items += 1;
-        self.put(item).ok_or(Error::Invalid("an item belongs to none before it"))?;
+        self.put(item).ok_or("an item belongs to none before it")?;
         Ok(None)
     }
 
@@ -64,12 +66,17 @@ impl Builder {
             }
             GraphItem::Component { name, hz, budget_us, root, resume, .. } => {
                 let name = name.to_owned();
-                self.last = Last::Component(self.description.components.len());
-                let component = Component { name, hz, budget_us, root, resume, ..Component::default() };
+                let index = self.description.components.len();
+                self.last = Last::Component(index);
+                if root {
+                    self.description.root = index;
+                }
+                let component = Component { name, hz, budget_us, resume, ..Component::default() };
                 self.description.components.push(component);
             }
             GraphItem::Link { from, to, modulation, state } => {
-                let link = Link { to: to.into(), modulation, state: state.map(usize::from) };
+                let kind = if modulation { LinkKind::Modulation } else { LinkKind::Requirement };
+                let link = Link { to: to.into(), kind, state: state.map(usize::from) };
                 self.at(from)?.links.push(link);
                 self.last = Last::Link;
             }
@@ -82,7 +89,7 @@ impl Builder {
                 self.at(component)?.transitions.push(Transition { name, doc: String::new(), from, to, after_ms });
                 self.last = Last::Transition(component.into());
             }
-            GraphItem::Param { component, group, name, unit, kind, default, .. } => {
+            GraphItem::Param { component, group, name, unit, ref kind, default, .. } => {
                 self.at(component)?.params.push(param(group, name, unit, kind, default));
                 self.last = Last::Param(component.into());
             }
@@ -103,7 +110,7 @@ impl Builder {
                 self.at(component)?.modulations.push(Modulation { name, doc, arguments: Vec::new() });
                 self.last = Last::Modulation(component.into());
             }
-            GraphItem::Argument { name, unit, kind, default } => {
+            GraphItem::Argument { name, unit, ref kind, default } => {
                 let (Last::Modulation(of) | Last::Argument(of) | Last::ArgumentVariant(of)) = self.last else {
                     return None;
                 };
@@ -115,7 +122,7 @@ impl Builder {
         Some(())
     }
 
-    /// Adds a variant to the last parameter or argument. Its default was an index until its variant is known.
+    /// Adds a variant to the last parameter or argument.
     fn variant(&mut self, name: &str) -> Option<()> {
         let (param, last) = match self.last {
             Last::Param(of) | Last::ParamVariant(of) => {
@@ -127,10 +134,7 @@ impl Builder {
             }
             _ => return None,
         };
-        let Kind::Choice { variants } = &mut param.kind else { return None };
-        if param.default.as_u64() == Some(variants.len() as u64) {
-            param.default = json!(name);
-        }
+        let Kind::Choice { variants: Variants(variants) } = &mut param.kind else { return None };
         variants.push(Variant { name: name.to_owned(), doc: String::new() });
         self.last = last;
         Some(())
@@ -158,27 +162,18 @@ impl Builder {
 
 fn last_variant(param: &mut Param) -> Option<&mut String> {
     match &mut param.kind {
-        Kind::Choice { variants } => Some(&mut variants.last_mut()?.doc),
+        Kind::Choice { variants: Variants(variants) } => Some(&mut variants.last_mut()?.doc),
         _ => None,
     }
 }
 
-fn param(group: &str, name: &str, unit: Option<&str>, kind: ParamKind, default: Value) -> Param {
-    let kind = match kind {
-        ParamKind::F32 { min, max, step } => Kind::F32 { min, max, step },
-        ParamKind::I32 { min, max, step } => Kind::I32 { min, max, step },
-        ParamKind::U32 { min, max, step } => Kind::U32 { min, max, step },
-        ParamKind::Bool => Kind::Bool,
-        ParamKind::Choice { .. } => Kind::Choice { variants: Vec::new() },
-        ParamKind::Unknown => Kind::Unknown,
-    };
-    let default = to_json(default, &kind);
+fn param(group: &str, name: &str, unit: Option<&str>, kind: &Kind<u16>, default: Value) -> Param {
     Param {
         group: group.to_owned(),
         name: name.to_owned(),
         doc: String::new(),
         unit: unit.map(str::to_owned),
-        kind,
+        kind: kind.map(|_| Variants::default()),
         default,
         value: None,
     }

@@ -1,0 +1,27 @@
+//! The error of a name or value that does not fit.
+
+use core::fmt;
+use std::string::String;
+
+/// A name that the tree does not have, or a value that does not fit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Invalid {
+    /// What is wrong.
+    pub what: String,
+    /// Remedy.
+    pub help: String,
+}
+
+impl Invalid {
+    pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { what: what.into(), help: help.into() }
+    }
+}
+
+impl fmt::Display for Invalid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)
+    }
+}
+
+impl core::error::Error for Invalid {}

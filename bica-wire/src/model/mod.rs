@@ -1,0 +1,156 @@
+//! The one model of a robot: in the process, over the link, in a recording's header, in JSON and in the page of a monitor.
+//!
+//! [`Description::of`] makes it from the graph of a tree of this program, a [`Builder`] from the items that another robot sends. Its
+//! form in JSON is documented in `docs/json.md`. Lists refer to each other by index; people and files name what they mean, and
+//! [`Description::component`] and its like find it.
+
+mod builder;
+mod find;
+mod graph;
+mod invalid;
+mod param;
+mod plain;
+
+use std::borrow::ToOwned;
+use std::string::String;
+use std::vec::Vec;
+
+pub use bica_core::graph::LinkKind;
+use bica_core::visual;
+pub use builder::Builder;
+pub use invalid::Invalid;
+pub use param::{Kind, Param, Variant, Variants};
+pub use plain::Plain;
+use serde::{Deserialize, Serialize};
+
+/// Description of a robot's tree.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Description {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Hash of the tree without doc comments, in hexadecimal digits.
+    pub hash: String,
+    /// Nominal rate of ticks, Hz.
+    pub cycle_hz: f32,
+    /// Longest time of one cycle, ms.
+    pub budget_ms: Option<f32>,
+    /// Whether parameters can be changed at run time.
+    pub tunable: bool,
+    /// Index of the root in [`components`](Self::components).
+    pub root: usize,
+    /// The components.
+    pub components: Vec<Component>,
+}
+
+/// A component.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Component {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Declared rate, Hz; none: every cycle.
+    pub hz: Option<f32>,
+    /// Declared time budget of a run, µs.
+    pub budget_us: Option<f32>,
+    /// Whether its state machine continues in the state in which it became latent.
+    pub resume: bool,
+    /// Activation links from this component.
+    pub links: Vec<Link>,
+    /// States.
+    pub states: Vec<State>,
+    /// Transitions.
+    pub transitions: Vec<Transition>,
+    /// Parameters.
+    pub params: Vec<Param>,
+    /// Outputs.
+    pub info: Vec<Info>,
+    /// Modulations.
+    pub modulations: Vec<Modulation>,
+}
+
+/// An activation link.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Link {
+    /// Index of the activated component.
+    pub to: usize,
+    /// Read or written.
+    pub kind: LinkKind,
+    /// Index of the only state with this link.
+    pub state: Option<usize>,
+}
+
+/// A state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct State {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Whether it is the initial state.
+    pub initial: bool,
+    /// Whether no transition leaves it on purpose.
+    pub last: bool,
+}
+
+/// A transition.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Transition {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Index of the source state.
+    pub from: usize,
+    /// Index of the target state.
+    pub to: usize,
+    /// Shortest time in the source state, ms.
+    pub after_ms: Option<u32>,
+}
+
+/// An output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Info {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Unit.
+    pub unit: Option<String>,
+    /// Type of the value, as in the source text.
+    #[serde(rename = "type")]
+    pub type_name: String,
+    /// Visual type and frames; `None` for what is not drawn.
+    #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Placement>,
+}
+
+/// Visual type and frames of an output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Placement {
+    /// Name of a type of [`bica_core::visual`].
+    pub shape: String,
+    /// The frame in which the value is given.
+    pub frame: String,
+    /// The frame whose place the value is.
+    pub child: Option<String>,
+}
+
+impl From<visual::Placement<'_>> for Placement {
+    fn from(one: visual::Placement<'_>) -> Self {
+        Self { shape: one.shape.to_owned(), frame: one.frame.to_owned(), child: one.child.map(str::to_owned) }
+    }
+}
+
+/// A modulation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Modulation {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Arguments.
+    pub arguments: Vec<Param>,
+}
