@@ -7,8 +7,8 @@ use bica_console::interrupt;
 pub enum NextStep {
     /// One cycle.
     Cycle,
-    /// Waiting requests are applied without a cycle: the game is paused.
-    Requests,
+    /// The game is paused over its link; without a link a cycle.
+    Pause,
     /// The game ends.
     End,
 }
@@ -17,8 +17,8 @@ pub enum NextStep {
 ///
 /// `()` plays until the rules end the game or the user interrupts the program.
 pub trait GameControl {
-    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile. A game is paused by
-    /// [`NextStep::Requests`] at intervals, so that monitors get answers. `is_over` is whether the rules end the game here.
+    /// Decides what comes next. It may wait: the clock of a game in real time stands still meanwhile. `is_over` is whether the rules
+    /// end the game here.
     fn next(&mut self, is_over: bool) -> NextStep;
 
     /// Returns a line for the recording's log, after each cycle.
@@ -26,7 +26,7 @@ pub trait GameControl {
         None
     }
 
-    /// Whether an operator may pause the game over its link. Not if this control pauses it.
+    /// Whether an operator may pause the game over its link.
     fn lets_operators_pause(&self) -> bool {
         true
     }

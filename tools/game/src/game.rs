@@ -30,7 +30,7 @@ use crate::world_factory;
 /// Least distance between two points of the ball's path, m.
 const PATH_STEP: f32 = 0.03;
 
-/// Time between two looks for requests while an operator has paused the game.
+/// Time between two looks for requests while the game is paused.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
 
 /// Plays until a goal, the end of the time, or Ctrl-C.
@@ -71,22 +71,20 @@ pub fn play_controlled(
     let mut paused = Duration::ZERO;
     loop {
         let asked = Clock::now();
-        let mut next = control.next(game.is_over(rules));
-        let requests = game.runner.requests_mut().as_mut();
-        if next == NextStep::Cycle && !requests.is_none_or(LinkRequests::begins_cycle) {
-            thread::sleep(BETWEEN_REQUESTS);
-            next = NextStep::Requests;
+        let next = control.next(game.is_over(rules));
+        if next == NextStep::End {
+            break;
         }
-        paused += asked.elapsed();
-        match next {
-            NextStep::End => break,
-            NextStep::Requests => {
-                game.runner.apply_requests();
-                game.place_ball(observer)?;
-                game.send_truth();
-                continue;
-            }
-            NextStep::Cycle => game.cycle()?,
+        if game.runs_a_cycle(next) {
+            paused += asked.elapsed();
+            game.cycle()?;
+        } else {
+            thread::sleep(BETWEEN_REQUESTS);
+            paused += asked.elapsed();
+            game.runner.apply_requests();
+            game.place_ball(observer)?;
+            game.send_truth();
+            continue;
         }
         game.report(observer)?;
         game.place_ball(observer)?;
@@ -183,6 +181,15 @@ impl<'a> Game<'a> {
 
     fn is_over(&self, rules: &Rules) -> bool {
         self.runner.world().referee().goals() > 0 || self.now() >= rules.limit
+    }
+
+    /// Whether a cycle comes next: no operator has paused the game, nor does its control.
+    fn runs_a_cycle(&mut self, next: NextStep) -> bool {
+        let Some(requests) = self.runner.requests_mut() else { return true };
+        if next == NextStep::Pause {
+            requests.pause();
+        }
+        requests.begins_cycle()
     }
 
     fn cycle(&mut self) -> Result<(), Failure> {

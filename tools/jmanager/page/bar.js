@@ -33,19 +33,23 @@ function Sessions() {
 
 function Add() {
   const address = useSignal('tcp://127.0.0.1:7400');
-  const world = useSignal('built-in');
+  const world = useSignal(null);
   const seed = useSignal('0');
+  const options = useSignal({});
+  const worlds = store.hello.value?.worlds ?? [];
+  const chosen = worlds.find(({ name }) => name === world.value) ?? worlds[0];
   const open = (source) => store.ask('open', { source }).then((opened) => opened && store.show(opened.session));
   return html`<${Menu} label="+" title="Open another session">
     <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'robot', address: address.value }); }}>
       <label>Robot <input value=${address.value} onInput=${(event) => { address.value = event.target.value; }} aria-label="Address of the robot" /></label>
       <button>Connect</button></form>
     <p class="hint">tcp://HOST:PORT, or serial:DEVICE@BAUD</p>
-    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: world.value, seed: Number(seed.value) || 0, robots: 0 }); }}>
+    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: chosen.name, seed: Number(seed.value) || 0, options: options.value }); }}>
       <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
-        ${(store.hello.value?.worlds ?? []).map((name) => html`<option selected=${name === world.value}>${name}</option>`)}</select></label>
+        ${worlds.map(({ name }) => html`<option selected=${name === chosen?.name}>${name}</option>`)}</select></label>
       <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
-      <button>Start</button></form>
+      ${chosen?.options.map(({ name, doc, max }) => html`<label title=${doc}>${name} <input class="short" type="number" min="0" max=${max} value=${options.value[name] ?? 0} onInput=${(event) => { options.value = { ...options.value, [name]: Number(event.target.value) || 0 }; }} aria-label=${doc} /></label>`)}
+      <button disabled=${!chosen}>Start</button></form>
     <button class="item" onClick=${() => dock.open('recordings')}>Recordings…</button>
   <//>`;
 }

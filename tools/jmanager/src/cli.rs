@@ -1,57 +1,25 @@
-//! The command line.
+//! Arguments of a program that serves the page.
 
 use std::net::IpAddr;
 use std::path::PathBuf;
 
-use bica_game::FirmwareImage;
-use bica_sim::setup::Frame;
-use clap::{Parser, Subcommand};
+use clap::Args;
 
-use crate::options::RUN;
-
-const AFTER: &str = "\
-Examples:
-  jmanager                          the built-in forward, in real time
-  jmanager --world mujoco           in MuJoCo (needs a build with the feature `mujoco`)
-  jmanager tcp://192.168.1.20:7400  a robot, or `player play --serve`
-  jmanager serial:/dev/ttyUSB0      a microcontroller
-  jmanager run.mcap                 a recording
-  jmanager good.mcap bad.mcap       two recordings, side by side
-  jmanager tcp://nao:7400 --record day1.mcap  a robot, with all that it sends in a file
-  jmanager --source . --build       the state machines of this folder can be edited, built and run
-  jmanager vicode check FILE.rs     reads and edits state machines without a page
-
-The program prints a URL that works once, and opens it if there is a desktop. More robots and recordings can be
-opened on the page. Ctrl-C ends the program.
-
-Exit codes: 0 ended with Ctrl-C, 2 wrong arguments or files.";
-
-/// Arguments of the program.
-#[derive(Debug, Parser)]
-#[command(name = "jmanager", version, about = "A web page to inspect, tune, drive, record and replay robots.", after_help = AFTER)]
-#[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
-pub struct Cli {
-    /// Something else than to serve the page
-    #[command(subcommand)]
-    pub command: Option<Command>,
-    /// Robots (tcp://HOST:PORT, serial:DEVICE or serial:DEVICE@BAUD) and recordings (FILE.mcap); none: the built-in world
+/// Arguments of a program that serves the page.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    /// Robots (tcp://HOST:PORT, serial:DEVICE or serial:DEVICE@BAUD) and recordings (FILE.mcap); none: a world of this program
     #[arg(value_name = "SOURCE")]
     pub sources: Vec<String>,
     /// World that is simulated in this program
-    #[arg(long, value_name = "WORLD", value_parser = ["built-in", "mujoco", "firmware"])]
+    #[arg(long, value_name = "WORLD")]
     pub world: Option<String>,
     /// Seed of the world
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-    /// Number of other robots in the world
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub robots: usize,
-    /// Size of the camera images of simulated worlds: 160x120 (always that of the firmware), 320x240 or 640x480
-    #[arg(long, value_name = "WxH", default_value = "160x120")]
-    pub size: Frame,
-    /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds it
-    #[arg(long, value_name = "FILE", default_value = FirmwareImage::MONITOR)]
-    pub image: PathBuf,
+    /// Option of the world
+    #[arg(long, value_name = "NAME=N", value_parser = option)]
+    pub option: Vec<(String, u64)>,
     /// Port of the page; without it 7410, or any other if that is in use
     #[arg(long, value_name = "PORT")]
     pub port: Option<u16>,
@@ -76,9 +44,6 @@ pub struct Cli {
     /// Folder of recordings
     #[arg(long, value_name = "FOLDER")]
     pub recordings: Option<PathBuf>,
-    /// Folder of labelled images, for the colour tuner
-    #[arg(long, value_name = "FOLDER")]
-    pub images: Option<PathBuf>,
     /// Folder of Rust sources that the page may edit; only without --listen for other computers
     #[arg(long, value_name = "FOLDER")]
     pub source: Option<PathBuf>,
@@ -86,47 +51,36 @@ pub struct Cli {
     #[arg(long, requires = "source")]
     pub build: bool,
     /// What the page builds and runs: options of Cargo, `--`, arguments with {address}, {seed} and {robots}
-    #[arg(long, value_name = "PROGRAM", requires = "build", allow_hyphen_values = true, default_value = RUN, hide_default_value = true)]
-    pub run: String,
+    #[arg(long, value_name = "PROGRAM", requires = "build", allow_hyphen_values = true)]
+    pub run: Option<String>,
 }
 
-/// Something else than to serve the page.
-#[derive(Debug, Subcommand)]
-pub enum Command {
-    /// Reads and edits state machines in their Rust source
-    Vicode {
-        /// What to do.
-        #[command(subcommand)]
-        command: bica_vicode::cli::Command,
-    },
+fn option(text: &str) -> Result<(String, u64), String> {
+    let (name, value) = text.split_once('=').ok_or("write NAME=N")?;
+    Ok((name.to_owned(), value.parse().map_err(|error| format!("`{value}`: {error}"))?))
+}
+
+/// Parses arguments of tests.
+#[cfg(test)]
+pub(crate) fn try_parse(arguments: &[&str]) -> Result<Arguments, clap::Error> {
+    use clap::FromArgMatches;
+
+    let command = Arguments::augment_args(clap::Command::new("monitor").no_binary_name(true));
+    Arguments::from_arg_matches(&command.try_get_matches_from(arguments)?)
+}
+
+/// Parses arguments of tests.
+#[cfg(test)]
+pub(crate) fn parse(arguments: &[&str]) -> Arguments {
+    try_parse(arguments).expect("the arguments are right")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn parse(arguments: &str) -> Result<Cli, clap::Error> {
-        Cli::try_parse_from(["jmanager"].into_iter().chain(arguments.split_whitespace()))
-    }
-
-    #[test]
-    fn sources_and_options_are_none_of_the_commands_of_vicode() {
-        assert!(parse("").unwrap().command.is_none());
-        assert_eq!(parse("run.mcap other.mcap").unwrap().sources, ["run.mcap", "other.mcap"]);
-        for command in [
-            "model a.rs --json",
-            "apply a.rs --edits - --dry-run",
-            "check a.rs",
-            "draw a.rs --format dot",
-            "new Keeper",
-        ] {
-            assert!(parse(&format!("vicode {command}")).unwrap().command.is_some(), "{command}");
-        }
-        assert!(parse("vicode").is_err());
-        assert!(
-            parse("--seed 3 vicode check a.rs").unwrap().command.is_none(),
-            "these are sources, which do not exist"
-        );
+    fn parse(arguments: &str) -> Result<Arguments, clap::Error> {
+        try_parse(&arguments.split_whitespace().collect::<Vec<_>>())
     }
 
     #[test]
@@ -140,19 +94,12 @@ mod tests {
     fn building_needs_a_folder_of_sources() {
         assert!(parse("--build").is_err());
         assert!(parse("--source . --run x").is_err());
-        let cli = parse("--source . --build").unwrap();
-        assert!(cli.build && cli.run.contains("{address}"));
+        assert!(parse("--source . --build").unwrap().build);
     }
 
     #[test]
-    fn every_command_of_the_documentation_is_accepted() {
-        let texts = [include_str!("../../../docs/jmanager.md"), include_str!("../../../docs/vicode.md")];
-        let shown = texts.iter().flat_map(|text| text.lines()).filter_map(|line| line.strip_prefix("$ jmanager"));
-        let commands: Vec<_> = shown.map(|line| line.split('#').next().unwrap_or_default()).collect();
-        assert!(commands.len() >= 5);
-        for command in commands {
-            let parsed = Cli::try_parse_from(["jmanager"].into_iter().chain(command.split_whitespace()));
-            assert!(parsed.is_ok(), "jmanager{command}: {parsed:?}");
-        }
+    fn an_option_of_a_world_has_a_name_and_a_number() {
+        assert_eq!(parse("--option robots=3").unwrap().option, [("robots".to_owned(), 3)]);
+        assert!(parse("--option robots").is_err() && parse("--option robots=many").is_err());
     }
 }

@@ -4,12 +4,8 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::PathBuf;
 use std::time::Duration;
 
-use bica_game::FirmwareImage;
-use bica_sim::setup::Frame;
-
-/// The forward in the built-in world, for a day.
-pub(crate) const RUN: &str = "-p bica-player-program --bin player -- play --serve {address} --seed {seed} --robots {robots} \
-                              --seconds 86400";
+/// A program of [`App`](https://docs.rs/bica-app) in the folder of sources, in its first world.
+const RUN: &str = "-- run --serve {address} --seed {seed}";
 
 /// Folders and limits of all sessions.
 #[derive(Clone, Debug)]
@@ -30,10 +26,6 @@ pub struct Options {
     pub run: String,
     /// File of saved layouts of panels.
     pub layouts: PathBuf,
-    /// Firmware image for the world `firmware`.
-    pub firmware: PathBuf,
-    /// Size of the camera images of simulated worlds.
-    pub size: Frame,
     /// Folder of the files of running recordings; made when needed.
     pub spool: PathBuf,
     /// Whether pages may only watch.
@@ -57,8 +49,6 @@ impl Default for Options {
             build: false,
             run: RUN.to_owned(),
             layouts: "jmanager-layouts.json".into(),
-            firmware: FirmwareImage::MONITOR.into(),
-            size: Frame::Small,
             spool: spool(),
             read_only: false,
             ring: Duration::from_mins(10),

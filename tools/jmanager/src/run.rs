@@ -1,62 +1,44 @@
 //! The program from its start to Ctrl-C.
 
-use std::io::{self, BufRead, IsTerminal, Write as _};
+use std::io::{self, BufRead, IsTerminal};
 use std::net::{IpAddr, Ipv4Addr, TcpListener};
-use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
-use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use clap::Parser;
-
-use crate::cli::{Cli, Command};
+use crate::cli::Arguments;
 use crate::options::Options;
+use crate::program::Program;
 use crate::protocol::Open;
 use crate::sessions::Manager;
 use crate::sources::Sources;
 use crate::web::{Web, WebOptions};
 use crate::{open, sources, token};
+use bica_console::{Console, Failure, Outcome, Style, interrupt};
 
 /// Port of the page, if it is free.
 const PORT: u16 = 7410;
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
 
-/// Runs the program; returns its exit code.
-#[must_use]
-pub fn run() -> ExitCode {
-    let cli = Cli::parse();
-    if let Some(Command::Vicode { command }) = &cli.command {
-        return vicode(command);
-    }
+/// Serves the page until Ctrl-C. `options` has the folders and limits that no argument gives.
+///
+/// # Errors
+/// If an argument is wrong, or the page cannot be served.
+pub fn run(arguments: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
     interrupt::listen();
-    serve(&cli).map_or_else(ExitCode::from, ExitCode::from)
+    serve(arguments, options, program)
 }
 
-/// Runs a command of VICODE: 0 all is well, 1 a file has mistakes, 2 the command is not possible.
-fn vicode(command: &bica_vicode::cli::Command) -> ExitCode {
-    let mut out = io::stdout().lock();
-    let result = bica_vicode::cli::run(command, &mut out);
-    match result.and_then(|good| out.flush().map(|()| good).map_err(|error| format!("cannot print: {error}"))) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
-        Err(message) => {
-            eprintln!("error: {message}");
-            ExitCode::from(2)
-        }
-    }
-}
-
-fn serve(cli: &Cli) -> Result<Outcome, Failure> {
+fn serve(cli: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
     let console = Console::new(false);
-    let Sources { open: shown, recordings } = sources::read(cli)?;
+    let Sources { open: shown, recordings } = sources::read(cli, &program)?;
     may_edit(cli)?;
     let token = cli.token_file.as_deref().map(token::read).transpose()?;
     if let (Some((_, true)), Some(path)) = (&token, &cli.token_file) {
         console.print(&format!("a new secret is in `{}`: the page of another computer asks for it", path.display()))?;
     }
-    let manager = Arc::new(Manager::new(options(cli, recordings)));
+    let manager = Arc::new(Manager::new(chosen(cli, recordings, options), program));
     for source in shown {
         let opened = match &cli.record {
             Some(file) if !matches!(source, Open::Recording { .. }) => manager.open_recorded(source, file),
@@ -89,7 +71,7 @@ fn serve(cli: &Cli) -> Result<Outcome, Failure> {
 }
 
 /// Refuses to let other computers edit sources, and a folder that cannot be opened.
-fn may_edit(cli: &Cli) -> Result<(), Failure> {
+fn may_edit(cli: &Arguments) -> Result<(), Failure> {
     let Some(folder) = &cli.source else { return Ok(()) };
     if cli.listen.is_some_and(|address| !address.is_loopback()) {
         let help = "leave out --source and --build, or --listen: an SSH tunnel reaches a page at 127.0.0.1, too";
@@ -109,22 +91,19 @@ fn announce(console: Console, web: &Web, note: &str) -> Result<(), Failure> {
     ))
 }
 
-fn options(cli: &Cli, recordings: std::path::PathBuf) -> Options {
+fn chosen(cli: &Arguments, recordings: std::path::PathBuf, options: Options) -> Options {
     Options {
         recordings,
-        images: cli.images.clone(),
-        size: cli.size,
-        firmware: cli.image.clone(),
         source: cli.source.clone(),
         build: cli.build,
-        run: cli.run.clone(),
+        run: cli.run.clone().unwrap_or_else(|| options.run.clone()),
         read_only: cli.read_only,
-        ..Options::default()
+        ..options
     }
 }
 
 /// Binds the port: the one of the command line, or the usual one, or any that is free.
-fn listen(cli: &Cli) -> Result<TcpListener, Failure> {
+fn listen(cli: &Arguments) -> Result<TcpListener, Failure> {
     let address = cli.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
     let bind = |port| TcpListener::bind((address, port));
     let bound = match cli.port {
@@ -155,10 +134,11 @@ fn lines() -> Receiver<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::parse;
 
     #[test]
     fn sources_are_not_edited_from_other_computers() {
-        let may = |arguments: &[&str]| may_edit(&Cli::parse_from([&["jmanager"], arguments].concat()));
+        let may = |arguments: &[&str]| may_edit(&parse(arguments));
         let folder = env!("CARGO_MANIFEST_DIR");
         assert!(may(&["--source", folder, "--build"]).is_ok());
         assert!(may(&["--source", folder, "--listen", "127.0.0.1", "--token-file", "t"]).is_ok());

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use bica_console::Failure;
 
-use crate::cli::Cli;
+use crate::cli::Arguments;
+use crate::program::Program;
 use crate::protocol::Open;
 
 /// What the page shows at first, and the folder of recordings.
@@ -15,7 +16,7 @@ pub(crate) struct Sources {
 }
 
 /// Reads the sources of the command line.
-pub(crate) fn read(cli: &Cli) -> Result<Sources, Failure> {
+pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Failure> {
     let mut recordings = cli.recordings.clone();
     let mut open = Vec::new();
     for source in &cli.sources {
@@ -29,8 +30,11 @@ pub(crate) fn read(cli: &Cli) -> Result<Sources, Failure> {
         });
     }
     if open.is_empty() || cli.world.is_some() {
-        let world = cli.world.clone().unwrap_or_else(|| "built-in".to_owned());
-        open.push(Open::World { world, seed: cli.seed, robots: cli.robots });
+        let first = || program.worlds.first().map(|world| world.name().to_owned());
+        let none =
+            || Failure::new("nothing is to be shown", "name a robot, tcp://HOST:PORT, or a recording, FILE.mcap");
+        let world = cli.world.clone().or_else(first).ok_or_else(none)?;
+        open.push(Open::World { world, seed: cli.seed, options: cli.option.iter().cloned().collect() });
     }
     if let Some(file) = &cli.record {
         may_record(file, &open)?;
@@ -81,22 +85,38 @@ fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Failur
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
+    use std::collections::BTreeMap;
 
     use super::*;
+    use crate::cli::parse;
+    use crate::program::{Game, LocalWorld, WorldSetup};
+
+    struct Room;
+
+    impl LocalWorld for Room {
+        fn name(&self) -> &'static str {
+            "room"
+        }
+
+        fn prepare(&self, _: &WorldSetup) -> Result<Game, Failure> {
+            Ok(Box::new(|_| Ok(())))
+        }
+    }
 
     fn sources(arguments: &[&str]) -> Result<Vec<Open>, Failure> {
-        read(&Cli::parse_from([&["jmanager"], arguments].concat())).map(|sources| sources.open)
+        let program = Program { worlds: vec![Box::new(Room)] };
+        read(&parse(arguments), &program).map(|sources| sources.open)
     }
 
     fn world(name: &str, seed: u64) -> Open {
-        Open::World { world: name.to_owned(), seed, robots: 0 }
+        Open::World { world: name.to_owned(), seed, options: BTreeMap::new() }
     }
 
     #[test]
-    fn without_arguments_the_built_in_world_is_shown() {
-        assert_eq!(sources(&[]).unwrap(), [world("built-in", 0)]);
-        assert_eq!(sources(&["--world", "firmware", "--seed", "3"]).unwrap(), [world("firmware", 3)]);
+    fn without_arguments_the_first_world_is_shown() {
+        assert_eq!(sources(&[]).unwrap(), [world("room", 0)]);
+        assert_eq!(sources(&["--world", "hall", "--seed", "3"]).unwrap(), [world("hall", 3)]);
+        assert!(read(&parse(&[]), &Program::default()).is_err());
     }
 
     #[test]

@@ -37,7 +37,7 @@ pub use state::{
     Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, RobotPose,
     Row, Truth,
 };
-pub use to_page::{Failed, ToPage};
+pub use to_page::{Failed, ToPage, World};
 pub use watch::{Watch, WatchImages, WatchInfo};
 
 /// Version of the protocol: a page of another version reloads itself.

@@ -1,19 +1,22 @@
 //! What a page can show.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 /// What to show.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Open {
-    /// A world in this process: `built-in`, `mujoco` or `firmware`.
+    /// A world in this process: one of [`Hello`](super::ToPage::Hello).
     World {
         /// Name of the world.
         world: String,
         /// Seed.
         seed: u64,
-        /// Number of other robots.
-        robots: usize,
+        /// Values of its options; those that are missing are 0.
+        #[serde(default)]
+        options: BTreeMap<String, u64>,
     },
     /// A robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
     Robot {

@@ -3,10 +3,27 @@
 use bica_link::{Description, Plain};
 use serde::Serialize;
 
+use crate::program::{LocalWorld, WorldOption};
+
 use super::{
     Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Hit, InfoSample, LogLine, SessionId,
     SessionInfo, SourceChange, SourceState, Truth,
 };
+
+/// A world that the program can simulate.
+#[derive(Clone, Debug, Serialize)]
+pub struct World {
+    /// Name.
+    pub name: String,
+    /// Options besides the seed.
+    pub options: Vec<WorldOption>,
+}
+
+impl World {
+    pub(crate) fn of(world: &dyn LocalWorld) -> Self {
+        Self { name: world.name().to_owned(), options: world.options() }
+    }
+}
 
 /// A message to the page.
 #[derive(Clone, Debug, Serialize)]
@@ -27,7 +44,7 @@ pub enum ToPage {
         /// Whether programs can be built and run.
         build: bool,
         /// Worlds that this program can simulate.
-        worlds: &'static [&'static str],
+        worlds: Vec<World>,
         /// All sessions.
         sessions: Vec<SessionInfo>,
     },

@@ -1,12 +1,13 @@
 //! Breakpoints on states and transitions.
 
 use bica_link::{Component, Description};
+use bica_wire::message::{Stop, StopAt};
 
 use super::commands::Command;
 use super::history::{Change, History, States};
 use super::session::{Session, Shared};
 use super::value::unknown;
-use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, Reached, ToPage};
+use crate::protocol::{Breakpoint, ComponentNow, Failed, Hit, LogKind, LogLine, Reached, ToPage};
 
 /// Largest number of breakpoints of a session.
 const MAX_BREAKPOINTS: usize = 500;
@@ -63,6 +64,17 @@ impl Place {
         Self { breakpoint, reach: Reach::State(0), text: String::new() }
     }
 
+    /// The stop of the link there.
+    pub(super) const fn stop(&self, pauses: bool) -> Stop {
+        let Breakpoint { component, state, transition } = self.breakpoint;
+        let at = match (state, transition) {
+            (Some(state), _) => StopAt::State(state as u16),
+            (None, Some(transition)) => StopAt::Transition(transition as u16),
+            (None, None) => StopAt::State(u16::MAX),
+        };
+        Stop { component: component as u16, at, pauses }
+    }
+
     /// Whether it is reached in a cycle, as far as states show it.
     pub(super) fn is_reached(&self, before: Activity, now: Activity) -> bool {
         match self.reach {
@@ -92,16 +104,14 @@ pub(super) fn moved(places: &[Place], from: &Description, to: &Description, is_e
     places.iter().filter_map(moved).collect()
 }
 
-/// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it. With
-/// `is_exact` those at transitions are found elsewhere.
-pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change], is_exact: bool) -> Vec<Breakpoint> {
+/// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it.
+pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
     let is_reached = |place: &&Place| {
         let change = changed.iter().find(|change| usize::from(change.component) == place.breakpoint.component);
         let both = change.and_then(|change| Some((*before.get(usize::from(change.component))?, change.now)));
         both.is_some_and(|(before, now)| place.is_reached(before, (now.0, now.2)))
     };
-    let is_here = |place: &&Place| !is_exact || place.breakpoint.transition.is_none();
-    places.iter().filter(is_here).filter(is_reached).map(|place| place.breakpoint).collect()
+    places.iter().filter(is_reached).map(|place| place.breakpoint).collect()
 }
 
 /// The first time after `from_us` at which a place is reached.
@@ -146,9 +156,6 @@ impl Session {
         let is_exact = self.shared().can.conditions;
         let found = list.iter().map(|one| Place::find(*one, &description, is_exact));
         let places = found.collect::<Result<Vec<_>, _>>()?;
-        if let Some(pacer) = &self.pacer {
-            pacer.set_breakpoints(places.clone());
-        }
         {
             let mut shared = self.shared();
             shared.breakpoints = places;
@@ -198,7 +205,8 @@ impl Session {
             place.map_or_else(String::new, |place| place.text.clone())
         };
         let end = if paused { ": the world is paused" } else { "" };
-        self.log(2, LogKind::Server, format!("breakpoint: {text}{end}"));
+        let text = format!("breakpoint: {text}{end}");
+        self.add_line(LogLine { time_us: reached.time_us, level: 2, kind: LogKind::Server, text, component: None });
         self.pages.broadcast(&ToPage::Hit(Hit { session: self.id, reached, paused }));
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn open(id: SessionId, options: &Arc<Options>, pages: &Arc<Pages>) ->
     // Nobody receives commands: a session of images cannot be operated.
     let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, folder.display().to_string());
-    let session = Arc::new(Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands, None));
+    let session = Arc::new(Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, None));
     let own = Arc::clone(&session);
     let work = move || {
         own.describe(Description::default(), Capabilities { images: true, ..Capabilities::default() });

@@ -8,14 +8,13 @@ use serde_json::{Value, json};
 
 use super::commands;
 use super::registry::Registry;
-use super::session::Session;
 use super::value::unknown;
-use super::world::WORLDS;
 use super::{colours, recorded, storage, tune};
 use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, Pages, lock};
-use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION};
+use crate::program::Program;
+use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 
 /// Longest note, characters.
@@ -36,8 +35,8 @@ pub struct Manager {
 impl Manager {
     /// A manager without sessions.
     #[must_use]
-    pub fn new(options: Options) -> Self {
-        let registry = Arc::new(Registry::new(options));
+    pub fn new(options: Options, program: Program) -> Self {
+        let registry = Arc::new(Registry::new(options, program));
         let (options, pages) = (Arc::clone(&registry.options), Arc::clone(&registry.pages));
         let open = |folder: &PathBuf| Editor::new(folder, &options, &pages, Arc::clone(&registry) as Arc<dyn Host>);
         let editor = options.source.as_ref().map(open);
@@ -83,7 +82,7 @@ impl Manager {
             read_only: self.options.read_only,
             source: self.options.source.is_some(),
             build: self.options.source.is_some() && self.options.build && !self.options.read_only,
-            worlds: WORLDS,
+            worlds: self.registry.program.worlds.iter().map(|world| World::of(&**world)).collect(),
             sessions,
         });
         self.pages.add(page, outbox);
@@ -161,10 +160,9 @@ impl Manager {
                     return Ok(None);
                 }
                 // A recording has no thread.
-                session.note(&text);
+                session.log(2, LogKind::Note, text);
                 Ok(Some(Value::Null))
             }
-            Request::Pause {} | Request::Resume {} | Request::Step { .. } => pace(&session, page, id, request),
             Request::Colours {}
             | Request::Boundary { .. }
             | Request::Classify { .. }
@@ -180,8 +178,6 @@ impl Manager {
                 let param = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
                 self.editor()?.set_default(page, &owner.name, param).map(Some)
             }
-            // A world of this process pauses there.
-            Request::Breakpoints { .. } if self.options.read_only && session.pacer.is_some() => Err(read_only()),
             Request::Breakpoints { list } => session.set_breakpoints(&list).map(|()| Some(Value::Null)),
             Request::NextHit { from_us } => Ok(Some(json!(session.next_hit(from_us)))),
             Request::Compare { other } => {
@@ -238,21 +234,4 @@ impl Drop for Manager {
         // Threads that still end leave a file there; the folder is one for temporary files.
         let _ = std::fs::remove_dir(&self.options.spool);
     }
-}
-
-/// Pauses or continues a world; returns the answer, none if it follows later.
-fn pace(session: &Session, page: PageId, id: u32, request: Request) -> Result<Option<Value>, Failed> {
-    let Some(pacer) = &session.pacer else {
-        if session.kind == SessionKind::Recording {
-            return Err(Failed::new("a recording has no time that could be paused", "choose a simulated world"));
-        }
-        return session.command(commands::Command::Operate { page, id, request }).map(|()| None);
-    };
-    match request {
-        Request::Pause { .. } => pacer.pause(),
-        Request::Step { cycles, .. } => pacer.step(cycles),
-        _ => pacer.resume(),
-    }
-    session.announce();
-    Ok(Some(Value::Null))
 }

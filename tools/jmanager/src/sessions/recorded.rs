@@ -61,7 +61,7 @@ fn new_session(
     // Nobody receives commands: a recording cannot be operated.
     let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, name);
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), None, commands, None);
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, None);
     path.clone_into(&mut session.shared().recorded.path);
     Arc::new(session)
 }

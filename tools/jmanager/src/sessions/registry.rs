@@ -7,9 +7,11 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::session::Session;
+use super::world::Setup;
 use super::{folder, live, recorded};
 use crate::options::Options;
 use crate::pages::{PageId, Pages, lock};
+use crate::program::Program;
 use crate::protocol::{Failed, Open, SessionId, SessionInfo, ToPage};
 use crate::source::Host;
 
@@ -23,14 +25,15 @@ const END: Duration = Duration::from_secs(10);
 pub(super) struct Registry {
     pub(super) options: Arc<Options>,
     pub(super) pages: Arc<Pages>,
+    pub(super) program: Arc<Program>,
     sessions: Mutex<BTreeMap<SessionId, Arc<Session>>>,
     last: AtomicU32,
 }
 
 impl Registry {
-    pub(super) fn new(options: Options) -> Self {
-        let (options, pages) = (Arc::new(options), Arc::default());
-        Self { options, pages, sessions: Mutex::default(), last: AtomicU32::new(0) }
+    pub(super) fn new(options: Options, program: Program) -> Self {
+        let (options, program, pages) = (Arc::new(options), Arc::new(program), Arc::default());
+        Self { options, pages, program, sessions: Mutex::default(), last: AtomicU32::new(0) }
     }
 
     /// A number that no session has had.
@@ -43,8 +46,9 @@ impl Registry {
         self.has_room()?;
         let id = self.next_id();
         let session = match source {
-            Open::World { world, seed, robots } => {
-                live::open_world(id, &self.options, &self.pages, (&world, seed, robots), record)?
+            Open::World { world, seed, options } => {
+                let setup = Setup { world, seed, options };
+                live::open_world(id, (&self.options, &self.program), &self.pages, setup, record)?
             }
             Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address, record)?,
             Open::Images {} => folder::open(id, &self.options, &self.pages)?,

@@ -14,7 +14,6 @@ use super::history::{History, Limits, StoredImage};
 use super::recorded::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
 use super::watching::Watching;
-use super::world::Pacer;
 use super::{commands, drawing};
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
@@ -54,8 +53,10 @@ pub(super) struct Shared {
     /// Number of times that everything remembered was forgotten.
     pub(super) epoch: u64,
     pub(super) operator: Operator,
-    /// Whether a simulated world behind a link is paused.
+    /// Whether a simulated world is paused.
     pub(super) paused: bool,
+    /// Whether the rules of a world of this process have ended its run.
+    pub(super) is_over: bool,
     pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
@@ -82,8 +83,6 @@ pub(super) struct Session {
     pub(super) name: String,
     pub(super) options: Arc<Options>,
     pub(super) pages: Arc<Pages>,
-    /// Of a world in this process.
-    pub(super) pacer: Option<Arc<Pacer>>,
     /// File in which the session is recorded from its beginning, if it is the one of the command line.
     pub(super) record: Option<PathBuf>,
     /// Writer of that file, for a robot.
@@ -100,7 +99,6 @@ impl Session {
         (id, kind, name): (SessionId, SessionKind, String),
         options: Arc<Options>,
         pages: Arc<Pages>,
-        pacer: Option<Arc<Pacer>>,
         commands: commands::Commands,
         record: Option<PathBuf>,
     ) -> Self {
@@ -112,7 +110,6 @@ impl Session {
             name,
             options,
             pages,
-            pacer,
             record,
             recorder: Mutex::new(recorder),
             closed: AtomicBool::new(false),
@@ -156,16 +153,16 @@ impl Session {
             from_us,
             until_us,
             gaps: shared.history.states.gaps().copied().collect(),
-            paused: shared.paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused()),
+            paused: shared.paused,
             control,
             can: shared.can,
             recording: shared.recording.clone(),
         }
     }
 
-    /// Whether a simulated world is paused, of this process or behind a link.
+    /// Whether a simulated world is paused.
     pub(super) fn is_paused(&self) -> bool {
-        self.shared().paused || self.pacer.as_ref().is_some_and(|pacer| pacer.is_paused())
+        self.shared().paused
     }
 
     /// Sends the session to all pages. The lock is held meanwhile: what another thread announces later is newer.
@@ -221,14 +218,12 @@ impl Session {
         let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
         if let Some((tree, places)) = shared.inherited.take().or(own) {
             shared.breakpoints = breakpoints::moved(&places, &tree, &description, can.conditions);
-            if let Some(pacer) = &self.pacer {
-                pacer.set_breakpoints(shared.breakpoints.clone());
-            }
         }
         shared.description = Some(Arc::new(description));
         shared.drawing = drawing;
         shared.can = can;
-        shared.paused = false;
+        // A world of this process that a person has paused begins again paused.
+        shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
         shared.watching = Watching::default();
         shared.described.clear();
         for page in self.pages.list() {
@@ -280,14 +275,6 @@ impl Session {
     pub(super) fn log(&self, level: u8, kind: LogKind, text: impl Into<String>) {
         let time_us = self.shared().history.span().1;
         self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
-    }
-
-    /// Adds a note of a person to the log and to the recording.
-    pub(super) fn note(&self, text: &str) {
-        if let Some(pacer) = &self.pacer {
-            pacer.note(text);
-        }
-        self.log(2, LogKind::Note, text);
     }
 
     pub(super) fn add_line(&self, line: LogLine) {
@@ -380,9 +367,6 @@ impl Session {
             // Nothing is announced any more.
             let _shared = self.shared();
             self.closed.store(true, Ordering::Relaxed);
-        }
-        if let Some(pacer) = &self.pacer {
-            pacer.end();
         }
         let path = self.recording_path();
         if path.starts_with(&self.options.spool) {

@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
         let identity = (1, SessionKind::Robot, String::new());
-        let session = Session::new(identity, Arc::default(), Arc::default(), None, Commands::of_nobody(), None);
+        let session = Session::new(identity, Arc::default(), Arc::default(), Commands::of_nobody(), None);
         let truth = Truth {
             robot: RobotPose(0.0, 0.0, 0.0),
             ball: (0.0, 0.0),
@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn the_last_image_before_a_pause_reaches_a_page_that_wants_few() {
         let identity = (1, SessionKind::Robot, String::new());
-        let session = Session::new(identity, Arc::default(), Arc::default(), None, Commands::of_nobody(), None);
+        let session = Session::new(identity, Arc::default(), Arc::default(), Commands::of_nobody(), None);
         let page = Arc::new(Received::default());
         session.pages.add(1, Arc::clone(&page) as Arc<dyn Outbox>);
         session.watch(1, Watch { images: Some(WatchImages { max_hz: 1000.0 }), ..Watch::default() });

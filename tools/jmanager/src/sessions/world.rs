@@ -1,130 +1,87 @@
-//! Worlds that are played in this process.
+//! A world that runs in this process.
 
-mod pacer;
-mod stops;
-
-use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica_console::Failure;
-use bica_game::{FirmwareImage, GRAPH, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled, settings};
-use bica_link::Address;
-use bica_recording::ImagePolicy;
-use bica_sim::setup::Frame;
-use bica_tuning::Layers;
 
 use super::{files, storage};
 use crate::options::Options;
+use crate::program::{Game, Program, WorldRun, WorldSetup};
 use crate::protocol::Failed;
 
-pub(super) use pacer::Pacer;
+/// Time between two looks whether a world that starts has ended.
+const POLL: Duration = Duration::from_millis(50);
 
-/// Worlds that this program can simulate.
-pub(super) const WORLDS: &[&str] =
-    if cfg!(feature = "mujoco") { &["built-in", "mujoco", "firmware"] } else { &["built-in", "firmware"] };
-
-/// Kind and set-up of a world.
+/// World and set-up.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setup {
-    /// `built-in`, `mujoco` or `firmware`.
     pub(super) world: String,
     pub(super) seed: u64,
-    pub(super) robots: usize,
+    pub(super) options: BTreeMap<String, u64>,
 }
 
-/// A world that is played by a thread of its own.
+/// A world that is run by a thread of its own.
 pub(super) struct World {
     thread: Option<JoinHandle<Result<(), Failure>>>,
-    pacer: Arc<Pacer>,
-    /// Address of its link.
-    pub(super) address: Address,
-    /// File with the recording of the whole run.
-    recording: PathBuf,
-    /// Whether the file stays.
+    pub(super) run: WorldRun,
+    /// Whether the file of its recording stays.
     is_kept: bool,
 }
 
-fn kind(world: &str) -> Result<WorldKind, Failed> {
-    match world {
-        "built-in" | "firmware" => Ok(WorldKind::BuiltIn),
-        #[cfg(feature = "mujoco")]
-        "mujoco" => Ok(WorldKind::Mujoco),
-        #[cfg(not(feature = "mujoco"))]
-        "mujoco" => Err(Failed::new(
-            "this program was built without MuJoCo",
-            "install its library with `cargo xtask mujoco`, then build with `--features mujoco`",
-        )),
-        _ => Err(Failed::new(format!("there is no world `{world}`"), format!("known are {}", WORLDS.join(", ")))),
-    }
-}
-
 impl Setup {
-    /// Returns the rules of its game: without end, in real time.
-    pub(super) fn rules(&self, options: &Options) -> Result<Rules, Failed> {
-        let size = if self.world == "firmware" { Frame::Small } else { options.size };
-        let firmware = (self.world == "firmware").then(|| FirmwareImage::new(options.firmware.clone(), size));
-        let mut layers = Layers::new(&GRAPH);
-        let tune = options.tune.join(format!("{}.toml", self.world));
-        if tune.exists() {
-            files::open(&tune).map_err(|error| storage::failed("read", &tune, &error, "remove it"))?;
-            layers.read(&tune)?;
+    /// Checks the set-up, and returns what runs it.
+    pub(super) fn prepare(&self, program: &Program, options: &Options) -> Result<Game, Failed> {
+        let world = program.world(&self.world)?;
+        let known = world.options();
+        for (name, value) in &self.options {
+            let known = known.iter().find(|one| one.name == *name);
+            if known.is_none_or(|known| *value > known.max) {
+                let help = known.map_or_else(|| "leave it out".to_owned(), |known| format!("at most {}", known.max));
+                return Err(Failed::new(format!("the world `{}` cannot have {value} {name}", self.world), help));
+            }
         }
-        Ok(Rules {
-            world: kind(&self.world)?,
-            seed: self.seed,
-            size,
-            robots: self.robots,
-            limit: Duration::MAX,
-            realtime: true,
-            firmware: firmware.transpose()?,
-            settings: settings(&layers)?,
-        })
+        let tune = options.tune.join(format!("{}.toml", self.world));
+        let tune = tune.exists().then_some(tune);
+        if let Some(tune) = &tune {
+            files::open(tune).map_err(|error| storage::failed("read", tune, &error, "remove it"))?;
+        }
+        let setup = WorldSetup { seed: self.seed, options: self.options.clone(), tune };
+        Ok(world.prepare(&setup)?)
     }
 }
 
 impl World {
     /// Starts a world and waits until its link can be reached.
-    pub(super) fn start(
-        setup: &Setup,
-        options: &Options,
-        recording: PathBuf,
-        pacer: &Arc<Pacer>,
-    ) -> Result<Self, Failed> {
-        let rules = setup.rules(options)?;
-        pacer.begin();
-        // A spool folder that cannot be made is a recording that cannot be made, which the game reports.
+    pub(super) fn start(game: Game, options: &Options, recording: PathBuf) -> Result<Self, Failed> {
+        // A spool folder that cannot be made is a recording that cannot be made, which the world reports.
         let _ = storage::make_private(&options.spool);
-        let (ready, started) = sync_channel(1);
-        let (own, path) = (Arc::clone(pacer), recording.clone());
         let is_kept = !recording.starts_with(&options.spool);
-        let work = move || play(&rules, &own, &path, &ready);
-        let thread = std::thread::Builder::new().name("world".to_owned()).spawn(work);
+        let run = WorldRun::new(recording);
+        let own = run.clone();
+        let thread = std::thread::Builder::new().name("world".to_owned()).spawn(move || game(&own));
         let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
-        let mut world = Self {
-            thread: Some(thread),
-            pacer: Arc::clone(pacer),
-            address: Address::Tcp(String::new()),
-            recording,
-            is_kept,
-        };
-        match started.recv() {
-            Ok(address) => world.address = Address::Tcp(address),
-            Err(_) => return Err(world.ending().err().unwrap_or_else(|| Failed::new("the world ended at once", ""))),
+        let mut world = Self { thread: Some(thread), run, is_kept };
+        while !world.run.memory().is_served_within(POLL) {
+            if world.has_ended() {
+                return Err(world
+                    .ending()
+                    .err()
+                    .unwrap_or_else(|| Failed::new("the world ended at once", "try again")));
+            }
         }
         Ok(world)
     }
 
-    /// Whether the game has ended.
+    /// Whether the run has ended.
     pub(super) fn has_ended(&self) -> bool {
         self.thread.as_ref().is_none_or(JoinHandle::is_finished)
     }
 
-    /// Waits for the end of the game; returns why it ended.
+    /// Waits for the end of the run; returns why it ended.
     pub(super) fn ending(&mut self) -> Result<(), Failed> {
         let panicked = || Failure::new("the world ended with a panic", "its message is in the terminal");
         let result = self.thread.take().map(JoinHandle::join);
@@ -134,44 +91,12 @@ impl World {
 
 impl Drop for World {
     fn drop(&mut self) {
-        self.pacer.end();
+        self.run.end();
         // The failure of a world that is given up is of no use.
         let _ = self.ending();
         if !self.is_kept {
             // A file that is gone already needs no removal.
-            let _ = fs::remove_file(&self.recording);
+            let _ = fs::remove_file(self.run.recording());
         }
     }
-}
-
-/// Plays a game until the pacer ends it.
-fn play(
-    rules: &Rules,
-    pacer: &Arc<Pacer>,
-    recording: &std::path::Path,
-    ready: &SyncSender<String>,
-) -> Result<(), Failure> {
-    let has_begun = Cell::new(false);
-    let started = |address: &str| {
-        has_begun.set(true);
-        // Nobody waits for a world that was given up.
-        let _ = ready.send(address.to_owned());
-        Ok(())
-    };
-    let address = Address::Tcp("127.0.0.1:0".to_owned());
-    let serve = ServeOptions { address: &address, anywhere: false, started: &started };
-    // Images are not stored: the same world is made again from its rules.
-    let record = RecordOptions { path: recording, images: ImagePolicy::None, force: true };
-    let mut observer = stops::Stops::new(Arc::clone(pacer));
-    let mut control = pacer::Control(Arc::clone(pacer));
-    let result = play_controlled(rules, &mut observer, &mut control, Some(record), Some(serve));
-    result.map(drop).or_else(|failure| {
-        if has_begun.get() {
-            return Err(failure);
-        }
-        // The world or its file cannot be made. Without a file only the world's failure is left.
-        let Failed { text, help, .. } = failure.into();
-        pacer.not_recorded(&format!("{text}: {help}"));
-        play_controlled(rules, &mut observer, &mut control, None, Some(serve)).map(drop)
-    })
 }

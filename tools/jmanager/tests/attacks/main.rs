@@ -9,6 +9,7 @@ use std::net::TcpListener;
 use std::path::Path;
 use std::sync::Arc;
 
+use jmanager::program::Program;
 use jmanager::sessions::{Manager, Options};
 use jmanager::web::{Web, WebOptions};
 use serde_json::json;
@@ -228,7 +229,7 @@ fn an_address_for_other_computers_needs_a_token() {
     let start = |token: Option<&str>| {
         let listener = TcpListener::bind("0.0.0.0:0").unwrap();
         let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
-        Web::start(listener, options, Arc::new(Manager::new(Options::default())))
+        Web::start(listener, options, Arc::new(Manager::new(Options::default(), Program::default())))
     };
     assert!(start(None).is_err());
     assert!(start(Some(TOKEN)).is_ok());

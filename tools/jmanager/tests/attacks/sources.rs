@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use jmanager::program::Program;
 use jmanager::sessions::{Manager, Options};
 use jmanager::web::{Web, WebOptions};
 use serde_json::{Value, json};
@@ -155,7 +156,7 @@ fn sources_are_for_no_other_computer() {
     let start = |options: Options| {
         let listener = TcpListener::bind("0.0.0.0:0").unwrap();
         let web = WebOptions { token: Some(TOKEN.to_owned()), ..WebOptions::default() };
-        Web::start(listener, web, Arc::new(Manager::new(options)))
+        Web::start(listener, web, Arc::new(Manager::new(options, Program::default())))
     };
     assert!(start(Options::default()).is_ok());
     let error = start(sources.options()).err().unwrap().to_string();

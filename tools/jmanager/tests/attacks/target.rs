@@ -5,6 +5,7 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use jmanager::program::Program;
 use jmanager::sessions::{Manager, Options};
 use jmanager::web::{Web, WebOptions};
 use serde_json::{Value, json};
@@ -30,7 +31,7 @@ pub(crate) fn target(token: Option<&str>) -> Target {
 pub(crate) fn target_with(token: Option<&str>, own: Options) -> Target {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
-    let web = Web::start(listener, options, Arc::new(Manager::new(own))).unwrap();
+    let web = Web::start(listener, options, Arc::new(Manager::new(own, Program::default()))).unwrap();
     let address = web.address();
     Target { web, address }
 }

@@ -1,5 +1,6 @@
 //! Recordings of a robot behind a link.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
@@ -8,6 +9,7 @@ use bica_console::Failure;
 use bica_game::{ReplayOptions, replay};
 use bica_recording::{Info, Recording};
 use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
+use jmanager::soccer::ROBOTS;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};
@@ -233,7 +235,8 @@ fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
     let bench = Bench::new();
     let folder = Arc::clone(&bench.folder);
     let (file, next) = (folder.0.join("game.mcap"), folder.0.join("game-2.mcap"));
-    let world = Open::World { world: "built-in".to_owned(), seed: 1, robots: 1 };
+    let world =
+        Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::from([(ROBOTS.to_owned(), 1)]) };
     bench.manager.open_recorded(world, &file).unwrap();
     let page = Page::new(&bench);
     page.cycle(51);

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use jmanager::protocol::{FromPage, Open, Request, SessionId, ToPage};
 use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
+use jmanager::soccer::{SoccerOptions, program};
 use serde_json::{Value, json};
 
 /// Longest wait for anything.
@@ -66,7 +67,7 @@ impl Bench {
     }
 
     pub(crate) fn of(folder: &Arc<Folder>, options: Options) -> Arc<Self> {
-        Arc::new(Self { manager: Manager::new(options), folder: Arc::clone(folder) })
+        Arc::new(Self { manager: Manager::new(options, program(SoccerOptions::default())), folder: Arc::clone(folder) })
     }
 }
 

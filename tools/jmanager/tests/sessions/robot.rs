@@ -187,13 +187,11 @@ fn an_address_without_a_robot_is_tried_until_there_is_one() {
 #[test]
 fn a_read_only_server_refuses_every_change() {
     let bench = Bench::with(Folder::new(), |options| Options { read_only: true, ..options });
-    let (page, _) = crate::world::running_on(&bench);
+    let (page, description) = crate::world::running_on(&bench);
     let address = "tcp://127.0.0.1:1".to_owned();
-    let list = vec![Breakpoint { component: 0, state: Some(0), transition: None }];
     for request in [
         Request::Open { source: Open::Robot { address } },
         Request::Note { text: "a".to_owned() },
-        Request::Breakpoints { list },
         Request::Acquire {},
         Request::Pause {},
         Request::PlaceBall { x: 1.0, y: 0.5 },
@@ -206,6 +204,11 @@ fn a_read_only_server_refuses_every_change() {
         let error = page.ask(request.clone()).unwrap_err();
         assert!(error["text"].as_str().unwrap().contains("only watch"), "{request:?}: {error}");
     }
+    let component = description["components"].as_array().unwrap().iter().position(|one| one["root"] == true).unwrap();
+    let states = description["components"][component]["states"].as_array().unwrap().len();
+    let list = (0..states).map(|state| Breakpoint { component, state: Some(state), transition: None }).collect();
+    page.ask(Request::Breakpoints { list }).unwrap();
+    assert_eq!(page.message("hit", |hit| Some(hit["paused"].clone())), false);
 }
 
 #[test]

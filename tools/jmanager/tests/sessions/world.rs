@@ -1,15 +1,17 @@
 //! The built-in world, live.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use bica_link::Plain;
 use jmanager::protocol::{HoldKind, Open, Request, Setting};
+use jmanager::soccer::ROBOTS;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};
 
 fn built_in() -> Open {
-    Open::World { world: "built-in".to_owned(), seed: 1, robots: 1 }
+    Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::from([(ROBOTS.to_owned(), 1)]) }
 }
 
 /// Index of a component and of one of its members.
@@ -26,7 +28,7 @@ fn a_game_in_mujoco_is_shown_with_its_images() {
     use jmanager::protocol::{Watch, WatchImages};
 
     let page = Page::new(&Bench::new());
-    page.open(Open::World { world: "mujoco".to_owned(), seed: 1, robots: 0 });
+    page.open(Open::World { world: "mujoco".to_owned(), seed: 1, options: BTreeMap::new() });
     page.message("described", |_| Some(()));
     let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), truth: true, ..Watch::default() };
     page.ask(Request::Watch { watch }).unwrap();

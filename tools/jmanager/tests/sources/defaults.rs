@@ -1,5 +1,6 @@
 //! A tuned value as the new default.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use bica_link::Plain;
@@ -23,7 +24,7 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     let profile = std::fs::read_to_string(player.join("input/robot_profile.rs")).unwrap();
     let sources = Sources::new(&[("face_ball.rs", &face_ball), ("robot_profile.rs", &profile)]);
     let bench = sources.bench();
-    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::new() }).unwrap();
     let view = View::new(&bench);
     let is_described = |message: &Value| (message["type"] == "described").then(|| message["description"].clone());
     let description = view.wait("the tree", is_described);
@@ -54,7 +55,7 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     assert!(text_of(save(other.unwrap())).contains("no file below"));
     let two = Sources::new(&[("a.rs", &face_ball), ("b.rs", &face_ball)]);
     let bench = two.bench();
-    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, robots: 0 }).unwrap();
+    bench.manager.open(Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::new() }).unwrap();
     let view = View::new(&bench);
     view.wait("the tree", is_described);
     let request = Request::SaveSource { component: gain.0, param: gain.1 };

@@ -6,6 +6,7 @@ use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
 use bica_link::{Client, Event, Snapshot};
+use bica_wire::message::{Offers, WorldChange};
 use serde_json::Value;
 
 use super::extras::Extras;
@@ -63,20 +64,19 @@ pub(super) struct Attached<'a> {
     has_news: bool,
     /// Whether the world was paused when that was announced.
     pub(super) is_paused: bool,
-    /// Breakpoints that were reached behind the link.
-    pub(super) reached: Vec<Reached>,
     /// When pages were sent how much is recorded.
     pub(super) announced: Instant,
 }
 
 impl<'a> Attached<'a> {
     pub(super) fn new(session: &'a Arc<Session>, client: Client, world: Option<World>) -> Self {
-        let can = capabilities(world.is_some(), client.offers(), session.options.read_only);
+        let can = capabilities(client.offers(), session.options.read_only);
         let goes_on = world.is_none() && is_same_run(session, &client);
         session.begin(client.description().clone(), can, goes_on);
         session.record_robot(|recorder| recorder.connected(&session.name, client.description()));
         session.set_connection(Connection::Connected, "");
         session.announce();
+        let is_paused = session.is_paused();
         let now = Instant::now();
         Self {
             session,
@@ -91,19 +91,21 @@ impl<'a> Attached<'a> {
             slow: now,
             received: now,
             has_news: false,
-            is_paused: false,
-            reached: Vec::new(),
+            is_paused,
             announced: now,
         }
     }
 
     /// Works until the session or the connection ends.
     pub(super) fn run(mut self, inbox: &Inbox) -> Exit {
-        let exit = match self.client.watch(1) {
+        let exit = match self.begin() {
             Ok(()) => self.work(inbox),
             Err(error) => Exit::Lost(error.into()),
         };
         self.refuse_pending();
+        if let Some(world) = &self.world {
+            self.session.shared().is_over = world.run.is_over();
+        }
         if let (Exit::Lost(failed), Some(world)) = (&exit, self.world.as_mut()) {
             // The reason of the world is better than that of its link.
             let reason = if world.has_ended() { world.ending().err() } else { None };
@@ -112,10 +114,17 @@ impl<'a> Attached<'a> {
         exit
     }
 
-    fn work(&mut self, inbox: &Inbox) -> Exit {
-        if let Err(error) = self.watch() {
-            return Exit::Lost(error.into());
+    /// Watches, and then continues a world of this process: it began paused.
+    fn begin(&mut self) -> Result<(), bica_link::Error> {
+        self.client.watch(1)?;
+        self.watch()?;
+        if self.world.is_some() && self.client.offers().contains(Offers::OPERATE) && !self.is_paused {
+            self.request_pace(WorldChange::Resume)?;
         }
+        Ok(())
+    }
+
+    fn work(&mut self, inbox: &Inbox) -> Exit {
         loop {
             match self.commands(inbox) {
                 Ok(None) => {}
@@ -123,9 +132,6 @@ impl<'a> Attached<'a> {
                 Err(error) => return Exit::Lost(error.into()),
             }
             if let Err(error) = self.events(inbox) {
-                return Exit::Lost(error.into());
-            }
-            if let Err(error) = self.stop_at_breakpoints() {
                 return Exit::Lost(error.into());
             }
             if let Err(error) = self.look_at_pause() {
@@ -152,7 +158,10 @@ impl<'a> Attached<'a> {
                 }
                 Ok(Command::Operate { page, id, request }) => self.operate(page, id, request)?,
                 Ok(Command::Note { page, id, text }) => {
-                    self.session.note(&text);
+                    if let Some(world) = &self.world {
+                        world.run.add_note(&text);
+                    }
+                    self.session.log(2, LogKind::Note, text);
                     self.session.pages.answer(page, id, Ok(Value::Null));
                 }
                 Ok(Command::Watch) => self.watch()?,
@@ -226,9 +235,9 @@ impl<'a> Attached<'a> {
         let ends_gap = shared.history.states.is_interrupted();
         let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
-        // A world pauses itself, at the cycle.
-        let places = if self.world.is_none() { &shared.breakpoints[..] } else { &[] };
-        let reached = breakpoints::reached(places, &before, &changed, shared.can.conditions);
+        // A program on a computer looks for stops itself.
+        let places = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
+        let reached = breakpoints::reached(places, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -245,7 +254,9 @@ impl<'a> Attached<'a> {
             self.session.announce();
         }
         let time_us = info.time_us;
-        self.reached.extend(reached.into_iter().map(|breakpoint| Reached { time_us, breakpoint }));
+        for breakpoint in reached {
+            self.session.hit(Reached { time_us, breakpoint }, false);
+        }
     }
 
     fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {
@@ -297,8 +308,8 @@ impl<'a> Attached<'a> {
         let session = self.session;
         session.shared().history.evict();
         let paused = session.is_paused();
-        let note = match &session.pacer {
-            Some(pacer) if pacer.is_over() && paused => {
+        let note = match &self.world {
+            Some(world) if world.run.is_over() && paused => {
                 "the game is over: restart the world, or continue it".to_owned()
             }
             _ if !paused && self.received.elapsed() > SILENCE => "nothing comes from the robot".to_owned(),

@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bica_link::{Costs, Event, Image};
-use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Truth as LinkTruth};
+use bica_wire::message::{
+    ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken, Truth as LinkTruth,
+};
 
 use super::attached::Attached;
 use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth};
@@ -17,10 +19,6 @@ const EVERY: u16 = 5;
 pub(super) struct Extras {
     /// Over the link, with n for every n-th cycle or image.
     watched: BTreeMap<ExtraKind, u16>,
-    /// Breakpoints.
-    stops: Vec<Breakpoint>,
-    /// Time of the last conditions of a component, µs.
-    evaluated: BTreeMap<usize, u64>,
 }
 
 impl Attached<'_> {
@@ -48,14 +46,11 @@ impl Attached<'_> {
                 want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
             }
         }
-        // Each cycle shows which transition was taken in it. A world of this process looks itself.
-        let places = if is_own { &[][..] } else { &shared.breakpoints };
-        let stops: Vec<_> = places.iter().map(|place| place.breakpoint).collect();
-        drop(shared);
-        for component in stops.iter().filter(|stop| stop.transition.is_some()).map(|stop| stop.component) {
-            want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, 1);
+        want(Offers::CONDITIONS, ExtraKind::Taken, 1);
+        for place in &shared.breakpoints {
+            want(Offers::CONDITIONS, ExtraKind::Stop(place.stop(shared.can.pause)), 1);
         }
-        self.extras.stops = stops;
+        drop(shared);
         for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
             self.client.watch_extra(kind, 0)?;
             if let ExtraKind::Conditions { component } = kind {
@@ -79,9 +74,6 @@ impl Attached<'_> {
             Event::Conditions { time_us, component, conditions } => {
                 let conditions: Vec<_> =
                     conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
-                if self.world.is_none() {
-                    self.taken(time_us, component, &conditions);
-                }
                 self.session.show_conditions(time_us, component, conditions);
             }
             Event::Truth(truth) => self.session.show_truth(truth.time_us, page_truth(&truth)),
@@ -92,22 +84,12 @@ impl Attached<'_> {
                 self.session.show_image(image);
             }
             Event::Costs(costs) => self.link_costs(&costs),
+            Event::Taken(Taken { time_us, component, transition }) => {
+                self.session.shared().history.taken.push(time_us, (component.into(), transition.into()));
+            }
+            Event::Reached(reached) => self.session.hit(page_reached(&reached), reached.paused),
             _ => {}
         }
-    }
-
-    /// Looks for a transition that was taken since the last conditions of a component came: its condition holds since then.
-    fn taken(&mut self, time_us: u64, component: usize, conditions: &[Option<(bool, u64)>]) {
-        // The first conditions may be those of a transition that was taken long ago.
-        let last = self.extras.evaluated.insert(component, time_us).unwrap_or(time_us.saturating_sub(1));
-        let is_new = |condition: &Option<(bool, u64)>| condition.is_some_and(|(holds, since)| holds && since > last);
-        let Some(transition) = conditions.iter().position(is_new) else { return };
-        let time_us = conditions[transition].map_or(time_us, |(_, since)| since);
-        let breakpoint = Breakpoint { component, state: None, transition: Some(transition) };
-        if self.extras.stops.contains(&breakpoint) {
-            self.reached.push(Reached { time_us, breakpoint });
-        }
-        self.session.shared().history.taken.push(time_us, (component, transition));
     }
 
     fn link_costs(&self, Costs { cycles, components }: &Costs) {
@@ -123,6 +105,14 @@ impl Attached<'_> {
             worst_us: cycles.worst_us,
         });
     }
+}
+
+fn page_reached(&LinkReached { time_us, stop, .. }: &LinkReached) -> Reached {
+    let (state, transition) = match stop.at {
+        StopAt::State(state) => (Some(state.into()), None),
+        StopAt::Transition(transition) => (None, Some(transition.into())),
+    };
+    Reached { time_us, breakpoint: Breakpoint { component: stop.component.into(), state, transition } }
 }
 
 fn stored(Image { head, yuyv }: Image) -> StoredImage {

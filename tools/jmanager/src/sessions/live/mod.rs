@@ -2,7 +2,6 @@
 
 mod attached;
 mod extras;
-mod hits;
 mod operate;
 mod pace;
 mod recording;
@@ -19,9 +18,10 @@ use bica_wire::message::Offers;
 use super::commands::{Command, Commands};
 use super::robot_recording::unused;
 use super::session::{Operator, Session};
-use super::world::{Pacer, Setup, World};
+use super::world::{Setup, World};
 use crate::options::Options;
 use crate::pages::Pages;
+use crate::program::Program;
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
 use attached::{Attached, Exit};
 
@@ -36,23 +36,22 @@ struct Inbox {
 
 /// What a live session is connected to.
 enum Source {
-    World(Setup),
+    World(Setup, Arc<Program>),
     Robot(Address),
 }
 
 /// Opens a world in this process.
 pub(super) fn open_world(
     id: SessionId,
-    options: &Arc<Options>,
+    (options, program): (&Arc<Options>, &Arc<Program>),
     pages: &Arc<Pages>,
-    (world, seed, robots): (&str, u64, usize),
+    setup: Setup,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
-    let setup = Setup { world: world.to_owned(), seed, robots };
-    setup.rules(options)?;
-    let name = format!("{world}, seed {seed}");
-    let pacer = Some(Arc::new(Pacer::default()));
-    start((id, SessionKind::World, name), options, pages, pacer, Source::World(setup), record)
+    drop(setup.prepare(program, options)?);
+    let name = format!("{}, seed {}", setup.world, setup.seed);
+    let source = Source::World(setup, Arc::clone(program));
+    start((id, SessionKind::World, name), options, pages, source, record)
 }
 
 /// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
@@ -65,14 +64,13 @@ pub(super) fn open_robot(
 ) -> Result<Arc<Session>, Failed> {
     let text = address.strip_prefix("tcp://").or_else(|| address.strip_prefix("serial:")).unwrap_or(address);
     let parsed: Address = text.parse()?;
-    start((id, SessionKind::Robot, address.to_owned()), options, pages, None, Source::Robot(parsed), record)
+    start((id, SessionKind::Robot, address.to_owned()), options, pages, Source::Robot(parsed), record)
 }
 
 fn start(
     identity: (SessionId, SessionKind, String),
     options: &Arc<Options>,
     pages: &Arc<Pages>,
-    pacer: Option<Arc<Pacer>>,
     source: Source,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
@@ -80,7 +78,7 @@ fn start(
     let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     let inbox = Inbox { commands: commands_in, wakeups };
     let commands = Commands::new(commands, waker);
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), pacer, commands, record);
+    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
     let thread = std::thread::Builder::new().name(format!("session {}", session.id));
@@ -99,7 +97,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
         let exit = match connect(session, &source) {
             Ok((client, world)) => Attached::new(session, client, world).run(inbox),
             Err(failed) => {
-                let world = matches!(source, Source::World(_));
+                let world = matches!(source, Source::World(..));
                 let connection = match session.shared().connection {
                     _ if world => Connection::Ended,
                     known @ (Connection::Connecting | Connection::Ended) => known,
@@ -112,14 +110,14 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
         session.shared().operator = Operator::Nobody;
         match (exit, &mut source) {
             (Exit::Close, _) => break,
-            (Exit::Restart(seed), Source::World(setup)) => setup.seed = seed.unwrap_or(setup.seed),
-            (Exit::Lost(failed), Source::World(_)) => {
+            (Exit::Restart(seed), Source::World(setup, _)) => setup.seed = seed.unwrap_or(setup.seed),
+            (Exit::Lost(failed), Source::World(..)) => {
                 session.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help));
                 session.log(4, LogKind::Server, format!("the world has ended: {}", failed.text));
                 match idle(session, inbox, None) {
                     Exit::Close => break,
                     Exit::Restart(seed) => {
-                        if let Source::World(setup) = &mut source {
+                        if let Source::World(setup, _) = &mut source {
                             setup.seed = seed.unwrap_or(setup.seed);
                         }
                     }
@@ -142,15 +140,15 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
     let options = ClientOptions::default();
     match source {
         Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
-        Source::World(setup) => {
-            let pacer = session.pacer.clone().unwrap_or_default();
+        Source::World(setup, program) => {
+            let game = setup.prepare(program, &session.options)?;
             let file = match &session.record {
                 Some(file) => unused(file),
                 None => session.options.spool.join(format!("session-{}.mcap", session.id)),
             };
             session.shared().recording_file.clone_from(&file);
-            let world = World::start(setup, &session.options, file, &pacer)?;
-            let client = Client::connect(&world.address, options)?;
+            let world = World::start(game, &session.options, file)?;
+            let client = Client::connect(&world.run.address(), options)?;
             Ok((client, Some(world)))
         }
     }
@@ -164,13 +162,15 @@ fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
             None => inbox.commands.recv().map_err(|_| RecvTimeoutError::Disconnected),
         };
         match command {
-            Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } }) if session.pacer.is_some() => {
+            Ok(Command::Operate { page, id, request: Request::Restart { seed, .. } })
+                if session.kind == SessionKind::World =>
+            {
                 session.pages.answer(page, id, Ok(serde_json::Value::Null));
                 return Exit::Restart(seed);
             }
             Ok(Command::Operate { page, id, .. }) => session.pages.answer(page, id, Err(not_connected())),
             Ok(Command::Note { page, id, text }) => {
-                session.note(&text);
+                session.log(2, LogKind::Note, text);
                 session.pages.answer(page, id, Ok(serde_json::Value::Null));
             }
             Ok(Command::Watch | Command::Left(_)) => {}
@@ -185,10 +185,10 @@ fn not_connected() -> Failed {
 }
 
 /// What can be done with a session that is connected.
-fn capabilities(is_world: bool, offers: Offers, read_only: bool) -> Capabilities {
+fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
     Capabilities {
         operate: offers.contains(Offers::OPERATE) && !read_only,
-        pause: (is_world || offers.contains(Offers::PAUSE)) && !read_only,
+        pause: offers.contains(Offers::PAUSE.with(Offers::OPERATE)) && !read_only,
         ball: offers.contains(Offers::BALL) && !read_only,
         truth: offers.contains(Offers::TRUTH),
         images: offers.contains(Offers::IMAGES),

@@ -1,4 +1,4 @@
-//! Pause, continuation and single cycles of a simulated world behind a link.
+//! Pause, continuation and single cycles of a simulated world.
 
 use std::time::Duration;
 
@@ -22,7 +22,7 @@ pub(super) const fn world_change(request: &Request) -> Option<WorldChange> {
 }
 
 impl Attached<'_> {
-    /// Changes the world's time for any page, as in a world of this process. The link requires the lease: if nobody owns it, this
+    /// Changes the world's time for any page. The link requires the lease: if nobody owns it, this
     /// server owns it for this one request.
     pub(super) fn pace(&mut self, page: PageId, id: u32, change: WorldChange) -> Result<(), Error> {
         if !self.session.shared().can.pause {

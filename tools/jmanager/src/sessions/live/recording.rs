@@ -25,7 +25,7 @@ impl Attached<'_> {
 
     /// The run of a world of this process, from its first cycle on.
     fn of_world(&self) -> RecordingState {
-        let ended = self.session.pacer.as_ref().and_then(|pacer| pacer.recording_ended());
+        let ended = self.world.as_ref().and_then(|world| world.run.recording_ended());
         let file = &self.session.shared().recording_file.clone();
         RecordingState {
             on: ended.is_none(),

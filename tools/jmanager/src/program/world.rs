@@ -1,0 +1,138 @@
+//! Worlds that a program can simulate in its own process.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+use bica_console::Failure;
+use bica_link::{Address, Memory};
+use serde::Serialize;
+
+use crate::pages::lock;
+
+/// A world that a program can simulate in its own process.
+///
+/// It is a robot behind a link, as any other: pages see it and control its time over that link.
+pub trait LocalWorld: Send + Sync {
+    /// Name by which it is opened, such as `built-in`.
+    fn name(&self) -> &str;
+
+    /// Options besides the seed.
+    fn options(&self) -> Vec<WorldOption> {
+        Vec::new()
+    }
+
+    /// Checks a set-up, and returns what runs it.
+    ///
+    /// # Errors
+    /// If there is no such world.
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure>;
+}
+
+/// Runs a world in a thread of its own: serves its link at [`WorldRun::address`], whose offers contain
+/// [`PAUSE`](bica_wire::message::Offers::PAUSE), until [`WorldRun::is_ended`]. Its time follows the clock.
+pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Failure> + Send>;
+
+/// An option of a world: a whole number from 0 on.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct WorldOption {
+    /// Name.
+    pub name: String,
+    /// What it is, for people.
+    pub doc: String,
+    /// Largest value.
+    pub max: u64,
+}
+
+/// Set-up of a world.
+#[derive(Clone, Debug, Default)]
+pub struct WorldSetup {
+    /// Seed.
+    pub seed: u64,
+    /// Values of options; those that are missing are 0.
+    pub options: BTreeMap<String, u64>,
+    /// File with parameters of this world, if there is one.
+    pub tune: Option<PathBuf>,
+}
+
+/// A run of a world, for the world and for its session. Clones are the same run.
+#[derive(Clone, Debug)]
+pub struct WorldRun(Arc<Shared>);
+
+#[derive(Debug)]
+struct Shared {
+    memory: Memory,
+    recording: PathBuf,
+    state: Mutex<State>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    is_ended: bool,
+    is_over: bool,
+    notes: VecDeque<String>,
+    not_recorded: Option<String>,
+}
+
+impl WorldRun {
+    pub(crate) fn new(recording: PathBuf) -> Self {
+        Self(Arc::new(Shared { memory: Memory::default(), recording, state: Mutex::default() }))
+    }
+
+    pub(crate) fn memory(&self) -> &Memory {
+        &self.0.memory
+    }
+
+    /// Address of the link.
+    #[must_use]
+    pub fn address(&self) -> Address {
+        Address::Memory(self.0.memory.clone())
+    }
+
+    /// File in which the run is recorded; an older one is replaced.
+    #[must_use]
+    pub fn recording(&self) -> &Path {
+        &self.0.recording
+    }
+
+    /// Whether the world is to end.
+    #[must_use]
+    pub fn is_ended(&self) -> bool {
+        lock(&self.0.state).is_ended
+    }
+
+    /// Whether the rules of the world have ended the run. The world then [pauses](bica_link::LinkRequests::pause).
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        lock(&self.0.state).is_over
+    }
+
+    /// The rules of the world have ended the run; it can be continued. Returns whether they had not before.
+    pub fn over(&self) -> bool {
+        !std::mem::replace(&mut lock(&self.0.state).is_over, true)
+    }
+
+    /// Returns the next note of a person, for the recording.
+    #[must_use]
+    pub fn note(&self) -> Option<String> {
+        lock(&self.0.state).notes.pop_front()
+    }
+
+    /// The run is not recorded, or not any more.
+    pub fn not_recorded(&self, reason: &str) {
+        lock(&self.0.state).not_recorded = Some(reason.to_owned());
+    }
+
+    pub(crate) fn end(&self) {
+        lock(&self.0.state).is_ended = true;
+    }
+
+    pub(crate) fn add_note(&self, text: &str) {
+        lock(&self.0.state).notes.push_back(text.to_owned());
+    }
+
+    /// Why the recording ended before the run.
+    pub(crate) fn recording_ended(&self) -> Option<String> {
+        lock(&self.0.state).not_recorded.clone()
+    }
+}
