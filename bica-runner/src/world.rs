@@ -1,5 +1,7 @@
 //! The controlled system.
 
+use core::fmt;
+
 use bica_core::Instant;
 
 use crate::robot::Robot;
@@ -17,6 +19,20 @@ pub trait World<R: Robot> {
 
     /// Applies a command for one cycle. A simulation advances by one cycle.
     fn act(&mut self, command: &R::Command);
+
+    /// Whether the run has ended, as a game after its last minute. A program that runs worlds asks before each cycle.
+    fn is_over(&self) -> bool {
+        false
+    }
+
+    /// Writes the result of the run for people; nothing by default.
+    ///
+    /// # Errors
+    /// If `out` cannot be written.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
+        Ok(())
+    }
 }
 
 macro_rules! forward_to_target {
@@ -31,6 +47,14 @@ macro_rules! forward_to_target {
 
         fn act(&mut self, command: &R::Command) {
             (**self).act(command);
+        }
+
+        fn is_over(&self) -> bool {
+            (**self).is_over()
+        }
+
+        fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
+            (**self).report(out)
         }
     };
 }

@@ -58,6 +58,18 @@ impl Odometry {
         Self { position: [0.0; 2], heading: 0.0, driven: 0.0 }
     }
 
+    /// Position relative to the start, x ahead and y to the left.
+    #[info(unit = "m")]
+    const fn position(&self) -> [f32; 2] {
+        self.position
+    }
+
+    /// Heading relative to the start, counterclockwise.
+    #[info(unit = "rad")]
+    const fn heading(&self) -> f32 {
+        self.heading
+    }
+
     fn roll(&mut self, [left, right]: [f32; 2]) {
         let forward = 0.5 * (left + right);
         self.heading += (right - left) / TRACK_WIDTH;
@@ -90,6 +102,12 @@ impl WallDetector {
         Self { ahead: f32::INFINITY, distance: f32::INFINITY, angle: 0.0 }
     }
 
+    /// Distance to the wall on the right.
+    #[info(unit = "m")]
+    const fn distance(&self) -> f32 {
+        self.distance
+    }
+
     fn step(&mut self, lidar: &Lidar) {
         let cone = (-4..=4).map(|ray| lidar.range(ray as f32 * TAU / RAYS as f32));
         self.ahead = cone.fold(f32::INFINITY, f32::min);
@@ -102,14 +120,19 @@ impl WallDetector {
     }
 }
 
+/// Limits of the drive.
+#[derive(Params)]
+pub(crate) struct Limits {
+    /// Maximum acceleration of a wheel.
+    #[param(default = 1.5, range = 0.1..=5.0, unit = "m/s²")]
+    acceleration: f32,
+}
+
 /// The drive, with limited acceleration.
 pub(crate) struct Drive {
     wanted: (f32, f32),
     speeds: WheelSpeeds,
 }
-
-/// Maximum acceleration of a wheel, m/s².
-const ACCELERATION: f32 = 1.5;
 
 #[component(budget_us = 5)]
 impl Drive {
@@ -117,27 +140,46 @@ impl Drive {
         Self { wanted: (0.0, 0.0), speeds: WheelSpeeds([0.0; 2]) }
     }
 
-    fn step(&mut self, time: &Time) {
+    fn step(&mut self, limits: &Tuned<Limits>, time: &Time) {
         let (forward, turn) = self.wanted;
         let wanted = [forward - 0.5 * TRACK_WIDTH * turn, forward + 0.5 * TRACK_WIDTH * turn];
-        let change = ACCELERATION * time.dt();
+        let change = limits.acceleration * time.dt();
         for (speed, wanted) in self.speeds.0.iter_mut().zip(wanted) {
             *speed += (wanted - *speed).clamp(-change, change);
         }
     }
 
-    /// Requests a speed, m/s, and a turning speed, rad/s, positive to the left.
-    fn request(&mut self, forward: f32, turn: f32) {
+    /// Requests a speed and a turning speed, positive to the left.
+    #[modulation]
+    fn request(
+        &mut self,
+        #[range(-0.6..=0.6)]
+        #[unit("m/s")]
+        forward: f32,
+        #[range(-2.0..=2.0)]
+        #[unit("rad/s")]
+        turn: f32,
+    ) {
         self.wanted = (forward, turn);
     }
 }
 
-/// Speed, m/s.
-const SPEED: f32 = 0.4;
+/// How the robot follows a wall.
+#[derive(Params)]
+pub(crate) struct Following {
+    /// Speed ahead.
+    #[param(default = 0.4, range = 0.1..=0.6, unit = "m/s", step = 0.05)]
+    speed: f32,
+    /// Distance from the wall.
+    #[param(default = 0.4, range = 0.25..=0.55, unit = "m", step = 0.05)]
+    clearance: f32,
+    /// Turning speed for each metre of distance beyond the wanted one.
+    #[param(default = 2.5, range = 0.5..=5.0, unit = "rad/(m s)")]
+    gain: f32,
+}
+
 /// Turning speed, rad/s.
 const TURN: f32 = 1.2;
-/// Distance from the wall during following, m.
-const CLEARANCE: f32 = 0.4;
 /// Free distance ahead below which the robot stops and turns, m.
 const CORNER: f32 = 0.55;
 /// Distance to the right above which the wall has ended, m.
@@ -166,16 +208,16 @@ impl Explorer {
 
     /// Drives ahead until there is a wall.
     #[state(initial)]
-    fn search_wall(&mut self, drive: &mut Drive) {
-        drive.request(SPEED, 0.0);
+    fn search_wall(&mut self, tuned: &Tuned<Following>, drive: &mut Drive) {
+        drive.request(tuned.speed, 0.0);
     }
 
     /// Keeps the distance from the wall.
     #[state]
-    fn follow_wall(&mut self, wall: &WallDetector, odometry: &Odometry, drive: &mut Drive) {
+    fn follow_wall(&mut self, tuned: &Tuned<Following>, wall: &WallDetector, odometry: &Odometry, drive: &mut Drive) {
         self.lap.get_or_insert((odometry.position, odometry.driven));
-        let turn = 2.5 * (CLEARANCE - wall.distance) - 2.0 * wall.angle;
-        drive.request(SPEED, turn.clamp(-TURN, TURN));
+        let turn = tuned.gain * (tuned.clearance - wall.distance) - 2.0 * wall.angle;
+        drive.request(tuned.speed, turn.clamp(-TURN, TURN));
     }
 
     /// Turns left in a corner.
@@ -186,8 +228,8 @@ impl Explorer {
 
     /// Drives around the end of a wall.
     #[state]
-    fn round_end(&mut self, drive: &mut Drive) {
-        drive.request(SPEED, -SPEED / END_RADIUS);
+    fn round_end(&mut self, tuned: &Tuned<Following>, drive: &mut Drive) {
+        drive.request(tuned.speed, -tuned.speed / END_RADIUS);
     }
 
     /// The lap is complete.
@@ -235,6 +277,7 @@ activation_tree! {
         root: Explorer,
         cycle_hz: 50,
         budget_ms: 5,
+        tunable,
         components: [Explorer, WallDetector, Lidar, Odometry, Drive],
     }
 }

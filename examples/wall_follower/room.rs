@@ -5,12 +5,14 @@ use std::fmt;
 use bica::prelude::*;
 use bica::runner::World;
 
-use crate::robot::{RAYS, Sensors, TRACK_WIDTH, WallFollower, WheelSpeeds};
+use super::robot::{RAYS, Sensors, TRACK_WIDTH, WallFollower, WheelSpeeds};
 
 /// Width of a square of the map, m.
 const SQUARE: f32 = 0.25;
 /// Length of a cycle, s.
 const CYCLE: f32 = 0.02;
+/// Number of cycles of a run: 300 s.
+const LAST_CYCLE: u64 = 15_000;
 
 /// `#` is a wall, `>` is the start of the robot, which faces to the right.
 const MAP: [&str; 18] = [
@@ -81,11 +83,6 @@ impl Room {
     pub(crate) fn put(&mut self, position: [f32; 2], heading: f32) {
         (self.position, self.heading) = (position, heading);
     }
-
-    /// Time since the start, s.
-    pub(crate) fn time(&self) -> u64 {
-        World::<WallFollower>::now(self).as_secs()
-    }
 }
 
 impl World<WallFollower> for Room {
@@ -105,6 +102,14 @@ impl World<WallFollower> for Room {
         self.position = ahead(self.position, self.heading, 0.5 * (left + right));
         self.track.push(self.position);
         self.cycle += 1;
+    }
+
+    fn is_over(&self) -> bool {
+        self.cycle >= LAST_CYCLE
+    }
+
+    fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
+        write!(out, "{self}")
     }
 }
 

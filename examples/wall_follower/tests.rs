@@ -3,8 +3,8 @@
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
 
-use crate::robot::{Explorer, WallFollower};
-use crate::room::Room;
+use super::robot::{Explorer, WallFollower};
+use super::room::Room;
 
 fn start() -> Harness<WallFollower, InWorld<Room>> {
     Harness::new(WallFollower::new()).in_world(Room::new())

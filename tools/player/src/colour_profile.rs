@@ -1,27 +1,36 @@
 //! A colour profile as values of the parameters of `Colours`.
 
+use bica_app::Layer;
 use bica_console::Failure;
 use bica_evaluation::profile::load;
 use bica_tuning::Layers;
 use bica_vision::colour::{Colour, Filter};
+use clap::Args;
 
-/// Adds the limits of all classes of a profile: a name or a file.
-///
-/// # Errors
-/// If the profile cannot be read, or has a limit that no parameter has.
-pub(crate) fn assign(layers: &mut Layers, name: &str) -> Result<(), Failure> {
-    let source = format!("profile {name}");
-    for (colour, filter) in load(name)?.in_order() {
-        let class = format!("{colour:?}").to_lowercase();
-        let limits = if colour == Colour::White { white(filter) } else { coloured(filter) };
-        let limits = limits.map_err(|(what, help)| Failure::new(format!("`{name}`: `{class}` {what}"), help))?;
-        for (limit, value) in limits {
-            layers
-                .assign(&format!("Colours.{class}_{limit}={value}"), &source)
-                .map_err(|failure| failure.at(&source))?;
+/// Layer of the limits of colour classes.
+#[derive(Clone, Debug, Args)]
+pub struct ColourProfile {
+    /// Colour profile whose limits are the parameters of `Colours`, over the tune file of the world and below that of the robot:
+    /// built-in, nao2009 or darwin2013, or a TOML file
+    #[arg(long, value_name = "PROFILE")]
+    profile: Option<String>,
+}
+
+impl Layer for ColourProfile {
+    fn assign(&self, layers: &mut Layers) -> Result<(), Failure> {
+        let Some(name) = &self.profile else { return Ok(()) };
+        let source = format!("profile {name}");
+        for (colour, filter) in load(name)?.in_order() {
+            let class = format!("{colour:?}").to_lowercase();
+            let limits = if colour == Colour::White { white(filter) } else { coloured(filter) };
+            let limits = limits.map_err(|(what, help)| Failure::new(format!("`{name}`: `{class}` {what}"), help))?;
+            for (limit, value) in limits {
+                let assignment = format!("Colours.{class}_{limit}={value}");
+                layers.assign(&assignment, &source).map_err(|failure| failure.at(&source))?;
+            }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 type Limits = Result<Vec<(&'static str, u16)>, (&'static str, &'static str)>;

@@ -33,7 +33,7 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
     };
     let replayed = replay(&options)?;
     print(console, &replayed)?;
-    console.print_json(&Report { schema: "bica-player/replay/1", replayed: &replayed })?;
+    console.print_json(&Report { schema: "bica/replay/1", replayed: &replayed })?;
     Ok(if interrupt::requested() {
         Outcome::Interrupted
     } else if replayed.equal && replayed.damage.is_none() && replayed.gaps.is_empty() {

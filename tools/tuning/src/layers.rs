@@ -51,7 +51,7 @@ impl Layers {
     /// of range.
     pub fn read(&mut self, path: &Path) -> Result<(), Failure> {
         let name = path.display().to_string();
-        let help = "write a tune file with `player params --write FILE`";
+        let help = "the command `params --write FILE` writes a tune file";
         let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read", path, &error, help))?;
         self.read_text(&name, &text)
     }

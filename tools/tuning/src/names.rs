@@ -75,7 +75,7 @@ pub fn find(graph: &Graph, component: &str, name: &str) -> Result<Place, Failure
 pub fn find_component(graph: &Graph, name: &str) -> Result<usize, Failure> {
     graph.nodes.iter().position(|node| node.name == name).ok_or_else(|| {
         let names: Vec<_> = graph.nodes.iter().map(|node| node.name).collect();
-        let other = "`player graph` shows all components".to_owned();
+        let other = "the command `graph` shows all components".to_owned();
         Failure::new(format!("there is no component `{name}`"), remedy(name, &names, &other))
     })
 }

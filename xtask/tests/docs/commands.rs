@@ -1,7 +1,6 @@
 //! Commands of a page: those in `console` blocks, and `cargo …` and `player …` in the running text.
 
-use bica_player_program::cli::Cli as Player;
-use clap::Parser;
+use clap::CommandFactory;
 use clap::error::ErrorKind;
 use xtask::cli::Cli as Xtask;
 
@@ -86,8 +85,8 @@ impl From<String> for Refusal {
 fn start(text: &str, workspace: &Workspace) -> Result<(), Refusal> {
     let words: Vec<&str> = text.split_whitespace().take_while(|word| !["|", ">", "&&"].contains(word)).collect();
     match words[..] {
-        ["cargo", "xtask", ref rest @ ..] => parse::<Xtask>("xtask", rest),
-        ["player", ref rest @ ..] => parse::<Player>("player", rest),
+        ["cargo", "xtask", ref rest @ ..] => parse(Xtask::command(), rest),
+        ["player", ref rest @ ..] => parse(player(), rest),
         ["cargo", subcommand, ref rest @ ..] if CARGO.contains(&subcommand) => cargo(subcommand, rest, workspace),
         ["cargo", subcommand, ..] if ELSEWHERE.contains(&subcommand) => Ok(()),
         ["cargo", subcommand, ..] => Err(format!("`cargo {subcommand}` is not known to this test").into()),
@@ -95,8 +94,12 @@ fn start(text: &str, workspace: &Workspace) -> Result<(), Refusal> {
     }
 }
 
-fn parse<P: Parser>(program: &str, words: &[&str]) -> Result<(), Refusal> {
-    match P::try_parse_from([program].iter().chain(words)) {
+fn player() -> clap::Command {
+    bica_player_program::app().command()
+}
+
+fn parse(program: clap::Command, words: &[&str]) -> Result<(), Refusal> {
+    match program.try_get_matches_from([&"program"].into_iter().chain(words)) {
         Err(error) if error.use_stderr() => Err(Refusal {
             reason: error.to_string().lines().next().unwrap_or_default().to_owned(),
             is_incomplete: matches!(
@@ -141,7 +144,7 @@ fn cargo(subcommand: &str, words: &[&str], workspace: &Workspace) -> Result<(), 
             return Err(format!("`{option}` names something unknown").into());
         }
     }
-    program.filter(|_| starts_player).map_or(Ok(()), |words| parse::<Player>("player", words))
+    program.filter(|_| starts_player).map_or(Ok(()), |words| parse(player(), words))
 }
 
 #[cfg(test)]

@@ -1,22 +1,20 @@
 //! The command line.
 
-mod link;
 mod recording;
-mod tuning;
 
 use std::path::PathBuf;
 
+use bica_app::{ServeArgs, TuningArgs, seconds};
 use bica_evaluation::detection;
 use bica_evaluation::trial_kind::Kind;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::builder::PossibleValue;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Subcommand, ValueEnum};
 
-pub(crate) use link::{HoldKind, Link, LinkAction, ServeArgs, WatchExtras};
-pub(crate) use recording::{Images, InfoArgs, Record, RecordAction, Recover, Replay, Trim};
-pub(crate) use tuning::{Params, ParamsFormat, TuningArgs};
+use crate::colour_profile::ColourProfile;
+pub(crate) use recording::{Images, Replay};
 
-const AFTER: &str = "\
+pub(crate) const AFTER: &str = "\
 Examples:
   player                                one game, with a line for each change of the activation tree
   player --seed 7 --realtime            another game, in real time
@@ -38,7 +36,7 @@ Exit codes: 0 a goal (or the command is done), 1 no goal (or no image could be r
 2 wrong arguments or files, 130 stopped by Ctrl-C, 141 the reader of the output is gone.
 Without a terminal, or if NO_COLOR is set, the output has no colours.";
 
-const ABOUT: &str = "\
+pub(crate) const ABOUT: &str = "\
 The forward of RoboCup 2009: a NAO robot that finds the ball in its camera images,
 walks to it, looks for the goal, lines up and kicks.
 
@@ -46,22 +44,10 @@ Without a command, the program plays one game in the built-in world. Every behav
 the robot is a component of an activation tree. The program prints each change of the
 tree, and the cost of each component.";
 
-/// Arguments of the program.
-#[derive(Debug, Parser)]
-#[command(name = "player", version, about = ABOUT, after_help = AFTER, args_conflicts_with_subcommands = true)]
-pub struct Cli {
-    #[command(subcommand)]
-    pub(crate) command: Option<Command>,
-    #[command(flatten)]
-    pub(crate) play: Play,
-}
-
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Play one game or a series (the default command)
     Play(Play),
-    /// Print the activation tree: components, rates, links, states and transitions
-    Graph(GraphArgs),
     #[command(
         about = "Run trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls; print tables of results"
     )]
@@ -70,14 +56,8 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Detect in a folder of images; print one line for each image, and a score against labels
     See(See),
-    /// Print what a recording contains; mend, cut or export it
-    Record(Record),
     /// Run the code again on a recording and compare, bit for bit; or compare two recordings
     Replay(Replay),
-    /// List the parameters of the components and their values; write a tune file
-    Params(Params),
-    /// Attach to a running robot: describe, watch, set, hold, rate, modulate, log
-    Link(Link),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(Calibrate),
 }
@@ -125,7 +105,7 @@ pub(crate) struct Play {
     #[command(flatten)]
     pub(crate) link: ServeArgs,
     /// Play a series of N games with consecutive seeds from --seed on, and print a summary
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", conflicts_with = "serve", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) games: Option<u32>,
     /// Number of threads [default: one for each core]; the results do not depend on it
     #[arg(long, value_name = "N", requires = "games", value_parser = clap::value_parser!(u32).range(1..=1024))]
@@ -134,7 +114,7 @@ pub(crate) struct Play {
     #[arg(long, value_name = "N", requires = "games")]
     pub(crate) at_least: Option<u32>,
     #[command(flatten)]
-    pub(crate) tuning: TuningArgs,
+    pub(crate) tuning: TuningArgs<ColourProfile>,
     /// Print the results as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,
@@ -202,24 +182,6 @@ impl ValueEnum for TrialName {
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(PossibleValue::new(self.0.name()).help(self.0.about()))
     }
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct GraphArgs {
-    /// Format: a drawing (svg), text for Graphviz (dot) or Markdown (mermaid), or data (json)
-    #[arg(long, value_name = "FORMAT", default_value = "svg")]
-    pub(crate) format: Format,
-    /// Short for --format json
-    #[arg(long, conflicts_with = "format")]
-    pub(crate) json: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    Svg,
-    Dot,
-    Mermaid,
-    Json,
 }
 
 /// Images and parameters of the detectors.
@@ -298,9 +260,4 @@ fn millimetres(text: &str) -> Result<f32, String> {
 fn robots(text: &str) -> Result<usize, String> {
     let fits = text.parse().ok().filter(|&count| count <= MAX_ROBOTS);
     fits.ok_or_else(|| format!("give a number from 0 to {MAX_ROBOTS}"))
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let fits = text.parse().ok().filter(|time: &f64| (0.01..=86_400.0).contains(time));
-    fits.ok_or_else(|| "give a time from 0.01 to 86400 seconds".to_owned())
 }

@@ -1,10 +1,9 @@
-//! Arguments of `player record` and `player replay`.
+//! Arguments about recordings of games.
 
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
-
 use bica_recording::ImagePolicy;
+use clap::{Args, ValueEnum};
 
 /// What a recording stores of each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -22,62 +21,6 @@ impl From<Images> for ImagePolicy {
             Images::None => Self::None,
         }
     }
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Record {
-    #[command(subcommand)]
-    pub(crate) action: RecordAction,
-}
-
-#[derive(Clone, Debug, Subcommand)]
-pub(crate) enum RecordAction {
-    /// Print what a recording contains
-    Info(InfoArgs),
-    /// Write the intact chunks of a cut or damaged recording to a new file
-    Recover(Recover),
-    /// Write a span of time of a recording to a new file
-    Trim(Trim),
-    /// Write images, plots, tree and log in standard schemas for viewers (Foxglove, Rerun)
-    Export(Recover),
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct InfoArgs {
-    /// The recording
-    #[arg(value_name = "FILE")]
-    pub(crate) file: PathBuf,
-    /// Print the contents as JSON on stdout
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Recover {
-    /// The recording
-    #[arg(value_name = "FILE")]
-    pub(crate) file: PathBuf,
-    /// The new file
-    #[arg(value_name = "OUT")]
-    pub(crate) out: PathBuf,
-    /// Replace OUT if it exists
-    #[arg(long)]
-    pub(crate) force: bool,
-    /// Print the result as JSON on stdout; all other output goes to stderr
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Trim {
-    #[command(flatten)]
-    pub(crate) files: Recover,
-    /// Begin of the span, s since the start of the run
-    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
-    pub(crate) from: f64,
-    /// End of the span, s [default: the end of the recording]
-    #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
-    pub(crate) until: Option<f64>,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -112,7 +112,7 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
     ] {
         let (code, lines, errors) = served.monitor(args);
         assert_eq!(code, Some(0), "{args:?}: {errors}");
-        assert_eq!(lines[0]["schema"], *format!("bica-player/link-{kind}/1"), "{args:?}");
+        assert_eq!(lines[0]["schema"], *format!("bica/link-{kind}/1"), "{args:?}");
     }
     let lines = served.finish();
     assert!(lines.iter().any(|line| line.contains("no goal")), "{lines:?}");

@@ -74,7 +74,7 @@ fn monitors_change_no_command_of_a_game() {
     let mut other = game.link(&["watch"]).stdout(Stdio::null()).spawn().expect("the program starts");
     let (code, lines, errors) = game.monitor(&["watch", "FaceBall.error", "--count", "50"]);
     assert_eq!(code, Some(0), "{errors}");
-    let snapshots = lines.iter().filter(|line| line["schema"] == "bica-player/link-snapshot/1");
+    let snapshots = lines.iter().filter(|line| line["schema"] == "bica/link-snapshot/1");
     let cycles: Vec<_> = snapshots.map(|line| line["cycle"].as_u64().expect("a number")).collect();
     assert!(cycles.len() == 50 && cycles.is_sorted_by(|a, b| a < b), "{cycles:?}");
     let served = game.finish();
@@ -194,7 +194,7 @@ fn a_served_world_is_paused_stepped_continued_and_shown() {
         let (code, lines, errors) = game.monitor(args);
         assert_eq!(code, Some(0), "{errors}");
         let line = lines.last().expect("a line");
-        assert_eq!(line["schema"], "bica-player/link-world/1");
+        assert_eq!(line["schema"], "bica/link-world/1");
         (line["cycle"].as_u64().expect("a number"), line["paused"].as_bool().expect("a truth value"))
     };
     let (last, paused) = world(&["pause"]);
@@ -207,10 +207,10 @@ fn a_served_world_is_paused_stepped_continued_and_shown() {
     let (code, lines, errors) = game.monitor(&args);
     assert_eq!(code, Some(0), "{errors}");
     for kind in ["snapshot", "conditions", "costs", "truth", "image"] {
-        let schema = format!("bica-player/link-{kind}/1");
+        let schema = format!("bica/link-{kind}/1");
         assert!(lines.iter().any(|line| line["schema"] == *schema), "{kind}");
     }
-    let image = lines.iter().find(|line| line["schema"] == "bica-player/link-image/1").expect("an image");
+    let image = lines.iter().find(|line| line["schema"] == "bica/link-image/1").expect("an image");
     let pixels = std::fs::read(image["path"].as_str().expect("a path")).expect("a file");
     assert_eq!(pixels.len(), 160 * 120 * 2);
     std::fs::remove_dir_all(folder).expect("it can be removed");
@@ -227,7 +227,7 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     for at in [["2.5", "-1.5"], ["-2.875", "1.5"]] {
         let (code, lines, errors) = game.monitor(&["ball", at[0], at[1]]);
         assert_eq!(code, Some(0), "{errors}");
-        assert_eq!(lines[0]["schema"], "bica-player/link-ball/1");
+        assert_eq!(lines[0]["schema"], "bica/link-ball/1");
         let expected: [f64; 2] = at.map(|number| number.parse().expect("a number"));
         assert_eq!(lines[0]["ball"], serde_json::json!(expected));
         let (_, stepped, errors) = game.monitor(&["step", "10"]);
@@ -246,7 +246,7 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     assert_eq!(game.monitor(&["resume"]).0, Some(0));
     let (code, lines, errors) = game.monitor(&["watch", "--truth", "--count", "20"]);
     assert_eq!(code, Some(0), "{errors}");
-    let truth = lines.iter().find(|line| line["schema"] == "bica-player/link-truth/1").expect("the true state");
+    let truth = lines.iter().find(|line| line["schema"] == "bica/link-truth/1").expect("the true state");
     assert_eq!(truth["ball"], serde_json::json!([-2.875, 1.5]));
     game.finish();
     let info = run(&["record", "info", file, "--json"]).json();

@@ -9,7 +9,7 @@ use crate::process::{Folder, Ran, refused, run};
 /// Returns the value and the source of `FaceBall.gain`.
 fn gain(args: &[&str]) -> (String, Value) {
     let json = run(&[&["params", "FaceBall", "--json"], args].concat()).json();
-    assert_eq!(json["schema"], "bica-player/params/1");
+    assert_eq!(json["schema"], "bica/params/1");
     let rows = json["parameters"].as_array().expect("a list");
     assert!(rows.iter().all(|row| row["component"] == "FaceBall"));
     let gain = rows.iter().find(|row| row["name"] == "gain").expect("a parameter");

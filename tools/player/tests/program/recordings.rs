@@ -28,7 +28,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
         assert_eq!((&recording["recorded_cycles"], &recording["dropped_images"]), (&100.into(), &0.into()));
         assert!(recording["reason"].is_null());
         let info = run(&["record", "info", &file, "--json"]).json();
-        assert_eq!((&info["schema"], &info["cycles"]), (&"bica-player/recording/1".into(), &100.into()));
+        assert_eq!((&info["schema"], &info["cycles"]), (&"bica/recording/1".into(), &100.into()));
         assert_eq!((&info["header"]["rules"]["seed"], &info["damage"]), (&3.into(), &Value::Null));
         assert_eq!(info["header"]["images"], images);
         assert_eq!(info["ending"]["result"], format!("fingerprint {}", plain["fingerprint"].as_str().unwrap()));
@@ -67,7 +67,7 @@ fn files_are_mended_cut_and_exported() {
     record(&file, &["--seconds", "3"]);
     let part = folder.file("part.mcap");
     let trimmed = run(&["record", "trim", &file, &part, "--from", "0.5", "--until", "1", "--json"]).json();
-    assert_eq!((&trimmed["cycles"], &trimmed["schema"]), (&51.into(), &"bica-player/written/1".into()));
+    assert_eq!((&trimmed["cycles"], &trimmed["schema"]), (&51.into(), &"bica/written/1".into()));
     refused(&["replay", &part], &["begins with cycle 50", "help: "]);
     let bytes = fs::read(&file).unwrap();
     let cut = folder.file("cut.mcap");

@@ -1,4 +1,6 @@
-//! `player record`: what a recording contains; mended, cut and exported files.
+//! `record`: what a recording contains; mended, cut and exported files.
+
+mod args;
 
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
@@ -9,7 +11,8 @@ use bica_recording::repair::{self, Copied};
 use bica_recording::{Error, Info, Start, create, export};
 use serde::Serialize;
 
-use crate::cli::{InfoArgs, Record, RecordAction, Recover, Trim};
+pub(crate) use args::Record;
+use args::{InfoArgs, RecordAction, Recover, Trim};
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
@@ -42,7 +45,7 @@ fn info(args: &InfoArgs) -> Result<Outcome, Failure> {
     let info = Info::read(open(&args.file)?).map_err(|error| failure(&args.file, &error))?;
     print(console, &info)?;
     let file = args.file.display().to_string();
-    console.print_json(&InfoReport { schema: "bica-player/recording/1", file, info: &info })?;
+    console.print_json(&InfoReport { schema: "bica/recording/1", file, info: &info })?;
     Ok(Outcome::Success)
 }
 
@@ -157,7 +160,7 @@ fn write(
     }
     let Copied { cycles, bytes, chunks, damage } = &copied;
     let file = args.out.display().to_string();
-    let schema = "bica-player/written/1";
+    let schema = "bica/written/1";
     console.print_json(&Written { schema, file, cycles: *cycles, bytes: *bytes, chunks: *chunks, damages: damage })?;
     Ok(Outcome::Success)
 }

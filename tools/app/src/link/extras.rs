@@ -9,8 +9,8 @@ use bica_link::{Costs, Event, Image};
 use bica_wire::message::{ConditionState, ExtraKind, Truth, WorldChange};
 use serde_json::json;
 
+use super::args::WatchExtras;
 use super::{Monitor, failure};
-use crate::cli::WatchExtras;
 
 /// Time without a snapshot after which a paused world is shown as such.
 const POLL: Duration = Duration::from_millis(50);
@@ -58,7 +58,7 @@ impl Monitor {
                 _ => (true, "the world is paused"),
             };
             monitor.console.print_row(&format!("cycle {cycle}"), text)?;
-            monitor.line("bica-player/link-world/1", json!({ "cycle": cycle, "paused": paused }))?;
+            monitor.line("bica/link-world/1", json!({ "cycle": cycle, "paused": paused }))?;
             Ok(Outcome::Success)
         })
     }
@@ -69,7 +69,7 @@ impl Monitor {
             let cycle = monitor.client.place_ball(at).map_err(|error| failure(&error))?.cycle;
             let [x, y] = at;
             monitor.console.print_row(&format!("cycle {cycle}"), &format!("the ball lies at {x}, {y} m"))?;
-            monitor.line("bica-player/link-ball/1", json!({ "cycle": cycle, "ball": at }))?;
+            monitor.line("bica/link-ball/1", json!({ "cycle": cycle, "ball": at }))?;
             Ok(Outcome::Success)
         })
     }
@@ -108,7 +108,7 @@ impl Monitor {
         let row = format!("{}: {text}", component.name);
         self.console.print_row(&format!("{:.2} s", time_us as f64 * 1e-6), &row)?;
         let line = json!({ "time_us": time_us, "component": component.name, "conditions": rows });
-        self.line("bica-player/link-conditions/1", line)
+        self.line("bica/link-conditions/1", line)
     }
 
     fn show_costs(&self, Costs { cycles, components }: &Costs) -> Result<(), Failure> {
@@ -128,7 +128,7 @@ impl Monitor {
             "cycle": cycles.cycle, "time_us": cycles.time_us, "window_us": cycles.window_us,
             "mean_us": cycles.mean_us, "max_us": cycles.max_us, "worst_us": cycles.worst_us, "components": rows,
         });
-        self.line("bica-player/link-costs/1", line)
+        self.line("bica/link-costs/1", line)
     }
 
     fn show_truth(&self, truth: &Truth) -> Result<(), Failure> {
@@ -139,7 +139,7 @@ impl Monitor {
             "time_us": truth.time_us, "robot": truth.robot, "ball": truth.ball, "others": &truth.others[..],
             "start": truth.start, "attacks_blue": truth.attacks_blue,
         });
-        self.line("bica-player/link-truth/1", line)
+        self.line("bica/link-truth/1", line)
     }
 
     fn save_image(&self, Image { head, yuyv }: &Image, folder: &Path) -> Result<(), Failure> {
@@ -157,6 +157,6 @@ impl Monitor {
         });
         self.console
             .print_row(&format!("{:.2} s", head.time_us as f64 * 1e-6), &format!("image {}", path.display()))?;
-        self.line("bica-player/link-image/1", line)
+        self.line("bica/link-image/1", line)
     }
 }

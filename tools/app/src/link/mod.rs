@@ -1,4 +1,4 @@
-//! `player link`: a monitor of a running robot.
+//! `link`: a monitor of a running robot.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -10,9 +10,13 @@ use bica_wire::message::{Change, Hold, Setting, Value, WorldChange};
 use serde::Serialize;
 use serde_json::json;
 
-use crate::cli::{HoldKind, Link, LinkAction};
-
+mod args;
 mod extras;
+mod serve;
+
+pub(crate) use args::Link;
+use args::{HoldKind, LinkAction};
+pub use serve::ServeArgs;
 
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
@@ -95,7 +99,7 @@ impl Monitor {
         for component in &description.components {
             describe_component(self.console, component)?;
         }
-        self.line("bica-player/link-description/1", description)?;
+        self.line("bica/link-description/1", description)?;
         Ok(Outcome::Success)
     }
 
@@ -174,7 +178,7 @@ impl Monitor {
             *last = line;
         }
         self.line(
-            "bica-player/link-snapshot/1",
+            "bica/link-snapshot/1",
             json!({
                 "cycle": info.cycle, "time_us": info.time_us, "sensed": info.sensed, "images": info.images,
                 "overruns": info.overruns, "components": rows,
@@ -195,7 +199,7 @@ impl Monitor {
         let unit = info.unit.as_deref().unwrap_or_default();
         let shown = value.map_or_else(|| "too large for the link".to_owned(), ToString::to_string);
         self.console.print_row(&format!("cycle {cycle}"), &format!("{name} = {shown} {unit}"))?;
-        self.line("bica-player/link-info/1", json!({ "cycle": cycle, "name": name, "value": value }))
+        self.line("bica/link-info/1", json!({ "cycle": cycle, "name": name, "value": value }))
     }
 
     /// Runs `action` as the operator, and gives the lease back.
@@ -240,7 +244,7 @@ impl Monitor {
                 let text = param.kind.text(value);
                 monitor.console.print_row(&format!("cycle {}", answer.cycle), &format!("{path} = {text}"))?;
                 let line = json!({ "cycle": answer.cycle, "name": path, "value": param.plain(value) });
-                monitor.line("bica-player/link-set/1", line)?;
+                monitor.line("bica/link-set/1", line)?;
             }
             Ok(Outcome::Success)
         })
@@ -253,7 +257,7 @@ impl Monitor {
             let answer = monitor.request(change)?;
             monitor.console.print_row(&format!("cycle {}", answer.cycle), "in force until this command ends")?;
             let values: Vec<_> = answer.values.iter().map(|&value| Plain::from(value)).collect();
-            monitor.line("bica-player/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
+            monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
             while until.is_none_or(|until| Instant::now() < until) {
                 if interrupt::requested() {
                     return Ok(if seconds.is_some() { Outcome::Interrupted } else { Outcome::Success });
@@ -283,7 +287,7 @@ impl Monitor {
         self.operate(|monitor| {
             let answer = monitor.request(change)?;
             monitor.console.print_row(&format!("cycle {}", answer.cycle), "called")?;
-            monitor.line("bica-player/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))?;
+            monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))?;
             Ok(Outcome::Success)
         })
     }
@@ -296,7 +300,7 @@ impl Monitor {
                 let time = format!("{:.2} s", time_us as f64 * 1e-6);
                 self.console.print_row(&time, &self.console.styled(style, &text))?;
                 let line = json!({ "time_us": time_us, "level": level, "text": text });
-                self.line("bica-player/link-log/1", line)?;
+                self.line("bica/link-log/1", line)?;
                 seen += 1;
                 if count.is_some_and(|count| seen >= count) {
                     return Ok(Outcome::Success);

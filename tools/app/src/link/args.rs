@@ -1,44 +1,29 @@
-//! Arguments of `player link`.
+//! Arguments of `link` and of programs that serve a robot.
 
 use std::path::PathBuf;
 
 use bica_link::Address;
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::seconds;
-
-/// How a game is served to monitors.
-#[derive(Clone, Debug, Args)]
-pub(crate) struct ServeArgs {
-    /// Serve the game to monitors in real time, for `player link`: HOST:PORT (port 0: any), or a serial line as
-    /// /dev/ttyUSB0@921600
-    #[arg(long, value_name = "ADDR", conflicts_with = "games", value_parser = address)]
-    pub(crate) serve: Option<Address>,
-    /// Allow an address of --serve that other computers reach; there is no password, whoever reaches it controls the robot
-    #[arg(long, requires = "serve")]
-    pub(crate) listen_anywhere: bool,
-    /// With --serve, play as fast as possible instead of in real time
-    #[arg(long, requires = "serve", conflicts_with = "realtime")]
-    pub(crate) unpaced: bool,
-}
+use crate::run::seconds;
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Link {
     /// Address of the robot: HOST:PORT, or a serial line as /dev/ttyUSB0@921600
     #[arg(value_name = "ADDR", value_parser = address)]
-    pub(crate) address: Address,
+    pub(super) address: Address,
     #[command(subcommand)]
-    pub(crate) action: LinkAction,
+    pub(super) action: LinkAction,
     /// Print JSON on stdout, one value on each line; all other output goes to stderr
     #[arg(long, global = true)]
-    pub(crate) json: bool,
+    pub(super) json: bool,
     /// Take the lease from another operator
     #[arg(long, global = true)]
-    pub(crate) take: bool,
+    pub(super) take: bool,
 }
 
 #[derive(Clone, Debug, Subcommand)]
-pub(crate) enum LinkAction {
+pub(super) enum LinkAction {
     /// Print components, parameters with their values, information and modulations
     Describe {
         /// Components to print [default: all]
@@ -123,23 +108,23 @@ pub(crate) enum LinkAction {
 
 /// What is watched besides states and information; not offered by a microcontroller.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct WatchExtras {
+pub(super) struct WatchExtras {
     /// Print the conditions of the transitions of a component; may be given several times
     #[arg(long, value_name = "COMPONENT")]
-    pub(crate) conditions: Vec<String>,
+    pub(super) conditions: Vec<String>,
     /// Print the costs of the components and of the cycle, every 50 cycles
     #[arg(long)]
-    pub(crate) costs: bool,
+    pub(super) costs: bool,
     /// Print the true state of a simulated world
     #[arg(long)]
-    pub(crate) truth: bool,
+    pub(super) truth: bool,
     /// Save images to this folder, one raw file in YUYV for each
     #[arg(long, value_name = "FOLDER")]
-    pub(crate) images: Option<PathBuf>,
+    pub(super) images: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum HoldKind {
+pub(super) enum HoldKind {
     /// Held active
     Active,
     /// Held latent
@@ -148,6 +133,6 @@ pub(crate) enum HoldKind {
     Tree,
 }
 
-fn address(text: &str) -> Result<Address, String> {
+pub(super) fn address(text: &str) -> Result<Address, String> {
     text.parse().map_err(|error: bica_link::Error| error.help())
 }

@@ -1,19 +1,24 @@
-//! `player params`: the parameters with their values, and tune files.
+//! `params`: the parameters with their values, and tune files.
 
+mod args;
+mod tuning;
+
+use bica::{Graph, Tree};
 use bica_console::{Console, Failure, Outcome, Style};
-use bica_game::{GRAPH, settings};
 use bica_tuning::{Layers, Value, find_component, range, render, write};
 use serde::Serialize;
 
-use crate::cli::{Params, ParamsFormat};
-use crate::tuning::layers;
+pub(crate) use args::Params;
+use args::ParamsFormat;
+pub use tuning::{Layer, TuningArgs};
 
-/// Lists or writes parameters as the command line requests.
-pub(crate) fn run(args: &Params) -> Result<Outcome, Failure> {
-    let layers = layers(&args.kind, &args.tuning)?;
-    settings(&layers)?;
+/// Lists or writes parameters as the command line requests. `kind` is the kind of robot without `--kind`.
+pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> Result<Outcome, Failure> {
+    let graph: &'static Graph = const { &T::GRAPH };
+    let layers = args.tuning.layers(graph, args.kind.as_deref().unwrap_or(kind))?;
+    layers.apply(&mut *Box::<T>::default())?;
     for component in &args.components {
-        find_component(&GRAPH, component)?;
+        find_component(graph, component)?;
     }
     if let Some(path) = &args.write {
         write(&layers, path, args.force)?;
@@ -27,20 +32,20 @@ pub(crate) fn run(args: &Params) -> Result<Outcome, Failure> {
         ParamsFormat::Toml => Console::new(false).print(render(&only(args, &layers)).trim_end())?,
         ParamsFormat::Json => {
             let parameters = values.iter().map(ParameterRow::new).collect();
-            Console::new(true).print_json(&Report { schema: "bica-player/params/1", parameters })?;
+            Console::new(true).print_json(&Report { schema: "bica/params/1", parameters })?;
         }
     }
     Ok(Outcome::Success)
 }
 
-fn is_listed(args: &Params, value: &Value<'_>) -> bool {
+fn is_listed<L: Layer>(args: &Params<L>, value: &Value<'_>) -> bool {
     let Value { place, value, .. } = value;
     let named = args.components.is_empty() || args.components.iter().any(|name| name == place.node.name);
     named && (!args.changed || *value != place.param.default)
 }
 
 /// Returns the layers without the components that are not listed.
-fn only(args: &Params, layers: &Layers) -> Layers {
+fn only<L: Layer>(args: &Params<L>, layers: &Layers) -> Layers {
     let mut only = layers.clone();
     only.retain(|value| is_listed(args, value));
     only

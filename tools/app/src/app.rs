@@ -1,0 +1,177 @@
+//! The program of a robot.
+
+use std::fmt;
+use std::marker::PhantomData;
+use std::process::ExitCode;
+
+use bica::runner::{Robot, World};
+use bica_console::{Failure, Outcome};
+use clap::builder::PossibleValuesParser;
+use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
+
+use crate::params::Layer;
+use crate::run::{self, RunArgs};
+use crate::start::start;
+use crate::tool::Tool;
+use crate::world::{RegisteredWorld, WorldOptions};
+
+/// Program of the robot `R`: its worlds and commands. `L` is the program's own layer of parameters.
+pub struct App<R: Robot, L: Layer = ()> {
+    command: Command,
+    kind: Option<&'static str>,
+    worlds: Vec<RegisteredWorld<R>>,
+    is_done: Option<fn(&R) -> bool>,
+    own: Vec<Commands>,
+    default: Option<Commands>,
+    layer: PhantomData<fn() -> L>,
+}
+
+/// Function that runs a command with its parsed arguments.
+type Work = Box<dyn FnOnce(&ArgMatches) -> Result<Outcome, Failure> + Send>;
+
+/// Commands that a program adds.
+struct Commands {
+    augment: fn(Command) -> Command,
+    has: fn(&str) -> bool,
+    run: Work,
+}
+
+impl<R, L> App<R, L>
+where
+    R: Robot<Error: fmt::Display> + Default + 'static,
+    L: Layer,
+{
+    /// Creates the program with a name. Its help begins with the doc comment of the tree.
+    #[must_use]
+    pub fn new(name: &'static str) -> Self {
+        let about = R::GRAPH.doc.split_whitespace().collect::<Vec<_>>().join(" ");
+        Self {
+            command: Command::new(name).about(about).after_help(run::EXIT_CODES),
+            kind: None,
+            worlds: Vec::new(),
+            is_done: None,
+            own: Vec::new(),
+            default: None,
+            layer: PhantomData,
+        }
+    }
+
+    /// Changes the help and the version of the program.
+    #[must_use]
+    pub fn describe(self, change: impl FnOnce(Command) -> Command) -> Self {
+        Self { command: change(self.command), ..self }
+    }
+
+    /// Adds a simulated world. The first one is the default.
+    #[must_use]
+    pub fn world<W: World<R> + 'static>(
+        self,
+        name: &'static str,
+        open: impl Fn(&WorldOptions) -> W + Send + 'static,
+    ) -> Self {
+        self.try_world(name, move |options| Ok(open(options)))
+    }
+
+    /// Adds a simulated world that may refuse its options.
+    #[must_use]
+    pub fn try_world<W: World<R> + 'static>(
+        mut self,
+        name: &'static str,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+    ) -> Self {
+        self.worlds.push(RegisteredWorld::new(name, false, open));
+        self
+    }
+
+    /// Adds a real robot: a world that runs in real time and cannot be paused.
+    #[must_use]
+    pub fn device<W: World<R> + 'static>(
+        mut self,
+        name: &'static str,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+    ) -> Self {
+        self.worlds.push(RegisteredWorld::new(name, true, open));
+        self
+    }
+
+    /// Sets the aim of a run: it ends when this holds after a cycle. A run that ends earlier has exit code 1.
+    #[must_use]
+    pub fn until(self, is_done: fn(&R) -> bool) -> Self {
+        Self { is_done: Some(is_done), ..self }
+    }
+
+    /// Sets the kind of robot whose tune file `params` reads without `--kind`; by default it is the first world.
+    #[must_use]
+    pub fn kind(self, kind: &'static str) -> Self {
+        Self { kind: Some(kind), ..self }
+    }
+
+    /// Adds commands.
+    #[must_use]
+    pub fn commands<C: Subcommand>(mut self, run: impl FnOnce(C) -> Result<Outcome, Failure> + Send + 'static) -> Self {
+        self.own.push(Commands { augment: C::augment_subcommands, has: C::has_subcommand, run: parsed(run) });
+        self
+    }
+
+    /// Sets what runs without a command, instead of `run`.
+    #[must_use]
+    pub fn default_command<A: Args>(self, run: impl FnOnce(A) -> Result<Outcome, Failure> + Send + 'static) -> Self {
+        Self { default: Some(Commands { augment: A::augment_args, has: |_| false, run: parsed(run) }), ..self }
+    }
+
+    /// Returns the command line, for example for a test of documented commands.
+    #[must_use]
+    pub fn command(&self) -> Command {
+        let mut command = self.command.clone().args_conflicts_with_subcommands(true);
+        command = match &self.default {
+            Some(default) => (default.augment)(command),
+            None if self.worlds.is_empty() => command.subcommand_required(true).arg_required_else_help(true),
+            None => self.run_args(command),
+        };
+        if !self.worlds.is_empty() {
+            let about = "Run the robot in a world (the default command)";
+            command = command.subcommand(self.run_args(Command::new("run")).about(about));
+        }
+        for own in &self.own {
+            command = (own.augment)(command);
+        }
+        // The doc comments of arguments are not the program's.
+        Tool::<L>::augment_subcommands(command).about(self.command.get_about().cloned().unwrap_or_default())
+    }
+
+    fn run_args(&self, command: Command) -> Command {
+        let names: Vec<_> = self.worlds.iter().map(|world| world.name).collect();
+        let first = names[0];
+        let parser = PossibleValuesParser::new(names);
+        RunArgs::<L>::augment_args(command).mut_arg("world", |world| world.value_parser(parser).default_value(first))
+    }
+
+    /// Runs the command of the command line; returns the exit code.
+    #[must_use]
+    pub fn run(self) -> ExitCode {
+        let matches = self.command().get_matches();
+        start(move || self.dispatch(&matches))
+    }
+
+    fn dispatch(self, matches: &ArgMatches) -> Result<Outcome, Failure> {
+        let Self { kind, worlds, is_done, own, default, .. } = self;
+        let first = worlds.first().map(|world| world.name);
+        match (matches.subcommand(), default) {
+            (None, Some(default)) => (default.run)(matches),
+            (None, None) => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
+            (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
+            (Some((name, _)), _) => match own.into_iter().find(|own| (own.has)(name)) {
+                Some(own) => (own.run)(matches),
+                None => parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name)),
+            },
+        }
+    }
+}
+
+fn parsed<A: FromArgMatches>(run: impl FnOnce(A) -> Result<Outcome, Failure> + Send + 'static) -> Work {
+    Box::new(move |matches| run(parse(matches)?))
+}
+
+fn parse<A: FromArgMatches>(matches: &ArgMatches) -> Result<A, Failure> {
+    A::from_arg_matches(matches).map_err(|error| Failure::new(error.to_string(), "--help lists the arguments"))
+}

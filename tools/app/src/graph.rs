@@ -1,0 +1,41 @@
+//! `graph`: the activation tree in several formats.
+
+use std::io::{self, Write};
+
+use bica::Graph;
+use bica_console::{Failure, Outcome};
+use bica_drawing::svg;
+use clap::{Args, ValueEnum};
+
+/// Arguments of `graph`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct GraphArgs {
+    /// Format: a drawing (svg), text for Graphviz (dot) or Markdown (mermaid), or data (json)
+    #[arg(long, value_name = "FORMAT", default_value = "svg")]
+    format: Format,
+    /// Short for --format json
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Svg,
+    Dot,
+    Mermaid,
+    Json,
+}
+
+/// Prints the tree.
+pub(crate) fn run(args: &GraphArgs, graph: &Graph) -> Result<Outcome, Failure> {
+    let text = match if args.json { Format::Json } else { args.format } {
+        Format::Svg => svg(graph),
+        Format::Dot => graph.dot().to_string(),
+        Format::Mermaid => graph.mermaid().to_string(),
+        Format::Json => graph.json().to_string(),
+    };
+    let mut out = io::stdout().lock();
+    writeln!(out, "{}", text.trim_end())?;
+    out.flush()?;
+    Ok(Outcome::Success)
+}

@@ -1,0 +1,71 @@
+//! Layers of parameters on the command line.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use bica::Graph;
+use bica_console::Failure;
+use bica_tuning::Layers;
+use clap::Args;
+
+/// Folder of tune files without `--tune`.
+const FOLDER: &str = "tune";
+
+/// Arguments of a program's own layer of parameters, between the tune file of the world and that of the robot. `()` adds none.
+pub trait Layer: Args + Clone + fmt::Debug + Send + 'static {
+    /// Adds the values of the layer.
+    ///
+    /// # Errors
+    /// If the values cannot be read or are refused.
+    fn assign(&self, layers: &mut Layers) -> Result<(), Failure>;
+}
+
+impl Layer for () {
+    fn assign(&self, _layers: &mut Layers) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+/// Arguments that select the values of parameters.
+#[derive(Clone, Debug, Args)]
+pub struct TuningArgs<L: Layer = ()> {
+    /// Tune file, or a folder of tune files: `DIR/WORLD.toml`, and with --robot `DIR/NAME.toml` [default: the folder tune, if it
+    /// exists]
+    #[arg(long, value_name = "PATH")]
+    tune: Option<PathBuf>,
+    #[command(flatten)]
+    layer: L,
+    /// Name of the robot, for its tune file
+    #[arg(long, value_name = "NAME")]
+    robot: Option<String>,
+    /// Set a parameter over all tune files; may be repeated. The command `params` lists the parameters
+    #[arg(long, value_name = "COMPONENT.NAME=VALUE")]
+    set: Vec<String>,
+}
+
+impl<L: Layer> TuningArgs<L> {
+    /// Reads the tune file of a kind of robot, the program's own layer and the tune file of one robot, and adds the assignments.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or a name or a value is wrong.
+    pub fn layers(&self, graph: &'static Graph, kind: &str) -> Result<Layers, Failure> {
+        let mut layers = Layers::new(graph);
+        let path = self.tune.as_deref().unwrap_or(Path::new(FOLDER));
+        let (folder, of_kind) = match path.parent().filter(|_| path.is_file()) {
+            Some(folder) => (folder, path.to_owned()),
+            None => (path, path.join(format!("{kind}.toml"))),
+        };
+        // A path that was named for nothing is a mistake.
+        if of_kind.exists() || (self.tune.is_some() && self.robot.is_none()) {
+            layers.read(&of_kind)?;
+        }
+        self.layer.assign(&mut layers)?;
+        if let Some(robot) = &self.robot {
+            layers.read(&folder.join(format!("{robot}.toml")))?;
+        }
+        for assignment in &self.set {
+            layers.assign(assignment, "--set")?;
+        }
+        Ok(layers)
+    }
+}

@@ -1,0 +1,66 @@
+//! Arguments of `record`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct Record {
+    #[command(subcommand)]
+    pub(super) action: RecordAction,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+pub(super) enum RecordAction {
+    /// Print what a recording contains
+    Info(InfoArgs),
+    /// Write the intact chunks of a cut or damaged recording to a new file
+    Recover(Recover),
+    /// Write a span of time of a recording to a new file
+    Trim(Trim),
+    /// Write images, plots, tree and log in standard schemas for viewers (Foxglove, Rerun)
+    Export(Recover),
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct InfoArgs {
+    /// The recording
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+    /// Print the contents as JSON on stdout
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct Recover {
+    /// The recording
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+    /// The new file
+    #[arg(value_name = "OUT")]
+    pub(super) out: PathBuf,
+    /// Replace OUT if it exists
+    #[arg(long)]
+    pub(super) force: bool,
+    /// Print the result as JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct Trim {
+    #[command(flatten)]
+    pub(super) files: Recover,
+    /// Begin of the span, s since the start of the run
+    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
+    pub(super) from: f64,
+    /// End of the span, s [default: the end of the recording]
+    #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
+    pub(super) until: Option<f64>,
+}
+
+fn time(text: &str) -> Result<f64, String> {
+    let fits = text.parse().ok().filter(|time: &f64| (0.0..=1e9).contains(time));
+    fits.ok_or_else(|| "give a time in seconds, 0 or more".to_owned())
+}

@@ -1,0 +1,41 @@
+//! Arguments of `run`.
+
+use clap::Args;
+
+use crate::link::ServeArgs;
+use crate::params::{Layer, TuningArgs};
+
+#[derive(Clone, Debug, Args)]
+pub(crate) struct RunArgs<L: Layer> {
+    /// World to run in
+    #[arg(long, value_name = "WORLD", required = false)]
+    pub(super) world: String,
+    /// Seed of everything random in the world; the same seed gives the same run, bit for bit
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(super) seed: u64,
+    /// Option of the world; may be repeated
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(super) option: Vec<String>,
+    /// Run in real time instead of as fast as possible
+    #[arg(long)]
+    pub(super) realtime: bool,
+    /// Longest duration of the run, in seconds of the world [default: until the run is over, or Ctrl-C]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    pub(super) seconds: Option<f64>,
+    #[command(flatten)]
+    pub(super) link: ServeArgs,
+    #[command(flatten)]
+    pub(super) tuning: TuningArgs<L>,
+    /// Print the result as JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Parses a duration of 0.01 to 86400 s.
+///
+/// # Errors
+/// If the text is no such number.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    let fits = text.parse().ok().filter(|time: &f64| (0.01..=86_400.0).contains(time));
+    fits.ok_or_else(|| "give a time from 0.01 to 86400 seconds".to_owned())
+}

@@ -1,0 +1,78 @@
+//! Result of a run.
+
+use bica::runner::Schedule;
+use bica_console::{Console, Failure, Style};
+use serde::Serialize;
+
+use super::args::RunArgs;
+use super::story::StateChange;
+use crate::params::Layer;
+
+/// Reason for which a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum End {
+    /// The robot reached the aim.
+    Done,
+    /// The world ended.
+    Over,
+    /// The time of `--seconds` is up.
+    Limit,
+    Interrupted,
+}
+
+impl End {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Over => "the world ended",
+            Self::Limit => "the time is up",
+            Self::Interrupted => "stopped by Ctrl-C",
+        }
+    }
+}
+
+/// JSON of a run.
+#[derive(Serialize)]
+pub(super) struct Report<'a> {
+    schema: &'static str,
+    world: &'a str,
+    seed: u64,
+    result: End,
+    simulated_s: f64,
+    cycles: u64,
+    story: &'a [StateChange],
+    /// What the world writes.
+    #[serde(rename = "report")]
+    text: &'a str,
+}
+
+impl<'a> Report<'a> {
+    pub(super) fn new(
+        args: &'a RunArgs<impl Layer>,
+        result: End,
+        simulated_s: f64,
+        cycles: u64,
+        story: &'a [StateChange],
+        text: &'a str,
+    ) -> Self {
+        let (schema, world, seed) = ("bica/run/1", &*args.world, args.seed);
+        Self { schema, world, seed, result, simulated_s, cycles, story, text }
+    }
+
+    /// Prints the result, with the statistics of a run in real time.
+    pub(super) fn print(&self, console: Console, schedule: Option<&Schedule>) -> Result<(), Failure> {
+        let Self { world, seed, result, simulated_s, cycles, text, .. } = self;
+        let style = if *result == End::Done { Style::Good } else { Style::Plain };
+        let end = console.styled(style, result.text());
+        console
+            .print_row("result", &format!("{end} after {simulated_s:.2} s, {cycles} cycles in {world}, seed {seed}"))?;
+        if let Some(schedule) = schedule {
+            console.print_row("real time", &schedule.to_string())?;
+        }
+        if !text.is_empty() {
+            console.print(text.trim_end())?;
+        }
+        console.print_json(self)
+    }
+}

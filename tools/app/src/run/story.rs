@@ -1,0 +1,59 @@
+//! Changes of state as lines of text.
+
+use bica::runner::{Observer, Robot};
+use bica::{ComponentId, Graph, Instant, Probe};
+use bica_console::{Console, Failure};
+use serde::Serialize;
+
+/// Collects the transitions of the root, or of all components if the root has no states.
+#[derive(Debug)]
+pub(super) struct Story {
+    graph: &'static Graph,
+    now: Instant,
+    pub(super) changes: Vec<StateChange>,
+    /// Number of changes that were printed.
+    printed: usize,
+}
+
+/// A transition.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct StateChange {
+    /// Time of the world, s.
+    t: f64,
+    component: &'static str,
+    state: &'static str,
+    #[serde(skip)]
+    doc: &'static str,
+}
+
+impl Story {
+    pub(super) const fn new(graph: &'static Graph) -> Self {
+        Self { graph, now: Instant::MIN, changes: Vec::new(), printed: 0 }
+    }
+
+    /// Prints the changes since the last call.
+    pub(super) fn print(&mut self, console: Console) -> Result<(), Failure> {
+        for StateChange { t, component, state, doc } in &self.changes[self.printed..] {
+            console.print(&format!("{t:8.2} s  {component}:{state:16} {}", doc.lines().next().unwrap_or_default()))?;
+        }
+        self.printed = self.changes.len();
+        Ok(())
+    }
+}
+
+impl Probe for Story {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.now = now;
+    }
+
+    fn transition(&mut self, component: ComponentId, _from: usize, to: usize) {
+        let root = &self.graph.nodes[self.graph.root];
+        if root.states.is_empty() || component.index() == self.graph.root {
+            let node = &self.graph.nodes[component.index()];
+            let (t, state) = (self.now.as_micros() as f64 * 1e-6, &node.states[to]);
+            self.changes.push(StateChange { t, component: node.name, state: state.name, doc: state.doc.trim() });
+        }
+    }
+}
+
+impl<R: Robot> Observer<R> for Story {}

@@ -1,0 +1,34 @@
+//! Commands of every robot.
+
+use bica::Tree;
+use bica_console::{Failure, Outcome};
+use clap::Subcommand;
+
+use crate::graph::{self, GraphArgs};
+use crate::link::{self, Link};
+use crate::params::{self, Layer, Params};
+use crate::record::{self, Record};
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Tool<L: Layer> {
+    /// Print the activation tree: components, rates, links, states and transitions
+    Graph(GraphArgs),
+    /// List the parameters of the components and their values; write a tune file
+    Params(Params<L>),
+    /// Print what a recording contains; mend, cut or export it
+    Record(Record),
+    /// Attach to a running robot: describe, watch, set, hold, rate, modulate, log
+    Link(Link),
+}
+
+impl<L: Layer> Tool<L> {
+    /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read.
+    pub(crate) fn run<T: Tree + Default>(&self, kind: &str) -> Result<Outcome, Failure> {
+        match self {
+            Self::Graph(args) => graph::run(args, const { &T::GRAPH }),
+            Self::Params(args) => params::run::<T, L>(args, kind),
+            Self::Record(args) => record::run(args),
+            Self::Link(args) => link::run(args),
+        }
+    }
+}

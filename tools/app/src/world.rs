@@ -1,0 +1,86 @@
+//! Worlds of a program, by name.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+use bica::runner::{Robot, World};
+use bica_console::Failure;
+
+/// What the command line requests of a world.
+#[derive(Clone, Debug, Default)]
+pub struct WorldOptions {
+    /// Seed of everything random; the same seed makes the same world.
+    pub seed: u64,
+    /// Values of `--option NAME=VALUE` that the world has not read yet.
+    values: RefCell<BTreeMap<String, String>>,
+}
+
+impl WorldOptions {
+    /// Options with texts `NAME=VALUE`.
+    ///
+    /// # Errors
+    /// If a text has another form, or sets a name again.
+    pub fn new(seed: u64, options: &[String]) -> Result<Self, Failure> {
+        let mut values = BTreeMap::new();
+        for text in options {
+            let (name, value) = text.split_once('=').ok_or_else(|| {
+                Failure::new(format!("`{text}` is not an option of a world"), "write it as NAME=VALUE")
+            })?;
+            if values.insert(name.trim().to_owned(), value.trim().to_owned()).is_some() {
+                return Err(Failure::new(format!("--option sets `{name}` twice"), "leave one of them out"));
+            }
+        }
+        Ok(Self { seed, values: RefCell::new(values) })
+    }
+
+    /// Returns the value of `--option NAME=VALUE`, or `default` without one.
+    ///
+    /// # Errors
+    /// If the text is not a value of this type.
+    pub fn value<T: FromStr<Err: fmt::Display>>(&self, name: &str, default: T) -> Result<T, Failure> {
+        let Some(text) = self.values.borrow_mut().remove(name) else { return Ok(default) };
+        let wrong = |error: T::Err| format!("--option {name}={text}: {error}");
+        text.parse().map_err(|error| Failure::new(wrong(error), format!("choose another value of `{name}`")))
+    }
+
+    /// # Errors
+    /// If there is a value that the world has not read.
+    pub(crate) fn check_all_read(&self, world: &str) -> Result<(), Failure> {
+        match self.values.borrow().keys().next() {
+            None => Ok(()),
+            Some(name) => {
+                let what = format!("the world `{world}` has no option `{name}`");
+                Err(Failure::new(what, "leave it out, or choose another --world"))
+            }
+        }
+    }
+}
+
+/// Function that makes a world.
+type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send>;
+
+/// World of a program.
+pub(crate) struct RegisteredWorld<R: Robot> {
+    pub(crate) name: &'static str,
+    /// Whether its time is that of a clock, as of a real robot: it can neither run faster nor be paused.
+    pub(crate) is_device: bool,
+    open: Open<R>,
+}
+
+impl<R: Robot> RegisteredWorld<R> {
+    pub(crate) fn new<W: World<R> + 'static>(
+        name: &'static str,
+        is_device: bool,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+    ) -> Self {
+        Self { name, is_device, open: Box::new(move |options| Ok(Box::new(open(options)?))) }
+    }
+
+    pub(crate) fn open(&self, options: &WorldOptions) -> Result<Box<dyn World<R>>, Failure> {
+        let world = (self.open)(options)?;
+        options.check_all_read(self.name)?;
+        Ok(world)
+    }
+}

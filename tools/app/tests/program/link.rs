@@ -1,0 +1,35 @@
+//! A served run with monitors.
+
+use std::io::Read;
+use std::process::Command;
+
+use crate::process::Served;
+
+#[test]
+fn operator_watches_tunes_and_drives_a_paused_robot() {
+    let served = Served::start();
+    served.link(&["pause"]);
+    let description = &served.link(&["describe", "Drive"])[0];
+    assert_eq!(
+        (&description["name"], &description["components"][0]["name"]),
+        (&"WallFollower".into(), &"Drive".into())
+    );
+    assert_eq!(served.link(&["set", "Explorer.speed=0.3"])[0]["name"], "Explorer.speed");
+    served.link(&["hold", "Explorer", "latent", "--seconds", "0.01"]);
+    served.link(&["modulate", "Drive.request", "0.2", "1.0"]);
+    served.link(&["step", "50"]);
+    let watched = served.link(&["watch", "Odometry.heading", "--count", "1"]);
+    assert!(watched.iter().any(|line| line["schema"] == "bica/link-snapshot/1"), "{watched:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn interrupt_ends_a_served_run_with_its_report() {
+    let mut served = Served::start();
+    let id = served.child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill runs").success());
+    let mut rest = String::new();
+    served.stdout.read_to_string(&mut rest).expect("UTF-8");
+    assert_eq!(served.child.wait().expect("it ends").code(), Some(130));
+    assert!(rest.contains("stopped by Ctrl-C") && rest.contains("cycles at 50 Hz") && rest.contains("####"), "{rest}");
+}

@@ -1,0 +1,8 @@
+//! The program of a robot that is neither a humanoid nor plays soccer: the wall follower.
+
+mod link;
+mod process;
+mod runs;
+#[expect(dead_code, reason = "`main` is called in the example only")]
+#[path = "../../../../examples/wall_follower/main.rs"]
+mod wall_follower;
