@@ -6,7 +6,7 @@ use bica::runner::{Cycle as Completed, Observer, Runner, World};
 use bica::{Instant, Probe, Stopwatch, Tree};
 use bica_benches::game::new_game;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::Forward;
+use bica_player::{Forward, Model};
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -64,7 +64,7 @@ fn play(fixture: &Fixture, frame: Frame, each: &mut impl FnMut(&[Option<u32>])) 
 
 /// The kinematic world with an inertial unit that reports a fall at a given time.
 struct WithFall {
-    world: KinematicWorld,
+    world: KinematicWorld<Model>,
     fall: Option<Duration>,
 }
 

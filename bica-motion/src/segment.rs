@@ -91,4 +91,16 @@ impl Segment {
             Self::Foot(side) => 18 + 6 * side.index(),
         }
     }
+
+    /// Mirror image of the segment; those of trunk and head are their own mirror images.
+    #[must_use]
+    pub const fn mirrored(self) -> Self {
+        match self.index() {
+            arm @ 3..8 => Self::ALL[arm + 5],
+            arm @ 8..13 => Self::ALL[arm - 5],
+            leg @ 13..19 => Self::ALL[leg + 6],
+            leg @ 19.. => Self::ALL[leg - 6],
+            _ => self,
+        }
+    }
 }

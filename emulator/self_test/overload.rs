@@ -6,11 +6,11 @@ use std::thread;
 
 use bica::{ComponentId, Tree};
 use bica_emulator::{Transport, Tx};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::stiffness::Stiffness;
-use bica_player::Forward;
 use bica_player::perception::BallDetector;
+use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -130,8 +130,8 @@ fn ball_detector() -> ComponentId {
 
 /// Returns the sensor values of a standing robot in the first second of a game.
 fn samples() -> Result<Vec<Sample>, Box<dyn Error>> {
-    let mut world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
-    let (targets, stiffness) = (Nao::STAND, Stiffness::Stand.joints::<Nao>());
+    let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
+    let (targets, stiffness) = (Model::STAND, Stiffness::Stand.joints::<Model>());
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
     let mut samples = Vec::new();
     while samples.len() < 30 {

@@ -26,8 +26,8 @@ pub mod strategy;
 
 pub use forward::{Forward, tunable};
 
-/// Model of the robot that the forward controls. All components of this crate take limits, lengths and motions from it.
-/// Simulators and the replay name the NAO themselves.
+/// Model of the robot that the forward controls. All components of this crate take limits, lengths and motions from it, and
+/// tools make worlds for it.
 pub type Model = bica_motion::model::Nao;
 
 /// Time of a component that ran last so many milliseconds ago.

@@ -1,5 +1,6 @@
 //! The worlds as the plant of a [`Runner`](bica_runner::Runner).
 
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
 
@@ -7,31 +8,30 @@ use crate::kinematic::KinematicWorld;
 use crate::spectator::SpectatorView;
 use crate::world::World;
 
-/// Implements the runner's trait by this crate's trait, for every robot with the sensors and the command of a NAO.
+/// Implements the runner's trait by this crate's trait, for every robot with the sensors and the command of a humanoid.
 macro_rules! controlled {
-    ($($world:ty),+) => {
-        $(
-            impl<R> bica_runner::World<R> for $world
-            where
-                R: Robot<Command = Command>,
-                for<'a> R: Robot<Sensors<'a> = Sensors<'a>>,
-            {
-                fn now(&self) -> bica_core::Instant {
-                    bica_core::Instant::from_micros(World::now(self).as_micros() as u64)
-                }
-
-                fn sensors(&mut self) -> Sensors<'_> {
-                    World::sensors(self)
-                }
-
-                fn act(&mut self, command: &Command) {
-                    World::act(self, command);
-                }
+    ($world:ty $(, $model:ident: $bound:path)?) => {
+        impl<R, $($model: $bound)?> bica_runner::World<R> for $world
+        where
+            R: Robot<Command = Command>,
+            for<'a> R: Robot<Sensors<'a> = Sensors<'a>>,
+        {
+            fn now(&self) -> bica_core::Instant {
+                bica_core::Instant::from_micros(World::now(self).as_micros() as u64)
             }
-        )+
+
+            fn sensors(&mut self) -> Sensors<'_> {
+                World::sensors(self)
+            }
+
+            fn act(&mut self, command: &Command) {
+                World::act(self, command);
+            }
+        }
     };
 }
 
-controlled!(KinematicWorld, dyn SpectatorView + '_);
+controlled!(KinematicWorld<M>, M: SimulatedModel);
+controlled!(dyn SpectatorView + '_);
 #[cfg(feature = "mujoco")]
-controlled!(crate::mujoco::MujocoWorld);
+controlled!(crate::mujoco::MujocoWorld<M>, M: bica_motion::model::simulation::MujocoModel);

@@ -1,8 +1,8 @@
-//! Simulators of a NAO on a soccer field of 2009.
+//! Simulators of a humanoid on a soccer field of 2009.
 //!
 //! A [`World`] has the interface of a real robot: it supplies [`Sensors`](bica_motion::robot::Sensors) and executes a
 //! [`Command`](bica_motion::robot::Command), one control cycle at a time. Ground truth is available only from its
-//! [`Referee`]. There are two simulators:
+//! [`Referee`]. The robot is a type parameter, a [model](bica_motion::model) as data. There are two simulators:
 //!
 //! | | [`kinematic`] | `mujoco` |
 //! |---|---|---|
@@ -12,23 +12,6 @@
 //!
 //! Equal seeds and commands give equal results, bit for bit. Both share everything else: [`setup`], start positions, field
 //! objects, camera model, sensor noise, motor temperatures, rules and [`referee`].
-//!
-//! ```
-//! use bica_motion::{joints::Joints, robot::{CameraId, Command, Lights}};
-//! use bica_sim::{World, kinematic::KinematicWorld, setup::Setup};
-//!
-//! let mut world = KinematicWorld::new(&Setup { seed: 7, ..Setup::default() })?;
-//! let mut targets = world.sensors().angles;
-//! for _ in 0..100 {
-//!     let sensors = world.sensors();
-//!     if let Some(image) = sensors.image {
-//!         assert_eq!(image.yuyv.len(), 320 * 240 * 2);
-//!     }
-//!     world.act(&Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top });
-//! }
-//! assert_eq!(world.now().as_millis(), 1000);
-//! # Ok::<(), bica_sim::setup::SetupError>(())
-//! ```
 //!
 //! Conventions: the *field* frame has its origin at the centre mark on the carpet, x toward the attacked goal, y left, z up.
 //! The *robot* frame has its origin midway between the hip joints, x forward, y left, z up. Units are metres, radians,
@@ -63,6 +46,10 @@ pub use segmentation::PixelLabel;
 pub use shared_image::SharedImage;
 pub use spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 pub use world::{CYCLE, CYCLE_SECONDS, World};
+
+/// Robot of the unit tests.
+#[cfg(test)]
+type TestModel = bica_motion::model::Nao;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,7 +1,7 @@
 //! Thermal model of the motors.
 
 use bica_motion::joints::{JOINTS, Joint, Joints};
-use bica_motion::model::{Actuator, Nao, RobotModel};
+use bica_motion::model::simulation::SimulatedModel;
 
 use crate::world::CYCLE_SECONDS;
 
@@ -25,8 +25,9 @@ pub(crate) struct MotorHeat {
 
 impl MotorHeat {
     /// Returns motors at ambient temperature.
-    pub(crate) fn new() -> Self {
-        let continuous = Joints(Joint::ALL.map(continuous_current));
+    pub(crate) fn new<M: SimulatedModel>() -> Self {
+        let current = |joint| libm::sqrtf(M::CONTINUOUS_LOSSES[joint] / M::ACTUATORS[joint].resistance());
+        let continuous = Joints(Joint::ALL.map(current));
         Self { temperatures: Joints::all(AMBIENT), currents: Joints::all(0.0), continuous }
     }
 
@@ -56,32 +57,16 @@ impl MotorHeat {
     }
 }
 
-/// Returns the continuous current of a joint's motor, A, from its continuous copper loss.
-///
-/// The loss is the data sheet's, except for the shoulder pitch: its data sheet states 2.6 mNm, an eighth of the stall torque,
-/// which is a loss of 0.4 W. The other motors of the arm, which are not larger, bear 3 W, so their loss is used.
-fn continuous_current(joint: Joint) -> f32 {
-    let motor = Nao::ACTUATORS[joint];
-    let rating = match joint {
-        Joint::LShoulderPitch | Joint::RShoulderPitch => Nao::ACTUATORS[Joint::LShoulderRoll],
-        _ => motor,
-    };
-    libm::sqrtf(copper_loss(&rating) / motor.resistance())
-}
-
-/// Returns the continuous copper loss of a motor, W.
-fn copper_loss(motor: &Actuator) -> f32 {
-    motor.resistance() * motor.continuous_current() * motor.continuous_current()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
+    use bica_motion::model::RobotModel;
 
     #[test]
     fn high_load_heats_all_motors_of_arm_alike() {
-        let mut heat = MotorHeat::new();
-        let loaded = Joints(Joint::ALL.map(|joint| Nao::ACTUATORS[joint].current(1.3)));
+        let mut heat = MotorHeat::new::<TestModel>();
+        let loaded = Joints(Joint::ALL.map(|joint| TestModel::ACTUATORS[joint].current(1.3)));
         for _ in 0..6000 {
             heat.step(loaded);
         }
@@ -93,16 +78,16 @@ mod tests {
 
     #[test]
     fn temperature_approaches_steady_rise_with_time_constant() {
-        let mut heat = MotorHeat::new();
+        let mut heat = MotorHeat::new::<TestModel>();
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {
                 heat.step(currents);
             }
             heat.temperatures()[Joint::LKneePitch]
         };
-        let after_ten = minutes(&mut heat, 10, *Nao::CONTINUOUS_CURRENTS);
+        let after_ten = minutes(&mut heat, 10, *TestModel::CONTINUOUS_CURRENTS);
         assert!((60.0..65.0).contains(&after_ten), "{after_ten}");
-        let settled = minutes(&mut heat, 60, *Nao::CONTINUOUS_CURRENTS);
+        let settled = minutes(&mut heat, 60, *TestModel::CONTINUOUS_CURRENTS);
         assert!((83.0..=85.0).contains(&settled), "{settled}");
         let rested = minutes(&mut heat, 10, Joints::all(0.0));
         assert!((45.0..50.0).contains(&rested), "{rested}");

@@ -1,6 +1,8 @@
 //! Obstacles on the field as shapes on the ground.
 
-use glam::Vec2;
+use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::Pose2;
+use glam::{Affine3A, Vec2, Vec3};
 
 use crate::field::{GOAL_BACK, POST, POST_RADIUS};
 
@@ -30,13 +32,16 @@ impl Obstacle {
     }
 
     /// Returns the shape of the legs of a standing robot.
-    pub(crate) const fn legs(left: Vec2, right: Vec2) -> Self {
-        Self { from: left, to: right, radius: 0.07, restitution: 0.4, tangential_loss: 0.2 }
+    pub(crate) fn legs<M: SimulatedModel>(robot: &Pose2) -> Self {
+        let (hip, leg) = (M::DIMENSIONS.hip, M::EXTENTS.leg);
+        let [from, to] = [hip.y, -hip.y].map(|y| robot.place(Vec2::new(hip.x + leg.ahead, y)));
+        Self { from, to, radius: leg.radius, restitution: 0.4, tangential_loss: 0.2 }
     }
 
-    /// Returns the shape of a robot lying on the ground.
-    pub(crate) const fn lying(hips: Vec2, head: Vec2) -> Self {
-        Self { from: hips, to: head, radius: 0.09, restitution: 0.3, tangential_loss: 0.3 }
+    /// Returns the shape of a robot lying on the ground, with this pose of the robot frame.
+    pub(crate) fn lying<M: SimulatedModel>(robot: &Affine3A) -> Self {
+        let [from, to] = [0.0, M::EXTENTS.trunk_length].map(|z| robot.transform_point3(z * Vec3::Z).truncate());
+        Self { from, to, radius: M::EXTENTS.trunk_radius, restitution: 0.3, tangential_loss: 0.3 }
     }
 
     /// Returns the point of the segment nearest to `point`.

@@ -2,15 +2,12 @@
 
 use core::fmt;
 
+use bica_motion::model::simulation::SimulatedModel;
 use glam::Vec2;
 
 use crate::field::{BALL_RADIUS, CORNER};
 use crate::obstacle::GOALS;
 use crate::referee::{Posture, Referee};
-use crate::setup::ROBOT_RADIUS;
-
-/// Radius of the disc around its origin that a lying robot may cover, m.
-const LYING_RADIUS: f32 = 0.4;
 
 /// The reason why the ball cannot be placed at a position, m, field frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +38,7 @@ impl fmt::Display for PlacementError {
 impl core::error::Error for PlacementError {}
 
 /// Checks that the ball can lie at a position, m, field frame: in play, and apart from all posts and robots.
-pub(crate) fn check(at: Vec2, referee: &Referee) -> Result<(), PlacementError> {
+pub(crate) fn check<M: SimulatedModel>(at: Vec2, referee: &Referee) -> Result<(), PlacementError> {
     // False for NaN.
     let is_on_field = at.x.abs() <= CORNER.x && at.y.abs() <= CORNER.y;
     if !is_on_field {
@@ -51,10 +48,10 @@ pub(crate) fn check(at: Vec2, referee: &Referee) -> Result<(), PlacementError> {
         return Err(PlacementError::InPost(at));
     }
     let own_radius = match referee.posture() {
-        Posture::Upright => ROBOT_RADIUS,
-        Posture::Down(_) => LYING_RADIUS,
+        Posture::Upright => M::EXTENTS.standing,
+        Posture::Down(_) => M::EXTENTS.lying,
     };
-    let others = referee.others().iter().map(|other| (other.position, ROBOT_RADIUS));
+    let others = referee.others().iter().map(|other| (other.position, M::EXTENTS.standing));
     let mut robots = others.chain([(referee.robot().position, own_radius)]);
     if robots.any(|(robot, radius)| robot.distance(at) < radius + BALL_RADIUS) {
         return Err(PlacementError::InRobot(at));
@@ -69,6 +66,7 @@ mod tests {
     use bica_motion::pose::Pose2;
 
     use super::*;
+    use crate::TestModel;
 
     fn referee(posture: Posture) -> Referee {
         let other = Pose2::new(1.0, 1.0, 0.0);
@@ -82,10 +80,10 @@ mod tests {
     fn field_includes_lines_and_excludes_goals() {
         let referee = referee(Posture::Upright);
         for at in [(3.0, 0.0), (-3.0, 2.0), (0.0, -2.0), (-3.0, 0.6), (3.0, 0.8)] {
-            assert_eq!(check(Vec2::from(at), &referee), Ok(()), "{at:?}");
+            assert_eq!(check::<TestModel>(Vec2::from(at), &referee), Ok(()), "{at:?}");
         }
         for at in [(3.001, 0.0), (-3.2, 0.0), (0.0, 2.001), (f32::NAN, 0.0), (0.0, f32::NEG_INFINITY)] {
-            let refused = check(Vec2::from(at), &referee);
+            let refused = check::<TestModel>(Vec2::from(at), &referee);
             assert!(matches!(refused, Err(PlacementError::OffField(_))), "{at:?}");
         }
         let error = PlacementError::OffField(Vec2::new(3.5, -1.0));
@@ -97,12 +95,12 @@ mod tests {
     fn post_or_robot_occupies_its_place() {
         let (standing, lying) = (referee(Posture::Upright), referee(Posture::Down(Direction::Front)));
         let post = Vec2::new(3.0, -0.7);
-        assert_eq!(check(post, &standing), Err(PlacementError::InPost(post)));
+        assert_eq!(check::<TestModel>(post, &standing), Err(PlacementError::InPost(post)));
         for (at, standing_refuses) in [((1.1, 1.1), true), ((-2.0, 0.18), true), ((-2.0, 0.19), false)] {
             let at = Vec2::from(at);
-            assert_eq!(check(at, &standing) == Err(PlacementError::InRobot(at)), standing_refuses, "{at}");
-            assert_eq!(check(at, &lying), Err(PlacementError::InRobot(at)), "{at}");
+            assert_eq!(check::<TestModel>(at, &standing) == Err(PlacementError::InRobot(at)), standing_refuses, "{at}");
+            assert_eq!(check::<TestModel>(at, &lying), Err(PlacementError::InRobot(at)), "{at}");
         }
-        assert_eq!(check(Vec2::new(-1.5, 0.0), &lying), Ok(()));
+        assert_eq!(check::<TestModel>(Vec2::new(-1.5, 0.0), &lying), Ok(()));
     }
 }

@@ -2,9 +2,9 @@
 
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
-use bica_player::Forward;
 use bica_player::behaviour::SearchBall;
 use bica_player::perception::BallDetector;
+use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -19,7 +19,7 @@ fn slow_search_continues_at_other_places_after_a_full_turn() {
         let (mut robot, world, ..) = new_game(&setup).into_parts();
         robot.hold::<BallDetector>(Hold::Latent);
         let mut test = Harness::of_box(robot).in_world(world);
-        let place = |test: &Harness<Forward, InWorld<KinematicWorld>>| test.world().referee().robot().position;
+        let place = |test: &Harness<Forward, InWorld<KinematicWorld<Model>>>| test.world().referee().robot().position;
         for _ in 0..places {
             let before = place(&test);
             test.reaches::<SearchBall>("walk_on", Duration::from_secs(50));

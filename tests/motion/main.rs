@@ -14,6 +14,7 @@ mod model;
 mod nao;
 mod odometry;
 mod pose;
+mod simulated;
 mod tall;
 mod walk;
 mod world;

@@ -3,6 +3,7 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
+use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, SimulatedModel};
 use bica_motion::model::{
     Actuator, BodyShape, CameraMount, Dimensions, FallLimits, FallPostures, GetUpFrames, HeadPitchLimit, HeadSpeed,
     KickFrame, Mass, Masses, Nao, Parameters, Profile, Range, RobotModel, StiffnessTable, Technique, ThermalLimits,
@@ -72,8 +73,8 @@ impl RobotModel for Tall {
         bottom_camera: CameraMount { position: Vec3::new(0.07, 0.0, 0.02), tilt: 0.5, focal: Vec2::new(0.9, 1.2) },
         mass_over_hips: 0.05,
         sole_outline: &SOLE,
-        left_pressure: [Vec2::ZERO; 4],
-        right_pressure: [Vec2::ZERO; 4],
+        left_pressure: PRESSURE,
+        right_pressure: PRESSURE,
     };
     const BODY_SHAPE: &'static BodyShape = Nao::BODY_SHAPE;
     const MASSES: &'static Masses = &MASSES;
@@ -123,6 +124,27 @@ const MOTOR: Actuator = Actuator {
 /// A rectangle with the extents of the NAO's sole times the scale.
 const SOLE: [Vec2; 4] =
     [Vec2::new(0.15, -0.058), Vec2::new(0.15, 0.077), Vec2::new(-0.08, 0.077), Vec2::new(-0.08, -0.058)];
+
+const PRESSURE: [Vec2; 4] =
+    [Vec2::new(0.1, 0.04), Vec2::new(0.1, -0.04), Vec2::new(-0.04, 0.04), Vec2::new(-0.04, -0.04)];
+
+impl SimulatedModel for Tall {
+    const EXTENTS: &'static Extents = &Extents {
+        standing: 0.22,
+        lying: 0.6,
+        torso: 0.14,
+        foot_front: Disc { ahead: 0.05, radius: 0.1 },
+        foot_height: 0.07,
+        sole_middle: 0.035,
+        leg: Disc { ahead: 0.03, radius: 0.1 },
+        trunk_length: 0.38,
+        trunk_radius: 0.14,
+        min_hip_height: 0.22,
+    };
+    const LYING: &'static Lying =
+        &Lying { fall_length: 0.33, front_height: 0.12, back_height: 0.13, side_height: 0.16, ..*Nao::LYING };
+    const FIGURE: &'static Figure = Nao::FIGURE;
+}
 
 const MASSES: Masses = Masses::symmetric(
     [Mass::grams(5000.0, -6.0, 0.0, 190.0), Mass::grams(300.0, 0.0, 0.0, -40.0), Mass::grams(2000.0, 5.0, 0.0, 80.0)],

@@ -38,6 +38,12 @@ impl Actuator {
         self.voltage * self.torque_constant() / self.stall_torque
     }
 
+    /// Copper loss that the motor bears continuously, W.
+    #[must_use]
+    pub const fn continuous_loss(&self) -> f32 {
+        self.resistance() * self.continuous_current() * self.continuous_current()
+    }
+
     /// Magnitude of the current for a torque after the gear (Nm), A.
     #[must_use]
     pub const fn current(&self, torque: f32) -> f32 {
@@ -54,4 +60,15 @@ pub(super) const fn continuous_currents(actuators: &Joints<Actuator>) -> Joints 
         i += 1;
     }
     Joints(currents)
+}
+
+/// Continuous copper loss of each joint's motor, W.
+pub(super) const fn continuous_losses(actuators: &Joints<Actuator>) -> Joints {
+    let mut losses = [0.0; JOINTS];
+    let mut i = 0;
+    while i < JOINTS {
+        losses[i] = actuators.0[i].continuous_loss();
+        i += 1;
+    }
+    Joints(losses)
 }

@@ -16,6 +16,8 @@
 //!   [`JOINTS`](RobotModel::JOINTS); their angles are computed but not used.
 //! - Four pressure sensors in each sole, and an inertial unit that estimates roll and pitch.
 //! - A control cycle near 10 ms: filter gains are given for it.
+//!
+//! What simulators need besides is in [`simulation`].
 
 mod actuator;
 mod body;
@@ -32,6 +34,7 @@ mod nao;
 mod posture;
 mod profile;
 mod range;
+pub mod simulation;
 mod stiffness;
 
 pub use actuator::Actuator;

@@ -10,6 +10,7 @@ use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Sensors};
+use bica_player::Model;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Frame;
 use bica_sim::shot::Shot;
@@ -29,7 +30,7 @@ const SEARCH: Duration = Duration::from_secs(8);
 /// Time between two polls of the requests of a paused world.
 const PAUSED: Duration = Duration::from_millis(5);
 
-type Game = Runner<Box<Keeper>, KinematicWorld, LinkRequests, (Story, LinkObserver<Keeper>)>;
+type Game = Runner<Box<Keeper>, KinematicWorld<Model>, LinkRequests, (Story, LinkObserver<Keeper>)>;
 
 /// Plays shots until Ctrl-C.
 pub(crate) fn run(
@@ -92,7 +93,7 @@ fn play(game: &mut Game, attempt: &mut Attempt, console: Console) -> Result<(), 
 }
 
 /// Puts the ball at the start of the next shot that is possible: the robot may stand where one begins.
-fn next(plan: &Plan, number: &mut u32, world: &mut KinematicWorld) -> Shot {
+fn next(plan: &Plan, number: &mut u32, world: &mut KinematicWorld<Model>) -> Shot {
     loop {
         *number = number.wrapping_add(1);
         let shot = plan.shot(plan.seed, *number);

@@ -7,8 +7,9 @@ use bica::runner::{Observer, Requests, Runner};
 use bica::{Setting, Tree};
 use bica_console::{Batch, Failure};
 use bica_motion::joints::Joints;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::{CameraId, Command, Lights};
+use bica_player::Model;
 use bica_player::input::FrameTooLarge;
 use bica_player::perception::GoalDetector;
 use bica_sim::World;
@@ -90,17 +91,17 @@ pub struct ShotResult {
 ///
 /// # Errors
 /// If the world refuses the setup.
-pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld, Failure> {
+pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld<Model>, Failure> {
     let start = Some(Start { robot: START, ball });
     let setup = Setup { seed, frame, goalkeeper: false, start, ..Setup::default() };
-    KinematicWorld::new(&setup).map_err(|error| refused(&error))
+    KinematicWorld::<Model>::new(&setup).map_err(|error| refused(&error))
 }
 
 /// Makes the goalkeeper of a world, with parameters that are not the defaults.
 ///
 /// # Errors
 /// If a parameter is refused.
-pub fn goalkeeper(world: &KinematicWorld, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
+pub fn goalkeeper(world: &KinematicWorld<Model>, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
     let mut keeper = Box::new(Keeper::new());
     keeper.get_mut::<GoalDetector>().attack(world.referee().attacks());
     keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose other values of --set"))?;
@@ -137,7 +138,7 @@ pub fn play(robot: Robot<'_>, seed: u64, shot: Shot, frame: Frame) -> Result<Sho
 /// # Errors
 /// If the goalkeeper refuses an image.
 pub fn cycle<Q: Requests, O: Observer<Keeper>>(
-    runner: &mut Runner<Box<Keeper>, KinematicWorld, Q, O>,
+    runner: &mut Runner<Box<Keeper>, KinematicWorld<Model>, Q, O>,
 ) -> Result<(), Failure> {
     let too_large = |error: FrameTooLarge| Failure::new(error.to_string(), "choose a smaller image");
     runner.cycle().map(drop).map_err(too_large)
@@ -145,7 +146,7 @@ pub fn cycle<Q: Requests, O: Observer<Keeper>>(
 
 /// Command of a robot that stands still.
 fn stand() -> Command {
-    Command { targets: Nao::STAND, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
+    Command { targets: Model::STAND, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
 }
 
 fn refused(error: &SetupError) -> Failure {
@@ -172,7 +173,7 @@ impl Attempt {
     ///
     /// # Errors
     /// If the world refuses the velocity.
-    pub fn advance(&mut self, world: &mut KinematicWorld) -> Result<bool, Failure> {
+    pub fn advance(&mut self, world: &mut KinematicWorld<Model>) -> Result<bool, Failure> {
         if !self.is_kicked && world.now() >= self.kick {
             self.is_kicked = true;
             world.set_ball(self.shot.from, self.shot.velocity()).map_err(|error| refused(&error))?;
@@ -182,14 +183,14 @@ impl Attempt {
     }
 
     /// Time of the goal, if the ball was let in.
-    fn goal(&self, world: &KinematicWorld) -> Option<Duration> {
+    fn goal(&self, world: &KinematicWorld<Model>) -> Option<Duration> {
         let events = world.referee().events().iter();
         events.filter(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal).map(|timed| timed.at).next()
     }
 
     /// Result of the shot so far.
     #[must_use]
-    pub fn result(&self, seed: u64, world: &KinematicWorld) -> ShotResult {
+    pub fn result(&self, seed: u64, world: &KinematicWorld<Model>) -> ShotResult {
         let let_in = self.goal(world).is_some();
         let away = !let_in && world.referee().ball().distance(GOAL) > AWAY;
         ShotResult { seed, let_in, away, falls: world.referee().falls() }

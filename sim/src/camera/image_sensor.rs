@@ -141,6 +141,7 @@ fn vignette_and_noise(noise: &[i8], vignette: &[u16], out: &mut [u8]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::pinhole::FOCAL;
     use crate::random::Stream;
     use glam::Affine3A;
 
@@ -156,7 +157,7 @@ mod tests {
         (palette.noise, palette.exposure) = (0.0, 0.01);
         let mut sensor = ImageSensor::new(&palette, width, height, &mut random);
         let mut image = vec![0; 2 * width * height];
-        let view = PinholeCamera::new(Affine3A::IDENTITY, width, height);
+        let view = PinholeCamera::new(Affine3A::IDENTITY, FOCAL, width, height);
         sensor.expose(&canvas, &view, angular_velocity, &mut random, &mut image);
         image
     }

@@ -7,10 +7,12 @@ use glam::{Affine3A, Vec2, Vec3};
 
 use crate::spectator::FIELD_OF_VIEW;
 
-/// Focal lengths divided by width and height of the image. Source: B-Human 2023 and HULKs 2025 (618.66 and 617.16 px at 640×480).
-pub(crate) const FOCAL: Vec2 = Vec2::new(618.66 / 640.0, 617.16 / 480.0);
 /// Distance of the near clipping plane, m.
 pub(crate) const NEAR: f32 = 0.01;
+
+/// Focal lengths in unit tests, relative to width and height of the image.
+#[cfg(test)]
+pub(crate) const FOCAL: Vec2 = <crate::TestModel as bica_motion::model::RobotModel>::DIMENSIONS.top_camera.focal;
 
 /// Pose and intrinsic parameters of a camera.
 #[derive(Clone, Copy, Debug)]
@@ -25,16 +27,17 @@ pub(crate) struct PinholeCamera {
 }
 
 impl PinholeCamera {
-    pub(crate) fn new(pose: Affine3A, width: usize, height: usize) -> Self {
+    /// Returns a camera with these focal lengths relative to the width and the height of the image.
+    pub(crate) fn new(pose: Affine3A, focal: Vec2, width: usize, height: usize) -> Self {
         let size = Vec2::new(width as f32, height as f32);
-        let focal = size * FOCAL;
+        let focal = size * focal;
         Self { pose, to_camera: pose.inverse(), focal, centre: size / 2.0, width, height }
     }
 
     /// Returns a camera with square pixels and the vertical field of view [`FIELD_OF_VIEW`].
     pub(crate) fn of_spectator(pose: Affine3A, width: usize, height: usize) -> Self {
         let focal = Vec2::splat(height as f32 / 2.0 / libm::tanf(FIELD_OF_VIEW / 2.0));
-        Self { focal, ..Self::new(pose, width, height) }
+        Self { focal, ..Self::new(pose, Vec2::ONE, width, height) }
     }
 
     /// Transforms a point from the field frame to the camera frame.
@@ -145,8 +148,8 @@ impl Mapping {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use crate::random::{Random, Stream};
-    use bica_motion::model::Nao;
 
     fn some_view(random: &mut Random) -> PinholeCamera {
         let mut any = |low, high| random.between(low, high);
@@ -154,7 +157,7 @@ mod tests {
             * Affine3A::from_rotation_z(any(-3.0, 3.0))
             * Affine3A::from_rotation_y(any(-0.3, 0.9))
             * Affine3A::from_rotation_x(any(-0.2, 0.2));
-        PinholeCamera::new(pose, 640, 480)
+        PinholeCamera::new(pose, FOCAL, 640, 480)
     }
 
     #[test]
@@ -200,7 +203,8 @@ mod tests {
         ];
         for (id, (u, v), (x, y)) in cases {
             let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
-            let view = PinholeCamera::new(hips * camera::<Nao>(id, &Joints::all(0.0)), 640, 480);
+            let pose = hips * camera::<TestModel>(id, &Joints::all(0.0));
+            let view = PinholeCamera::new(pose, FOCAL, 640, 480);
             let hit = view.mapping(Vec3::ZERO, Vec3::X, Vec3::Y).at(u, v);
             assert!(hit.distance(Vec2::new(x, y)) < 1e-3, "{id:?} {u} {v}: {hit}");
         }
@@ -208,7 +212,7 @@ mod tests {
 
     #[test]
     fn polygons_and_spheres_behind_camera_are_clipped() {
-        let view = PinholeCamera::new(Affine3A::IDENTITY, 320, 240);
+        let view = PinholeCamera::new(Affine3A::IDENTITY, FOCAL, 320, 240);
         let behind = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(-1.0, 1.0, 0.0), Vec3::new(-2.0, 0.0, 1.0)];
         assert!(view.polygon(behind).is_empty());
         let through = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, -1.0, 0.0)];

@@ -73,8 +73,11 @@ impl Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use crate::obstacle::GOALS;
     use crate::random::{Random, Stream};
+    use bica_motion::pose::Pose2;
+    use glam::Affine3A;
 
     fn bounce_off_goals(ball: &mut Ball) {
         for obstacle in &GOALS {
@@ -133,8 +136,8 @@ mod tests {
     #[test]
     fn no_ball_passes_through_standing_or_lying_robot() {
         let mut random = Random::new(6, Stream::Start);
-        let (left, right) = (Vec2::new(0.0, 0.05), Vec2::new(0.0, -0.05));
-        for robot in [Obstacle::legs(left, right), Obstacle::lying(left, right + Vec2::new(0.25, 0.0))] {
+        let lying = Affine3A::from_rotation_y(core::f32::consts::FRAC_PI_2);
+        for robot in [Obstacle::legs::<TestModel>(&Pose2::ORIGIN), Obstacle::lying::<TestModel>(&lying)] {
             for _ in 0..500 {
                 let from = Vec2::new(random.between(-1.0, 1.0), random.between(0.5, 1.0));
                 let aim = Vec2::new(random.between(-0.05, 0.05), 0.0) - from;

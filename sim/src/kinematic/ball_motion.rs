@@ -1,5 +1,6 @@
 //! Motion of the ball during a control cycle, in contact with feet and obstacles.
 
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 use glam::Affine3A;
 
@@ -14,10 +15,14 @@ const SUB_STEPS: u32 = 10;
 /// Moves the ball for one control cycle. Returns the foot that touched it last, if any did.
 ///
 /// `soles`: poses of both soles at the start and at the end of the cycle, field frame, left first. Obstacles do not move.
-pub(crate) fn advance(ball: &mut Ball, soles: [(Affine3A, Affine3A); 2], obstacles: &[Obstacle]) -> Option<Side> {
+pub(crate) fn advance<M: SimulatedModel>(
+    ball: &mut Ball,
+    soles: [(Affine3A, Affine3A); 2],
+    obstacles: &[Obstacle],
+) -> Option<Side> {
     let feet = Side::BOTH.map(|side| {
         let (from, to) = &soles[side.index()];
-        (side, FootContact::new(side, from, to, CYCLE_SECONDS))
+        (side, FootContact::new::<M>(side, from, to, CYCLE_SECONDS))
     });
     let mut touching = None;
     for step in 1..=SUB_STEPS {

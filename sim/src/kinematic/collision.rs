@@ -1,5 +1,6 @@
 //! Collisions of the robot with posts, nets and other robots.
 
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::Buttons;
 use bica_motion::side::Side;
 use glam::{Vec2, Vec3};
@@ -7,12 +8,6 @@ use glam::{Vec2, Vec3};
 use super::body::Body;
 use crate::obstacle::Obstacle;
 
-/// Radius of the torso without the arms, which yield, m.
-const TORSO_RADIUS: f32 = 0.09;
-/// Centre of a disc that covers the front of a foot, sole frame, m.
-const FOOT_CENTRE: Vec3 = Vec3::new(0.035, 0.0, 0.0);
-/// Radius of that disc, m.
-const FOOT_RADIUS: f32 = 0.065;
 /// Number of overlaps resolved in sequence; the two walls of a corner need two.
 const ITERATIONS: usize = 3;
 /// Cosine of the angle between foot and obstacle within which a bumper is pressed (60°).
@@ -20,7 +15,7 @@ const BUMPER_COSINE: f32 = 0.5;
 
 /// Moves a body out of the obstacles that it overlaps, so that it slides along them. Returns the pressed bumpers and
 /// whether there was any contact.
-pub(crate) fn resolve(body: &mut Body, obstacles: &[Obstacle]) -> (Buttons, bool) {
+pub(crate) fn resolve<M: SimulatedModel>(body: &mut Body<M>, obstacles: &[Obstacle]) -> (Buttons, bool) {
     let mut buttons = Buttons::default();
     let mut hit = false;
     for _ in 0..ITERATIONS {
@@ -33,9 +28,10 @@ pub(crate) fn resolve(body: &mut Body, obstacles: &[Obstacle]) -> (Buttons, bool
 }
 
 /// Returns the outward normal and the depth, m, of the deepest overlap.
-fn deepest(body: &Body, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
+fn deepest<M: SimulatedModel>(body: &Body<M>, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
     let [left, right] = feet(body);
-    let parts = [(body.pose().position, TORSO_RADIUS), (left, FOOT_RADIUS), (right, FOOT_RADIUS)];
+    let foot = M::EXTENTS.foot_front.radius;
+    let parts = [(body.pose().position, M::EXTENTS.torso), (left, foot), (right, foot)];
     let overlaps = parts
         .iter()
         .flat_map(|&(centre, radius)| obstacles.iter().filter_map(move |obstacle| obstacle.overlap(centre, radius)));
@@ -43,12 +39,12 @@ fn deepest(body: &Body, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
 }
 
 /// Presses the bumpers of feet that touch an obstacle in front of them.
-fn press(buttons: &mut Buttons, body: &Body, obstacles: &[Obstacle]) {
+fn press<M: SimulatedModel>(buttons: &mut Buttons, body: &Body<M>, obstacles: &[Obstacle]) {
     let feet = feet(body);
     for side in Side::BOTH {
         let ahead = (body.soles()[side.index()].matrix3.x_axis).truncate();
         let centre = feet[side.index()];
-        let pressed = obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, FOOT_RADIUS));
+        let pressed = obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, M::EXTENTS.foot_front.radius));
         let pressed = pressed.into_iter().any(|(normal, _)| normal.dot(ahead) < -BUMPER_COSINE);
         match side {
             Side::Left => buttons.left_bumper |= pressed,
@@ -58,6 +54,7 @@ fn press(buttons: &mut Buttons, body: &Body, obstacles: &[Obstacle]) {
 }
 
 /// Returns the centres of the discs around both feet, left first. Field frame, m.
-fn feet(body: &Body) -> [Vec2; 2] {
-    body.soles().map(|sole| sole.transform_point3(FOOT_CENTRE).truncate())
+fn feet<M: SimulatedModel>(body: &Body<M>) -> [Vec2; 2] {
+    let centre = Vec3::new(M::EXTENTS.foot_front.ahead, 0.0, 0.0);
+    body.soles().map(|sole| sole.transform_point3(centre).truncate())
 }

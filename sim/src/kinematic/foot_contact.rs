@@ -1,6 +1,7 @@
 //! Contact between a moving foot and the ball.
 
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 use libm::sqrtf;
@@ -8,35 +9,40 @@ use libm::sqrtf;
 use super::ball::{Ball, Surface};
 use crate::field::BALL_RADIUS;
 
-/// Height of the foot's shell, m (estimated from photographs).
-const HEIGHT: f32 = 0.05;
 /// Coefficient of restitution: our estimate for a rubber ball on hard plastic.
 const RESTITUTION: f32 = 0.5;
 /// Fraction of the relative tangential speed that the ball loses on contact (our estimate).
 const TANGENTIAL_LOSS: f32 = 0.1;
+/// Radius of the ball and the distance that a foot moves in a cycle, with a reserve, m.
+const MARGIN: f32 = 0.1;
 /// Maximum displacement of the ball per sub-step, m: a foot that is set down on the ball squeezes it out gradually.
 const MAX_PUSH: f32 = 0.005;
 
-/// Corners of a sole, field frame, m.
-type Outline = [Vec3; Nao::DIMENSIONS.sole_outline.len()];
-
-/// A foot during one control cycle: the outlines of its sole at the start and at the end.
-#[derive(Clone, Copy, Debug)]
+/// A foot during one control cycle.
+#[derive(Clone, Debug)]
 pub(crate) struct FootContact {
-    from: Outline,
-    to: Outline,
+    /// Corners of the sole at the start and at the end of the cycle, field frame, m.
+    corners: Vec<[Vec3; 2]>,
+    /// Distance from a corner within which there may be a contact, m.
+    reach: f32,
+    /// Height of the shell, m.
+    height: f32,
     dt: f32,
 }
 
 impl FootContact {
     /// Returns a foot whose sole moves from one pose to another in `dt` s. Field frame.
-    pub(crate) fn new(side: Side, from: &Affine3A, to: &Affine3A, dt: f32) -> Self {
-        Self { from: outline(side, from), to: outline(side, to), dt }
+    pub(crate) fn new<M: SimulatedModel>(side: Side, from: &Affine3A, to: &Affine3A, dt: f32) -> Self {
+        let corners: Vec<_> = outline::<M>(side, from).zip(outline::<M>(side, to)).map(|(a, b)| [a, b]).collect();
+        let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+        let longest = edges.fold(0.0_f32, |longest, (a, b)| longest.max(a[0].distance_squared(b[0])));
+        Self { corners, reach: MARGIN + sqrtf(longest) / 2.0, height: M::EXTENTS.foot_height, dt }
     }
 
-    /// Returns whether contact is possible: a corner comes within 0.15 m of the ball.
+    /// Returns false only if there is no contact.
     pub(crate) fn is_near(&self, ball: Vec2) -> bool {
-        self.from.iter().chain(&self.to).any(|corner| corner.truncate().distance_squared(ball) < 0.15 * 0.15)
+        let limit = self.reach * self.reach;
+        self.corners.iter().flatten().any(|corner| corner.truncate().distance_squared(ball) < limit)
     }
 
     /// Resolves the contact with the ball at the fraction `part` (0 to 1) of the motion. Returns whether there was one.
@@ -47,22 +53,26 @@ impl FootContact {
     }
 
     fn surface(&self, ball: Vec2, part: f32) -> Option<Surface> {
-        let corners: Outline = core::array::from_fn(|i| self.from[i].lerp(self.to[i], part));
+        let corner = |index: usize| {
+            let [from, to] = self.corners[index % self.corners.len()];
+            from.lerp(to, part)
+        };
         let mut nearest = Edge { distance: f32::INFINITY, point: Vec2::ZERO, index: 0, t: 0.0 };
         let mut inside = true;
-        for index in 0..corners.len() {
-            let (a, b) = (corners[index].truncate(), corners[(index + 1) % corners.len()].truncate());
+        for index in 0..self.corners.len() {
+            let (a, b) = (corner(index).truncate(), corner(index + 1).truncate());
             inside &= (b - a).perp_dot(ball - a) >= 0.0;
             let edge = Edge::new(index, a, b, ball);
             if edge.distance < nearest.distance {
                 nearest = edge;
             }
         }
-        let mix = |ends: &Outline| ends[nearest.index].lerp(ends[(nearest.index + 1) % ends.len()], nearest.t);
-        let radius = contact_radius(mix(&corners).z)?;
+        let Edge { index, t, .. } = nearest;
+        let [[a_from, a_to], [b_from, b_to]] = [index, index + 1].map(|i| self.corners[i % self.corners.len()]);
+        let radius = contact_radius(corner(index).lerp(corner(index + 1), t).z, self.height)?;
         let outward = if inside { nearest.point - ball } else { ball - nearest.point };
         let depth = if inside { radius + nearest.distance } else { radius - nearest.distance };
-        let velocity = (mix(&self.to) - mix(&self.from)).truncate() / self.dt;
+        let velocity = (a_to.lerp(b_to, t) - a_from.lerp(b_from, t)).truncate() / self.dt;
         let normal = outward.try_normalize()?;
         let pushed = depth.min(MAX_PUSH);
         (depth > 0.0).then_some(Surface {
@@ -92,21 +102,20 @@ impl Edge {
     }
 }
 
-/// Returns the largest radius of the ball between the heights of sole and instep, where `sole` is the height of the sole, m;
-/// `None` if the foot passes over the ball.
-fn contact_radius(sole: f32) -> Option<f32> {
-    let from_centre = (sole - BALL_RADIUS).max(0.0).max(BALL_RADIUS - sole - HEIGHT);
+/// Returns the largest radius of the ball between the heights of sole and instep, where `sole` is the height of the sole and
+/// `height` the height of the shell, m; `None` if the foot passes over the ball.
+fn contact_radius(sole: f32, height: f32) -> Option<f32> {
+    let from_centre = (sole - BALL_RADIUS).max(0.0).max(BALL_RADIUS - sole - height);
     (from_centre < BALL_RADIUS).then(|| sqrtf(BALL_RADIUS * BALL_RADIUS - from_centre * from_centre))
 }
 
 /// Returns the corners of a sole in the field frame, counter-clockwise seen from above.
-pub(crate) fn outline(side: Side, sole: &Affine3A) -> Outline {
-    core::array::from_fn(|i| {
+pub(crate) fn outline<M: RobotModel>(side: Side, sole: &Affine3A) -> impl Iterator<Item = Vec3> {
+    let corners = M::DIMENSIONS.sole_outline;
+    (0..corners.len()).map(move |i| {
         let corner = match side {
-            Side::Left => Nao::DIMENSIONS.sole_outline[i],
-            Side::Right => {
-                Nao::DIMENSIONS.sole_outline[Nao::DIMENSIONS.sole_outline.len() - 1 - i] * Vec2::new(1.0, -1.0)
-            }
+            Side::Left => corners[i],
+            Side::Right => corners[corners.len() - 1 - i] * Vec2::new(1.0, -1.0),
         };
         sole.transform_point3(corner.extend(0.0))
     })
@@ -115,6 +124,7 @@ pub(crate) fn outline(side: Side, sole: &Affine3A) -> Outline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use crate::random::{Random, Stream};
 
     fn at(x: f32, y: f32, z: f32) -> Affine3A {
@@ -126,7 +136,8 @@ mod tests {
         let mut ball = Ball::at(Vec2::new(0.3, 0.0), 1e-6);
         for cycle in 0..60 {
             let x = |cycle| speed * 0.01 * cycle as f32;
-            let foot = FootContact::new(side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
+            let foot =
+                FootContact::new::<TestModel>(side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
             for step in 1..=10 {
                 ball.roll(0.001);
                 foot.push(&mut ball, step as f32 / 10.0);
@@ -162,7 +173,7 @@ mod tests {
     #[test]
     fn ball_bounces_off_standing_foot_without_gain() {
         let mut random = Random::new(9, Stream::Start);
-        let foot = FootContact::new(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
+        let foot = FootContact::new::<TestModel>(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
         for _ in 0..500 {
             let angle = random.between(-3.0, 3.0);
             let direction = bica_motion::pose::rotate(Vec2::X, angle);

@@ -1,4 +1,4 @@
-//! The built-in simulator: one NAO, moved by the kinematics of its joints, on the field of 2009.
+//! The built-in simulator: one humanoid, moved by the kinematics of its joints, on the field of 2009.
 //!
 //! Method: quasi-static. The lower foot carries the robot and stays where it is; the pose of the body follows from the
 //! joint angles. Only the ball has a velocity. The simulator has no inertia and no contact forces, but it has the usual

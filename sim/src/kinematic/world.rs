@@ -3,14 +3,15 @@
 use core::time::Duration;
 
 use bica_motion::joints::Joint;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
-use glam::{Affine3A, Vec2, Vec3};
+use glam::{Affine3A, Vec2};
 
 use super::ball::Ball;
 use super::body::Body;
 use super::render::{Renderer, Scene};
 use super::{ball_motion, collision};
-use crate::layout::{Layout, OtherRobot};
+use crate::layout::Layout;
 use crate::obstacle::{GOALS, Obstacle};
 use crate::placement::{self, PlacementError};
 use crate::random::{Random, Stream};
@@ -23,11 +24,11 @@ use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::transform::angular_velocity;
 use crate::world::{CYCLE, World, frame, image_is_due};
 
-/// A robot on the field of 2009, simulated by kinematics.
+/// A robot of the model `M` on the field of 2009, simulated by kinematics.
 #[derive(Clone, Debug)]
-pub struct KinematicWorld {
+pub struct KinematicWorld<M> {
     cycle: u64,
-    body: Body,
+    body: Body<M>,
     buttons: Buttons,
     ball: Ball,
     rules: Rules,
@@ -42,14 +43,14 @@ pub struct KinematicWorld {
     image_is_new: bool,
 }
 
-impl KinematicWorld {
+impl<M: SimulatedModel> KinematicWorld<M> {
     /// Builds a world in its start state.
     ///
     /// # Errors
     ///
     /// If the setup is invalid; the error names the parameter.
     pub fn new(setup: &Setup) -> Result<Self, SetupError> {
-        setup.check()?;
+        setup.check::<M>()?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
         let body = Body::standing(layout.start.robot, setup.seed);
         let others = layout.others.iter().map(|other| other.pose).collect();
@@ -62,11 +63,15 @@ impl KinematicWorld {
             buttons: Buttons::default(),
             ball: Ball::at(layout.start.ball, layout.rolling_deceleration),
             rules: Rules::default(),
-            obstacles: GOALS.iter().copied().chain(layout.others.iter().map(legs)).collect(),
+            obstacles: GOALS
+                .iter()
+                .copied()
+                .chain(layout.others.iter().map(|other| Obstacle::legs::<M>(&other.pose)))
+                .collect(),
             referee,
             camera: CameraId::Top,
             previous_cameras,
-            renderer: Renderer::new(setup, &layout),
+            renderer: Renderer::new::<M>(setup, &layout),
             image: ImageMemory::new(2 * width * height),
             image_is_new: false,
         };
@@ -87,7 +92,7 @@ impl KinematicWorld {
     /// If the position is not on the carpet, within a goal post or a net or under the robot, or if the velocity is not finite. The
     /// ball then stays as it is.
     pub fn set_ball(&mut self, position: Vec2, velocity: Vec2) -> Result<(), SetupError> {
-        check_ball(position, velocity, self.body.pose())?;
+        check_ball::<M>(position, velocity, self.body.pose())?;
         self.ball.position = position;
         self.ball.velocity = velocity;
         self.rules.cancel_return();
@@ -98,8 +103,7 @@ impl KinematicWorld {
     /// Renders the label of each pixel of an image taken now, row by row from the top left. Ground truth, for evaluation
     /// only. Takes about as long as an image.
     pub fn segmentation_mask(&mut self) -> Vec<PixelLabel> {
-        let camera = self.body.camera(self.camera);
-        let scene = scene(&self.body, camera, &camera, frame(self.cycle), self.ball.position);
+        let scene = self.scene(&self.body.camera(self.camera));
         self.renderer.segmentation_mask(&scene)
     }
 
@@ -115,9 +119,9 @@ impl KinematicWorld {
         let motions = [(previous_soles[0], soles[0]), (previous_soles[1], soles[1])];
         let mut obstacles = self.obstacles.clone();
         if matches!(self.body.posture(), Posture::Down(_)) {
-            obstacles.push(lying(&self.body));
+            obstacles.push(Obstacle::lying::<M>(self.body.robot()));
         }
-        let touching = ball_motion::advance(&mut self.ball, motions, &obstacles);
+        let touching = ball_motion::advance::<M>(&mut self.ball, motions, &obstacles);
         self.rules.record_touch(now, touching, self.ball.velocity.length(), &mut self.referee);
         if let Some(place) = self.rules.apply(now, self.ball.position, &mut self.referee) {
             self.ball = Ball::at(place, self.ball.rolling_deceleration);
@@ -125,15 +129,27 @@ impl KinematicWorld {
         self.referee.set_ball(self.ball.position, self.ball.velocity);
     }
 
-    fn take_image(&mut self) {
+    /// Describes the scene of the selected camera, whose pose was `previous` one cycle ago.
+    fn scene(&self, previous: &Affine3A) -> Scene<M> {
         let camera = self.body.camera(self.camera);
-        let previous = &self.previous_cameras[self.camera as usize];
-        let scene = scene(&self.body, camera, previous, frame(self.cycle), self.ball.position);
+        Scene {
+            camera,
+            focal: M::DIMENSIONS.camera(self.camera).focal,
+            angular_velocity: angular_velocity(&previous.matrix3, &camera.matrix3),
+            frame: frame(self.cycle),
+            ball: self.ball.position,
+            robot: *self.body.robot(),
+            skeleton: *self.body.skeleton(),
+        }
+    }
+
+    fn take_image(&mut self) {
+        let scene = self.scene(&self.previous_cameras[self.camera as usize]);
         self.image.draw(|pixels| self.renderer.draw(&scene, pixels));
     }
 }
 
-impl World for KinematicWorld {
+impl<M: SimulatedModel> World for KinematicWorld<M> {
     fn now(&self) -> Duration {
         CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
     }
@@ -178,7 +194,7 @@ impl World for KinematicWorld {
     }
 
     fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
-        placement::check(at, &self.referee)?;
+        placement::check::<M>(at, &self.referee)?;
         self.ball = Ball::at(at, self.ball.rolling_deceleration);
         self.rules.cancel_return();
         self.referee.set_ball(at, Vec2::ZERO);
@@ -194,30 +210,13 @@ impl World for KinematicWorld {
     }
 }
 
-impl SpectatorView for KinematicWorld {
+impl<M: SimulatedModel> SpectatorView for KinematicWorld<M> {
     fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
-        let own_camera = self.body.camera(self.camera);
-        let scene = scene(&self.body, own_camera, &own_camera, frame(self.cycle), self.ball.position);
+        let scene = self.scene(&self.body.camera(self.camera));
         Ok(self.renderer.render_from(&scene, camera, width, height))
     }
 }
 
-/// Describes the scene of a camera whose pose was `previous` one cycle ago.
-fn scene<'a>(body: &'a Body, camera: Affine3A, previous: &Affine3A, frame: u64, ball: Vec2) -> Scene<'a> {
-    let angular_velocity = angular_velocity(&previous.matrix3, &camera.matrix3);
-    Scene { camera, angular_velocity, frame, ball, robot: body.robot(), skeleton: body.skeleton() }
-}
-
-fn cameras(body: &Body) -> [Affine3A; 2] {
+fn cameras<M: SimulatedModel>(body: &Body<M>) -> [Affine3A; 2] {
     [CameraId::Top, CameraId::Bottom].map(|camera| body.camera(camera))
-}
-
-fn legs(other: &OtherRobot) -> Obstacle {
-    let foot = |y| other.pose.place(Vec2::new(0.02, y));
-    Obstacle::legs(foot(0.05), foot(-0.05))
-}
-
-fn lying(body: &Body) -> Obstacle {
-    let along = |z| body.robot().transform_point3(Vec3::new(0.0, 0.0, z)).truncate();
-    Obstacle::lying(along(0.0), along(0.25))
 }

@@ -1,5 +1,6 @@
 //! Detection of falls and of getting up, for the referee.
 
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::{Pose2, rotate};
 use glam::{Affine3A, Vec2};
 
@@ -10,8 +11,6 @@ use crate::transform::{fall_direction, ground_pose};
 const FALLEN_COSINE: f32 = 0.6;
 /// Vertical component of the torso axis above which the robot is upright: it leans by less than 20°.
 const UPRIGHT_COSINE: f32 = 0.94;
-/// Minimum height of the hips of a standing robot, m.
-const MIN_HIP_HEIGHT: f32 = 0.15;
 /// Time that an upright robot needs to count as standing, cycles.
 const STANDING_CYCLES: u32 = 50;
 
@@ -33,9 +32,9 @@ impl FallMonitor {
 
     /// Updates with the pose of the robot frame, once per cycle; `floor`: whether a part other than the feet touches the floor.
     /// Returns the event if the robot falls or gets up.
-    pub(crate) fn step(&mut self, robot: &Affine3A, floor: bool) -> Option<Event> {
+    pub(crate) fn step<M: SimulatedModel>(&mut self, robot: &Affine3A, floor: bool) -> Option<Event> {
         let up = robot.matrix3.z_axis.z;
-        let upright = up > UPRIGHT_COSINE && robot.translation.z > MIN_HIP_HEIGHT && !floor;
+        let upright = up > UPRIGHT_COSINE && robot.translation.z > M::EXTENTS.min_hip_height && !floor;
         self.standing = if upright { self.standing + 1 } else { 0 };
         if self.posture == Posture::Upright && up > FALLEN_COSINE {
             self.heading = heading(robot);

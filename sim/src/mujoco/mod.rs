@@ -1,21 +1,22 @@
-//! The dynamic simulator: a NAO as rigid bodies in MuJoCo. With the feature `mujoco`.
+//! The dynamic simulator: a humanoid as rigid bodies in MuJoCo. With the feature `mujoco`.
 //!
 //! It implements the same [`World`](crate::World) as the kinematic simulator, from the same [`Setup`](crate::setup::Setup) and
 //! with the same rules, but bodies have mass, soles slip, motors have torque limits, and a robot without balance falls.
 //! Dead time of the motors, sensor delay and sensor noise are modelled here; [`Physics`] holds their parameters.
 //!
 //! ```no_run
-//! use bica_motion::model::{Nao, RobotModel};
+//! use bica_motion::model::simulation::MujocoModel;
 //! use bica_motion::robot::{CameraId, Command, Lights};
 //! use bica_motion::stiffness::Stiffness;
 //! use bica_sim::{World, setup::Setup, mujoco::{MujocoWorld, Physics}};
 //! use glam::Vec2;
 //!
-//! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::default() };
-//! let mut world = MujocoWorld::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
+//! # fn run<M: MujocoModel>() -> Result<(), bica_sim::mujoco::Error> {
+//! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::of::<M>() };
+//! let mut world = MujocoWorld::<M>::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
 //! let stand = Command {
-//!     targets: Nao::STAND,
-//!     stiffness: Stiffness::Stand.joints::<Nao>(),
+//!     targets: M::STAND,
+//!     stiffness: Stiffness::Stand.joints::<M>(),
 //!     lights: Lights::default(),
 //!     camera: CameraId::Top,
 //! };
@@ -26,11 +27,12 @@
 //!     world.act(&stand);
 //! }
 //! println!("falls: {}", world.referee().falls());
-//! # Ok::<(), bica_sim::mujoco::Error>(())
+//! # Ok(())
+//! # }
 //! ```
 //!
-//! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), time step 2 ms. The robot is `models/nao.xml`; the
-//! field is generated from the same dimensions as in the kinematic simulator.
+//! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), time step 2 ms. The robot is the MJCF file of
+//! its model; the field is generated from the same dimensions as in the kinematic simulator.
 
 mod contacts;
 mod error;

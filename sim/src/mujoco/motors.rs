@@ -4,8 +4,10 @@ use std::collections::VecDeque;
 
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::robot::Command;
+use bica_motion::side::Side;
 
 use super::model::STEP;
 use super::physics::Physics;
@@ -28,10 +30,13 @@ pub(crate) struct Motors {
 
 impl Motors {
     /// Returns motors that hold these angles at full stiffness.
-    pub(crate) fn holding(angles: Joints, physics: &Physics) -> Self {
-        let (mut gains, mut limits) = (Joints::all(0.0), Joints::all(0.0));
-        for joint in Joint::ALL {
-            (gains[joint], limits[joint]) = strength(joint, physics);
+    pub(crate) fn holding<M: MujocoModel>(angles: Joints, physics: &Physics) -> Self {
+        let (mut gains, mut limits) = (*M::GAINS, *M::TORQUE_LIMITS);
+        let [left, right] = Side::BOTH.map(Side::leg);
+        // Both legs share the hip yaw-pitch.
+        for joint in left.into_iter().chain(right[1..].iter().copied()) {
+            gains[joint] *= physics.leg_gain;
+            limits[joint] = physics.torque_limit;
         }
         let delay = libm::roundf(physics.dead_time / STEP) as u32;
         Self { pending: VecDeque::new(), acting: (angles, Joints::all(1.0)), delay, gains, limits }
@@ -39,14 +44,14 @@ impl Motors {
 
     /// Accepts a command. Targets are clamped to the joint limits; a joint with a target or stiffness that is not finite gets no
     /// stiffness.
-    pub(crate) fn command(&mut self, command: &Command) {
+    pub(crate) fn command<M: RobotModel>(&mut self, command: &Command) {
         let (mut targets, mut stiffness) = (command.targets, command.stiffness);
         for joint in 0..JOINTS {
             let usable = targets.0[joint].is_finite() && stiffness.0[joint].is_finite();
             stiffness.0[joint] = if usable { stiffness.0[joint].clamp(0.0, 1.0) } else { 0.0 };
         }
-        targets = targets.clamp_to_limits::<Nao>();
-        HeadAngles::read(&targets).clamped::<Nao>().write(&mut targets);
+        targets = targets.clamp_to_limits::<M>();
+        HeadAngles::read(&targets).clamped::<M>().write(&mut targets);
         self.pending.push_back((self.delay, (targets, stiffness)));
     }
 
@@ -73,32 +78,14 @@ impl Motors {
 }
 
 /// Returns the currents for these joint torques, A.
-pub(crate) fn currents(torques: &Joints) -> Joints {
-    Joints(core::array::from_fn(|i| Nao::ACTUATORS[Joint::ALL[i]].current(torques.0[i])))
-}
-
-/// Returns a motor's position gain at full stiffness, Nm/rad, and its torque limit, Nm.
-///
-/// The values lie between those published for other simulators. With the damping of the joints the no-load speed is 0.65 to 1.3
-/// times the published one: 5 rad/s in the legs, where the robot's roll joints have 4.5 and its pitch joints 7.0.
-const fn strength(joint: Joint, physics: &Physics) -> (f32, f32) {
-    use Joint::{
-        HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LHand, LShoulderPitch, LShoulderRoll, LWristYaw, RElbowRoll,
-        RElbowYaw, RHand, RShoulderPitch, RShoulderRoll, RWristYaw,
-    };
-    match joint {
-        HeadYaw | HeadPitch => (15.0, 2.0),
-        LShoulderPitch | LShoulderRoll | LElbowYaw | LElbowRoll | RShoulderPitch | RShoulderRoll | RElbowYaw
-        | RElbowRoll => (15.0, 2.5),
-        LWristYaw | RWristYaw => (2.0, 0.6),
-        LHand | RHand => (0.5, 0.3),
-        _ => (40.0 * physics.leg_gain, physics.torque_limit),
-    }
+pub(crate) fn currents<M: RobotModel>(torques: &Joints) -> Joints {
+    Joints(core::array::from_fn(|i| M::ACTUATORS[Joint::ALL[i]].current(torques.0[i])))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use bica_motion::robot::{CameraId, Lights};
 
     fn command(target: f32, stiffness: f32) -> Command {
@@ -113,8 +100,9 @@ mod tests {
     #[test]
     fn command_acts_after_dead_time() {
         for (dead_time, steps) in [(0.0, 0), (0.03, 15), (0.04, 20)] {
-            let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time, ..Physics::default() });
-            motors.command(&command(0.05, 1.0));
+            let mut motors =
+                Motors::holding::<TestModel>(Joints::all(0.0), &Physics { dead_time, ..Physics::of::<TestModel>() });
+            motors.command::<TestModel>(&command(0.05, 1.0));
             for _ in 0..steps {
                 assert_eq!(torque(&mut motors), 0.0);
             }
@@ -124,10 +112,10 @@ mod tests {
 
     #[test]
     fn torque_is_proportional_to_stiffness_up_to_limit() {
-        let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::default() };
+        let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::of::<TestModel>() };
         for (target, stiffness, expected) in [(1.0, 1.0, 3.0), (0.05, 0.5, 1.0), (0.05, 0.0, 0.0), (0.05, 7.0, 2.0)] {
-            let mut motors = Motors::holding(Joints::all(0.0), &physics);
-            motors.command(&command(target, stiffness));
+            let mut motors = Motors::holding::<TestModel>(Joints::all(0.0), &physics);
+            motors.command::<TestModel>(&command(target, stiffness));
             assert!((torque(&mut motors) - expected).abs() < 1e-6, "{target} {stiffness}");
         }
     }
@@ -135,8 +123,11 @@ mod tests {
     #[test]
     fn joint_with_invalid_command_has_no_torque() {
         for wrong in [command(f32::NAN, 1.0), command(0.1, f32::NAN), command(f32::INFINITY, 1.0)] {
-            let mut motors = Motors::holding(Joints::all(0.0), &Physics { dead_time: 0.0, ..Physics::default() });
-            motors.command(&wrong);
+            let mut motors = Motors::holding::<TestModel>(
+                Joints::all(0.0),
+                &Physics { dead_time: 0.0, ..Physics::of::<TestModel>() },
+            );
+            motors.command::<TestModel>(&wrong);
             assert_eq!(torque(&mut motors), 0.0);
         }
     }

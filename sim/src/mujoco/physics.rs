@@ -1,7 +1,7 @@
 //! Parameters of the physics, and faults for experiments.
 
 use bica_motion::joints::Joint;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::side::Side;
 
 use super::error::Error;
@@ -11,9 +11,9 @@ use super::error::Error;
 pub struct Physics {
     /// Coefficient of friction between soles and carpet, 0.05 to 3.
     pub friction: f32,
-    /// Factor on the position gain of the leg motors, which is 40 Nm/rad at full stiffness; 0.1 to 5.
+    /// Factor on the position gains of the leg motors; 0.1 to 5.
     pub leg_gain: f32,
-    /// Torque limit of the leg joints, Nm, 0.5 to 20. The default lies between values published for the robot and its models.
+    /// Torque limit of the leg joints, Nm, 0.5 to 20.
     pub torque_limit: f32,
     /// Dead time from a command to its first effect on a motor, s, 0 to 0.2. A NAO has 30 ms (B-Human 2015).
     pub dead_time: f32,
@@ -37,21 +37,21 @@ pub enum Fault {
     Motor(Joint),
 }
 
-impl Default for Physics {
-    fn default() -> Self {
+impl Physics {
+    /// Returns the physics of a robot model on a carpet, with camera images.
+    #[must_use]
+    pub fn of<M: MujocoModel>() -> Self {
         Self {
             friction: 1.0,
             leg_gain: 1.0,
-            torque_limit: 5.0,
-            dead_time: Nao::DEAD_TIME,
+            torque_limit: M::TORQUE_LIMITS[Joint::LKneePitch],
+            dead_time: M::DEAD_TIME,
             sensor_delay: 0.006,
             noise: 1.0,
             cameras: true,
         }
     }
-}
 
-impl Physics {
     /// Checks the ranges of all parameters.
     ///
     /// # Errors
@@ -78,10 +78,11 @@ impl Physics {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
 
     #[test]
-    fn default_latency_is_that_of_nao() {
-        let Physics { dead_time, sensor_delay, noise, .. } = Physics::default();
+    fn latency_is_that_of_nao() {
+        let Physics { dead_time, sensor_delay, noise, .. } = Physics::of::<TestModel>();
         // Dead time: B-Human 2015, 4.1.1.1. Latency from command to measurement: B-Human 2023, `minDelay`.
         assert_eq!((dead_time, noise), (0.030, 1.0));
         assert!((dead_time + sensor_delay - 0.036).abs() < 1e-6);
@@ -89,11 +90,11 @@ mod tests {
 
     #[test]
     fn parameter_outside_its_range_is_rejected_by_name() {
-        assert_eq!(Physics::default().check(), Ok(()));
+        assert_eq!(Physics::of::<TestModel>().check(), Ok(()));
         for (name, wrong) in [
-            ("friction", Physics { friction: f32::NAN, ..Physics::default() }),
-            ("torque_limit", Physics { torque_limit: -1.0, ..Physics::default() }),
-            ("dead_time", Physics { dead_time: 30.0, ..Physics::default() }),
+            ("friction", Physics { friction: f32::NAN, ..Physics::of::<TestModel>() }),
+            ("torque_limit", Physics { torque_limit: -1.0, ..Physics::of::<TestModel>() }),
+            ("dead_time", Physics { dead_time: 30.0, ..Physics::of::<TestModel>() }),
         ] {
             let error = wrong.check().unwrap_err();
             assert!(error.to_string().contains(name), "{error}");

@@ -1,7 +1,7 @@
 //! The robot's cameras: MuJoCo renders the picture off screen; the image sensor is shared with the kinematic simulator.
 
 use bica_motion::robot::CameraId;
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase, MjvCamera};
 
 use super::error::Error;
@@ -33,6 +33,8 @@ pub(crate) struct Exposure {
     pub(crate) camera: CameraId,
     /// Pose in the field frame, x along the optical axis.
     pub(crate) pose: Affine3A,
+    /// Focal lengths relative to the width and the height of the image.
+    pub(crate) focal: Vec2,
     /// Angular velocity, camera frame, rad/s.
     pub(crate) angular_velocity: Vec3,
     /// Index of the image.
@@ -63,7 +65,7 @@ impl RobotCamera {
         if let Ok(picture) = self.renderer.draw(data, camera) {
             self.colour_response.apply(picture, &mut self.canvas);
         }
-        let view = PinholeCamera::new(exposure.pose, self.canvas.width, self.canvas.height);
+        let view = PinholeCamera::new(exposure.pose, exposure.focal, self.canvas.width, self.canvas.height);
         let mut grain = Random::new(self.seed.wrapping_add(exposure.frame << 32), Stream::Grain);
         self.image.draw(|pixels| {
             self.sensor.expose(&self.canvas, &view, exposure.angular_velocity, &mut grain, pixels);

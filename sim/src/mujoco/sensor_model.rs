@@ -116,6 +116,7 @@ impl SensorModel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use crate::sensor_model::GRAVITY;
     use bica_motion::joints::Joint;
 
@@ -135,7 +136,7 @@ mod tests {
     #[test]
     fn each_measurement_has_age_of_delay() {
         for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
-            let physics = Physics { sensor_delay, noise: 0.0, ..Physics::default() };
+            let physics = Physics { sensor_delay, noise: 0.0, ..Physics::of::<TestModel>() };
             let mut sensors = SensorModel::new(ideal(0), 1, &physics);
             for step in 1..=100 {
                 sensors.step(ideal(step));
@@ -163,7 +164,7 @@ mod tests {
         for noise in [0.0, 1.0, 5.0] {
             let still = IdealMeasurement { up: Vec3::Z, ..ideal(0) };
             let still = IdealMeasurement { feet: ideal(10).feet, ..still };
-            let mut sensors = SensorModel::new(still, 1, &Physics { noise, ..Physics::default() });
+            let mut sensors = SensorModel::new(still, 1, &Physics { noise, ..Physics::of::<TestModel>() });
             let mut squares = [0.0_f32; 10];
             for _ in 0..3_000 {
                 let Measurement { inertial, feet, .. } = sensors.measure();
@@ -186,9 +187,9 @@ mod tests {
     fn accelerometer_saturates_at_two_g() {
         let hit =
             IdealMeasurement { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..ideal(0) };
-        let measured = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::default() }).measure();
+        let measured = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::of::<TestModel>() }).measure();
         assert!((measured.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
-        let noisy = SensorModel::new(hit, 1, &Physics { noise: 10.0, ..Physics::default() }).measure();
+        let noisy = SensorModel::new(hit, 1, &Physics { noise: 10.0, ..Physics::of::<TestModel>() }).measure();
         assert_eq!(noisy.feet, <[FootPressure; 2]>::default());
     }
 }

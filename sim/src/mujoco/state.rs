@@ -1,26 +1,26 @@
 //! Access to the state in MuJoCo's arrays.
 
-use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
-use super::model::FreeJoint;
+use super::model::{Drive, FreeJoint};
 use super::sensor_model::IdealMeasurement;
 use crate::field::BALL_RADIUS;
 
 /// Sets the robot to its standing posture above a pose on the ground.
-pub(crate) fn stand(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, joints: &[usize], at: Pose2) {
-    let sole = Skeleton::<Nao>::of(&Nao::STAND).sole(Side::Left);
+pub(crate) fn stand<M: RobotModel>(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, drives: &[Drive], at: Pose2) {
+    let sole = Skeleton::<M>::of(&M::STAND).sole(Side::Left);
     let turn = Quat::from_rotation_z(at.heading);
     let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
     write(&mut data.qpos_mut()[torso.position..], &numbers);
-    for (&place, angle) in joints.iter().zip(Nao::STAND.0) {
-        data.qpos_mut()[place] = angle.into();
+    for drive in drives {
+        data.qpos_mut()[drive.position] = M::STAND[drive.joint].into();
     }
 }
 
@@ -37,9 +37,13 @@ pub(crate) fn write(to: &mut [f64], numbers: &[f32]) {
     }
 }
 
-/// Returns the joint angles.
-pub(crate) fn angles(data: &MjData<Box<MjModel>>, joints: &[usize; JOINTS]) -> Joints {
-    Joints(joints.map(|place| data.qpos()[place] as f32))
+/// Returns the joint angles; 0 for joints that the robot does not have.
+pub(crate) fn angles(data: &MjData<Box<MjModel>>, drives: &[Drive]) -> Joints {
+    let mut angles = Joints::all(0.0);
+    for drive in drives {
+        angles[drive.joint] = data.qpos()[drive.position] as f32;
+    }
+    angles
 }
 
 /// Returns the pose of a body with a free joint, field frame.
@@ -50,11 +54,7 @@ pub(crate) fn pose(data: &MjData<Box<MjModel>>, body: FreeJoint) -> Affine3A {
 }
 
 /// Returns the measurements of ideal sensors.
-pub(crate) fn ideal_measurement(
-    data: &MjData<Box<MjModel>>,
-    torso: FreeJoint,
-    joints: &[usize; JOINTS],
-) -> IdealMeasurement {
+pub(crate) fn ideal_measurement(data: &MjData<Box<MjModel>>, torso: FreeJoint, drives: &[Drive]) -> IdealMeasurement {
     let sensed = |i: usize| data.sensordata()[i] as f32;
     let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));
     let foot = |i: usize| FootPressure {
@@ -65,7 +65,7 @@ pub(crate) fn ideal_measurement(
     };
     let turn = pose(data, torso).matrix3;
     IdealMeasurement {
-        angles: angles(data, joints),
+        angles: angles(data, drives),
         gyro: three(0),
         acceleration: three(3),
         up: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),

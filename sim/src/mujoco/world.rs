@@ -1,10 +1,11 @@
 //! The dynamic world: MuJoCo with motors, sensors, cameras and referee.
 
+use core::marker::PhantomData;
 use core::time::Duration;
 
-use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use bica_motion::side::Side;
@@ -14,7 +15,7 @@ use mujoco_rs::prelude::{MjData, MjModel};
 use super::contacts::{Contacts, GeomOwners};
 use super::error::Error;
 use super::fall_monitor::FallMonitor;
-use super::model::{FreeJoint, Model, SHADOWS, STEP};
+use super::model::{Drive, FreeJoint, Model, SHADOWS, STEP};
 use super::motors::{Motors, currents};
 use super::physics::{Fault, Physics};
 use super::robot_camera::{Exposure, RobotCamera};
@@ -37,15 +38,16 @@ use crate::world::{CYCLE, CYCLE_SECONDS, World, frame, image_is_due};
 /// Number of steps of the physics per control cycle.
 const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;
 
-/// A robot on the field of 2009, simulated by rigid-body dynamics.
-pub struct MujocoWorld {
+/// A robot of the model `M` on the field of 2009, simulated by rigid-body dynamics.
+pub struct MujocoWorld<M> {
+    model: PhantomData<M>,
     setup: Setup,
     layout: Layout,
     cycle: u64,
     data: MjData<Box<MjModel>>,
     torso: FreeJoint,
     ball: FreeJoint,
-    joints: [usize; JOINTS],
+    drives: Vec<Drive>,
     feet: [usize; 2],
     owners: GeomOwners,
     motors: Motors,
@@ -65,40 +67,41 @@ pub struct MujocoWorld {
     referee: Referee,
 }
 
-impl MujocoWorld {
+impl<M: MujocoModel> MujocoWorld<M> {
     /// Builds a world in its start state.
     ///
     /// # Errors
     ///
     /// If setup or physics is invalid, or no renderer is available; the error contains the reason.
     pub fn new(setup: &Setup, physics: &Physics) -> Result<Self, Error> {
-        setup.check()?;
+        setup.check::<M>()?;
         physics.check()?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
-        let Model { physics: model, torso, ball, joints, feet } = Model::new(setup, &layout, physics)?;
+        let Model { physics: model, torso, ball, drives, feet } = Model::new::<M>(setup, &layout, physics)?;
         let owners = GeomOwners::of(&model);
         let robot_camera = physics.cameras.then(|| RobotCamera::new(setup, &model)).transpose()?;
         let mut data = MjData::new(model);
-        stand(&mut data, torso, &joints, layout.start.robot);
+        stand::<M>(&mut data, torso, &drives, layout.start.robot);
         place(&mut data, ball, layout.start.ball);
         data.forward();
         let fall_monitor = FallMonitor::new(layout.start.robot.heading);
         let others = layout.others.iter().map(|other| other.pose).collect();
-        let mut sensor_model = SensorModel::new(ideal_measurement(&data, torso, &joints), setup.seed, physics);
+        let mut sensor_model = SensorModel::new(ideal_measurement(&data, torso, &drives), setup.seed, physics);
         let measurement = sensor_model.measure();
         let referee = Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others);
         let mut world = Self {
+            model: PhantomData,
             setup: *setup,
             layout,
             cycle: 0,
             data,
             torso,
             ball,
-            joints,
+            drives,
             feet,
             owners,
-            motors: Motors::holding(Nao::STAND, physics),
-            heat: MotorHeat::new(),
+            motors: Motors::holding::<M>(M::STAND, physics),
+            heat: MotorHeat::new::<M>(),
             sensor_model,
             measurement,
             robot_camera,
@@ -170,9 +173,9 @@ impl MujocoWorld {
 
     /// Advances by one step of the physics. Returns the torques of the joints, Nm.
     fn step(&mut self, contacts: &mut Contacts) -> Joints {
-        let torques = self.motors.step(&angles(&self.data, &self.joints));
-        for (control, torque) in self.data.ctrl_mut().iter_mut().zip(torques.0) {
-            *control = torque.into();
+        let torques = self.motors.step(&self.angles());
+        for drive in &self.drives {
+            self.data.ctrl_mut()[drive.actuator] = torques[drive.joint].into();
         }
         self.data.step();
         let ahead = self.feet.map(|foot| {
@@ -180,7 +183,7 @@ impl MujocoWorld {
             Vec3::new(pose[0] as f32, pose[3] as f32, pose[6] as f32)
         });
         self.owners.collect(&self.data, ahead, contacts);
-        self.sensor_model.step(ideal_measurement(&self.data, self.torso, &self.joints));
+        self.sensor_model.step(ideal_measurement(&self.data, self.torso, &self.drives));
         torques
     }
 
@@ -189,17 +192,27 @@ impl MujocoWorld {
         pose(&self.data, self.torso)
     }
 
+    /// Returns the joint angles.
+    fn angles(&self) -> Joints {
+        angles(&self.data, &self.drives)
+    }
+
+    /// Returns the poses of all segments in the robot frame.
+    fn skeleton(&self) -> Skeleton<M> {
+        Skeleton::of(&self.angles())
+    }
+
     /// Returns the poses of both cameras in the field frame.
     fn cameras(&self) -> [Affine3A; 2] {
-        let (robot, skeleton) = (self.robot(), Skeleton::<Nao>::of(&angles(&self.data, &self.joints)));
+        let (robot, skeleton) = (self.robot(), self.skeleton());
         [CameraId::Top, CameraId::Bottom].map(|camera| robot * skeleton.camera(camera))
     }
 
     /// Moves the shadows under feet, torso and ball.
     fn place_shadows(&mut self) {
-        let (robot, skeleton) = (self.robot(), Skeleton::<Nao>::of(&angles(&self.data, &self.joints)));
+        let (robot, skeleton) = (self.robot(), self.skeleton());
         let soles = Side::BOTH.map(|side| ground_pose(&(robot * skeleton.sole(side))));
-        let middle = Vec2::new(0.0227, 0.0);
+        let middle = Vec2::new(M::EXTENTS.sole_middle, 0.0);
         let [left, right] = soles.map(|sole| Pose2 { position: sole.place(middle), ..sole });
         let ball = Pose2 { position: self.ball_state().0, heading: 0.0 };
         let shadows: [Pose2; SHADOWS] = [left, right, ground_pose(&robot), ball];
@@ -216,7 +229,8 @@ impl MujocoWorld {
         }
         let (previous, pose) = (self.previous_cameras[self.camera as usize], self.cameras()[self.camera as usize]);
         let angular_velocity = angular_velocity(&previous.matrix3, &pose.matrix3);
-        let exposure = Exposure { camera: self.camera, pose, angular_velocity, frame: frame(self.cycle) };
+        let focal = M::DIMENSIONS.camera(self.camera).focal;
+        let exposure = Exposure { camera: self.camera, pose, focal, angular_velocity, frame: frame(self.cycle) };
         self.place_shadows();
         if let Some(robot_camera) = &mut self.robot_camera {
             robot_camera.take(&mut self.data, &exposure);
@@ -227,7 +241,7 @@ impl MujocoWorld {
     /// Updates ground truth and events at the end of a control cycle.
     fn update_referee(&mut self, contacts: Contacts) {
         let (now, robot) = (self.now(), self.robot());
-        if let Some(event) = self.fall_monitor.step(&robot, contacts.floor) {
+        if let Some(event) = self.fall_monitor.step::<M>(&robot, contacts.floor) {
             self.referee.record(now, event);
         }
         self.referee.set_robot(self.fall_monitor.pose(&robot), self.fall_monitor.posture());
@@ -250,7 +264,7 @@ impl MujocoWorld {
     }
 }
 
-impl World for MujocoWorld {
+impl<M: MujocoModel> World for MujocoWorld<M> {
     fn now(&self) -> Duration {
         CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
     }
@@ -277,12 +291,12 @@ impl World for MujocoWorld {
         self.image_is_new = false;
         self.camera = command.camera;
         self.cycle += 1;
-        self.motors.command(command);
+        self.motors.command::<M>(command);
         let mut contacts = Contacts::default();
         let mut mean_currents = Joints::all(0.0);
         for _ in 0..STEPS {
             let torques = self.step(&mut contacts);
-            for (mean, current) in mean_currents.0.iter_mut().zip(currents(&torques).0) {
+            for (mean, current) in mean_currents.0.iter_mut().zip(currents::<M>(&torques).0) {
                 *mean += current / STEPS as f32;
             }
         }
@@ -294,7 +308,7 @@ impl World for MujocoWorld {
     }
 
     fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
-        placement::check(at, &self.referee)?;
+        placement::check::<M>(at, &self.referee)?;
         place(&mut self.data, self.ball, at);
         // The next image is drawn from quantities that are derived from the positions.
         self.data.forward();
@@ -312,16 +326,15 @@ impl World for MujocoWorld {
     }
 }
 
-impl SpectatorView for MujocoWorld {
+impl<M: MujocoModel> SpectatorView for MujocoWorld<M> {
     fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
         let fits = |renderer: &SpectatorRenderer| renderer.size() == (width, height);
         let renderer = match self.spectator.take().filter(fits) {
             Some(renderer) => renderer,
-            None => SpectatorRenderer::new(&self.setup, &self.layout, width, height)?,
+            None => SpectatorRenderer::new::<M>(&self.setup, &self.layout, width, height)?,
         };
         let ball = pose(&self.data, self.ball).translation.into();
-        let skeleton = Skeleton::<Nao>::of(&angles(&self.data, &self.joints));
-        let moving = Moving { robot: self.robot(), skeleton, ball };
+        let moving = Moving { robot: self.robot(), skeleton: self.skeleton(), ball };
         self.spectator.insert(renderer).render(&moving, camera)
     }
 }

@@ -11,7 +11,7 @@ use crate::support::command;
 
 /// Runs a game with large motions. Returns all image bytes, all measurements and the final ground truth.
 fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
-    let mut world = KinematicWorld::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a valid setup");
+    let mut world = KinematicWorld::<Nao>::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a valid setup");
     let mut images = Vec::new();
     let mut words = Vec::new();
     for cycle in 0..400_u32 {
@@ -57,7 +57,7 @@ fn reading_sensors_does_not_change_world() {
 
 #[test]
 fn repeated_reads_in_cycle_return_equal_measurements() {
-    let mut world = KinematicWorld::new(&Setup::default()).expect("a valid setup");
+    let mut world = KinematicWorld::<Nao>::new(&Setup::default()).expect("a valid setup");
     let mut images = 0;
     for _ in 0..10 {
         let first = world.sensors();

@@ -14,12 +14,12 @@ use glam::Vec2;
 
 use crate::support::{TOGETHER, alone, command, glide, swayed};
 
-fn world() -> KinematicWorld {
+fn world() -> KinematicWorld<Nao> {
     alone(2, Pose2::new(-1.0, 0.3, 0.7), Vec2::new(2.0, 1.5))
 }
 
 /// Leans until the robot falls.
-fn fall(world: &mut KinematicWorld, to: Direction) {
+fn fall(world: &mut KinematicWorld<Nao>, to: Direction) {
     let mut posture = Nao::STAND;
     match to {
         Direction::Front | Direction::Back => {
@@ -124,7 +124,7 @@ fn standing_posture_alone_does_not_get_up() {
     assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
 }
 
-fn get_up(world: &mut KinematicWorld, lying: Direction) {
+fn get_up(world: &mut KinematicWorld<Nao>, lying: Direction) {
     let mut movement = GetUp::<Nao>::new(lying, 0, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);

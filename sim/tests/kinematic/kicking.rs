@@ -12,7 +12,7 @@ use glam::Vec2;
 use crate::support::{TOGETHER, alone, command, glide, swayed};
 
 /// Stands on one foot, swings the other one back and then forward by 0.16 m in 0.12 s.
-fn kick(world: &mut KinematicWorld, foot: Side) {
+fn kick(world: &mut KinematicWorld<Nao>, foot: Side) {
     let swung = |x: f32, lift: f32| {
         let mut feet = swayed(foot.other());
         feet[foot.index()].0 += x;
@@ -26,7 +26,7 @@ fn kick(world: &mut KinematicWorld, foot: Side) {
     glide(world, swung(0.0, 0.02), swung(0.0, 0.0), 30);
 }
 
-fn stand(world: &mut KinematicWorld, seconds: u32) {
+fn stand(world: &mut KinematicWorld<Nao>, seconds: u32) {
     for _ in 0..100 * seconds {
         world.act(&command(Nao::STAND));
     }

@@ -10,13 +10,13 @@ use glam::Vec2;
 
 use crate::support::{alone, command};
 
-fn wait(world: &mut KinematicWorld, cycles: u32) {
+fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
     (0..cycles).for_each(|_| world.act(&command(Nao::STAND)));
 }
 
 #[test]
 fn placed_ball_lies_still_and_is_no_event() {
-    let mut world = KinematicWorld::new(&Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
+    let mut world = KinematicWorld::<Nao>::new(&Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
     let (mut placed, mut refused) = (0, 0);
     for row in -22..=22 {
         for column in -32..=32 {
@@ -75,7 +75,8 @@ fn refused_placement_leaves_a_rolling_ball() {
 #[test]
 fn image_shows_ball_where_it_was_placed() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
-    let pixels = |world: &mut KinematicWorld| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
+    let pixels =
+        |world: &mut KinematicWorld<Nao>| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
     let mut placed = world.clone();
     placed.place_ball(Vec2::new(-1.0, 0.0)).expect("a free place");
     let mut there = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(-1.0, 0.0));

@@ -37,7 +37,7 @@ fn chroma(yuyv: &[u8], u: usize, v: usize) -> (i32, i32) {
 }
 
 /// Turns the head, waits until it is still, and returns the next image with the true joint angles.
-fn image_at(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
+fn image_at(world: &mut KinematicWorld<Nao>, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
     let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     for _ in 0..60 {

@@ -12,7 +12,7 @@ use bica_motion::side::Side;
 #[test]
 fn selected_camera_delivers_thirty_images_second() {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
-        let mut world = KinematicWorld::new(&Setup { frame, ..Setup::default() }).expect("a valid setup");
+        let mut world = KinematicWorld::<Nao>::new(&Setup { frame, ..Setup::default() }).expect("a valid setup");
         let (mut images, mut camera) = (0, CameraId::Top);
         for cycle in 0..200 {
             if let Some(image) = world.sensors().image {

@@ -12,7 +12,7 @@ use glam::Vec2;
 use crate::support::{alone, command};
 
 /// Lets a world run with a standing robot.
-fn wait(world: &mut KinematicWorld, cycles: u32) {
+fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
     (0..cycles).for_each(|_| world.act(&command(Nao::STAND)));
 }
 

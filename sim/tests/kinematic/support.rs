@@ -17,9 +17,9 @@ pub(crate) const HIPS: f32 = 0.215;
 pub(crate) const SWAY: f32 = 0.045;
 
 /// Returns a world without other robots in which the robot stands at a pose.
-pub(crate) fn alone(seed: u64, robot: Pose2, ball: Vec2) -> KinematicWorld {
+pub(crate) fn alone(seed: u64, robot: Pose2, ball: Vec2) -> KinematicWorld<Nao> {
     let start = Some(Start { robot, ball });
-    KinematicWorld::new(&Setup { seed, goalkeeper: false, start, ..Setup::default() }).expect("a valid setup")
+    KinematicWorld::<Nao>::new(&Setup { seed, goalkeeper: false, start, ..Setup::default() }).expect("a valid setup")
 }
 
 /// Returns a command with full stiffness and the top camera.
@@ -38,7 +38,12 @@ pub(crate) fn posture(feet: [(f32, f32, f32); 2]) -> Joints {
 }
 
 /// Moves both feet linearly between two positions in a number of cycles.
-pub(crate) fn glide(world: &mut KinematicWorld, from: [(f32, f32, f32); 2], to: [(f32, f32, f32); 2], cycles: u32) {
+pub(crate) fn glide(
+    world: &mut KinematicWorld<Nao>,
+    from: [(f32, f32, f32); 2],
+    to: [(f32, f32, f32); 2],
+    cycles: u32,
+) {
     for cycle in 1..=cycles {
         let part = cycle as f32 / cycles as f32;
         let mix = |a: f32, b: f32| a + part * (b - a);

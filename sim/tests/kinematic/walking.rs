@@ -11,7 +11,7 @@ use glam::Vec2;
 use crate::support::{SWAY, alone, command, glide};
 
 /// Takes one slow step: lifts the swing foot, sets it down ahead and shifts the hips over it.
-fn step(world: &mut KinematicWorld, swing: Side, behind: f32, ahead: f32) {
+fn step(world: &mut KinematicWorld<Nao>, swing: Side, behind: f32, ahead: f32) {
     let feet = |swing_x: f32, lift: f32, support_x: f32| {
         let mut feet = [(support_x, 0.05 + swing.sign() * SWAY, 0.0), (support_x, -0.05 + swing.sign() * SWAY, 0.0)];
         feet[swing.index()].0 = swing_x;
@@ -81,10 +81,10 @@ fn goal_post_stops_robot_and_presses_its_bumper() {
 
 /// Walks for some cycles and calls `watch` after each. Returns the final pose relative to the first.
 fn walk(
-    world: &mut KinematicWorld,
+    world: &mut KinematicWorld<Nao>,
     velocity: Velocity,
     cycles: u32,
-    mut watch: impl FnMut(&mut KinematicWorld),
+    mut watch: impl FnMut(&mut KinematicWorld<Nao>),
 ) -> Pose2 {
     let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
     let start = world.referee().robot();

@@ -1,5 +1,6 @@
 //! Motion of the ball, and the rules.
 
+use bica_motion::model::Nao;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::referee::Event;
@@ -8,7 +9,7 @@ use glam::Vec2;
 
 use crate::support::{blind, stand, world};
 
-fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWorld {
+fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWorld<Nao> {
     let start = Some(Start { robot: Pose2::new(-2.0, 1.5, 0.0), ball: from });
     let mut world = world(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, &blind());
     world.kick_ball(velocity);

@@ -12,7 +12,7 @@ use crate::support::{alone, blind, command, stand};
 
 /// Pushes the robot over. Checks that the fall is detected before the impact, commands the protective posture, and returns the
 /// detected side on which the robot lies.
-fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
+fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
     stand(world, 50);
     world.push(push);
     let (mut detector, mut detected, mut hit) = (FallDetector::<Nao>::new(), false, false);
@@ -32,7 +32,7 @@ fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     panic!("{push}: no fall");
 }
 
-fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
+fn get_up(world: &mut MujocoWorld<Nao>, lying: Direction, failures: u8) {
     let mut movement = GetUp::<Nao>::new(lying, failures, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);

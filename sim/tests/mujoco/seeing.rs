@@ -27,7 +27,7 @@ impl View {
     /// Stands, turns the head, waits until it is still, and takes an image.
     fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
         let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
-        let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::default() });
+        let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::of::<Nao>() });
         let mut targets = Nao::STAND;
         (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
         let command = Command { camera: id, ..command(targets, 1.0) };
@@ -40,7 +40,7 @@ impl View {
         Self::now(&mut world)
     }
 
-    fn now(world: &mut MujocoWorld) -> Self {
+    fn now(world: &mut MujocoWorld<Nao>) -> Self {
         let robot = world.referee().robot();
         let sensors = world.sensors();
         let Image { camera, width, height, yuyv } = sensors.image.unwrap();
@@ -140,7 +140,7 @@ fn line_pixels_are_bright_and_neighbours_dark() {
 #[test]
 fn rendering_images_does_not_change_physics() {
     let angles = |cameras| {
-        let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::default() });
+        let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::of::<Nao>() });
         let mut angles = Vec::new();
         for cycle in 0..100 {
             let mut targets = Nao::STAND;
@@ -157,7 +157,7 @@ fn rendering_images_does_not_change_physics() {
 #[test]
 fn equal_seeds_give_equal_images() {
     let image = |seed| {
-        let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::default());
+        let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::of::<Nao>());
         for _ in 0..10 {
             world.act(&command(Nao::STAND, 1.0));
         }
@@ -173,7 +173,7 @@ fn spectator_view_does_not_change_physics() {
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };
     let angles = |films: bool| {
-        let mut world = world(&setup, &Physics { cameras: false, ..Physics::default() });
+        let mut world = world(&setup, &Physics { cameras: false, ..Physics::of::<Nao>() });
         let mut angles = Vec::new();
         for cycle in 0..50 {
             if films && cycle % 10 == 0 {

@@ -11,17 +11,17 @@ use glam::Vec2;
 
 /// Returns the default physics without cameras.
 pub(crate) fn blind() -> Physics {
-    Physics { cameras: false, ..Physics::default() }
+    Physics { cameras: false, ..Physics::of::<Nao>() }
 }
 
 /// Returns a world with the robot alone at the centre mark and the ball aside.
-pub(crate) fn alone(seed: u64, physics: &Physics) -> MujocoWorld {
+pub(crate) fn alone(seed: u64, physics: &Physics) -> MujocoWorld<Nao> {
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(1.0, 1.5) });
     world(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, physics)
 }
 
-pub(crate) fn world(setup: &Setup, physics: &Physics) -> MujocoWorld {
-    MujocoWorld::new(setup, physics).unwrap()
+pub(crate) fn world(setup: &Setup, physics: &Physics) -> MujocoWorld<Nao> {
+    MujocoWorld::<Nao>::new(setup, physics).unwrap()
 }
 
 pub(crate) fn command(targets: Joints, stiffness: f32) -> Command {
@@ -30,7 +30,7 @@ pub(crate) fn command(targets: Joints, stiffness: f32) -> Command {
 }
 
 /// Commands the standing posture for some cycles.
-pub(crate) fn stand(world: &mut MujocoWorld, cycles: u32) {
+pub(crate) fn stand(world: &mut MujocoWorld<Nao>, cycles: u32) {
     for _ in 0..cycles {
         world.act(&command(Nao::STAND, 1.0));
     }

@@ -65,7 +65,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
         let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
         let start = Some(Start { robot, ball: robot.place(ball(seed)) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let mut world = KinematicWorld::new(&setup).expect("a place on the carpet");
+        let mut world = KinematicWorld::<Nao>::new(&setup).expect("a place on the carpet");
         if world.referee().attacks() != GoalColour::SkyBlue {
             continue;
         }
@@ -81,7 +81,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
     }
 }
 
-fn wait(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32) {
+fn wait(world: &mut KinematicWorld<Nao>, targets: &mut Joints, yaw: f32, pitch: f32) {
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     let camera = CameraId::Bottom;
     let command = Command { targets: *targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };

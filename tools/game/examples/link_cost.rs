@@ -17,6 +17,7 @@ use bica_console::statistics::percentile;
 use bica_game::WorldKind;
 use bica_link::{Address, Client, ClientOptions, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_motion::robot::Sensors;
+use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::tunable::Forward;
 use bica_sim::kinematic::KinematicWorld;
@@ -40,7 +41,7 @@ fn run() {
 }
 
 fn measure(monitors: usize, action: Action, of: &str, seconds: u64) {
-    let world = KinematicWorld::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
+    let world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<RobotProfile>().set(WorldKind::BuiltIn.profile());
     let address: Address = "127.0.0.1:0".parse().expect("an address");

@@ -18,6 +18,7 @@ use bica_console::statistics::percentile;
 use bica_field::GoalColour;
 use bica_game::{Rules, WorldKind, recording_header};
 use bica_motion::robot::{Image, Sensors};
+use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::tunable::Forward;
 use bica_recording::{ImagePolicy, Recorder, RecorderOptions};
@@ -39,7 +40,7 @@ fn run() {
     let folder = arguments.first().filter(|folder| Path::new(folder).is_dir());
     let seconds = arguments.last().and_then(|text| text.parse().ok()).unwrap_or(20_u64);
     let setup = Setup { frame: Frame::Large, ..Setup::default() };
-    let mut world = KinematicWorld::new(&setup).expect("valid");
+    let mut world = KinematicWorld::<Model>::new(&setup).expect("valid");
     let images = folder.map_or_else(|| rendered(&mut world), |folder| loaded(Path::new(folder)));
     for (policy, sharing) in [(ImagePolicy::All, true), (ImagePolicy::All, false), (ImagePolicy::None, true)] {
         let path = std::env::temp_dir().join("recording-cost.mcap");
@@ -48,7 +49,7 @@ fn run() {
     }
 }
 
-fn rendered(world: &mut KinematicWorld) -> Vec<Arc<Vec<u8>>> {
+fn rendered(world: &mut KinematicWorld<Model>) -> Vec<Arc<Vec<u8>>> {
     let mut images = Vec::new();
     let mut robot = forward();
     while images.len() < IMAGES {
@@ -75,7 +76,7 @@ fn forward() -> Box<Forward> {
 }
 
 fn measure(
-    world: &mut KinematicWorld,
+    world: &mut KinematicWorld<Model>,
     images: &[Arc<Vec<u8>>],
     policy: ImagePolicy,
     sharing: bool,

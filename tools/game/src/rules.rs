@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use bica::Setting;
-use bica_motion::model::{Nao, Profile, RobotModel};
+use bica_motion::model::{Profile, RobotModel};
+use bica_player::Model;
 use bica_sim::setup::Frame;
 
 use crate::firmware::FirmwareImage;
@@ -23,9 +24,9 @@ impl WorldKind {
     #[must_use]
     pub const fn profile(self) -> &'static Profile {
         match self {
-            Self::BuiltIn => Nao::KINEMATIC_PROFILE,
+            Self::BuiltIn => Model::KINEMATIC_PROFILE,
             #[cfg(feature = "mujoco")]
-            Self::Mujoco => Nao::DYNAMIC_PROFILE,
+            Self::Mujoco => Model::DYNAMIC_PROFILE,
         }
     }
 

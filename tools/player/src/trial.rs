@@ -6,6 +6,8 @@ use bica_console::{Failure, Outcome};
 #[cfg(feature = "mujoco")]
 use bica_evaluation::trial;
 #[cfg(feature = "mujoco")]
+use bica_player::Model;
+#[cfg(feature = "mujoco")]
 use bica_sim::mujoco::Physics;
 
 use crate::cli::Trial;
@@ -27,7 +29,7 @@ pub(crate) fn run(args: &Trial) -> Result<Outcome, Failure> {
 
 #[cfg(feature = "mujoco")]
 fn physics(args: &Trial) -> Physics {
-    let default = Physics { cameras: false, ..Physics::default() };
+    let default = Physics { cameras: false, ..Physics::of::<Model>() };
     Physics {
         friction: args.friction.unwrap_or(default.friction),
         leg_gain: args.leg_gain.unwrap_or(default.leg_gain),

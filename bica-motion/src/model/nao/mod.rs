@@ -8,9 +8,11 @@ mod joints;
 mod kick_dynamic;
 mod kick_kinematic;
 mod masses;
+mod mujoco;
 mod postures;
 mod profiles;
 mod shape;
+mod simulated;
 
 use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;

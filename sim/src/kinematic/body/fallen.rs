@@ -4,10 +4,12 @@
 //! stands again once it has folded its legs and then holds a posture that balances on both soles.
 
 use core::f32::consts::FRAC_PI_2;
+use core::marker::PhantomData;
 
 use bica_motion::fall::Direction;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
@@ -22,26 +24,11 @@ const FALLING: u32 = 60;
 const RISING: u32 = 50;
 /// Minimum time from the ground to standing, cycles.
 const GETTING_UP: u32 = 250;
-/// Bend of both hips beyond which the robot sits instead of lying, rad: the torso is off the ground.
-const SITTING_HIP: f32 = 1.05;
-/// Lean of the torso of a sitting robot, rad.
-const SITTING_LEAN: f32 = 0.8;
-/// Bend of both knees that a robot must have passed before it can rise, rad.
-///
-/// A robot rises through a squat that balances on its soles. The lowest such squat has its hips 0.145 m above the ground with
-/// knees at 1.8 rad, 0.177 m with knees at 1.2 rad, and 0.126 m with knees at their stop of 2.1 rad. A lying robot has its
-/// hips at 0.08 to 0.11 m, and its arms lift them to about 0.15 m (our estimate): with straighter knees it cannot rise.
-const FOLDED_KNEE: f32 = 1.8;
-/// Minimum bend of the knees of a standing robot, rad: below, the legs are stretched.
-const STANDING_KNEE_MIN: f32 = 0.3;
-/// Minimum bend of the knees of a squatting robot, rad.
-const STANDING_KNEE_MAX: f32 = 1.4;
-/// Distance of the robot frame from the feet after a fall, along the ground, m.
-const FALL_LENGTH: f32 = 0.22;
 
 /// State of a robot that is not on its feet.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fallen {
+pub(crate) struct Fallen<M> {
+    model: PhantomData<M>,
     direction: Direction,
     /// Robot frame on the ground with the heading before the fall: where the robot lies and, later, stands up.
     pose: Pose2,
@@ -51,13 +38,13 @@ pub(crate) struct Fallen {
     cycles: u32,
     /// Cycles since the robot sat up, at most [`RISING`].
     sitting: u32,
-    /// Whether the knees have passed [`FOLDED_KNEE`] on the ground.
+    /// Whether the knees have been folded on the ground.
     folded: bool,
     /// Cycles in a posture that balances.
     rising: u32,
 }
 
-impl Fallen {
+impl<M: SimulatedModel> Fallen<M> {
     /// Returns the start of a fall in a direction from a pose with a heading.
     pub(crate) fn new(direction: Direction, from: Affine3A, heading: f32) -> Self {
         let axis = match direction {
@@ -66,9 +53,10 @@ impl Fallen {
             Direction::Left => Vec3A::Y,
             Direction::Right => Vec3A::NEG_Y,
         };
-        let ground = from.translation + Affine3A::from_rotation_z(heading).transform_vector3a(axis * FALL_LENGTH);
+        let ground =
+            from.translation + Affine3A::from_rotation_z(heading).transform_vector3a(axis * M::LYING.fall_length);
         let pose = Pose2 { position: ground.truncate(), heading };
-        Self { direction, pose, from, cycles: 0, sitting: 0, folded: false, rising: 0 }
+        Self { model: PhantomData, direction, pose, from, cycles: 0, sitting: 0, folded: false, rising: 0 }
     }
 
     /// Side to which the robot falls or fell.
@@ -82,7 +70,7 @@ impl Fallen {
     }
 
     /// Pose of the robot frame in the field frame.
-    pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
+    pub(crate) fn robot(&self, skeleton: &Skeleton<M>) -> Affine3A {
         if self.cycles < FALLING {
             let part = self.cycles as f32 / FALLING as f32;
             return between(&self.from, &self.lying(), part * part);
@@ -98,16 +86,16 @@ impl Fallen {
     ///
     /// The robot sits from the first cycle on in which both hips are bent enough. It stands after the knees were folded and a
     /// balanced posture was then held for 0.5 s, at the earliest 2.5 s after it reached the ground.
-    pub(crate) fn step(&mut self, angles: &Joints, skeleton: &Skeleton) -> Option<Stance> {
+    pub(crate) fn step(&mut self, angles: &Joints, skeleton: &Skeleton<M>) -> Option<Stance> {
         self.cycles += 1;
         if self.cycles < FALLING {
             return None;
         }
-        let bent = [Joint::LHipPitch, Joint::RHipPitch].iter().all(|&hip| angles[hip] < -SITTING_HIP);
+        let bent = [Joint::LHipPitch, Joint::RHipPitch].iter().all(|&hip| angles[hip] < -M::LYING.sitting_hip);
         if bent || self.sitting > 0 {
             self.sitting = (self.sitting + 1).min(RISING);
         }
-        self.folded |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > FOLDED_KNEE);
+        self.folded |= [Joint::LKneePitch, Joint::RKneePitch].iter().all(|&knee| angles[knee] > M::LYING.folded_knee);
         if !self.folded || !can_stand(angles, skeleton) {
             self.rising = 0;
             return None;
@@ -124,7 +112,7 @@ impl Fallen {
     }
 
     fn resting(&self) -> Affine3A {
-        between(&self.lying(), &self.leaning(SITTING_LEAN), self.sitting as f32 / RISING as f32)
+        between(&self.lying(), &self.leaning(M::LYING.sitting_lean), self.sitting as f32 / RISING as f32)
     }
 
     fn lying(&self) -> Affine3A {
@@ -134,24 +122,24 @@ impl Fallen {
     /// Returns the robot frame on the ground with the torso leaning toward the side of the fall, rad from upright.
     fn leaning(&self, angle: f32) -> Affine3A {
         let (turn, height) = match self.direction {
-            Direction::Front => (Quat::from_rotation_y(angle), 0.08),
-            Direction::Back => (Quat::from_rotation_y(-angle), 0.09),
-            Direction::Left => (Quat::from_rotation_x(-angle), 0.11),
-            Direction::Right => (Quat::from_rotation_x(angle), 0.11),
+            Direction::Front => (Quat::from_rotation_y(angle), M::LYING.front_height),
+            Direction::Back => (Quat::from_rotation_y(-angle), M::LYING.back_height),
+            Direction::Left => (Quat::from_rotation_x(-angle), M::LYING.side_height),
+            Direction::Right => (Quat::from_rotation_x(angle), M::LYING.side_height),
         };
         level_pose(&self.pose) * Affine3A::from_rotation_translation(turn, Vec3::new(0.0, 0.0, height))
     }
 }
 
 /// Returns whether the body would balance on level soles if it were put upright.
-fn can_stand(angles: &Joints, skeleton: &Skeleton) -> bool {
+fn can_stand<M: SimulatedModel>(angles: &Joints, skeleton: &Skeleton<M>) -> bool {
     let soles = Side::BOTH.map(|side| skeleton.sole(side));
     let level = soles.iter().all(|sole| sole.matrix3.z_axis.z > 0.95);
     let even = (soles[0].translation.z - soles[1].translation.z).abs() < 0.01;
-    let bent = |knee: Joint| (STANDING_KNEE_MIN..STANDING_KNEE_MAX).contains(&angles[knee]);
+    let bent = |knee: Joint| M::LYING.rising_knee.contains(angles[knee]);
     let ground = Affine3A::from_translation(Vec3::new(0.0, 0.0, -soles[0].translation.z));
     let soles = soles.map(|sole| ground * sole);
-    let balance = Balance { soles, support: Side::Left, mass: skeleton.centre_of_mass() };
+    let balance = Balance::<M>::new(soles, Side::Left, skeleton.centre_of_mass());
     level && even && bent(Joint::LKneePitch) && bent(Joint::RKneePitch) && balance.offset_outside_support().is_none()
 }
 
@@ -164,29 +152,29 @@ fn between(from: &Affine3A, to: &Affine3A, part: f32) -> Affine3A {
 
 #[cfg(test)]
 mod tests {
-
     use super::*;
-    use bica_motion::model::{Nao, RobotModel};
+    use crate::TestModel;
+    use bica_motion::model::RobotModel;
 
     /// Returns the lowest height of the robot frame above the soles, m, among postures with these knees that balance.
     fn lowest_balanced_squat(knee: f32) -> f32 {
         let grid = |joint: Joint| {
-            let range = Nao::LIMITS[joint];
+            let range = TestModel::LIMITS[joint];
             (0..60).map(move |i| range.min + (range.max - range.min) * i as f32 / 59.0)
         };
         let heights = grid(Joint::LHipPitch).flat_map(|hip| {
             grid(Joint::LAnklePitch).filter_map(move |ankle| {
-                let mut angles = Nao::STAND;
+                let mut angles = TestModel::STAND;
                 for side in Side::BOTH {
                     let leg = side.leg();
                     (angles[leg[2]], angles[leg[3]], angles[leg[4]]) = (hip, knee, ankle);
                 }
-                let skeleton = Skeleton::<Nao>::of(&angles);
+                let skeleton = Skeleton::<TestModel>::of(&angles);
                 let level = skeleton.sole(Side::Left).inverse();
                 let soles = Side::BOTH.map(|side| level * skeleton.sole(side));
                 let mass = level.transform_point3(skeleton.centre_of_mass());
                 let upright = level.matrix3.z_axis.z > 0.0;
-                let balance = Balance { soles, support: Side::Left, mass };
+                let balance = Balance::<TestModel>::new(soles, Side::Left, mass);
                 (upright && balance.offset_outside_support().is_none()).then_some(level.translation.z)
             })
         });
@@ -195,7 +183,7 @@ mod tests {
 
     #[test]
     fn squat_is_reachable_from_the_ground() {
-        for (knee, height) in [(FOLDED_KNEE, 0.145), (1.2, 0.177), (2.1, 0.126)] {
+        for (knee, height) in [(TestModel::LYING.folded_knee, 0.145), (1.2, 0.177), (2.1, 0.126)] {
             let lowest = lowest_balanced_squat(knee);
             assert!((lowest - height).abs() < 0.003, "knees at {knee} rad: {lowest} m");
         }
@@ -203,13 +191,13 @@ mod tests {
 
     #[test]
     fn only_robot_that_folded_its_knees_can_rise() {
-        for (bend, rises) in [(FOLDED_KNEE - 0.02, false), (FOLDED_KNEE + 0.02, true)] {
-            let mut folded = Nao::STAND;
+        for (more, rises) in [(-0.02, false), (0.02, true)] {
+            let (mut folded, bend) = (TestModel::STAND, TestModel::LYING.folded_knee + more);
             (folded[Joint::LKneePitch], folded[Joint::RKneePitch]) = (bend, bend);
-            let mut fallen = Fallen::new(Direction::Front, Affine3A::IDENTITY, 0.0);
-            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(Nao::STAND, 400));
+            let mut fallen = Fallen::<TestModel>::new(Direction::Front, Affine3A::IDENTITY, 0.0);
+            let postures = core::iter::repeat_n(folded, 100).chain(core::iter::repeat_n(TestModel::STAND, 400));
             let stands =
-                postures.filter(|angles| fallen.step(angles, &Skeleton::<Nao>::of(angles)).is_some()).count() > 0;
+                postures.filter(|angles| fallen.step(angles, &Skeleton::<TestModel>::of(angles)).is_some()).count() > 0;
             assert_eq!(stands, rises, "knees at {bend} rad");
         }
     }

@@ -9,7 +9,7 @@ mod stance;
 use bica_motion::fall::Direction;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, FootPressure, Inertial};
 use bica_motion::side::Side;
@@ -36,10 +36,10 @@ const SLIP_HEADING: f32 = 0.010_5;
 
 /// State of the robot's body on the field.
 #[derive(Clone, Debug)]
-pub(crate) struct Body {
+pub(crate) struct Body<M> {
     motors: Motors,
-    skeleton: Skeleton,
-    state: State,
+    skeleton: Skeleton<M>,
+    state: State<M>,
     robot: Affine3A,
     inertial_unit: InertialUnit,
     measurement: Measurement,
@@ -48,10 +48,10 @@ pub(crate) struct Body {
 }
 
 #[derive(Clone, Debug)]
-enum State {
+enum State<M> {
     /// On its feet, and the number of consecutive cycles without balance.
     Standing(Stance, u32),
-    Fallen(Fallen),
+    Fallen(Fallen<M>),
 }
 
 /// Measurements of the body's sensors in one cycle.
@@ -78,11 +78,11 @@ impl Measurement {
     }
 }
 
-impl Body {
+impl<M: SimulatedModel> Body<M> {
     /// Returns a body that stands with its robot frame above `place`.
     pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
-        let motors = Motors::holding(Nao::STAND);
-        let skeleton = Skeleton::<Nao>::of(motors.angles());
+        let motors = Motors::holding::<M>(M::STAND);
+        let skeleton = Skeleton::<M>::of(motors.angles());
         let stance = Stance::under(place, &skeleton);
         let robot = stance.robot(&skeleton);
         let slips = Random::new(seed, Stream::Slip);
@@ -105,8 +105,8 @@ impl Body {
 
     /// Advances by one control cycle without obstacles. Returns the event if the robot falls or gets up.
     pub(crate) fn step(&mut self, command: &Command) -> Option<Event> {
-        self.motors.step(command);
-        self.skeleton = Skeleton::<Nao>::of(self.motors.angles());
+        self.motors.step::<M>(command);
+        self.skeleton = Skeleton::<M>::of(self.motors.angles());
         let event = match &mut self.state {
             State::Standing(stance, _) => {
                 let random = &mut self.slips;
@@ -134,7 +134,7 @@ impl Body {
 
     /// Reads all sensors; to be called once per cycle, at its end.
     pub(crate) fn measure(&mut self) {
-        let inertial = self.inertial_unit.step(&self.robot, &mut self.noise);
+        let inertial = self.inertial_unit.step::<M>(&self.robot, &mut self.noise);
         let forces = self.balance().map_or_else(Default::default, |balance| balance.pressure());
         let feet = forces.map(|foot| measure_pressure(&foot, || PRESSURE_NOISE * self.noise.normal()));
         self.measurement = Measurement {
@@ -161,7 +161,7 @@ impl Body {
     }
 
     /// Poses of all segments in the robot frame.
-    pub(crate) const fn skeleton(&self) -> &Skeleton {
+    pub(crate) const fn skeleton(&self) -> &Skeleton<M> {
         &self.skeleton
     }
 
@@ -200,10 +200,10 @@ impl Body {
     }
 
     /// Soles and centre of mass; `None` unless the robot stands.
-    fn balance(&self) -> Option<Balance> {
+    fn balance(&self) -> Option<Balance<M>> {
         let State::Standing(stance, _) = &self.state else { return None };
         let mass = self.robot.transform_point3(self.skeleton.centre_of_mass());
-        Some(Balance { soles: self.soles(), support: stance.support(), mass })
+        Some(Balance::new(self.soles(), stance.support(), mass))
     }
 
     /// Counts cycles without balance and lets the robot fall after too many.

@@ -1,16 +1,18 @@
 //! Motors: joints follow their targets after a dead time, at limited speed.
 
+use core::iter::repeat_n;
+use std::collections::VecDeque;
+
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
 
 use crate::motor_heat::MotorHeat;
 use crate::world::CYCLE_SECONDS;
 
-/// Dead time from a command to the first motion, cycles.
-const DELAY: usize = (Nao::DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
 /// Minimum stiffness for full speed; below it the speed is proportional to the stiffness (our estimate).
 const FULL_SPEED_STIFFNESS: f32 = 0.2;
 
@@ -25,16 +27,17 @@ const MOVING: f32 = 0.6;
 #[derive(Clone, Debug)]
 pub(crate) struct Motors {
     angles: Joints,
-    /// Ring buffer of targets and stiffness within the dead time, the oldest at `next`.
-    waiting: [(Joints, Joints); DELAY],
-    next: usize,
+    /// Targets and stiffness of the dead time and of one cycle more, the oldest, which act, first.
+    waiting: VecDeque<(Joints, Joints)>,
     heat: MotorHeat,
 }
 
 impl Motors {
     /// Returns motors at rest at these angles.
-    pub(crate) fn holding(angles: Joints) -> Self {
-        Self { angles, waiting: [(angles, Joints::all(1.0)); DELAY], next: 0, heat: MotorHeat::new() }
+    pub(crate) fn holding<M: SimulatedModel>(angles: Joints) -> Self {
+        let delay = (M::DEAD_TIME / CYCLE_SECONDS + 0.5) as usize;
+        let waiting = repeat_n((angles, Joints::all(1.0)), delay + 1).collect();
+        Self { angles, waiting, heat: MotorHeat::new::<M>() }
     }
 
     /// True angles, rad.
@@ -52,43 +55,45 @@ impl Motors {
         self.heat.set(joint, temperature);
     }
 
-    /// Stiffness after the dead time, 0 to 1.
+    /// Stiffness that acts after the dead time, 0 to 1.
     pub(crate) fn stiffness(&self, joint: Joint) -> f32 {
-        self.waiting[(self.next + DELAY - 1) % DELAY].1[joint]
+        self.waiting.back().map_or(0.0, |(_, stiffness)| stiffness[joint])
     }
 
     /// Moves the joints for one cycle. Targets are clamped to the joint limits; a joint with a target or stiffness that is not
     /// finite does not move.
-    pub(crate) fn step(&mut self, command: &Command) {
-        let due = core::mem::replace(&mut self.waiting[self.next], (command.targets, command.stiffness));
-        self.next = (self.next + 1) % DELAY;
+    pub(crate) fn step<M: RobotModel>(&mut self, command: &Command) {
+        self.waiting.pop_front();
+        self.waiting.push_back((command.targets, command.stiffness));
+        let due = self.waiting[0];
         let before = self.angles;
-        let moved = self.angles.moved_toward::<Nao>(&due.0, CYCLE_SECONDS).clamp_to_limits::<Nao>();
+        let moved = self.angles.moved_toward::<M>(&due.0, CYCLE_SECONDS).clamp_to_limits::<M>();
         for i in 0..JOINTS {
             let strength = (due.1.0[i] / FULL_SPEED_STIFFNESS).clamp(0.0, 1.0);
             if strength > 0.0 {
                 self.angles.0[i] += strength * (moved.0[i] - self.angles.0[i]);
             }
         }
-        HeadAngles::read(&self.angles).clamped::<Nao>().write(&mut self.angles);
-        self.heat.step(currents(&before, &self.angles, &due.1));
+        HeadAngles::read(&self.angles).clamped::<M>().write(&mut self.angles);
+        self.heat.step(currents::<M>(&before, &self.angles, &due.1));
     }
 }
 
 /// Returns the currents of a cycle between these angles at this stiffness, A.
-fn currents(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
+fn currents<M: RobotModel>(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
     Joints(Joint::ALL.map(|joint| {
         let is_leg = Side::BOTH.iter().any(|side| side.leg().contains(&joint));
         let holding = if is_leg { LEG_HOLDING } else { OTHER_HOLDING };
-        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / Nao::MAX_SPEEDS[joint];
+        let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / M::MAX_SPEEDS[joint];
         let stiffness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };
-        Nao::CONTINUOUS_CURRENTS[joint] * (holding * stiffness + MOVING * speed)
+        M::CONTINUOUS_CURRENTS[joint] * (holding * stiffness + MOVING * speed)
     }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use bica_motion::robot::{CameraId, Lights};
 
     fn command(target: f32, stiffness: f32) -> Command {
@@ -98,23 +103,23 @@ mod tests {
 
     #[test]
     fn joint_moves_after_its_dead_time() {
-        let mut motors = Motors::holding(Joints::all(0.3));
+        let mut motors = Motors::holding::<TestModel>(Joints::all(0.3));
         for _ in 0..3 {
-            motors.step(&command(0.9, 1.0));
+            motors.step::<TestModel>(&command(0.9, 1.0));
             assert_eq!(motors.angles()[Joint::LKneePitch], 0.3);
         }
-        motors.step(&command(0.9, 1.0));
+        motors.step::<TestModel>(&command(0.9, 1.0));
         let moved = motors.angles()[Joint::LKneePitch] - 0.3;
-        assert!((moved - Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01).abs() < 1e-6);
+        assert!((moved - TestModel::MAX_SPEEDS[Joint::LKneePitch] * 0.01).abs() < 1e-6);
     }
 
     #[test]
     fn limp_joint_or_invalid_target_does_not_move() {
         for wrong in [command(0.5, 0.0), command(f32::NAN, 1.0), command(0.5, f32::NAN), command(0.5, -1.0)] {
-            let held = Joints::all(0.0).clamp_to_limits::<Nao>();
-            let mut motors = Motors::holding(held);
+            let held = Joints::all(0.0).clamp_to_limits::<TestModel>();
+            let mut motors = Motors::holding::<TestModel>(held);
             for _ in 0..10 {
-                motors.step(&wrong);
+                motors.step::<TestModel>(&wrong);
             }
             assert_eq!(*motors.angles(), held);
         }
@@ -123,39 +128,39 @@ mod tests {
     #[test]
     fn speed_is_proportional_to_stiffness_below_a_fifth() {
         for (stiffness, share) in [(0.1, 0.5), (0.2, 1.0), (1.0, 1.0)] {
-            let mut motors = Motors::holding(Joints::all(0.3));
+            let mut motors = Motors::holding::<TestModel>(Joints::all(0.3));
             for _ in 0..4 {
-                motors.step(&command(0.9, stiffness));
+                motors.step::<TestModel>(&command(0.9, stiffness));
             }
             let moved = motors.angles()[Joint::LKneePitch] - 0.3;
-            let expected = share * Nao::MAX_SPEEDS[Joint::LKneePitch] * 0.01;
+            let expected = share * TestModel::MAX_SPEEDS[Joint::LKneePitch] * 0.01;
             assert!((moved - expected).abs() < 1e-6, "stiffness {stiffness}: {moved}");
         }
     }
 
     #[test]
     fn moving_needs_more_current_than_holding() {
-        let mut motors = Motors::holding(Joints::all(0.3).clamp_to_limits::<Nao>());
-        motors.step(&command(0.3, 1.0));
+        let mut motors = Motors::holding::<TestModel>(Joints::all(0.3).clamp_to_limits::<TestModel>());
+        motors.step::<TestModel>(&command(0.3, 1.0));
         for (joint, share) in [(Joint::LKneePitch, 0.4), (Joint::RAnkleRoll, 0.4), (Joint::HeadYaw, 0.1)] {
             let current = motors.heat().currents()[joint];
-            assert!((current - share * Nao::CONTINUOUS_CURRENTS[joint]).abs() < 1e-4, "{joint:?}: {current}");
+            assert!((current - share * TestModel::CONTINUOUS_CURRENTS[joint]).abs() < 1e-4, "{joint:?}: {current}");
         }
         for _ in 0..4 {
-            motors.step(&command(0.9, 1.0));
+            motors.step::<TestModel>(&command(0.9, 1.0));
         }
         let current = motors.heat().currents()[Joint::LKneePitch];
-        assert!((current - Nao::CONTINUOUS_CURRENTS[Joint::LKneePitch]).abs() < 1e-3, "{current}");
+        assert!((current - TestModel::CONTINUOUS_CURRENTS[Joint::LKneePitch]).abs() < 1e-3, "{current}");
     }
 
     #[test]
     fn joints_stop_at_their_limits() {
-        let mut motors = Motors::holding(Joints::all(0.3));
+        let mut motors = Motors::holding::<TestModel>(Joints::all(0.3));
         for _ in 0..300 {
-            motors.step(&command(9.0, 1.0));
+            motors.step::<TestModel>(&command(9.0, 1.0));
         }
-        assert!(motors.angles().within_limits::<Nao>());
+        assert!(motors.angles().within_limits::<TestModel>());
         let head = HeadAngles::read(motors.angles());
-        assert_eq!(head, head.clamped::<Nao>());
+        assert_eq!(head, head.clamped::<TestModel>());
     }
 }

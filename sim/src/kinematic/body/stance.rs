@@ -5,6 +5,8 @@
 //! before. Its tilt and height at touchdown decay exponentially, so that the pose of the torso is continuous.
 
 use bica_motion::kinematics::Skeleton;
+use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::{Affine3A, Mat3A, Quat, Vec3};
@@ -17,8 +19,6 @@ const HYSTERESIS: f32 = 0.001;
 const DECAY: f32 = 0.716_5;
 /// Cycles over which a slip is distributed.
 const SLIP_CYCLES: u32 = 8;
-/// Centre of a sole in the sole frame, m.
-const SOLE_MIDDLE: Vec3 = Vec3::new(0.0227, 0.0, 0.0);
 
 /// Contact state of a standing body.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ pub(crate) struct Stance {
 
 impl Stance {
     /// Returns a stance in which the robot frame projects to `place`.
-    pub(crate) fn under(place: Pose2, skeleton: &Skeleton) -> Self {
+    pub(crate) fn under<M: RobotModel>(place: Pose2, skeleton: &Skeleton<M>) -> Self {
         let support = Side::Left;
         let mut standing = Self {
             support,
@@ -62,13 +62,14 @@ impl Stance {
     }
 
     /// Pose of the robot frame in the field frame.
-    pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
+    pub(crate) fn robot<M: RobotModel>(&self, skeleton: &Skeleton<M>) -> Affine3A {
         let residue = Affine3A::from_rotation_translation(self.tilt, Vec3::new(0.0, 0.0, self.height));
         level_pose(&self.anchor) * residue * skeleton.sole(self.support).inverse()
     }
 
     /// Advances by one cycle with the current joint angles. `draw_slip` supplies the slip at touchdown.
-    pub(crate) fn step(&mut self, skeleton: &Skeleton, draw_slip: impl FnOnce() -> Pose2) {
+    pub(crate) fn step<M: SimulatedModel>(&mut self, skeleton: &Skeleton<M>, draw_slip: impl FnOnce() -> Pose2) {
+        let middle = Vec3::new(M::EXTENTS.sole_middle, 0.0, 0.0);
         self.tilt = Quat::IDENTITY.slerp(self.tilt, DECAY);
         self.height *= DECAY;
         if self.slip_cycles > 0 {
@@ -76,7 +77,7 @@ impl Stance {
             self.anchor = self.anchor * self.slip;
         }
         let soles = [self.support, self.support.other()].map(|side| self.robot(skeleton) * skeleton.sole(side));
-        let [support, other] = soles.map(|sole| sole.transform_point3(SOLE_MIDDLE).z);
+        let [support, other] = soles.map(|sole| sole.transform_point3(middle).z);
         if other < support - HYSTERESIS {
             self.switch_support(draw_slip());
         }
@@ -105,18 +106,18 @@ impl Stance {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TestModel;
     use bica_motion::feet::{Foot, level_legs};
-    use bica_motion::model::{Nao, RobotModel};
 
     /// Returns the body with level feet: x from the hips and lift, m, left first.
-    fn body(feet: [(f32, f32); 2]) -> Skeleton {
+    fn body(feet: [(f32, f32); 2]) -> Skeleton<TestModel> {
         let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
-        let mut angles = Nao::STAND;
-        let legs = level_legs::<Nao>(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
+        let mut angles = TestModel::STAND;
+        let legs = level_legs::<TestModel>(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
         for (side, leg) in Side::BOTH.into_iter().zip(legs) {
             leg.write(side, &mut angles);
         }
-        Skeleton::<Nao>::of(&angles)
+        Skeleton::<TestModel>::of(&angles)
     }
 
     /// Takes steps of 4 cm with alternating feet, 20 cycles each; returns robot frame and support sole of each cycle.
@@ -158,19 +159,19 @@ mod tests {
 
     #[test]
     fn weight_shift_does_not_move_robot() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<TestModel>::of(&TestModel::STAND));
         for cycle in 0..1_000 {
             let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
             stance.step(&skeleton, || Pose2::new(1.0, 1.0, 1.0));
         }
         assert_eq!(stance.support(), Side::Left);
-        let robot = ground_pose(&stance.robot(&Skeleton::<Nao>::of(&Nao::STAND)));
+        let robot = ground_pose(&stance.robot(&Skeleton::<TestModel>::of(&TestModel::STAND)));
         assert!(robot.position.length() < 1e-5 && robot.heading.abs() < 1e-5, "{robot:?}");
     }
 
     #[test]
     fn slip_is_distributed_over_cycles_and_complete() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<Nao>::of(&Nao::STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<TestModel>::of(&TestModel::STAND));
         let right = body([(0.0, 0.01), (0.0, 0.0)]);
         let before = ground_pose(&stance.robot(&right));
         for cycle in 0..20 {

@@ -1,7 +1,7 @@
 //! Solids and colours of robots.
 
-use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::kinematics::Skeleton;
+use bica_motion::model::simulation::{Disc, Figure, Paint, Part, SimulatedModel, Solid as Shape};
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -31,101 +31,48 @@ impl RobotColours {
 }
 
 /// Returns the solids of a robot with the robot frame at a pose in the field frame.
-pub(crate) fn figure(robot: &Affine3A, skeleton: &Skeleton, colours: RobotColours) -> Vec<Solid> {
+pub(crate) fn figure<M: SimulatedModel>(robot: &Affine3A, skeleton: &Skeleton<M>, colours: RobotColours) -> Vec<Solid> {
     let mut figure = below_the_head(robot, skeleton, colours);
-    let part = Part { pose: *robot * skeleton.pose(Segment::Head) };
-    figure.push(part.sphere([-0.005, 0.0, 0.06], 0.062, colours.shell));
-    figure.push(part.tube([[0.045, 0.0, 0.062], [0.058, 0.0, 0.062]], [0.03, 0.016], colours.joint));
-    for side in Side::BOTH {
-        let out = |y: f32| [-0.005, side.sign() * y, 0.06];
-        figure.push(part.tube([out(0.05), out(0.068)], [0.03, 0.022], colours.team));
-    }
+    figure.extend(M::FIGURE.head.iter().map(|part| placed(part, robot, skeleton, colours)));
     figure
 }
 
 /// Returns the solids of a robot that its own cameras can show.
-pub(crate) fn below_the_head(robot: &Affine3A, skeleton: &Skeleton, colours: RobotColours) -> Vec<Solid> {
-    let part = |segment| Part { pose: *robot * skeleton.pose(segment) };
-    let torso = part(Segment::Torso);
-    let mut figure = vec![
-        torso.tube([[0.0, 0.0, -0.02], [0.0, 0.0, 0.035]], [0.045, 0.05], colours.joint),
-        torso.tube([[0.0, 0.0, 0.035], [0.0, 0.0, 0.065]], [0.056, 0.056], colours.team),
-        torso.tube([[0.0, 0.0, 0.065], [-0.005, 0.0, 0.185]], [0.054, 0.052], colours.shell),
-        torso.tube([[-0.01, 0.0, 0.185], [-0.01, 0.0, 0.21]], [0.03, 0.022], colours.joint),
-    ];
-    for side in Side::BOTH {
-        let y = side.sign();
-        figure.push(torso.tube([[0.0, 0.03 * y, 0.165], [0.0, 0.075 * y, 0.18]], [0.04, 0.03], colours.shell));
-        figure.extend(arm(side, part, colours));
-        figure.extend(leg(side, part, colours));
-    }
-    figure
+pub(crate) fn below_the_head<M: SimulatedModel>(
+    robot: &Affine3A,
+    skeleton: &Skeleton<M>,
+    colours: RobotColours,
+) -> Vec<Solid> {
+    let Figure { trunk, side, .. } = M::FIGURE;
+    let right = side.iter().map(Part::mirrored);
+    let parts = trunk.iter().chain(*side).copied().chain(right);
+    parts.map(|part| placed(&part, robot, skeleton, colours)).collect()
 }
 
-fn arm(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [Solid; 4] {
-    let elbow = [Nao::DIMENSIONS.upper_arm.x, side.sign() * Nao::DIMENSIONS.upper_arm.y, 0.0];
-    [
-        part(Segment::Shoulder(side)).sphere([0.0, 0.0, 0.0], 0.036, colours.team),
-        part(Segment::Biceps(side)).tube([[0.02, 0.0, 0.0], elbow], [0.028, 0.024], colours.shell),
-        part(Segment::Forearm(side)).tube([[0.0, 0.0, 0.0], [0.085, 0.0, 0.0]], [0.026, 0.022], colours.shell),
-        part(Segment::Hand(side)).sphere([0.055, 0.0, 0.005], 0.022, colours.joint),
-    ]
-}
-
-fn leg(side: Side, part: impl Fn(Segment) -> Part, colours: RobotColours) -> [Solid; 6] {
-    let foot = part(Segment::Foot(side));
-    let y = side.sign() * 0.0065;
-    [
-        part(Segment::Thigh(side)).tube(
-            [[0.0, 0.0, 0.0], [0.0, 0.0, -Nao::DIMENSIONS.thigh]],
-            [0.042, 0.034],
-            colours.shell,
-        ),
-        part(Segment::Tibia(side)).sphere([0.0, 0.0, 0.0], 0.033, colours.joint),
-        part(Segment::Tibia(side)).tube(
-            [[0.0, 0.0, -0.01], [0.0, 0.0, -Nao::DIMENSIONS.tibia]],
-            [0.036, 0.034],
-            colours.shell,
-        ),
-        part(Segment::Ankle(side)).sphere([0.0, 0.0, 0.0], 0.03, colours.joint),
-        foot.block([0.006, y, 0.018 - Nao::DIMENSIONS.foot_height], [0.058, 0.042, 0.018], colours.shell),
-        foot.tube(
-            [[0.058, y, -Nao::DIMENSIONS.foot_height], [0.058, y, 0.034 - Nao::DIMENSIONS.foot_height]],
-            [0.042, 0.036],
-            colours.team,
-        ),
-    ]
-}
-
-/// A rigid segment of the body, field frame.
-struct Part {
-    pose: Affine3A,
-}
-
-impl Part {
-    fn at(&self, point: [f32; 3]) -> Vec3 {
-        self.pose.transform_point3(point.into())
-    }
-
-    fn sphere(&self, centre: [f32; 3], radius: f32, colour: Pixel) -> Solid {
-        Solid::Sphere { centre: self.at(centre), radius, colour }
-    }
-
-    fn tube(&self, ends: [[f32; 3]; 2], radii: [f32; 2], colour: Pixel) -> Solid {
-        Solid::Tube { ends: ends.map(|end| self.at(end)), radii, colour }
-    }
-
-    fn block(&self, centre: [f32; 3], half: [f32; 3], colour: Pixel) -> Solid {
-        let pose = self.pose * Affine3A::from_translation(centre.into());
-        Solid::Block { pose, half: half.into(), colour }
+/// Converts a part to the field frame.
+fn placed<M: SimulatedModel>(part: &Part, robot: &Affine3A, skeleton: &Skeleton<M>, colours: RobotColours) -> Solid {
+    let pose = *robot * skeleton.pose(part.segment);
+    let at = |point: [f32; 3]| pose.transform_point3(point.into());
+    let colour = match part.paint {
+        Paint::Shell => colours.shell,
+        Paint::Joint => colours.joint,
+        Paint::Team => colours.team,
+    };
+    match part.solid {
+        Shape::Sphere(centre, radius) => Solid::Sphere { centre: at(centre), radius, colour },
+        Shape::Tube(ends, radii) => Solid::Tube { ends: ends.map(at), radii, colour },
+        Shape::Block(centre, half) => {
+            Solid::Block { pose: pose * Affine3A::from_translation(centre.into()), half: half.into(), colour }
+        }
     }
 }
 
 /// Returns the shadows under a robot's feet.
-pub(crate) fn shadows(robot: &Affine3A, skeleton: &Skeleton) -> [Solid; 2] {
+pub(crate) fn shadows<M: SimulatedModel>(robot: &Affine3A, skeleton: &Skeleton<M>) -> [Solid; 2] {
+    let Disc { ahead, radius } = M::FIGURE.foot_shadow;
     Side::BOTH.map(|side| {
         let sole = *robot * skeleton.sole(side);
-        let centre: Vec2 = sole.transform_point3(Vec3::new(0.02, 0.0, 0.0)).truncate();
-        Solid::Shadow { centre, radius: 0.12, darkness: 0.45 }
+        let centre: Vec2 = sole.transform_point3(Vec3::new(ahead, 0.0, 0.0)).truncate();
+        Solid::Shadow { centre, radius, darkness: 0.45 }
     })
 }

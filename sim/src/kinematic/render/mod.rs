@@ -11,7 +11,7 @@ mod lines;
 mod solid;
 
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::SimulatedModel;
 use glam::{Affine3A, Vec2, Vec3};
 
 use self::figure::RobotColours;
@@ -36,9 +36,11 @@ const BLANK: Pixel = [0, 0, 0, 0];
 
 /// State of the world in one image.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Scene<'a> {
+pub(crate) struct Scene<M> {
     /// Pose of the camera in the field frame.
     pub(crate) camera: Affine3A,
+    /// Focal lengths of the camera relative to the width and the height of the image.
+    pub(crate) focal: Vec2,
     /// Angular velocity of the camera, camera frame, rad/s.
     pub(crate) angular_velocity: Vec3,
     /// Index of the image.
@@ -46,9 +48,9 @@ pub(crate) struct Scene<'a> {
     /// Centre of the ball, field frame, m.
     pub(crate) ball: Vec2,
     /// Pose of the robot frame in the field frame.
-    pub(crate) robot: &'a Affine3A,
+    pub(crate) robot: Affine3A,
     /// Segments of the robot.
-    pub(crate) skeleton: &'a Skeleton,
+    pub(crate) skeleton: Skeleton<M>,
 }
 
 /// Solids of one object, sorted as one by distance.
@@ -74,8 +76,15 @@ pub(crate) struct Renderer {
     colours: RobotColours,
 }
 
+impl<M: SimulatedModel> Scene<M> {
+    /// Returns the view of the robot's camera in images of this size, pixels.
+    fn view(&self, (width, height): (usize, usize)) -> PinholeCamera {
+        PinholeCamera::new(self.camera, self.focal, width, height)
+    }
+}
+
 impl Renderer {
-    pub(crate) fn new(setup: &Setup, layout: &Layout) -> Self {
+    pub(crate) fn new<M: SimulatedModel>(setup: &Setup, layout: &Layout) -> Self {
         let mut camera = Random::new(setup.seed, Stream::Camera);
         let mut hall = Random::new(setup.seed, Stream::Hall);
         let palette = Palette::new(&mut camera);
@@ -88,7 +97,7 @@ impl Renderer {
         let goals = goal::goals(layout.attacks, &palette).into_iter();
         let mut static_objects: Vec<Group> = goals.map(|part| Group::of_one(PixelLabel::Goal, part)).collect();
         let others = layout.others.iter().enumerate();
-        static_objects.extend(others.map(|(index, other)| Group::of_robot(index, other, colours(other.teammate))));
+        static_objects.extend(others.map(|(index, other)| Group::of_robot::<M>(index, other, colours(other.teammate))));
         Self {
             seed: setup.seed,
             canvas: Canvas::new(width, height),
@@ -108,8 +117,8 @@ impl Renderer {
     }
 
     /// Renders a scene as a YUYV image.
-    pub(crate) fn draw(&mut self, scene: &Scene<'_>, image: &mut [u8]) {
-        let view = PinholeCamera::new(scene.camera, self.canvas.width, self.canvas.height);
+    pub(crate) fn draw<M: SimulatedModel>(&mut self, scene: &Scene<M>, image: &mut [u8]) {
+        let view = scene.view(self.size());
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
         let own = self.own(&view, scene);
@@ -119,8 +128,8 @@ impl Renderer {
     }
 
     /// Returns the label of every pixel of a scene's image.
-    pub(crate) fn segmentation_mask(&mut self, scene: &Scene<'_>) -> Vec<PixelLabel> {
-        let view = PinholeCamera::new(scene.camera, self.canvas.width, self.canvas.height);
+    pub(crate) fn segmentation_mask<M: SimulatedModel>(&mut self, scene: &Scene<M>) -> Vec<PixelLabel> {
+        let view = scene.view(self.size());
         self.canvas.pixels.fill(BLANK);
         let mut labels = vec![PixelLabel::Background; self.canvas.pixels.len()];
         let own = self.own(&view, scene);
@@ -133,15 +142,15 @@ impl Renderer {
     }
 
     /// Returns the body that carries the camera, without its head.
-    fn own(&self, view: &PinholeCamera, scene: &Scene<'_>) -> Group {
-        let parts = figure::below_the_head(scene.robot, scene.skeleton, self.colours);
+    fn own<M: SimulatedModel>(&self, view: &PinholeCamera, scene: &Scene<M>) -> Group {
+        let parts = figure::below_the_head(&scene.robot, &scene.skeleton, self.colours);
         Group { label: PixelLabel::OwnBody, place: view.pose.translation.truncate(), parts }
     }
 
     /// Renders a scene from a spectator camera; the camera of the scene is not used.
-    pub(crate) fn render_from(
+    pub(crate) fn render_from<M: SimulatedModel>(
         &mut self,
-        scene: &Scene<'_>,
+        scene: &Scene<M>,
         camera: &SpectatorCamera,
         width: usize,
         height: usize,
@@ -150,26 +159,26 @@ impl Renderer {
         let view = PinholeCamera::of_spectator(camera.pose(), width, height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        let parts = figure::figure(scene.robot, scene.skeleton, self.colours);
+        let parts = figure::figure(&scene.robot, &scene.skeleton, self.colours);
         let place = Vec3::from(scene.robot.translation).truncate();
         self.draw_solids(&view, scene, &Group { label: PixelLabel::OwnBody, place, parts }, |_, _| ());
         let drawn = core::mem::replace(&mut self.canvas, image_canvas);
         Picture { width, height, rgb: drawn.pixels.into_iter().map(rgb).collect() }
     }
 
-    fn draw_shadows(&mut self, view: &PinholeCamera, scene: &Scene<'_>) {
+    fn draw_shadows<M: SimulatedModel>(&mut self, view: &PinholeCamera, scene: &Scene<M>) {
         let ball = Solid::Shadow { centre: scene.ball, radius: 1.7 * BALL_RADIUS, darkness: 0.6 };
         let shadows = self.static_objects.iter().flat_map(|group| &group.parts).filter(|part| part.is_shadow());
-        for shadow in shadows.chain(&figure::shadows(scene.robot, scene.skeleton)).chain([&ball]) {
+        for shadow in shadows.chain(&figure::shadows(&scene.robot, &scene.skeleton)).chain([&ball]) {
             shadow.draw(view, &self.light, &mut self.canvas);
         }
     }
 
     /// Draws the objects on the field and the given parts of the robot. Calls `after` with the label of each drawn object.
-    fn draw_solids(
+    fn draw_solids<M>(
         &mut self,
         view: &PinholeCamera,
-        scene: &Scene<'_>,
+        scene: &Scene<M>,
         own: &Group,
         mut after: impl FnMut(&mut Canvas, PixelLabel),
     ) {
@@ -194,8 +203,8 @@ impl Group {
         Self { label, place: part.centre().truncate(), parts: vec![part] }
     }
 
-    fn of_robot(index: usize, other: &OtherRobot, colours: RobotColours) -> Self {
-        let skeleton = Skeleton::<Nao>::of(&Nao::STAND);
+    fn of_robot<M: SimulatedModel>(index: usize, other: &OtherRobot, colours: RobotColours) -> Self {
+        let skeleton = Skeleton::<M>::of(&M::STAND);
         let sole = skeleton.sole(bica_motion::side::Side::Left);
         let robot = level_pose(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
         let mut parts = figure::figure(&robot, &skeleton, colours);

@@ -1,15 +1,18 @@
-//! The physical model: the robot of `models/nao.xml` on a generated field.
+//! The physical model: the robot of an MJCF file on a generated field.
 
 pub(super) mod field;
 pub(super) mod paint;
-mod robots;
 mod shadows;
 #[cfg(test)]
 mod tests;
 
 use std::fmt::Write;
 
-use bica_motion::joints::{JOINTS, Joint};
+use bica_motion::joints::Joint;
+use bica_motion::kinematics::Segment;
+use bica_motion::model::simulation::MujocoModel;
+use bica_motion::robot::CameraId;
+use bica_motion::side::Side;
 use mujoco_rs::prelude::{MjModel, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
@@ -18,15 +21,12 @@ pub(crate) use self::shadows::SHADOWS;
 use super::error::Error;
 use super::physics::Physics;
 use crate::camera::light::Light;
-use crate::camera::pinhole::FOCAL;
 use crate::field::BALL_RADIUS;
-use crate::layout::Layout;
+use crate::layout::{Layout, OtherRobot};
 use crate::random::{Random, Stream};
 use crate::sensor_model::GRAVITY;
 use crate::setup::Setup;
 
-/// MuJoCo model of the robot.
-const NAO: &str = include_str!("../../../models/nao.xml");
 /// Time step of the physics, s.
 pub(crate) const STEP: f32 = 0.002;
 
@@ -37,10 +37,19 @@ pub(crate) struct Model {
     pub(crate) torso: FreeJoint,
     /// Free joint of the ball.
     pub(crate) ball: FreeJoint,
-    /// Addresses of the joint angles in the positions.
-    pub(crate) joints: [usize; JOINTS],
+    pub(crate) drives: Vec<Drive>,
     /// Bodies of the feet, left first.
     pub(crate) feet: [usize; 2],
+}
+
+/// A joint with its motor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drive {
+    pub(crate) joint: Joint,
+    /// Address of the angle in the positions.
+    pub(crate) position: usize,
+    /// Index of the motor among the actuators.
+    pub(crate) actuator: usize,
 }
 
 /// Addresses of a free joint.
@@ -54,33 +63,34 @@ pub(crate) struct FreeJoint {
 
 impl Model {
     /// Builds the model of a game.
-    pub(crate) fn new(setup: &Setup, layout: &Layout, physics: &Physics) -> Result<Self, Error> {
+    pub(crate) fn new<M: MujocoModel>(setup: &Setup, layout: &Layout, physics: &Physics) -> Result<Self, Error> {
         let failed = |error: &dyn std::fmt::Display| Error::Model(error.to_string());
         let mut files = MjVfs::new();
-        files.add_from_buffer("nao.xml", NAO.as_bytes()).map_err(|error| failed(&error))?;
-        files.add_from_buffer("world.xml", world(setup, layout).as_bytes()).map_err(|error| failed(&error))?;
+        files.add_from_buffer("robot.xml", M::ROBOT.as_bytes()).map_err(|error| failed(&error))?;
+        files.add_from_buffer("world.xml", world::<M>(setup, layout).as_bytes()).map_err(|error| failed(&error))?;
         let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
-        let mut model = Self::index(model)?;
+        let mut model = Self::index::<M>(model)?;
         model.adjust(layout, physics)?;
-        model.set_intrinsics(setup)?;
+        model.set_intrinsics::<M>(setup)?;
         Ok(model)
     }
 
-    fn index(physics: MjModel) -> Result<Self, Error> {
+    fn index<M: MujocoModel>(physics: MjModel) -> Result<Self, Error> {
         let free = |name| -> Result<FreeJoint, Error> {
             let joint = find(&physics, MjtObjBase::mjOBJ_JOINT, name)?;
             let (position, velocity) = (physics.jnt_qposadr()[joint], physics.jnt_dofadr()[joint]);
             Ok(FreeJoint { position: position as usize, velocity: velocity as usize })
         };
         let (torso, ball) = (free("Torso")?, free("Ball")?);
-        let mut joints = [0; JOINTS];
-        for joint in Joint::ALL {
-            let id = find(&physics, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}"))?;
-            joints[joint.index()] = physics.jnt_qposadr()[id] as usize;
-        }
-        let foot = |name| find(&physics, MjtObjBase::mjOBJ_BODY, name);
-        let feet = [foot("LFoot")?, foot("RFoot")?];
-        Ok(Self { physics: Box::new(physics), torso, ball, joints, feet })
+        let drive = |&joint: &Joint| -> Result<Drive, Error> {
+            let name = format!("{joint:?}");
+            let position = physics.jnt_qposadr()[find(&physics, MjtObjBase::mjOBJ_JOINT, &name)?] as usize;
+            Ok(Drive { joint, position, actuator: find(&physics, MjtObjBase::mjOBJ_ACTUATOR, &name)? })
+        };
+        let drives = M::JOINTS.iter().map(drive).collect::<Result<_, _>>()?;
+        let foot = |side| find(&physics, MjtObjBase::mjOBJ_BODY, &body_name(Segment::Foot(side)));
+        let feet = [foot(Side::Left)?, foot(Side::Right)?];
+        Ok(Self { physics: Box::new(physics), torso, ball, drives, feet })
     }
 
     /// Sets the parameters that differ between games.
@@ -98,13 +108,14 @@ impl Model {
 
     /// Sets the intrinsic parameters of both cameras from the pinhole model. There the centre of the first pixel is at
     /// 0, in MuJoCo its edge is.
-    fn set_intrinsics(&mut self, setup: &Setup) -> Result<(), Error> {
+    fn set_intrinsics<M: MujocoModel>(&mut self, setup: &Setup) -> Result<(), Error> {
         let (width, height) = setup.frame.size();
         let (width, height) = (width as f32, height as f32);
-        for name in ["Top", "Bottom"] {
-            let camera = find(&self.physics, MjtObjBase::mjOBJ_CAMERA, name)?;
+        for id in [CameraId::Top, CameraId::Bottom] {
+            let camera = find(&self.physics, MjtObjBase::mjOBJ_CAMERA, &format!("{id:?}"))?;
+            let focal = M::DIMENSIONS.camera(id).focal;
             self.physics.cam_sensorsize_mut()[camera] = [width, height];
-            self.physics.cam_intrinsic_mut()[camera] = [FOCAL.x * width, FOCAL.y * height, -0.5, -0.5];
+            self.physics.cam_intrinsic_mut()[camera] = [focal.x * width, focal.y * height, -0.5, -0.5];
         }
         Ok(())
     }
@@ -123,20 +134,27 @@ pub(crate) fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usiz
     model.name_to_id(kind, name).ok_or_else(|| Error::Model(format!("it has no element `{name}`")))
 }
 
+/// Returns the name of a segment's body, for example `LFoot`.
+pub(crate) fn body_name(segment: Segment) -> String {
+    let name = format!("{segment:?}");
+    // Debug output of a paired segment: `Foot(Left)`.
+    name.split_once('(').map(|(part, side)| format!("{}{part}", &side[..1])).unwrap_or(name)
+}
+
 /// Generates the XML of the world, which includes the robot.
-fn world(setup: &Setup, layout: &Layout) -> String {
+fn world<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
     let light = Light::new(&mut Random::new(setup.seed, Stream::Hall));
     let paint = Paint::of(layout);
-    let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"nao.xml\"/>\n");
+    let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"robot.xml\"/>\n");
     xml.push_str(paint::RENDER_OPTIONS);
     let _ = writeln!(xml, "<asset>\n{}", paint::BACKGROUND);
     paint.write(&mut xml);
     xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);
-    shadows::write(&mut xml);
+    shadows::write::<M>(&mut xml);
     field::write(&mut xml);
     for other in &layout.others {
-        robots::write(&mut xml, other);
+        bystander::<M>(&mut xml, other);
     }
     let _ = writeln!(
         xml,
@@ -146,4 +164,11 @@ fn world(setup: &Setup, layout: &Layout) -> String {
     );
     xml.push_str("</worldbody>\n</mujoco>\n");
     xml
+}
+
+/// Writes a robot that stands still.
+fn bystander<M: MujocoModel>(xml: &mut String, other: &OtherRobot) {
+    let (at, heading) = (other.pose.position, other.pose.heading);
+    let geoms = paint::in_team_colour(M::BYSTANDER, other.teammate);
+    let _ = writeln!(xml, "<body pos=\"{} {} 0\" euler=\"0 0 {heading}\">\n{geoms}</body>", at.x, at.y);
 }

@@ -59,6 +59,11 @@ pub(crate) const RENDER_OPTIONS: &str = "<statistic center=\"0 0 0.3\" extent=\"
 pub(crate) const BACKGROUND: &str = "<texture name=\"hall\" type=\"skybox\" builtin=\"gradient\" rgb1=\"0.62 0.62 0.64\" \
     rgb2=\"0.40 0.39 0.38\" width=\"64\" height=\"384\"/>\n";
 
+/// Returns MJCF in which the material `team` is replaced by that of a team's robots.
+pub(crate) fn in_team_colour(xml: &str, teammate: bool) -> String {
+    xml.replace("\"team\"", if teammate { "\"mates\"" } else { "\"opponents\"" })
+}
+
 /// Returns the colour of the robot's own team.
 pub(crate) fn team(layout: &Layout) -> Rgb {
     Paint::of(layout).team

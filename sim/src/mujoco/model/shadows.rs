@@ -3,8 +3,11 @@
 
 use std::fmt::Write;
 
-/// Half length and half width of the shadows of left foot, right foot, torso and ball, m.
-const SIZES: [(f32, f32); 4] = [(0.1, 0.062), (0.1, 0.062), (0.15, 0.15), (0.045, 0.045)];
+use bica_motion::model::simulation::MujocoModel;
+use glam::Vec2;
+
+/// Half length and half width of the shadow of the ball, m.
+const BALL: Vec2 = Vec2::splat(0.045);
 /// Opacity of a layer; each layer is smaller and slightly higher than the previous one.
 const OPACITY: f32 = 0.11;
 /// Scale of each layer.
@@ -13,11 +16,13 @@ const LAYERS: [f32; 4] = [1.1, 0.95, 0.8, 0.65];
 const HEIGHT: f32 = 0.0013;
 
 /// Number of shadows: left foot, right foot, torso, ball.
-pub(crate) const SHADOWS: usize = SIZES.len();
+pub(crate) const SHADOWS: usize = 4;
 
 /// Writes the shadows in this order, as mocap bodies.
-pub(crate) fn write(xml: &mut String) {
-    for (length, width) in SIZES {
+pub(crate) fn write<M: MujocoModel>(xml: &mut String) {
+    let [foot, torso] = M::SHADOWS;
+    let sizes: [Vec2; SHADOWS] = [foot, foot, torso, BALL];
+    for Vec2 { x: length, y: width } in sizes {
         let _ = writeln!(xml, "<body mocap=\"true\">");
         for (layer, scale) in LAYERS.iter().enumerate() {
             let _ = writeln!(

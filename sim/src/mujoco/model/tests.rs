@@ -1,39 +1,21 @@
-//! The MuJoCo model agrees with the robot model of bica-motion.
+//! The MJCF file agrees with the robot model.
 
-use bica_motion::joints::{Joint, Joints};
-use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::{Nao, RobotModel};
-use bica_motion::robot::{CameraId, Command, Lights};
-use bica_motion::side::Side;
+use bica_motion::joints::Joints;
+use bica_motion::kinematics::Skeleton;
+use bica_motion::model::RobotModel;
+use bica_motion::robot::{Command, Lights};
 use glam::{Vec3, Vec3A};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
 use super::*;
+use crate::TestModel;
 use crate::mujoco::motors::Motors;
 use crate::setup::Setup;
 
 fn model() -> Model {
     let setup = Setup::default();
     let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
-    Model::new(&setup, &layout, &Physics::default()).unwrap()
-}
-
-fn name(segment: Segment) -> String {
-    let on = |side: Side, part: &str| format!("{}{part}", if side == Side::Left { "L" } else { "R" });
-    match segment {
-        Segment::Torso | Segment::Neck | Segment::Head => format!("{segment:?}"),
-        Segment::Shoulder(side) => on(side, "Shoulder"),
-        Segment::Biceps(side) => on(side, "Biceps"),
-        Segment::Elbow(side) => on(side, "Elbow"),
-        Segment::Forearm(side) => on(side, "Forearm"),
-        Segment::Hand(side) => on(side, "Hand"),
-        Segment::Pelvis(side) => on(side, "Pelvis"),
-        Segment::Hip(side) => on(side, "Hip"),
-        Segment::Thigh(side) => on(side, "Thigh"),
-        Segment::Tibia(side) => on(side, "Tibia"),
-        Segment::Ankle(side) => on(side, "Ankle"),
-        Segment::Foot(side) => on(side, "Foot"),
-    }
+    Model::new::<TestModel>(&setup, &layout, &Physics::of::<TestModel>()).unwrap()
 }
 
 /// Returns the model with the robot frame at the origin of the field and these angles.
@@ -42,8 +24,8 @@ fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
     let right = model.physics.jnt_qposadr()[right] as usize;
     let mut data = MjData::new(model.physics);
     data.qpos_mut()[model.torso.position..][..7].copy_from_slice(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-    for joint in Joint::ALL {
-        data.qpos_mut()[model.joints[joint.index()]] = angles[joint].into();
+    for drive in &model.drives {
+        data.qpos_mut()[drive.position] = angles[drive.joint].into();
     }
     data.qpos_mut()[right] = angles[Joint::LHipYawPitch].into();
     data.forward_kinematics();
@@ -53,7 +35,7 @@ fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
 fn any_angles(random: &mut Random) -> Joints {
     let mut angles = Joints::all(0.0);
     for joint in Joint::ALL {
-        let range = Nao::LIMITS[joint];
+        let range = TestModel::LIMITS[joint];
         angles[joint] = random.between(range.min, range.max);
     }
     // Fingers have mass but are not part of the kinematics.
@@ -71,9 +53,9 @@ fn segments_and_cameras_have_poses_of_kinematics() {
     for _ in 0..30 {
         let (angles, model) = (any_angles(&mut random), model());
         let data = posed(model, &angles);
-        let skeleton = Skeleton::<Nao>::of(&angles);
+        let skeleton = Skeleton::<TestModel>::of(&angles);
         for segment in Segment::ALL {
-            let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &name(segment)).unwrap();
+            let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &body_name(segment)).unwrap();
             let (expected, turn) = (skeleton.pose(segment), &data.xmat()[body]);
             assert!(vector(&data.xpos()[body]).distance(expected.translation) < 1e-5, "{segment:?}");
             let ahead = Vec3A::new(turn[0] as f32, turn[3] as f32, turn[6] as f32);
@@ -98,8 +80,8 @@ fn masses_equal_those_of_the_kinematics() {
         data.forward();
         let torso = find(data.model(), MjtObjBase::mjOBJ_BODY, "Torso").unwrap();
         let centre = Vec3::from(vector(&data.subtree_com()[torso]));
-        assert!(centre.distance(Skeleton::<Nao>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
-        assert!((data.model().body_subtreemass()[torso] as f32 - Nao::TOTAL_MASS).abs() < 1e-4);
+        assert!(centre.distance(Skeleton::<TestModel>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
+        assert!((data.model().body_subtreemass()[torso] as f32 - TestModel::TOTAL_MASS).abs() < 1e-4);
     }
 }
 
@@ -109,7 +91,7 @@ fn joint_ranges_are_those_of_robot_model() {
     for joint in Joint::ALL {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
         let [min, max] = model.jnt_range()[id].map(|end| end as f32);
-        let range = Nao::LIMITS[joint];
+        let range = TestModel::LIMITS[joint];
         assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
     }
 }
@@ -117,47 +99,22 @@ fn joint_ranges_are_those_of_robot_model() {
 #[test]
 fn no_load_speed_is_near_published_one() {
     let model = model().physics;
-    let physics = Physics { dead_time: 0.0, ..Physics::default() };
+    let physics = Physics { dead_time: 0.0, ..Physics::of::<TestModel>() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
-    let (least, most) = (end(|joint| Nao::LIMITS[joint].min), end(|joint| Nao::LIMITS[joint].max));
-    let mut motors = Motors::holding(least, &physics);
+    let (least, most) = (end(|joint| TestModel::LIMITS[joint].min), end(|joint| TestModel::LIMITS[joint].max));
+    let mut motors = Motors::holding::<TestModel>(least, &physics);
     let (stiffness, camera) = (Joints::all(1.0), CameraId::Top);
-    motors.command(&Command { targets: most, stiffness, lights: Lights::default(), camera });
+    motors.command::<TestModel>(&Command { targets: most, stiffness, lights: Lights::default(), camera });
     let torques = motors.step(&least);
-    for joint in Joint::ALL {
+    // The speed of the hands is between two values published for other models.
+    let hands = [Joint::LHand, Joint::RHand];
+    for joint in Joint::ALL.into_iter().filter(|joint| !hands.contains(joint)) {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
         let at = model.jnt_dofadr()[id] as usize;
         let (damping, friction) = (model.dof_damping()[at] as f32, model.dof_frictionloss()[at] as f32);
         let speed = (torques[joint] - friction) / damping;
-        let share = speed / published(joint);
-        assert!((0.65..1.3).contains(&share), "{joint:?}: {speed} rad/s, {share} of a NAO's");
-    }
-}
-
-/// Returns the published no-load speed of a joint, rad/s: motor speeds and gear ratios in rUNSWift 2019 `bodyV6.cpp`.
-fn published(joint: Joint) -> f32 {
-    use Joint::{
-        HeadPitch, HeadYaw, LAnklePitch, LElbowRoll, LElbowYaw, LHand, LHipPitch, LKneePitch, LShoulderPitch,
-        LShoulderRoll, LWristYaw, RAnklePitch, RElbowRoll, RElbowYaw, RHand, RHipPitch, RKneePitch, RShoulderPitch,
-        RShoulderRoll, RWristYaw,
-    };
-    match joint {
-        HeadYaw | LElbowYaw | RElbowYaw => 7.46,
-        HeadPitch | LShoulderRoll | RShoulderRoll | LElbowRoll | RElbowRoll => 6.47,
-        LShoulderPitch | RShoulderPitch => 7.94,
-        LWristYaw | RWristYaw => 17.38,
-        // The other published value, of a model, is 8.33.
-        LHand | RHand => 16.0,
-        LHipPitch | RHipPitch | LKneePitch | RKneePitch | LAnklePitch | RAnklePitch => 6.96,
-        _ => 4.53,
-    }
-}
-
-#[test]
-fn actuators_have_order_of_joints() {
-    let model = model().physics;
-    for joint in Joint::ALL {
-        let name = model.id_to_name(MjtObjBase::mjOBJ_ACTUATOR, joint.index());
-        assert_eq!(name, Some(format!("{joint:?}").as_str()));
+        let motor = TestModel::ACTUATORS[joint];
+        let share = speed / (motor.no_load_speed / motor.gear_ratio);
+        assert!((0.65..1.3).contains(&share), "{joint:?}: {speed} rad/s, {share} of the robot's");
     }
 }

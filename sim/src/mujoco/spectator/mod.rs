@@ -2,11 +2,10 @@
 //! images.
 
 mod hall;
-mod loft;
 mod scene;
-mod shells;
 
 use bica_motion::kinematics::{Segment, Skeleton};
+use bica_motion::model::simulation::MujocoModel;
 use glam::{Affine3A, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::RendererError;
@@ -29,18 +28,23 @@ pub(crate) struct SpectatorRenderer {
 }
 
 /// Poses of the moving objects, field frame.
-pub(crate) struct Moving {
+pub(crate) struct Moving<M> {
     /// Robot frame.
     pub(crate) robot: Affine3A,
     /// Segments in the robot frame.
-    pub(crate) skeleton: Skeleton,
+    pub(crate) skeleton: Skeleton<M>,
     /// Centre of the ball, m.
     pub(crate) ball: Vec3,
 }
 
 impl SpectatorRenderer {
-    pub(crate) fn new(setup: &Setup, layout: &Layout, width: usize, height: usize) -> Result<Self, RenderError> {
-        let model = MjModel::from_xml_string(&scene::write(setup, layout))
+    pub(crate) fn new<M: MujocoModel>(
+        setup: &Setup,
+        layout: &Layout,
+        width: usize,
+        height: usize,
+    ) -> Result<Self, RenderError> {
+        let model = MjModel::from_xml_string(&scene::write::<M>(setup, layout))
             .map_err(|error| RenderError(format!("MuJoCo rejects the model of the spectator view: {error}")))?;
         let renderer =
             Renderer::new(&model, SUPERSAMPLING * width, SUPERSAMPLING * height).map_err(|error| failed(&error))?;
@@ -53,7 +57,11 @@ impl SpectatorRenderer {
     }
 
     /// Renders a picture.
-    pub(crate) fn render(&mut self, moving: &Moving, spectator: &SpectatorCamera) -> Result<Picture, RenderError> {
+    pub(crate) fn render<M: MujocoModel>(
+        &mut self,
+        moving: &Moving<M>,
+        spectator: &SpectatorCamera,
+    ) -> Result<Picture, RenderError> {
         self.place(scene::BALL, &Affine3A::from_translation(moving.ball));
         self.place(scene::LAMP, &Affine3A::from_translation(spectator.target));
         for segment in Segment::ALL {

@@ -3,16 +3,16 @@
 use std::fmt::Write;
 
 use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat};
 
-use super::{hall, shells};
+use super::hall;
 use crate::camera::light::Light;
 use crate::field::BALL_RADIUS;
 use crate::layout::{Layout, OtherRobot};
-use crate::mujoco::model::field;
-use crate::mujoco::model::paint::{BACKGROUND, Paint};
+use crate::mujoco::model::paint::{BACKGROUND, Paint, in_team_colour};
+use crate::mujoco::model::{body_name, field};
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::spectator::FIELD_OF_VIEW;
@@ -38,23 +38,21 @@ pub(super) const LAMP: usize = 1;
 pub(super) const ROBOT: usize = 2;
 
 /// Generates the XML of the model.
-pub(super) fn write(setup: &Setup, layout: &Layout) -> String {
+pub(super) fn write<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
     let mut xml = String::from("<mujoco model=\"film\">\n<compiler angle=\"radian\"/>\n");
     render_options(&mut xml);
     let _ = writeln!(xml, "<asset>\n{BACKGROUND}");
     Paint::of(layout).write(&mut xml);
     hall::materials(&mut xml);
-    shells::assets(&mut xml);
+    xml.push_str(between(M::SHELLS, "<asset>", "</asset>"));
     xml.push_str("</asset>\n<worldbody>\n");
     let _ =
         writeln!(xml, "<body mocap=\"true\"><geom type=\"sphere\" size=\"{BALL_RADIUS}\" material=\"ball\"/></body>");
     lamps(&mut xml, &Light::new(&mut Random::new(setup.seed, Stream::Hall)));
     for segment in Segment::ALL {
-        xml.push_str("<body mocap=\"true\">\n");
-        shells::write(&mut xml, segment, "mates");
-        xml.push_str("</body>\n");
+        let _ = writeln!(xml, "<body mocap=\"true\">{}</body>", shell::<M>(segment, true));
     }
-    layout.others.iter().for_each(|other| standing(&mut xml, other));
+    layout.others.iter().for_each(|other| standing::<M>(&mut xml, other));
     field::write(&mut xml);
     hall::write(&mut xml);
     xml.push_str("</worldbody>\n</mujoco>\n");
@@ -90,20 +88,37 @@ fn lamps(xml: &mut String, light: &Light) {
 }
 
 /// Writes a robot that stands still.
-fn standing(xml: &mut String, other: &OtherRobot) {
-    let skeleton = Skeleton::<Nao>::of(&Nao::STAND);
+fn standing<M: MujocoModel>(xml: &mut String, other: &OtherRobot) {
+    let skeleton = Skeleton::<M>::of(&M::STAND);
     let hips = other.pose.position.extend(-skeleton.sole(Side::Left).translation.z);
     let robot = Affine3A::from_rotation_translation(Quat::from_rotation_z(other.pose.heading), hips);
     for segment in Segment::ALL {
         let (_, turn, at) = (robot * skeleton.pose(segment)).to_scale_rotation_translation();
         let _ = writeln!(
             xml,
-            "<body pos=\"{} {} {}\" quat=\"{} {} {} {}\">",
-            at.x, at.y, at.z, turn.w, turn.x, turn.y, turn.z
+            "<body pos=\"{} {} {}\" quat=\"{} {} {} {}\">{}</body>",
+            at.x,
+            at.y,
+            at.z,
+            turn.w,
+            turn.x,
+            turn.y,
+            turn.z,
+            shell::<M>(segment, other.teammate)
         );
-        shells::write(xml, segment, if other.teammate { "mates" } else { "opponents" });
-        xml.push_str("</body>\n");
     }
+}
+
+/// Returns the geoms of a segment of a robot.
+fn shell<M: MujocoModel>(segment: Segment, teammate: bool) -> String {
+    let body = format!("<body name=\"{}\">", body_name(segment));
+    in_team_colour(between(M::SHELLS, &body, "</body>"), teammate)
+}
+
+/// Returns the text between two others; empty if one is missing.
+fn between<'a>(text: &'a str, before: &str, after: &str) -> &'a str {
+    let rest = text.split_once(before).map_or("", |(_, rest)| rest);
+    rest.split_once(after).map_or("", |(inner, _)| inner)
 }
 
 #[cfg(test)]
@@ -113,15 +128,16 @@ mod tests {
     use mujoco_rs::prelude::{MjData, MjModel};
 
     use super::*;
+    use crate::TestModel;
 
     #[test]
     fn mocap_indices_and_height_are_those_of_nao() {
         let setup = Setup { goalkeeper: false, ..Setup::default() };
         let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
-        let model = Box::new(MjModel::from_xml_string(&write(&setup, &layout)).unwrap());
+        let model = Box::new(MjModel::from_xml_string(&write::<TestModel>(&setup, &layout)).unwrap());
         let mut data = MjData::new(model);
         assert_eq!(data.mocap_pos().len(), ROBOT + SEGMENTS);
-        let skeleton = Skeleton::<Nao>::of(&Joints::all(0.0));
+        let skeleton = Skeleton::<TestModel>::of(&Joints::all(0.0));
         for segment in Segment::ALL {
             let at = skeleton.pose(segment).translation.to_array().map(f64::from);
             data.mocap_pos_mut()[ROBOT + segment.index()] = at;

@@ -3,9 +3,10 @@
 use bica_console::Failure;
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::{Feedback, Velocity};
+use bica_player::Model;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -103,7 +104,7 @@ fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::<Nao>::new());
+    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::<Model>::new());
     for _ in 0..WALKS {
         let velocity =
             Velocity { forward: rng.between(-0.1, 0.25), left: rng.between(-0.1, 0.1), turn: rng.between(-0.8, 0.8) };
@@ -119,9 +120,9 @@ fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
 
 fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
     let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let mut balance = FallDetector::<Nao>::new();
+    let mut balance = FallDetector::<Model>::new();
     for kick in Kick::ALL {
-        let mut motion = KickMotion::<Nao>::new(kick, Nao::DYNAMIC_PROFILE);
+        let mut motion = KickMotion::<Model>::new(kick, Model::DYNAMIC_PROFILE);
         while !motion.is_done() {
             let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);

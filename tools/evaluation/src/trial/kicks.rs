@@ -2,10 +2,11 @@
 
 use bica_console::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
+use bica_player::Model;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -77,9 +78,9 @@ fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
     let mut rng = Rng::new(seed);
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
-    let ball = start.place(kick.ball(&Nao::DYNAMIC_PROFILE.kicks) + Vec2::new(beside(), beside()));
+    let ball = start.place(kick.ball(&Model::DYNAMIC_PROFILE.kicks) + Vec2::new(beside(), beside()));
     walker.world.set_ball(ball);
-    let mut motion = KickMotion::<Nao>::new(kick, Nao::DYNAMIC_PROFILE);
+    let mut motion = KickMotion::<Model>::new(kick, Model::DYNAMIC_PROFILE);
     while !motion.is_done() {
         let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
         walker.act(&limbs);
@@ -99,13 +100,13 @@ fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure
     let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
     let start = ground(&mut walker);
-    let half = Nao::DYNAMIC_PROFILE.gait.half_spacing;
+    let half = Model::DYNAMIC_PROFILE.gait.half_spacing;
     // The phase of the step in which the ball comes within reach is random.
     let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BALL_ERROR, BALL_ERROR)));
     walker.world.set_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
-        if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &Nao::DYNAMIC_PROFILE.gait) {
+        if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &Model::DYNAMIC_PROFILE.gait) {
             walker.kick(foot);
         }
         walker.cycle(ahead);
@@ -123,6 +124,6 @@ fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure
 /// Returns the pose of the ground between the feet.
 fn ground(walker: &mut Walker) -> Pose2 {
     let hips = walker.pose();
-    let from_ground = bica_motion::kinematics::ground_from_robot::<Nao>(Side::Left, &walker.world.sensors().angles);
+    let from_ground = bica_motion::kinematics::ground_from_robot::<Model>(Side::Left, &walker.world.sensors().angles);
     hips * Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0).inverse()
 }

@@ -3,13 +3,14 @@
 use bica_console::Failure;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
+use bica_player::Model;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
 use bica_sim::setup::{Setup, Start};
@@ -18,7 +19,7 @@ use glam::Vec2;
 
 /// A robot alone on the field, with a gait and odometry.
 pub(super) struct Walker {
-    pub(super) world: MujocoWorld,
+    pub(super) world: MujocoWorld<Model>,
     gait: Walk,
     odometry: Odometry,
     /// Joint targets of the last cycle, rad.
@@ -30,11 +31,12 @@ impl Walker {
     pub(super) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let world =
-            MujocoWorld::new(&setup, physics).map_err(|error| Failure::new(error.to_string(), "try another value"))?;
+        let world = MujocoWorld::<Model>::new(&setup, physics)
+            .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let (gait, odometry) =
-            (Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
-        let mut walker = Self { world, gait, odometry, commanded: Nao::DYNAMIC_PROFILE.gait.stand::<Nao>().joints() };
+            (Walk::<Model>::new(&Model::DYNAMIC_PROFILE.gait), Odometry::new(&Model::DYNAMIC_PROFILE.odometry));
+        let mut walker =
+            Self { world, gait, odometry, commanded: Model::DYNAMIC_PROFILE.gait.stand::<Model>().joints() };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -70,7 +72,7 @@ impl Walker {
 
     /// Moves the limbs for one control cycle.
     pub(super) fn act(&mut self, limbs: &Limbs) {
-        let mut stiffness = Stiffness::Walk.joints::<Nao>();
+        let mut stiffness = Stiffness::Walk.joints::<Model>();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
         }

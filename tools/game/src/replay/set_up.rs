@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use bica_console::Failure;
 use bica_field::GoalColour;
-use bica_motion::model::{Nao, Profile, RobotModel};
+use bica_motion::model::{Profile, RobotModel};
+use bica_player::Model;
 use bica_recording::{Header, ImagePolicy, Parameter, RecordedRules, TreeInfo};
 use bica_sim::setup::Frame;
 use bica_tuning::Layers;
@@ -56,8 +57,8 @@ pub(super) fn set_up(
         Failure::new(format!("the recording has an unknown {what}"), "replay it with the program that recorded it")
     };
     let profile = match header.robot.profile.as_str() {
-        "kinematic" => Nao::KINEMATIC_PROFILE,
-        "dynamic" => Nao::DYNAMIC_PROFILE,
+        "kinematic" => Model::KINEMATIC_PROFILE,
+        "dynamic" => Model::DYNAMIC_PROFILE,
         _ => return Err(unknown("motion profile")),
     };
     let attacks = match header.robot.attacks.as_str() {

@@ -74,7 +74,7 @@ fn damage(packet: &mut Vec<u8>, rng: &mut Pcg64) {
 fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
     let rules = rules(seed, SECONDS);
     let setup = Setup { seed, frame: rules.size, ..Setup::default() };
-    let mut world = KinematicWorld::new(&setup).expect("valid");
+    let mut world = KinematicWorld::<bica_player::Model>::new(&setup).expect("valid");
     let attacks = world.referee().attacks();
     let mut emulator = start(image, attacks);
     let mut robot = Box::new(Forward::new());

@@ -9,6 +9,7 @@ use bica::Tree;
 use bica::runner::{RequestQueue, Runner};
 use bica_console::STACK_BYTES;
 use bica_game::{RecordOptions, ReplayOptions, Replayed, Rules, WorldKind, play_recorded, recording_header, replay};
+use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
@@ -68,9 +69,9 @@ pub(crate) fn recorded(
     file: &Temporary,
     rules: &Rules,
     images: ImagePolicy,
-) -> Runner<Box<Forward>, KinematicWorld, RequestQueue, Recorder> {
+) -> Runner<Box<Forward>, KinematicWorld<Model>, RequestQueue, Recorder> {
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let world = KinematicWorld::new(&setup).expect("valid");
+    let world = KinematicWorld::<Model>::new(&setup).expect("valid");
     let attacks = world.referee().attacks();
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<RobotProfile>().set(rules.world.profile());

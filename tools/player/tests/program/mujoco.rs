@@ -14,7 +14,8 @@ mod with_mujoco {
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
-    use bica_motion::model::{Nao, RobotModel};
+    use bica_motion::model::RobotModel;
+    use bica_player::Model;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
     use bica_player::tunable::Forward;
@@ -70,9 +71,11 @@ mod with_mujoco {
 
     #[test]
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
-        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut world =
+            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
+                .unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
+        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
         for cycle in 0..3000 {
             if cycle == 500 {
                 world.set_motor_temperature(Joint::LKneePitch, 78.0);
@@ -83,15 +86,17 @@ mod with_mujoco {
             assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS));
+        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS));
         assert_eq!(world.referee().falls(), 0);
     }
 
     #[test]
     fn a_fallen_robot_with_a_hot_joint_lies_until_it_has_cooled_and_gets_up() {
-        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut world =
+            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
+                .unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
+        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
         for cycle in 0..2600 {
             match cycle {
                 100 => world.push(Vec2::new(-2.3, 0.0)),
@@ -104,7 +109,7 @@ mod with_mujoco {
             world.act(&robot.act());
             if (1000..1500).contains(&cycle) {
                 assert!(
-                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS),
+                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS),
                     "in cycle {cycle}"
                 );
                 assert!(robot.get::<HealthMonitor>().fault().is_some());
@@ -116,9 +121,11 @@ mod with_mujoco {
 
     #[test]
     fn a_sitting_robot_stands_up_without_a_fall_when_the_joint_has_cooled() {
-        let mut world = MujocoWorld::new(&Setup::default(), &Physics { cameras: false, ..Physics::default() }).unwrap();
+        let mut world =
+            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
+                .unwrap();
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Nao::DYNAMIC_PROFILE);
+        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
         for cycle in 0..2500 {
             match cycle {
                 100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),

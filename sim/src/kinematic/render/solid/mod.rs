@@ -75,6 +75,7 @@ impl Solid {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::camera::pinhole::FOCAL;
     use crate::random::{Random, Stream};
 
     const COLOUR: Pixel = [200, 90, 160, 0];
@@ -92,7 +93,7 @@ mod tests {
             * Affine3A::from_rotation_z(any(-0.3, 0.3))
             * Affine3A::from_rotation_y(any(-0.1, 0.2))
             * Affine3A::from_rotation_x(any(-0.1, 0.1));
-        PinholeCamera::new(pose, 320, 240)
+        PinholeCamera::new(pose, FOCAL, 320, 240)
     }
 
     /// Returns centre and width of the coloured interval of a row, with sub-pixel edges from the coverage.
@@ -132,7 +133,7 @@ mod tests {
 
     #[test]
     fn box_is_drawn_with_its_projected_size() {
-        let view = PinholeCamera::new(Affine3A::IDENTITY, 320, 240);
+        let view = PinholeCamera::new(Affine3A::IDENTITY, FOCAL, 320, 240);
         let pose = Affine3A::from_translation(Vec3::new(2.1, 0.0, 0.0));
         let mut canvas = drawn(&view, Solid::Block { pose, half: Vec3::new(0.1, 0.2, 0.3), colour: COLOUR });
         let (middle, wide) = row_of(&mut canvas, 120);
@@ -143,8 +144,8 @@ mod tests {
 
     #[test]
     fn shadow_darkens_only_pixels_that_it_covers() {
-        let view = PinholeCamera::new(Affine3A::from_rotation_y(1.2), 320, 240);
-        let view = PinholeCamera::new(Affine3A::from_translation(0.5 * Vec3::Z) * view.pose, 320, 240);
+        let view = PinholeCamera::new(Affine3A::from_rotation_y(1.2), FOCAL, 320, 240);
+        let view = PinholeCamera::new(Affine3A::from_translation(0.5 * Vec3::Z) * view.pose, FOCAL, 320, 240);
         let mut canvas = Canvas::new(320, 240);
         canvas.pixels.fill(COLOUR);
         let centre = Vec2::new(0.25, 0.0);
