@@ -1,16 +1,13 @@
 //! The command line.
 
-use std::process::ExitCode;
-use std::thread;
-
 use bica::Tree;
 use bica::graph::Graph;
-use bica_console::{Console, Failure, Outcome, STACK_BYTES, interrupt};
+use bica_app::{App, TuningArgs};
+use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_link::Address;
 use bica_sim::setup::Frame;
 use bica_sim::shot::SPEEDS;
-use bica_tuning::Layers;
-use clap::Parser;
+use clap::Args;
 use serde::Serialize;
 
 use crate::shots::{Plan, Robot, ShotResult};
@@ -27,15 +24,18 @@ Examples:
   goalkeeper --shots 20 --speeds 2.4 3.0      20 faster ones
   goalkeeper --set GuardPost.distance=0.2     the goalkeeper stands nearer to the goal line
   goalkeeper --serve 127.0.0.1:7400           shots in real time that monitors can watch
+  goalkeeper link 127.0.0.1:7400 watch        its states, from another terminal
+  goalkeeper params GuardPost                 the parameters of a component
 
 Exit codes: 0 the goalkeeper lets in at most half of what the idle robot lets in, 1 more, 2 wrong arguments,
 130 stopped by Ctrl-C, 141 the reader of the output is gone.";
 
-/// A goalkeeper against balls that are kicked at its goal from 2 to 3 m in the built-in world. It sees them only in its camera
-/// images.
-#[derive(Debug, Parser)]
-#[command(name = "goalkeeper", version, after_help = AFTER)]
-pub struct Cli {
+const ABOUT: &str = "\
+A goalkeeper against balls that are kicked at its goal from 2 to 3 m in the built-in world. It sees them only in its camera
+images.";
+
+#[derive(Debug, Args)]
+struct Series {
     /// Number of shots, one for each seed
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
     shots: u32,
@@ -48,9 +48,8 @@ pub struct Cli {
     /// Play only against the idle robot
     #[arg(long)]
     idle: bool,
-    /// Parameter of the goalkeeper, as GuardPost.distance=0.2
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    tuning: TuningArgs,
     /// Play in real time and serve monitors, until Ctrl-C: HOST:PORT (port 0: any)
     #[arg(long, value_name = "ADDR", conflicts_with_all = ["shots", "idle", "json"], value_parser = address)]
     serve: Option<Address>,
@@ -79,25 +78,20 @@ struct Report<'a> {
     shots: &'a [ShotResult],
 }
 
-/// Runs the program; returns the exit code.
+/// Name of the tune file without `--tune`.
+const KIND: &str = "goalkeeper";
+
+/// Returns the program.
 #[must_use]
-pub fn run() -> ExitCode {
-    let cli = Cli::parse();
-    interrupt::listen();
-    match thread::Builder::new().stack_size(STACK_BYTES).spawn(move || start(&cli)).map(thread::JoinHandle::join) {
-        Ok(Ok(outcome)) => outcome.map_or_else(ExitCode::from, ExitCode::from),
-        // The panic has printed its message.
-        Ok(Err(_)) => ExitCode::from(101),
-        Err(error) => Failure::new(format!("cannot start a thread: {error}"), "is there memory left?").into(),
-    }
+pub fn app() -> App<Keeper> {
+    App::new("goalkeeper")
+        .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(ABOUT).after_help(AFTER))
+        .kind(KIND)
+        .default_command(|args| play(&args))
 }
 
-fn start(cli: &Cli) -> Result<Outcome, Failure> {
-    let mut layers = Layers::new(&GRAPH);
-    for assignment in &cli.set {
-        layers.assign(assignment, "--set")?;
-    }
-    let settings = layers.settings();
+fn play(cli: &Series) -> Result<Outcome, Failure> {
+    let settings = cli.tuning.layers(&GRAPH, KIND)?.settings();
     let speeds = match cli.speeds.as_deref() {
         Some(&[min, max]) if min > max => {
             return Err(Failure::new(format!("--speeds {min} {max} is no range"), "name the slowest speed first"));

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    goalkeeper::cli::run()
+    goalkeeper::cli::app().run()
 }

@@ -1,19 +1,17 @@
-//! Drawings for tools: activation trees as SVG and in pictures, a map of the field, and camera images with detections.
+//! Drawings for tools: activation trees as SVG and in pictures, with canvas, text and PNG.
 //!
 //! Coordinates of pictures are pixels: x right, y down.
 
-pub mod camera;
 pub mod canvas;
-pub mod field_map;
 pub mod layout;
 pub mod palette;
 pub mod png;
 pub mod polar;
-pub mod scene;
 mod shapes;
-pub mod sheet;
 mod svg;
 pub mod text;
+mod tree_state;
 pub mod tree_view;
 
 pub use svg::svg;
+pub use tree_state::TreeState;

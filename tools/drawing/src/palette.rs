@@ -13,26 +13,6 @@ pub const GHOST: Rgb = [214, 214, 210];
 /// White.
 pub const WHITE: Rgb = [255, 255, 255];
 
-/// Carpet.
-pub const CARPET: Rgb = [58, 125, 78];
-/// Field lines.
-pub const LINE: Rgb = [226, 238, 228];
-/// Yellow goal.
-pub const YELLOW: Rgb = [244, 196, 32];
-/// Blue goal.
-pub const BLUE: Rgb = [66, 165, 245];
-/// Ball.
-pub const BALL: Rgb = [245, 124, 0];
-/// The robot.
-pub const ROBOT: Rgb = [236, 239, 241];
-/// Other robots.
-pub const OTHER: Rgb = [176, 160, 190];
-/// The robot's estimates.
-pub const ESTIMATE: Rgb = [233, 30, 120];
-
-/// Detected lines, on images in which lines are white.
-pub const LINE_MARK: Rgb = [224, 64, 251];
-
 /// Requirement links.
 pub const REQUIRED: Rgb = [46, 120, 200];
 /// Modulation links.

@@ -5,8 +5,8 @@ use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Rgb};
 use super::palette::{FAINT, GHOST, MODULATED, PAPER, REQUIRED, TEXT, hex};
-use super::scene::TreeState;
 use super::text::Font;
+use super::tree_state::TreeState;
 use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment, routes};
 
 /// Number of straight pieces of a curve.

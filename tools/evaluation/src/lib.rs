@@ -5,6 +5,7 @@ pub mod camera_poses;
 pub mod detection;
 pub mod frame_io;
 pub mod labels;
+pub mod pictures;
 pub mod profile;
 pub mod scoring;
 mod table;

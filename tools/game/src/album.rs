@@ -6,9 +6,9 @@ use bica::ComponentId;
 use bica_console::{Failure, make_folder};
 use bica_drawing::png;
 use bica_drawing::polar::describe;
-use bica_drawing::sheet::{Sheet, Snapshot};
 
 use crate::observer::GameObserver;
+use crate::pictures::sheet::{Sheet, Snapshot};
 use crate::scene::{GRAPH, Scene};
 
 /// Observer that writes a picture of each change of the tree into a folder.

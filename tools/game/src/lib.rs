@@ -11,6 +11,7 @@ mod latency;
 mod link;
 mod meter;
 mod observer;
+mod pictures;
 mod recording;
 mod replay;
 mod rules;

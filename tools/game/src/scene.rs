@@ -4,8 +4,9 @@ use std::time::Duration;
 
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
+use bica_drawing::TreeState;
 use bica_drawing::polar::Polar;
-use bica_drawing::scene::{Estimates, GroundTruth, Marks, TreeState};
+use bica_evaluation::pictures::Marks;
 use bica_motion::pose::Pose2;
 use bica_player::input::CameraInput;
 use bica_player::perception::{BallDetector, FieldBoundary, GoalDetector, Odometry, OwnBody};
@@ -14,6 +15,7 @@ use bica_sim::Referee;
 use glam::Vec2;
 
 use crate::meter::Meter;
+use crate::pictures::state::{Estimates, GroundTruth};
 
 /// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;

@@ -1,8 +1,8 @@
 //! Story of a game: a line for each change of the tree and each event.
 
 use bica_console::{Console, Failure, Style};
+use bica_drawing::TreeState;
 use bica_drawing::polar::{Polar, describe};
-use bica_drawing::scene::TreeState;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
 

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use bica_console::Failure;
-use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::png;
@@ -13,6 +12,7 @@ use glam::Vec2;
 
 use super::detections::{Detections, PoseTrust};
 use crate::frame_io::RecordedFrame;
+use crate::pictures::camera;
 
 /// Width of the image, px.
 const WIDTH: usize = 640;

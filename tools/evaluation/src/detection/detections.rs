@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 use std::time::Instant;
 
-use bica_drawing::scene::Marks;
+use crate::pictures::Marks;
 use bica_field::{CrossingKind, FIELD, GoalColour};
 use bica_motion::model::Nao;
 use bica_motion::robot::{CameraId, Image};

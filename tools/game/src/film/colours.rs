@@ -2,6 +2,7 @@
 
 use bica_drawing::canvas::Rgb;
 use bica_drawing::palette as ink;
+use bica_evaluation::pictures::palette as soccer;
 
 /// Colours of a field in even light, 0 to 1.
 const FIELD: [[f32; 3]; 9] = [
@@ -22,8 +23,17 @@ const COLOUR_SHADES: usize = 15;
 /// Number of shades of each grey.
 const GREY_SHADES: usize = 30;
 /// Colours of drawings.
-const INKS: [Rgb; 9] =
-    [ink::PAPER, ink::TEXT, ink::FAINT, ink::GHOST, ink::WHITE, ink::YELLOW, ink::BLUE, ink::ESTIMATE, ink::BALL];
+const INKS: [Rgb; 9] = [
+    ink::PAPER,
+    ink::TEXT,
+    ink::FAINT,
+    ink::GHOST,
+    ink::WHITE,
+    soccer::YELLOW,
+    soccer::BLUE,
+    soccer::ESTIMATE,
+    soccer::BALL,
+];
 /// Number of bits of each channel in the table of nearest colours.
 const BITS: u32 = 5;
 

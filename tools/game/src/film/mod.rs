@@ -8,11 +8,11 @@ use std::path::Path;
 use std::time::Duration;
 
 use bica_console::Failure;
-use bica_drawing::camera;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::polar::describe;
 use bica_drawing::text::Font;
+use bica_evaluation::pictures::camera;
 use bica_motion::robot::Image;
 use bica_sim::{Picture, Referee};
 use glam::Vec2;

@@ -1,16 +1,17 @@
 //! Picture of a game: camera image on the left, field map on the right, activation tree below.
 
 use bica::graph::Graph;
+use bica_drawing::TreeState;
+use bica_drawing::canvas::Canvas;
+use bica_drawing::palette::{FAINT, PAPER, TEXT};
+use bica_drawing::text::Font;
+use bica_drawing::tree_view::{self, TreeView};
+use bica_evaluation::pictures::{Marks, camera};
 use bica_motion::robot::Image;
 use glam::Vec2;
 
-use super::camera;
-use super::canvas::Canvas;
 use super::field_map::{self, Map};
-use super::palette::{FAINT, PAPER, TEXT};
-use super::scene::{Estimates, GroundTruth, Marks, TreeState};
-use super::text::Font;
-use super::tree_view::{self, TreeView};
+use super::state::{Estimates, GroundTruth};
 
 /// Margin around and between the parts, px.
 const MARGIN: usize = 20;
@@ -27,39 +28,39 @@ const TREE_HEIGHT: usize = 430;
 
 /// Content of a sheet.
 #[derive(Debug)]
-pub struct Snapshot<'a> {
+pub(crate) struct Snapshot<'a> {
     /// First line.
-    pub title: &'a str,
+    pub(crate) title: &'a str,
     /// Second line.
-    pub subtitle: &'a str,
+    pub(crate) subtitle: &'a str,
     /// Camera image.
-    pub image: Option<Image<'a>>,
+    pub(crate) image: Option<Image<'a>>,
     /// Detections in the image.
-    pub marks: &'a Marks,
+    pub(crate) marks: &'a Marks,
     /// Estimates of the robot.
-    pub estimates: &'a Estimates,
+    pub(crate) estimates: &'a Estimates,
     /// True state of the game.
-    pub truth: &'a GroundTruth,
+    pub(crate) truth: &'a GroundTruth,
     /// State of the tree.
-    pub tree: &'a TreeState,
+    pub(crate) tree: &'a TreeState,
 }
 
 /// Draws the sheets of a game.
 #[derive(Debug)]
-pub struct Sheet {
+pub(crate) struct Sheet {
     tree: TreeView,
 }
 
 impl Sheet {
     /// A drawer for a tree.
     #[must_use]
-    pub fn new(graph: &Graph) -> Self {
+    pub(crate) fn new(graph: &Graph) -> Self {
         Self { tree: TreeView::new(graph, TREE_WIDTH, TREE_HEIGHT) }
     }
 
     /// Draws one sheet.
     #[must_use]
-    pub fn draw(&self, moment: &Snapshot<'_>) -> Canvas {
+    pub(crate) fn draw(&self, moment: &Snapshot<'_>) -> Canvas {
         let below = TITLE_HEIGHT + PANEL_HEIGHT + LEGEND_HEIGHT;
         let mut sheet = Canvas::new(TREE_WIDTH + 2 * MARGIN, below + TREE_HEIGHT + LEGEND_HEIGHT + MARGIN, PAPER);
         sheet.write(Vec2::new(MARGIN as f32, 10.0), Font::Title, TEXT, moment.title);

@@ -1,5 +1,8 @@
 //! Camera image with detections.
 
+use bica_drawing::canvas::{Area, Canvas, Rgb};
+use bica_drawing::palette::{TEXT, WHITE, translucent};
+use bica_drawing::text::Font;
 use bica_field::{CrossingKind, GoalColour};
 use bica_motion::robot::Image;
 use bica_vision::ball::Ball;
@@ -10,10 +13,8 @@ use bica_vision::own_body::OwnBody;
 use bica_vision::robots::{Robot, Team};
 use glam::Vec2;
 
-use super::canvas::{Area, Canvas, Rgb};
-use super::palette::{BLUE, ESTIMATE, LINE_MARK, ROBOT, TEXT, WHITE, YELLOW, translucent};
-use super::scene::Marks;
-use super::text::Font;
+use super::Marks;
+use super::palette::{BLUE, ESTIMATE, LINE_MARK, ROBOT, YELLOW};
 
 /// Draws an image, enlarged by a whole factor to at most `width` px, with detections.
 #[must_use]

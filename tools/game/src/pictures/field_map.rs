@@ -1,13 +1,14 @@
 //! Map of the field with the true state of a game and the robot's estimates.
 
+use bica_drawing::canvas::{Area, Canvas, Ink, Rgb};
+use bica_drawing::palette::{TEXT, translucent};
+use bica_drawing::text::Font;
+use bica_evaluation::pictures::palette::{BALL, BLUE, CARPET, ESTIMATE, LINE, OTHER, ROBOT, YELLOW};
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
-use super::canvas::{Area, Canvas, Ink, Rgb};
-use super::palette::{BALL, BLUE, CARPET, ESTIMATE, LINE, OTHER, ROBOT, TEXT, YELLOW, translucent};
-use super::scene::{Estimates, GroundTruth};
-use super::text::Font;
+use super::state::{Estimates, GroundTruth};
 
 /// Half the carpet, m.
 const CARPET_HALF: Vec2 = FIELD.carpet_corner();
@@ -16,7 +17,7 @@ const FIELD_HALF: Vec2 = FIELD.field_corner();
 
 /// Map of the field of 2009, with the attacked goal on the right.
 #[derive(Debug)]
-pub struct Map {
+pub(crate) struct Map {
     canvas: Canvas,
     /// Pixels per metre.
     scale: f32,
@@ -25,7 +26,7 @@ pub struct Map {
 impl Map {
     /// An empty field, `width` px wide.
     #[must_use]
-    pub fn new(width: usize, attacks: GoalColour) -> Self {
+    pub(crate) fn new(width: usize, attacks: GoalColour) -> Self {
         let scale = width as f32 / (2.0 * CARPET_HALF.x);
         let mut map = Self { canvas: Canvas::new(width, (2.0 * CARPET_HALF.y * scale) as usize, CARPET), scale };
         map.lines();
@@ -36,12 +37,12 @@ impl Map {
 
     /// Returns the picture.
     #[must_use]
-    pub fn into_canvas(self) -> Canvas {
+    pub(crate) fn into_canvas(self) -> Canvas {
         self.canvas
     }
 
     /// Draws the true positions.
-    pub fn truth(&mut self, truth: &GroundTruth) {
+    pub(crate) fn truth(&mut self, truth: &GroundTruth) {
         let trail: Vec<Vec2> = truth.trail.iter().map(|p| self.at(*p)).collect();
         self.canvas.polyline(&trail, 1.5, translucent(BALL, 0.6));
         for other in &truth.others {
@@ -53,7 +54,7 @@ impl Map {
     }
 
     /// Draws the robot's estimates.
-    pub fn estimates(&mut self, estimates: &Estimates) {
+    pub(crate) fn estimates(&mut self, estimates: &Estimates) {
         let pose = &estimates.robot;
         let here = self.at(pose.position);
         self.canvas.dashed_ring(here, 0.17 * self.scale, 2.0, ESTIMATE);
@@ -129,7 +130,7 @@ impl Map {
 }
 
 /// Draws a legend of the map in one line from `at`.
-pub fn legend(canvas: &mut Canvas, at: Vec2) {
+pub(crate) fn legend(canvas: &mut Canvas, at: Vec2) {
     let mut x = at.x;
     let mut entry = |sign: &dyn Fn(&mut Canvas, Vec2), words: &str| {
         sign(canvas, Vec2::new(x + 6.0, at.y + 6.0));

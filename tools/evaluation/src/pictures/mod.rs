@@ -1,0 +1,7 @@
+//! Pictures of soccer: camera images with detections.
+
+pub mod camera;
+mod marks;
+pub mod palette;
+
+pub use marks::Marks;
