@@ -123,3 +123,11 @@ pub struct Command {
     /// Camera whose images are requested.
     pub camera: CameraId,
 }
+
+impl Command {
+    /// A command with one stiffness for all joints, 0 to 1, dark lights and the top camera.
+    #[must_use]
+    pub fn new(targets: Joints, stiffness: f32) -> Self {
+        Self { targets, stiffness: Joints::all(stiffness), lights: Lights::default(), camera: CameraId::Top }
+    }
+}

@@ -6,7 +6,7 @@ use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
 use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::{CameraId, Command};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::kinematic::KinematicWorld;
@@ -25,8 +25,7 @@ fn world(ball: Vec2) -> KinematicWorld<Tall> {
 }
 
 fn act(world: &mut KinematicWorld<Tall>, targets: Joints) {
-    let (stiffness, lights) = (Joints::all(1.0), Lights::default());
-    world.act(&Command { targets, stiffness, lights, camera: CameraId::Top });
+    world.act(&Command::new(targets, 1.0));
 }
 
 fn stand(world: &mut KinematicWorld<Tall>, cycles: u32) {
