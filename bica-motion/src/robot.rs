@@ -155,4 +155,10 @@ impl Command {
             && lights.as_flattened().iter().all(is_fraction);
         is_valid.then_some(()).ok_or(InvalidCommand)
     }
+
+    /// A command with one stiffness for all joints, 0 to 1, dark lights and the top camera.
+    #[must_use]
+    pub fn new(targets: Joints, stiffness: f32) -> Self {
+        Self { targets, stiffness: Joints::all(stiffness), lights: Lights::default(), camera: CameraId::Top }
+    }
 }

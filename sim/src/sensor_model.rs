@@ -3,23 +3,37 @@
 use core::f32::consts::TAU;
 
 use bica_motion::joints::Joints;
-use bica_motion::robot::FootPressure;
-use libm::roundf;
+use bica_motion::robot::{FootPressure, Inertial};
+use glam::Vec3;
+use libm::{asinf, atan2f, roundf};
 
 /// Gravity, m/s².
 pub(crate) const GRAVITY: f32 = 9.81;
 /// Standard deviation of the gyroscope, rad/s. Source: variance in B-Human 2023 `NaoProvider.h`.
-pub(crate) const GYRO_NOISE: f32 = 0.001_97;
+const GYRO_NOISE: f32 = 0.001_97;
 /// Standard deviation of the accelerometer, m/s². Source: as for the gyroscope.
-pub(crate) const ACCELERATION_NOISE: f32 = 0.0193;
+const ACCELERATION_NOISE: f32 = 0.0193;
 /// Standard deviation of the estimated torso angles, rad (our estimate).
-pub(crate) const ANGLE_NOISE: f32 = 0.002;
+const ANGLE_NOISE: f32 = 0.002;
 /// Standard deviation of a pressure sensor under load, N (our estimate).
 pub(crate) const PRESSURE_NOISE: f32 = 0.2;
 /// Range of the accelerometer, m/s² (±2 g).
 pub(crate) const ACCELEROMETER_RANGE: f32 = 2.0 * GRAVITY;
 /// Resolution of a joint's encoder, rad: 12 bits per turn.
 const ENCODER_RESOLUTION: f32 = TAU / 4096.0;
+
+/// Measures an angular velocity, rad/s, a specific force, m/s², and the z components `up` of the torso's axes.
+///
+/// `noise` draws a number with the standard deviation that it receives.
+pub(crate) fn measure_inertia(gyro: Vec3, force: Vec3, up: Vec3, mut noise: impl FnMut(f32) -> f32) -> Inertial {
+    let mut vector = |deviation: f32| Vec3::new(noise(deviation), noise(deviation), noise(deviation));
+    Inertial {
+        gyro: gyro + vector(GYRO_NOISE),
+        acceleration: force + vector(ACCELERATION_NOISE),
+        roll: atan2f(up.y, up.z) + noise(ANGLE_NOISE),
+        pitch: asinf((-up.x).clamp(-1.0, 1.0)) + noise(ANGLE_NOISE),
+    }
+}
 
 /// Rounds joint angles to the resolution of the encoders.
 pub(crate) fn encode(angles: &Joints) -> Joints {

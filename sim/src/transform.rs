@@ -51,16 +51,4 @@ mod tests {
         let to = from * Affine3A::from_rotation_y(0.02).matrix3;
         assert!((angular_velocity(&from, &to) - Vec3::new(0.0, 2.0, 0.0)).length() < 1e-3);
     }
-
-    #[test]
-    fn fall_is_named_after_larger_component() {
-        for (x, y, expected) in [
-            (1.0, 0.9, Direction::Front),
-            (-1.0, 0.9, Direction::Back),
-            (0.9, 1.0, Direction::Left),
-            (0.9, -1.0, Direction::Right),
-        ] {
-            assert_eq!(fall_direction(Vec2::new(x, y)), expected);
-        }
-    }
 }

@@ -10,10 +10,10 @@ use bica::prelude::*;
 use bica::runner::{Robot, Runner};
 use bica_field::GoalColour;
 use bica_motion::fall::Direction;
-use bica_motion::joints::{Joint, Joints};
+use bica_motion::joints::Joint;
 use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, FootPressure, Image, Inertial, Lights, Sensors};
+use bica_motion::robot::{CameraId, Command, FootPressure, Image, Inertial, Sensors};
 use bica_player::Model;
 use bica_player::input::{CameraInput, Colours, GameState, HealthMonitor, RobotProfile, RobotState};
 use bica_player::perception::{
@@ -110,10 +110,9 @@ impl Recording {
     fn look(&mut self, mut world: KinematicWorld<Model>, pitch: f32, cycles: usize) {
         let mut targets = Model::STAND;
         targets[Joint::HeadPitch] = pitch;
-        let (stiffness, lights) = (Joints::all(1.0), Lights::default());
         for _ in 0..cycles {
             self.cycles.push(Cycle::of(&world.sensors()));
-            world.act(&Command { targets, stiffness, lights, camera: CameraId::Top });
+            world.act(&Command::new(targets, 1.0));
         }
     }
 

@@ -1,22 +1,26 @@
 //! The built-in world with a second robot model: each expected number follows from that model.
 
+use bica_motion::fall::Direction;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
 use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::{CameraId, Command};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Posture;
 use bica_sim::setup::{Setup, Start};
 use bica_sim::{PixelLabel, World};
-use glam::{Affine3A, Vec2};
+use glam::{Affine3A, Vec2, Vec3};
 
 use crate::tall::Tall;
 use crate::world::CYCLE;
+
+const BALL_RADIUS: f32 = 0.0325;
+/// Height of the robot frame of a standing robot, m.
+const HIPS: f32 = 0.3225;
 
 /// A world without other robots in which the robot starts at the centre mark.
 fn world(ball: Vec2) -> KinematicWorld<Tall> {
@@ -25,12 +29,19 @@ fn world(ball: Vec2) -> KinematicWorld<Tall> {
 }
 
 fn act(world: &mut KinematicWorld<Tall>, targets: Joints) {
-    let (stiffness, lights) = (Joints::all(1.0), Lights::default());
-    world.act(&Command { targets, stiffness, lights, camera: CameraId::Top });
+    world.act(&Command::new(targets, 1.0));
 }
 
 fn stand(world: &mut KinematicWorld<Tall>, cycles: u32) {
     (0..cycles).for_each(|_| act(world, Tall::STAND));
+}
+
+/// Projects a point to the image of the top camera of a robot that stands at the origin.
+fn pixel(point: Vec3) -> Vec2 {
+    let hips = Affine3A::from_translation(HIPS * Vec3::Z);
+    let seen = (hips * Skeleton::<Tall>::of(&Tall::STAND).camera(CameraId::Top)).inverse().transform_point3(point);
+    let size = Vec2::new(320.0, 240.0);
+    size / 2.0 - size * Tall::DIMENSIONS.top_camera.focal * Vec2::new(seen.y, seen.z) / seen.x
 }
 
 #[test]
@@ -87,13 +98,7 @@ fn image_shows_ball_at_its_projection_of_model_camera() {
     let ball = Vec2::new(2.2, 0.3);
     let mut world = world(ball);
     stand(&mut world, 10);
-    let hips = ground_from_robot::<Tall>(Side::Left, &Tall::STAND).translation.z;
-    let camera =
-        Affine3A::from_translation(hips * glam::Vec3::Z) * Skeleton::<Tall>::of(&Tall::STAND).camera(CameraId::Top);
-    let seen = camera.inverse().transform_point3(ball.extend(0.0325));
-    let size = Vec2::new(320.0, 240.0);
-    let focal = size * Tall::DIMENSIONS.top_camera.focal;
-    let expected = size / 2.0 - focal * Vec2::new(seen.y, seen.z) / seen.x;
+    let expected = pixel(ball.extend(BALL_RADIUS));
     let labels = world.segmentation_mask();
     let shown: Vec<Vec2> = (0..labels.len())
         .filter(|&i| labels[i] == PixelLabel::Ball)
@@ -104,16 +109,33 @@ fn image_shows_ball_at_its_projection_of_model_camera() {
 }
 
 #[test]
-fn kicking_foot_of_second_model_moves_ball() {
-    let kick = Kick { foot: Side::Left, ..Kick::ALL[0] };
-    let mut world = world(kick.ball(&Tall::KINEMATIC_PROFILE.kicks));
-    let mut motion = KickMotion::<Tall>::new(kick, Tall::KINEMATIC_PROFILE);
-    while !motion.is_done() {
-        let targets = motion.step(&Feedback::from(&world.sensors()), CYCLE).joints();
-        act(&mut world, targets);
+fn rolling_ball_stops_at_toes_of_model() {
+    let mut world = world(Vec2::new(1.0, 0.075));
+    world.set_ball(Vec2::new(1.0, 0.075), Vec2::new(-1.0, 0.0)).expect("a free place");
+    let mut nearest = f32::INFINITY;
+    for _ in 0..200 {
+        stand(&mut world, 1);
+        nearest = nearest.min(world.referee().ball().x);
     }
-    let moved = world.referee().ball() - kick.ball(&Tall::KINEMATIC_PROFILE.kicks);
-    assert!(moved.x > 0.5 && world.referee().falls() == 0, "{moved}");
+    let toes = Skeleton::<Tall>::of(&Tall::STAND).sole(Side::Left).translation.x + 0.15;
+    assert!((nearest - (toes + BALL_RADIUS)).abs() < 0.01, "the ball came to {nearest} m, the toes are at {toes} m");
+}
+
+#[test]
+fn image_shows_other_robot_as_tall_as_model() {
+    let setup = Setup { goalkeeper: true, ..Setup::default() };
+    let keeper = KinematicWorld::<Tall>::new(&setup).expect("a valid setup").referee().others()[0].position;
+    let start = Some(Start { robot: Pose2::new(keeper.x - 2.0, keeper.y, 0.0), ball: Vec2::new(0.0, 1.5) });
+    let mut world = KinematicWorld::<Tall>::new(&Setup { start, ..setup }).expect("a valid start");
+    let labels = world.segmentation_mask();
+    let shown = |row: &usize| labels[row * 320..][..320].contains(&PixelLabel::OtherRobot(0));
+    let (first, last) = ((0..240).find(shown), (0..240).rfind(shown));
+    // The box of its looks reaches from 0.1 m below its hips to 0.5 m above; its front is 0.08 m nearer than its middle.
+    let row = |z: f32| pixel(Vec3::new(1.92, 0.0, HIPS + z)).y;
+    for (found, expected) in [(first, row(0.5)), (last, row(-0.1))] {
+        let found = found.expect("the keeper is in the image") as f32;
+        assert!((found - expected).abs() < 3.0, "row {found}, not {expected}");
+    }
 }
 
 #[test]
@@ -125,11 +147,14 @@ fn ball_has_no_place_within_extents_of_model() {
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
         leaning[ankle] += 0.6;
     }
-    (0..200).for_each(|_| act(&mut world, leaning));
-    assert_eq!(world.referee().posture(), Posture::Down(bica_motion::fall::Direction::Back));
-    // The robot frame is as far from the feet as a fall of this model brings it.
+    let mut upright = Vec2::ZERO;
+    while world.referee().posture() == Posture::Upright && world.now().as_secs() < 5 {
+        upright = world.referee().robot().position;
+        act(&mut world, leaning);
+    }
+    assert_eq!(world.referee().posture(), Posture::Down(Direction::Back));
     let at = world.referee().robot().position;
-    assert!((at.x + 0.33).abs() < 0.15, "{at}");
+    assert!((at.distance(upright) - 0.33).abs() < 0.01, "the robot fell from {upright} to {at}");
     for (y, is_refused) in [(0.62, true), (0.65, false)] {
         assert_eq!(world.place_ball(at + y * Vec2::Y).is_err(), is_refused, "{y}");
     }

@@ -3,12 +3,13 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
-use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, SimulatedModel};
+use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, Paint, Part, SimulatedModel};
 use bica_motion::model::{
     Actuator, BodyShape, CameraMount, Dimensions, FallLimits, FallPostures, GetUpFrames, HeadPitchLimit, HeadSpeed,
     KickFrame, Mass, Masses, Nao, Parameters, Profile, Range, RobotModel, StiffnessTable, Technique, ThermalLimits,
     symmetric,
 };
+use bica_motion::segment::Segment;
 use bica_motion::walk::Velocity;
 use glam::{Vec2, Vec3};
 
@@ -143,7 +144,12 @@ impl SimulatedModel for Tall {
     };
     const LYING: &'static Lying =
         &Lying { fall_length: 0.33, front_height: 0.12, back_height: 0.13, side_height: 0.16, ..*Nao::LYING };
-    const FIGURE: &'static Figure = Nao::FIGURE;
+    const FIGURE: &'static Figure = &Figure {
+        trunk: &[Part::block(Segment::Torso, Paint::Shell, [0.0, 0.0, 0.2], [0.08, 0.12, 0.3])],
+        side: &[],
+        head: &[],
+        foot_shadow: Disc { ahead: 0.03, radius: 0.18 },
+    };
 }
 
 const MASSES: Masses = Masses::symmetric(

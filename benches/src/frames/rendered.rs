@@ -1,7 +1,7 @@
 //! Frames of the kinematic world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::Command;
 use bica_motion::side::Side;
 use bica_player::Model;
 use bica_sim::World;
@@ -40,8 +40,7 @@ fn samples(setup: &Setup) -> Vec<Sample> {
 fn sample(world: &mut KinematicWorld<Model>, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Sample {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
-    let stiffness = Joints::all(1.0);
-    let command = Command { targets: *targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
+    let command = Command::new(*targets, 1.0);
     for _ in 0..70 {
         world.act(&command);
     }

@@ -6,9 +6,8 @@ use std::time::Duration;
 use bica::runner::{Observer, Requests, Runner};
 use bica::{Setting, Tree};
 use bica_console::{Batch, Failure};
-use bica_motion::joints::Joints;
 use bica_motion::model::RobotModel;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::Command;
 use bica_player::Model;
 use bica_player::input::FrameTooLarge;
 use bica_player::perception::GoalDetector;
@@ -146,7 +145,7 @@ pub fn cycle<Q: Requests, O: Observer<Keeper>>(
 
 /// Command of a robot that stands still.
 fn stand() -> Command {
-    Command { targets: Model::STAND, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
+    Command::new(Model::STAND, 1.0)
 }
 
 fn refused(error: &SetupError) -> Failure {

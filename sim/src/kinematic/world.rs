@@ -9,7 +9,7 @@ use glam::{Affine3A, Vec2};
 
 use super::ball::Ball;
 use super::body::Body;
-use super::render::{Renderer, Scene};
+use super::render::{PosedRobot, Renderer, Scene};
 use super::{ball_motion, collision};
 use crate::layout::Layout;
 use crate::obstacle::{GOALS, Obstacle};
@@ -71,7 +71,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
             referee,
             camera: CameraId::Top,
             previous_cameras,
-            renderer: Renderer::new::<M>(setup, &layout),
+            renderer: Renderer::new(setup, &layout, PosedRobot::standing::<M>),
             image: ImageMemory::new(2 * width * height),
             image_is_new: false,
         };
@@ -130,7 +130,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
     }
 
     /// Describes the scene of the selected camera, whose pose was `previous` one cycle ago.
-    fn scene(&self, previous: &Affine3A) -> Scene<M> {
+    fn scene(&self, previous: &Affine3A) -> Scene {
         let camera = self.body.camera(self.camera);
         Scene {
             camera,
@@ -138,8 +138,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
             angular_velocity: angular_velocity(&previous.matrix3, &camera.matrix3),
             frame: frame(self.cycle),
             ball: self.ball.position,
-            robot: *self.body.robot(),
-            skeleton: *self.body.skeleton(),
+            robot: PosedRobot::new(*self.body.robot(), self.body.skeleton()),
         }
     }
 

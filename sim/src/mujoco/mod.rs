@@ -6,20 +6,14 @@
 //!
 //! ```no_run
 //! use bica_motion::model::simulation::MujocoModel;
-//! use bica_motion::robot::{CameraId, Command, Lights};
-//! use bica_motion::stiffness::Stiffness;
+//! use bica_motion::robot::Command;
 //! use bica_sim::{World, setup::Setup, mujoco::{MujocoWorld, Physics}};
 //! use glam::Vec2;
 //!
 //! # fn run<M: MujocoModel>() -> Result<(), bica_sim::mujoco::Error> {
 //! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::of::<M>() };
 //! let mut world = MujocoWorld::<M>::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
-//! let stand = Command {
-//!     targets: M::STAND,
-//!     stiffness: Stiffness::Stand.joints::<M>(),
-//!     lights: Lights::default(),
-//!     camera: CameraId::Top,
-//! };
+//! let stand = Command::new(M::STAND, 1.0);
 //! for cycle in 0..500 {
 //!     if cycle == 200 {
 //!         world.push(Vec2::new(0.0, 0.2));

@@ -86,11 +86,9 @@ pub(crate) fn currents<M: RobotModel>(torques: &Joints) -> Joints {
 mod tests {
     use super::*;
     use crate::TestModel;
-    use bica_motion::robot::{CameraId, Lights};
 
     fn command(target: f32, stiffness: f32) -> Command {
-        let (targets, stiffness) = (Joints::all(target), Joints::all(stiffness));
-        Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top }
+        Command::new(Joints::all(target), stiffness)
     }
 
     fn torque(motors: &mut Motors) -> f32 {

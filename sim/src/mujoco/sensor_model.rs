@@ -6,14 +6,11 @@ use bica_motion::joints::Joints;
 use bica_motion::robot::{FootPressure, Inertial};
 use bica_motion::side::Side;
 use glam::Vec3;
-use libm::{asinf, atan2f};
 
 use super::model::STEP;
 use super::physics::Physics;
 use crate::random::{Random, Stream};
-use crate::sensor_model::{
-    ACCELERATION_NOISE, ACCELEROMETER_RANGE, ANGLE_NOISE, GYRO_NOISE, PRESSURE_NOISE, encode, measure_pressure,
-};
+use crate::sensor_model::{ACCELEROMETER_RANGE, PRESSURE_NOISE, encode, measure_inertia, measure_pressure};
 
 /// Averaging window of the inertial unit, steps of the physics: one control cycle.
 const WINDOW: usize = 5;
@@ -84,14 +81,10 @@ impl SensorModel {
         let delayed = self.history[self.history.len() - 1 - self.delay];
         let [gyro, acceleration] = self.means();
         let mut noise = |deviation: f32| self.noise * deviation * self.random.normal();
-        let mut noise_vector = |deviation: f32| Vec3::new(noise(deviation), noise(deviation), noise(deviation));
-        let gyro = gyro + noise_vector(GYRO_NOISE);
-        let inertial = Inertial {
-            gyro: if self.gyroscope_failed { Vec3::ZERO } else { gyro },
-            acceleration: acceleration + noise_vector(ACCELERATION_NOISE),
-            roll: atan2f(delayed.up.y, delayed.up.z) + noise(ANGLE_NOISE),
-            pitch: asinf((-delayed.up.x).clamp(-1.0, 1.0)) + noise(ANGLE_NOISE),
-        };
+        let mut inertial = measure_inertia(gyro, acceleration, delayed.up, &mut noise);
+        if self.gyroscope_failed {
+            inertial.gyro = Vec3::ZERO;
+        }
         let mut feet = delayed.feet.map(|foot| measure_pressure(&foot, || noise(PRESSURE_NOISE)));
         for (foot, failed) in feet.iter_mut().zip(self.failed_soles) {
             if failed {

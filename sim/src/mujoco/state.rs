@@ -63,12 +63,11 @@ pub(crate) fn ideal_measurement(data: &MjData<Box<MjModel>>, torso: FreeJoint, d
         rear_left: sensed(i + 2),
         rear_right: sensed(i + 3),
     };
-    let turn = pose(data, torso).matrix3;
     IdealMeasurement {
         angles: angles(data, drives),
         gyro: three(0),
         acceleration: three(3),
-        up: Vec3::new(turn.x_axis.z, turn.y_axis.z, turn.z_axis.z),
+        up: pose(data, torso).matrix3.row(2).into(),
         feet: [foot(6), foot(10)],
     }
 }

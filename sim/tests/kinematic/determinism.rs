@@ -2,12 +2,10 @@ use std::thread;
 
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::model::{Nao, RobotModel};
-use bica_motion::robot::CameraId;
+use bica_motion::robot::{CameraId, Command};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
-
-use crate::support::command;
 
 /// Runs a game with large motions. Returns all image bytes, all measurements and the final ground truth.
 fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
@@ -25,7 +23,7 @@ fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
         let wave = |i: usize| 0.2 * libm::sinf(cycle as f32 * 0.07 * (1.0 + i as f32 / JOINTS as f32));
         let targets = Joints(core::array::from_fn(|i| Nao::STAND.0[i] + wave(i)));
         let camera = if cycle % 100 < 50 { CameraId::Top } else { CameraId::Bottom };
-        world.act(&bica_motion::robot::Command { camera, ..command(targets) });
+        world.act(&Command { camera, ..Command::new(targets, 1.0) });
     }
     (images, words, format!("{:?}", world.referee()))
 }
@@ -66,7 +64,7 @@ fn repeated_reads_in_cycle_return_equal_measurements() {
         let second = world.sensors();
         assert_eq!(second.inertial, inertial);
         assert_eq!(second.image.map(|image| image.yuyv.to_vec()), image);
-        world.act(&command(Nao::STAND));
+        world.act(&Command::new(Nao::STAND, 1.0));
     }
     assert_eq!(images, 3);
 }

@@ -2,16 +2,17 @@
 
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
+use bica_motion::robot::Command;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
 use bica_sim::setup::Setup;
 use bica_sim::{PlacementError, World};
 use glam::Vec2;
 
-use crate::support::{alone, command};
+use crate::support::alone;
 
 fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
-    (0..cycles).for_each(|_| world.act(&command(Nao::STAND)));
+    (0..cycles).for_each(|_| world.act(&Command::new(Nao::STAND, 1.0)));
 }
 
 #[test]

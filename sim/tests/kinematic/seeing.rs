@@ -10,7 +10,7 @@ use bica_sim::kinematic::KinematicWorld;
 use glam::{Affine3A, Vec2, Vec3};
 use rand_pcg::{Pcg32, rand_core::Rng};
 
-use crate::support::{alone, command};
+use crate::support::alone;
 
 const BALL_RADIUS: f32 = 0.0325;
 const SIZE: Vec2 = Vec2::new(320.0, 240.0);
@@ -41,13 +41,13 @@ fn image_at(world: &mut KinematicWorld<Nao>, id: CameraId, yaw: f32, pitch: f32)
     let mut targets = Nao::STAND;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     for _ in 0..60 {
-        world.act(&Command { camera: id, ..command(targets) });
+        world.act(&Command { camera: id, ..Command::new(targets, 1.0) });
     }
     loop {
         if let Some(image) = world.sensors().image {
             return (image.yuyv.to_vec(), targets);
         }
-        world.act(&Command { camera: id, ..command(targets) });
+        world.act(&Command { camera: id, ..Command::new(targets, 1.0) });
     }
 }
 

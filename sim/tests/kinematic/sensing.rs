@@ -6,7 +6,7 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 use glam::Vec2;
 
-use crate::support::{TOGETHER, alone, command, glide, swayed};
+use crate::support::{TOGETHER, alone, glide, swayed};
 use bica_motion::side::Side;
 
 #[test]
@@ -22,7 +22,7 @@ fn selected_camera_delivers_thirty_images_second() {
                 assert_eq!(image.yuyv.len(), 2 * frame.size().0 * frame.size().1);
             }
             camera = if cycle < 100 { CameraId::Top } else { CameraId::Bottom };
-            world.act(&Command { camera, ..command(Nao::STAND) });
+            world.act(&Command { camera, ..Command::new(Nao::STAND, 1.0) });
         }
         assert_eq!(images, 60);
     }
@@ -32,7 +32,7 @@ fn selected_camera_delivers_thirty_images_second() {
 fn standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
-        world.act(&command(Nao::STAND));
+        world.act(&Command::new(Nao::STAND, 1.0));
         let sensors = world.sensors();
         let force = sensors.left_foot.total() + sensors.right_foot.total();
         assert!((force - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
@@ -49,7 +49,7 @@ fn consecutive_images_differ_by_noise() {
     let mut images = Vec::new();
     for _ in 0..20 {
         images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
-        world.act(&command(Nao::STAND));
+        world.act(&Command::new(Nao::STAND, 1.0));
     }
     assert_eq!(images.len(), 6);
     for pair in images.windows(2) {

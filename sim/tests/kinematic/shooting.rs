@@ -2,6 +2,7 @@
 
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
+use bica_motion::robot::Command;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
@@ -9,11 +10,11 @@ use bica_sim::setup::SetupError;
 use bica_sim::shot::{SPEEDS, Shot};
 use glam::Vec2;
 
-use crate::support::{alone, command};
+use crate::support::alone;
 
 /// Lets a world run with a standing robot.
 fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
-    (0..cycles).for_each(|_| world.act(&command(Nao::STAND)));
+    (0..cycles).for_each(|_| world.act(&Command::new(Nao::STAND, 1.0)));
 }
 
 #[test]
@@ -25,17 +26,6 @@ fn unblocked_shots_are_own_goals() {
         wait(&mut world, 400);
         assert_eq!(world.referee().own_goals(), 1, "seed {seed}: {shot:?} ends at {}", world.referee().ball());
     }
-}
-
-#[test]
-fn placed_ball_rolls_with_given_velocity() {
-    let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::ZERO);
-    world.set_ball(Vec2::new(0.5, 1.0), Vec2::new(0.0, -1.0)).expect("a valid place");
-    assert_eq!(world.referee().ball(), Vec2::new(0.5, 1.0));
-    wait(&mut world, 10);
-    let (ball, velocity) = (world.referee().ball(), world.referee().ball_velocity());
-    assert!(ball.distance(Vec2::new(0.5, 0.9)) < 0.01, "{ball}");
-    assert!(velocity.y > -0.98 && velocity.y < -0.95 && velocity.x == 0.0, "{velocity}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use bica_motion::feet::{Foot, level_legs};
 use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::Command;
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -20,11 +20,6 @@ pub(crate) const SWAY: f32 = 0.045;
 pub(crate) fn alone(seed: u64, robot: Pose2, ball: Vec2) -> KinematicWorld<Nao> {
     let start = Some(Start { robot, ball });
     KinematicWorld::<Nao>::new(&Setup { seed, goalkeeper: false, start, ..Setup::default() }).expect("a valid setup")
-}
-
-/// Returns a command with full stiffness and the top camera.
-pub(crate) fn command(targets: Joints) -> Command {
-    Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera: CameraId::Top }
 }
 
 /// Returns the posture with an upright torso and these feet, left first: x, y relative to the hips, and lift, m.
@@ -48,7 +43,7 @@ pub(crate) fn glide(
         let part = cycle as f32 / cycles as f32;
         let mix = |a: f32, b: f32| a + part * (b - a);
         let feet = [0, 1].map(|i| (mix(from[i].0, to[i].0), mix(from[i].1, to[i].1), mix(from[i].2, to[i].2)));
-        world.act(&command(posture(feet)));
+        world.act(&Command::new(posture(feet), 1.0));
     }
 }
 

@@ -1,6 +1,6 @@
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
-use bica_motion::side::Side;
+use bica_motion::robot::Command;
 use bica_motion::stiffness::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
 use bica_sim::World;
@@ -8,43 +8,7 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::referee::Event;
 use glam::Vec2;
 
-use crate::support::{SWAY, alone, command, glide};
-
-/// Takes one slow step: lifts the swing foot, sets it down ahead and shifts the hips over it.
-fn step(world: &mut KinematicWorld<Nao>, swing: Side, behind: f32, ahead: f32) {
-    let feet = |swing_x: f32, lift: f32, support_x: f32| {
-        let mut feet = [(support_x, 0.05 + swing.sign() * SWAY, 0.0), (support_x, -0.05 + swing.sign() * SWAY, 0.0)];
-        feet[swing.index()].0 = swing_x;
-        feet[swing.index()].2 = lift;
-        feet
-    };
-    let over_other = |x: f32| {
-        let feet = feet(x, 0.0, 0.0);
-        let swung = feet[swing.index()].0;
-        feet.map(|(x, y, lift)| (x - swung, y - 2.0 * swing.sign() * SWAY, lift))
-    };
-    glide(world, feet(behind, 0.0, 0.0), feet(behind, 0.02, 0.0), 20);
-    glide(world, feet(behind, 0.02, 0.0), feet(ahead, 0.02, 0.0), 40);
-    glide(world, feet(ahead, 0.02, 0.0), feet(ahead, 0.0, 0.0), 20);
-    glide(world, feet(ahead, 0.0, 0.0), over_other(ahead), 50);
-}
-
-#[test]
-fn scripted_steps_move_robot_by_their_length() {
-    let mut world = alone(3, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
-    let start = [(0.0, 0.05, 0.0), (0.0, -0.05, 0.0)];
-    let over_right = start.map(|(x, y, lift)| (x, y + SWAY, lift));
-    glide(&mut world, start, over_right, 60);
-    let before = world.referee().robot().position;
-    for index in 0..10 {
-        let behind = if index == 0 { 0.0 } else { -0.04 };
-        step(&mut world, if index % 2 == 0 { Side::Left } else { Side::Right }, behind, 0.04);
-    }
-    let moved = world.referee().robot().position - before;
-    assert_eq!(world.referee().falls(), 0);
-    assert!((moved.x - 0.4).abs() < 0.04, "{moved}");
-    assert!(moved.y.abs() < 0.06, "{moved}");
-}
+use crate::support::alone;
 
 #[test]
 fn walk_covers_commanded_distance_and_no_other() {
@@ -92,7 +56,7 @@ fn walk(
         let sensors = world.sensors();
         let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
         let stiffness = Stiffness::Walk.joints::<Nao>();
-        world.act(&bica_motion::robot::Command { stiffness, ..command(limbs.joints()) });
+        world.act(&Command { stiffness, ..Command::new(limbs.joints(), 1.0) });
         watch(world);
     }
     assert_eq!(world.referee().falls(), 0, "{velocity:?}");

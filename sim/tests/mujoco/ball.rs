@@ -48,14 +48,6 @@ fn posts_and_nets_stop_the_ball() {
 }
 
 #[test]
-fn ball_over_the_side_line_returns() {
-    let mut world = rolling(1, Vec2::new(0.5, -1.6), Vec2::new(0.0, -1.2));
-    stand(&mut world, 300);
-    assert_eq!(world.referee().outs(), 1);
-    assert!((world.referee().ball() - Vec2::new(0.5, -1.6)).length() < 0.05, "{}", world.referee().ball());
-}
-
-#[test]
 fn placed_ball_lies_still_and_is_no_event() {
     let mut world = rolling(1, Vec2::new(-1.5, -1.0), Vec2::new(1.0, 0.0));
     stand(&mut world, 20);

@@ -2,11 +2,12 @@
 
 use bica_motion::joints::Joint;
 use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::Command;
 use bica_sim::World;
 use bica_sim::setup::Setup;
 use glam::Vec2;
 
-use crate::support::{blind, command, world};
+use crate::support::{blind, world};
 
 /// Runs a world with motions and a push. Returns all measurements of the body.
 fn measurements(seed: u64) -> Vec<u32> {
@@ -18,7 +19,7 @@ fn measurements(seed: u64) -> Vec<u32> {
         if cycle == 150 {
             world.push(Vec2::new(0.3, -0.9));
         }
-        world.act(&command(targets, 0.8));
+        world.act(&Command::new(targets, 0.8));
         let sensors = world.sensors();
         let feet = [sensors.left_foot.total(), sensors.right_foot.total()];
         let inertial = sensors.inertial.gyro.to_array().into_iter().chain(sensors.inertial.acceleration.to_array());

@@ -3,12 +3,13 @@
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
 use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::Command;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::referee::Posture;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use crate::support::{alone, blind, command, stand};
+use crate::support::{alone, blind, stand};
 
 /// Pushes the robot over. Checks that the fall is detected before the impact, commands the protective posture, and returns the
 /// detected side on which the robot lies.
@@ -24,7 +25,7 @@ fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
                 assert!(detected || !hit, "{push}: impact before detection");
                 detected = true;
                 let brace = protection::<Nao>(direction);
-                world.act(&command(brace.posture, brace.stiffness));
+                world.act(&Command::new(brace.posture, brace.stiffness));
             }
             FallState::Fallen(direction) => return direction,
         }
@@ -36,7 +37,7 @@ fn get_up(world: &mut MujocoWorld<Nao>, lying: Direction, failures: u8) {
     let mut movement = GetUp::<Nao>::new(lying, failures, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);
-        world.act(&command(targets, stiffness));
+        world.act(&Command::new(targets, stiffness));
     }
 }
 
@@ -73,7 +74,7 @@ fn robot_without_stiffness_after_motion_rolls_over() {
             assert_eq!(fall(&mut world, Vec2::new(push, 0.0)), lying);
             get_up(&mut world, lying, failures);
             for _ in 0..50 {
-                world.act(&command(Nao::STAND, 0.0));
+                world.act(&Command::new(Nao::STAND, 0.0));
             }
             let acceleration = world.sensors().inertial.acceleration;
             assert!((acceleration - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {acceleration}");

@@ -11,7 +11,7 @@ use bica_sim::{Picture, SpectatorCamera, SpectatorView, World};
 use bica_vision::projection::Camera;
 use glam::{Vec2, Vec3};
 
-use crate::support::{command, world};
+use crate::support::world;
 
 const BALL_RADIUS: f32 = 0.0325;
 
@@ -30,7 +30,7 @@ impl View {
         let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::of::<Nao>() });
         let mut targets = Nao::STAND;
         (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
-        let command = Command { camera: id, ..command(targets, 1.0) };
+        let command = Command { camera: id, ..Command::new(targets, 1.0) };
         for _ in 0..100 {
             world.act(&command);
         }
@@ -146,7 +146,7 @@ fn rendering_images_does_not_change_physics() {
             let mut targets = Nao::STAND;
             targets[Joint::HeadYaw] = (cycle as f32 * 0.1).sin();
             assert!(cameras || world.sensors().image.is_none());
-            world.act(&command(targets, 1.0));
+            world.act(&Command::new(targets, 1.0));
             angles.push(world.sensors().angles);
         }
         angles
@@ -159,7 +159,7 @@ fn equal_seeds_give_equal_images() {
     let image = |seed| {
         let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::of::<Nao>());
         for _ in 0..10 {
-            world.act(&command(Nao::STAND, 1.0));
+            world.act(&Command::new(Nao::STAND, 1.0));
         }
         world.sensors().image.unwrap().yuyv.to_vec()
     };
@@ -182,7 +182,7 @@ fn spectator_view_does_not_change_physics() {
                 assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
                 assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");
             }
-            world.act(&command(Nao::STAND, 1.0));
+            world.act(&Command::new(Nao::STAND, 1.0));
             angles.push(world.sensors().angles);
         }
         angles

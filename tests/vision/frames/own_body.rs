@@ -6,7 +6,7 @@ use std::ops::Range;
 use bica_field::{FIELD, GoalColour};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::{CameraId, Command};
 use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -84,7 +84,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
 fn wait(world: &mut KinematicWorld<Nao>, targets: &mut Joints, yaw: f32, pitch: f32) {
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     let camera = CameraId::Bottom;
-    let command = Command { targets: *targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
+    let command = Command { camera, ..Command::new(*targets, 1.0) };
     (0..80).for_each(|_| world.act(&command));
     while world.sensors().image.is_none() {
         world.act(&command);

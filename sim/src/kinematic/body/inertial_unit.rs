@@ -3,10 +3,9 @@
 use bica_motion::model::RobotModel;
 use bica_motion::robot::Inertial;
 use glam::{Affine3A, Vec3, Vec3A};
-use libm::{asinf, atan2f};
 
 use crate::random::Random;
-use crate::sensor_model::{ACCELERATION_NOISE, ACCELEROMETER_RANGE, ANGLE_NOISE, GRAVITY, GYRO_NOISE};
+use crate::sensor_model::{ACCELEROMETER_RANGE, GRAVITY, measure_inertia};
 use crate::transform::angular_velocity;
 use crate::world::CYCLE_SECONDS;
 
@@ -38,19 +37,9 @@ impl InertialUnit {
         self.previous = *robot;
 
         let specific_force = robot.matrix3.transpose() * Vec3A::from(self.acceleration + GRAVITY * Vec3::Z);
-        let [x, y, z] = [robot.matrix3.x_axis, robot.matrix3.y_axis, robot.matrix3.z_axis];
-        Inertial {
-            gyro: gyro + noise(GYRO_NOISE, random),
-            acceleration: Vec3::from(specific_force) + noise(ACCELERATION_NOISE, random),
-            roll: atan2f(y.z, z.z) + ANGLE_NOISE * random.normal(),
-            pitch: asinf((-x.z).clamp(-1.0, 1.0)) + ANGLE_NOISE * random.normal(),
-        }
+        let up = robot.matrix3.row(2).into();
+        measure_inertia(gyro, specific_force.into(), up, |deviation| deviation * random.normal())
     }
-}
-
-/// Draws noise with this standard deviation on each axis.
-fn noise(deviation: f32, random: &mut Random) -> Vec3 {
-    deviation * Vec3::new(random.normal(), random.normal(), random.normal())
 }
 
 #[cfg(test)]

@@ -94,23 +94,9 @@ fn currents<M: RobotModel>(before: &Joints, after: &Joints, stiffness: &Joints) 
 mod tests {
     use super::*;
     use crate::TestModel;
-    use bica_motion::robot::{CameraId, Lights};
 
     fn command(target: f32, stiffness: f32) -> Command {
-        let (targets, stiffness) = (Joints::all(target), Joints::all(stiffness));
-        Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top }
-    }
-
-    #[test]
-    fn joint_moves_after_its_dead_time() {
-        let mut motors = Motors::holding::<TestModel>(Joints::all(0.3));
-        for _ in 0..3 {
-            motors.step::<TestModel>(&command(0.9, 1.0));
-            assert_eq!(motors.angles()[Joint::LKneePitch], 0.3);
-        }
-        motors.step::<TestModel>(&command(0.9, 1.0));
-        let moved = motors.angles()[Joint::LKneePitch] - 0.3;
-        assert!((moved - TestModel::MAX_SPEEDS[Joint::LKneePitch] * 0.01).abs() < 1e-6);
+        Command::new(Joints::all(target), stiffness)
     }
 
     #[test]

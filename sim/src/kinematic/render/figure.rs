@@ -1,13 +1,15 @@
 //! Solids and colours of robots.
 
-use bica_motion::kinematics::Skeleton;
+use bica_motion::kinematics::{SEGMENTS, Segment, Skeleton};
 use bica_motion::model::simulation::{Disc, Figure, Paint, Part, SimulatedModel, Solid as Shape};
+use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::{Affine3A, Vec2, Vec3};
 
 use super::solid::Solid;
 use crate::camera::canvas::Pixel;
 use crate::camera::palette::{self, Palette};
+use crate::transform::level_pose;
 use bica_field::GoalColour;
 
 /// Colours of a robot's parts.
@@ -30,49 +32,73 @@ impl RobotColours {
     }
 }
 
-/// Returns the solids of a robot with the robot frame at a pose in the field frame.
-pub(crate) fn figure<M: SimulatedModel>(robot: &Affine3A, skeleton: &Skeleton<M>, colours: RobotColours) -> Vec<Solid> {
-    let mut figure = below_the_head(robot, skeleton, colours);
-    figure.extend(M::FIGURE.head.iter().map(|part| placed(part, robot, skeleton, colours)));
-    figure
+/// A robot in a posture at a place.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PosedRobot {
+    figure: &'static Figure,
+    /// Robot frame in the field frame.
+    pub(crate) robot: Affine3A,
+    /// Segments in the order of [`Segment::ALL`](bica_motion::kinematics::Segment::ALL), field frame.
+    segments: [Affine3A; SEGMENTS],
+    /// Soles in the field frame, left first.
+    soles: [Affine3A; 2],
 }
 
-/// Returns the solids of a robot that its own cameras can show.
-pub(crate) fn below_the_head<M: SimulatedModel>(
-    robot: &Affine3A,
-    skeleton: &Skeleton<M>,
-    colours: RobotColours,
-) -> Vec<Solid> {
-    let Figure { trunk, side, .. } = M::FIGURE;
-    let right = side.iter().map(Part::mirrored);
-    let parts = trunk.iter().chain(*side).copied().chain(right);
-    parts.map(|part| placed(&part, robot, skeleton, colours)).collect()
-}
+impl PosedRobot {
+    /// Returns a robot with this pose of the robot frame in the field frame.
+    pub(crate) fn new<M: SimulatedModel>(robot: Affine3A, skeleton: &Skeleton<M>) -> Self {
+        let segments = Segment::ALL.map(|segment| robot * skeleton.pose(segment));
+        let soles = Side::BOTH.map(|side| robot * skeleton.sole(side));
+        Self { figure: M::FIGURE, robot, segments, soles }
+    }
 
-/// Converts a part to the field frame.
-fn placed<M: SimulatedModel>(part: &Part, robot: &Affine3A, skeleton: &Skeleton<M>, colours: RobotColours) -> Solid {
-    let pose = *robot * skeleton.pose(part.segment);
-    let at = |point: [f32; 3]| pose.transform_point3(point.into());
-    let colour = match part.paint {
-        Paint::Shell => colours.shell,
-        Paint::Joint => colours.joint,
-        Paint::Team => colours.team,
-    };
-    match part.solid {
-        Shape::Sphere(centre, radius) => Solid::Sphere { centre: at(centre), radius, colour },
-        Shape::Tube(ends, radii) => Solid::Tube { ends: ends.map(at), radii, colour },
-        Shape::Block(centre, half) => {
-            Solid::Block { pose: pose * Affine3A::from_translation(centre.into()), half: half.into(), colour }
+    /// Returns a robot that stands on the ground.
+    pub(crate) fn standing<M: SimulatedModel>(at: &Pose2) -> Self {
+        let skeleton = Skeleton::<M>::of(&M::STAND);
+        let sole = skeleton.sole(Side::Left);
+        let robot = level_pose(at) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
+        Self::new(robot, &skeleton)
+    }
+
+    /// Returns all solids, field frame.
+    pub(crate) fn solids(&self, colours: RobotColours) -> Vec<Solid> {
+        let mut solids = self.below_the_head(colours);
+        solids.extend(self.figure.head.iter().map(|part| self.solid(part, colours)));
+        solids
+    }
+
+    /// Returns the solids that the robot's own cameras can show, field frame.
+    pub(crate) fn below_the_head(&self, colours: RobotColours) -> Vec<Solid> {
+        let Figure { trunk, side, .. } = self.figure;
+        let right = side.iter().map(Part::mirrored);
+        let parts = trunk.iter().chain(*side).copied().chain(right);
+        parts.map(|part| self.solid(&part, colours)).collect()
+    }
+
+    /// Converts a part to the field frame.
+    fn solid(&self, part: &Part, colours: RobotColours) -> Solid {
+        let pose = self.segments[part.segment.index()];
+        let at = |point: [f32; 3]| pose.transform_point3(point.into());
+        let colour = match part.paint {
+            Paint::Shell => colours.shell,
+            Paint::Joint => colours.joint,
+            Paint::Team => colours.team,
+        };
+        match part.solid {
+            Shape::Sphere(centre, radius) => Solid::Sphere { centre: at(centre), radius, colour },
+            Shape::Tube(ends, radii) => Solid::Tube { ends: ends.map(at), radii, colour },
+            Shape::Block(centre, half) => {
+                Solid::Block { pose: pose * Affine3A::from_translation(centre.into()), half: half.into(), colour }
+            }
         }
     }
-}
 
-/// Returns the shadows under a robot's feet.
-pub(crate) fn shadows<M: SimulatedModel>(robot: &Affine3A, skeleton: &Skeleton<M>) -> [Solid; 2] {
-    let Disc { ahead, radius } = M::FIGURE.foot_shadow;
-    Side::BOTH.map(|side| {
-        let sole = *robot * skeleton.sole(side);
-        let centre: Vec2 = sole.transform_point3(Vec3::new(ahead, 0.0, 0.0)).truncate();
-        Solid::Shadow { centre, radius, darkness: 0.45 }
-    })
+    /// Returns the shadows under the feet.
+    pub(crate) fn shadows(&self) -> [Solid; 2] {
+        let Disc { ahead, radius } = self.figure.foot_shadow;
+        self.soles.map(|sole| {
+            let centre: Vec2 = sole.transform_point3(Vec3::new(ahead, 0.0, 0.0)).truncate();
+            Solid::Shadow { centre, radius, darkness: 0.45 }
+        })
+    }
 }

@@ -10,10 +10,10 @@ mod hall;
 mod lines;
 mod solid;
 
-use bica_motion::kinematics::Skeleton;
-use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::Pose2;
 use glam::{Affine3A, Vec2, Vec3};
 
+pub(crate) use self::figure::PosedRobot;
 use self::figure::RobotColours;
 use self::ground::Ground;
 use self::hall::Hall;
@@ -24,19 +24,18 @@ use crate::camera::light::Light;
 use crate::camera::palette::{self, Palette};
 use crate::camera::pinhole::PinholeCamera;
 use crate::field::BALL_RADIUS;
-use crate::layout::{Layout, OtherRobot};
+use crate::layout::Layout;
 use crate::random::{Random, Stream};
 use crate::segmentation::PixelLabel;
 use crate::setup::Setup;
 use crate::spectator::{Picture, SpectatorCamera};
-use crate::transform::level_pose;
 
 /// Colour of pixels without an object; no object has this colour.
 const BLANK: Pixel = [0, 0, 0, 0];
 
 /// State of the world in one image.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Scene<M> {
+pub(crate) struct Scene {
     /// Pose of the camera in the field frame.
     pub(crate) camera: Affine3A,
     /// Focal lengths of the camera relative to the width and the height of the image.
@@ -47,10 +46,8 @@ pub(crate) struct Scene<M> {
     pub(crate) frame: u64,
     /// Centre of the ball, field frame, m.
     pub(crate) ball: Vec2,
-    /// Pose of the robot frame in the field frame.
-    pub(crate) robot: Affine3A,
-    /// Segments of the robot.
-    pub(crate) skeleton: Skeleton<M>,
+    /// The robot.
+    pub(crate) robot: PosedRobot,
 }
 
 /// Solids of one object, sorted as one by distance.
@@ -76,7 +73,7 @@ pub(crate) struct Renderer {
     colours: RobotColours,
 }
 
-impl<M: SimulatedModel> Scene<M> {
+impl Scene {
     /// Returns the view of the robot's camera in images of this size, pixels.
     fn view(&self, (width, height): (usize, usize)) -> PinholeCamera {
         PinholeCamera::new(self.camera, self.focal, width, height)
@@ -84,7 +81,8 @@ impl<M: SimulatedModel> Scene<M> {
 }
 
 impl Renderer {
-    pub(crate) fn new<M: SimulatedModel>(setup: &Setup, layout: &Layout) -> Self {
+    /// Returns the renderer of a game; `standing`: the posture of the other robots.
+    pub(crate) fn new(setup: &Setup, layout: &Layout, standing: fn(&Pose2) -> PosedRobot) -> Self {
         let mut camera = Random::new(setup.seed, Stream::Camera);
         let mut hall = Random::new(setup.seed, Stream::Hall);
         let palette = Palette::new(&mut camera);
@@ -97,7 +95,11 @@ impl Renderer {
         let goals = goal::goals(layout.attacks, &palette).into_iter();
         let mut static_objects: Vec<Group> = goals.map(|part| Group::of_one(PixelLabel::Goal, part)).collect();
         let others = layout.others.iter().enumerate();
-        static_objects.extend(others.map(|(index, other)| Group::of_robot::<M>(index, other, colours(other.teammate))));
+        static_objects.extend(others.map(|(index, other)| {
+            let (robot, colours) = (standing(&other.pose), colours(other.teammate));
+            let parts = robot.solids(colours).into_iter().chain(robot.shadows()).collect();
+            Group { label: PixelLabel::OtherRobot(index), place: other.pose.position, parts }
+        }));
         Self {
             seed: setup.seed,
             canvas: Canvas::new(width, height),
@@ -117,7 +119,7 @@ impl Renderer {
     }
 
     /// Renders a scene as a YUYV image.
-    pub(crate) fn draw<M: SimulatedModel>(&mut self, scene: &Scene<M>, image: &mut [u8]) {
+    pub(crate) fn draw(&mut self, scene: &Scene, image: &mut [u8]) {
         let view = scene.view(self.size());
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
@@ -128,7 +130,7 @@ impl Renderer {
     }
 
     /// Returns the label of every pixel of a scene's image.
-    pub(crate) fn segmentation_mask<M: SimulatedModel>(&mut self, scene: &Scene<M>) -> Vec<PixelLabel> {
+    pub(crate) fn segmentation_mask(&mut self, scene: &Scene) -> Vec<PixelLabel> {
         let view = scene.view(self.size());
         self.canvas.pixels.fill(BLANK);
         let mut labels = vec![PixelLabel::Background; self.canvas.pixels.len()];
@@ -142,15 +144,15 @@ impl Renderer {
     }
 
     /// Returns the body that carries the camera, without its head.
-    fn own<M: SimulatedModel>(&self, view: &PinholeCamera, scene: &Scene<M>) -> Group {
-        let parts = figure::below_the_head(&scene.robot, &scene.skeleton, self.colours);
+    fn own(&self, view: &PinholeCamera, scene: &Scene) -> Group {
+        let parts = scene.robot.below_the_head(self.colours);
         Group { label: PixelLabel::OwnBody, place: view.pose.translation.truncate(), parts }
     }
 
     /// Renders a scene from a spectator camera; the camera of the scene is not used.
-    pub(crate) fn render_from<M: SimulatedModel>(
+    pub(crate) fn render_from(
         &mut self,
-        scene: &Scene<M>,
+        scene: &Scene,
         camera: &SpectatorCamera,
         width: usize,
         height: usize,
@@ -159,26 +161,26 @@ impl Renderer {
         let view = PinholeCamera::of_spectator(camera.pose(), width, height);
         self.hall.draw(&view, &self.ground, &mut self.canvas);
         self.draw_shadows(&view, scene);
-        let parts = figure::figure(&scene.robot, &scene.skeleton, self.colours);
-        let place = Vec3::from(scene.robot.translation).truncate();
+        let parts = scene.robot.solids(self.colours);
+        let place = Vec3::from(scene.robot.robot.translation).truncate();
         self.draw_solids(&view, scene, &Group { label: PixelLabel::OwnBody, place, parts }, |_, _| ());
         let drawn = core::mem::replace(&mut self.canvas, image_canvas);
         Picture { width, height, rgb: drawn.pixels.into_iter().map(rgb).collect() }
     }
 
-    fn draw_shadows<M: SimulatedModel>(&mut self, view: &PinholeCamera, scene: &Scene<M>) {
+    fn draw_shadows(&mut self, view: &PinholeCamera, scene: &Scene) {
         let ball = Solid::Shadow { centre: scene.ball, radius: 1.7 * BALL_RADIUS, darkness: 0.6 };
         let shadows = self.static_objects.iter().flat_map(|group| &group.parts).filter(|part| part.is_shadow());
-        for shadow in shadows.chain(&figure::shadows(&scene.robot, &scene.skeleton)).chain([&ball]) {
+        for shadow in shadows.chain(&scene.robot.shadows()).chain([&ball]) {
             shadow.draw(view, &self.light, &mut self.canvas);
         }
     }
 
     /// Draws the objects on the field and the given parts of the robot. Calls `after` with the label of each drawn object.
-    fn draw_solids<M>(
+    fn draw_solids(
         &mut self,
         view: &PinholeCamera,
-        scene: &Scene<M>,
+        scene: &Scene,
         own: &Group,
         mut after: impl FnMut(&mut Canvas, PixelLabel),
     ) {
@@ -201,15 +203,6 @@ impl Renderer {
 impl Group {
     fn of_one(label: PixelLabel, part: Solid) -> Self {
         Self { label, place: part.centre().truncate(), parts: vec![part] }
-    }
-
-    fn of_robot<M: SimulatedModel>(index: usize, other: &OtherRobot, colours: RobotColours) -> Self {
-        let skeleton = Skeleton::<M>::of(&M::STAND);
-        let sole = skeleton.sole(bica_motion::side::Side::Left);
-        let robot = level_pose(&other.pose) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
-        let mut parts = figure::figure(&robot, &skeleton, colours);
-        parts.extend(figure::shadows(&robot, &skeleton));
-        Self { label: PixelLabel::OtherRobot(index), place: other.pose.position, parts }
     }
 }
 

@@ -3,7 +3,7 @@
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
 use bica_motion::model::RobotModel;
-use bica_motion::robot::{Command, Lights};
+use bica_motion::robot::Command;
 use glam::{Vec3, Vec3A};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
@@ -103,8 +103,7 @@ fn no_load_speed_is_near_published_one() {
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
     let (least, most) = (end(|joint| TestModel::LIMITS[joint].min), end(|joint| TestModel::LIMITS[joint].max));
     let mut motors = Motors::holding::<TestModel>(least, &physics);
-    let (stiffness, camera) = (Joints::all(1.0), CameraId::Top);
-    motors.command::<TestModel>(&Command { targets: most, stiffness, lights: Lights::default(), camera });
+    motors.command::<TestModel>(&Command::new(most, 1.0));
     let torques = motors.step(&least);
     // The speed of the hands is between two values published for other models.
     let hands = [Joint::LHand, Joint::RHand];

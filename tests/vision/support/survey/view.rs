@@ -2,10 +2,10 @@
 
 use std::f32::consts::PI;
 
-use bica_motion::joints::{Joint, Joints};
+use bica_motion::joints::Joint;
 use bica_motion::model::Nao;
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::{CameraId, Command};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
@@ -53,7 +53,7 @@ impl View {
         targets[Joint::HeadYaw] = rng.between(-1.2, 1.2);
         targets[Joint::HeadPitch] = rng.between(-0.2, 0.4);
         let camera = if number.is_multiple_of(3) { CameraId::Bottom } else { CameraId::Top };
-        let command = Command { targets, stiffness: Joints::all(1.0), lights: Lights::default(), camera };
+        let command = Command { camera, ..Command::new(targets, 1.0) };
         (0..REST).for_each(|_| world.act(&command));
         while world.sensors().image.is_none() {
             world.act(&command);
