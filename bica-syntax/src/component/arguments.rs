@@ -1,6 +1,5 @@
 //! Arguments: links, the time, rates, parameters.
 
-use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{
     Attribute, FnArg, GenericArgument, Generics, Lifetime, PathArguments, PathSegment, Signature, Type, TypePath,
@@ -74,11 +73,10 @@ pub(crate) fn no_lifetime(lifetime: &Lifetime, report: &mut Report) {
     }
 }
 
-/// What an argument of a type means in a step of the component `own`; `None` if it is no input. Both are types as written.
+/// What an argument of a type means in a step of the component `own`; `None` if it is no input.
 #[must_use]
-pub fn meaning(kind: TokenStream, own: TokenStream) -> Option<Argument> {
-    let (kind, own) = (syn::parse2(kind).ok()?, syn::parse2(own).ok()?);
-    argument(&kind, &own, Form::Step, &parse_quote!(fn step()), &mut Report::default())
+pub fn meaning(kind: &Type, own: &Type) -> Option<Argument> {
+    argument(kind, own, Form::Step, &parse_quote!(fn step()), &mut Report::default())
 }
 
 fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: &mut Report) -> Option<Argument> {

@@ -10,7 +10,7 @@ use super::model::Sources;
 use crate::{number, text, wording};
 
 /// The attributes that assign a function its role.
-pub const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
+const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
 
 /// Names from other frameworks for our attributes.
 const SYNONYMS: [(&str, &str); 11] = [
@@ -31,7 +31,8 @@ const SYNONYMS: [(&str, &str); 11] = [
 const BUILT_IN: [&str; 6] = ["test", "expect", "ignore", "inline", "cold", "must_use"];
 
 /// The role that an attribute assigns, if it is one of ours.
-pub(crate) fn role(attribute: &Attribute) -> Option<&'static str> {
+#[must_use]
+pub fn role(attribute: &Attribute) -> Option<&'static str> {
     ROLES.into_iter().find(|role| attribute.path().is_ident(role))
 }
 
@@ -57,7 +58,8 @@ pub(crate) fn misspelt(attribute: &Attribute) -> Option<String> {
 }
 
 /// Whether it is `#[component]`, by any path.
-pub(crate) fn is_component(attribute: &Attribute) -> bool {
+#[must_use]
+pub fn is_component(attribute: &Attribute) -> bool {
     attribute.path().segments.last().is_some_and(|last| last.ident == "component")
 }
 
@@ -90,7 +92,10 @@ pub(crate) fn bare(attribute: &Attribute, role: &str) -> syn::Result<()> {
 }
 
 /// The words of `#[state(initial, last)]`.
-pub(crate) fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)> {
+///
+/// # Errors
+/// If it has other words, or one twice.
+pub fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)> {
     let (mut initial, mut last) = (None, false);
     let list = match &attribute.meta {
         Meta::Path(_) => return Ok((initial, last)),
@@ -113,14 +118,20 @@ pub(crate) fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)>
 }
 
 /// The content of `#[transition(a | b -> c, after_ms = N)]`.
-pub(crate) struct Arrow {
-    pub(crate) from: Sources,
-    pub(crate) to: Ident,
-    pub(crate) after_ms: Option<u32>,
+pub struct Arrow {
+    /// States that it leaves.
+    pub from: Sources,
+    /// State that it enters.
+    pub to: Ident,
+    /// Least time in the state before it, ms.
+    pub after_ms: Option<u32>,
 }
 
 /// Reads a transition.
-pub(crate) fn transition(attribute: &Attribute) -> syn::Result<Arrow> {
+///
+/// # Errors
+/// If it has another form.
+pub fn transition(attribute: &Attribute) -> syn::Result<Arrow> {
     let Meta::List(list) = &attribute.meta else {
         return Err(syn::Error::new_spanned(attribute, wording::ARROW));
     };
@@ -186,7 +197,10 @@ fn milliseconds(input: ParseStream) -> syn::Result<u32> {
 }
 
 /// The states of `#[entry(a | b)]`.
-pub(crate) fn hook(attribute: &Attribute, role: &str) -> syn::Result<Vec<Ident>> {
+///
+/// # Errors
+/// If it names none.
+pub fn hook(attribute: &Attribute, role: &str) -> syn::Result<Vec<Ident>> {
     let form = wording::hook_states(role);
     match &attribute.meta {
         Meta::List(list) if !list.tokens.is_empty() => {

@@ -10,8 +10,11 @@ use crate::{text, wording};
 
 const KEYS: [&str; 3] = ["unit", "frame", "child"];
 
-/// Reads the unit and the frames of an output.
-pub(super) fn parse(attribute: &Attribute) -> syn::Result<(Option<String>, Option<Placement>)> {
+/// The unit and the frames of an output.
+///
+/// # Errors
+/// If the attribute has another form.
+pub fn parse(attribute: &Attribute) -> syn::Result<(Option<String>, Option<Placement>)> {
     let list = match &attribute.meta {
         Meta::Path(_) => return Ok((None, None)),
         Meta::List(list) => list,

@@ -15,4 +15,5 @@ mod resolve;
 mod signature;
 
 pub use self::arguments::meaning;
-pub use self::attributes::ROLES;
+pub use self::attributes::{Arrow, hook, is_component, role, state, transition};
+pub use self::info_options::parse as info;

@@ -51,7 +51,7 @@ function arrowsOf(transition) {
       from,
       any,
       sources,
-      to: arrow.to?.text ?? null,
+      to: arrow.to.text,
       after_ms: arrow.after_ms?.[0] ?? null,
       docs: transition.function.docs.text,
       children: children([transition.function]),

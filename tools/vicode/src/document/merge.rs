@@ -61,5 +61,5 @@ const fn touch(one: &Splice, other: &Splice) -> bool {
 }
 
 fn mistakes(text: &str) -> usize {
-    parse(text).map_or(1, |root| root.problems.len())
+    parse(text).map_or(1, |source| source.problems.len())
 }

@@ -1,14 +1,12 @@
 //! Children of functions: arguments that are links.
 
-use ra_ap_syntax::SyntaxKind;
-
 use super::plan::{Context, function, list};
 use super::request::{Edit, Refusal};
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, snake};
 use super::{fragment, imports};
-use crate::model::{Argument, Function, Input, LinkKind, Name, Span};
-use crate::read::{Token, lexed};
+use crate::model::{Argument, Function, Input, LinkKind, Span};
+use crate::read::{Kind, Token, lexed};
 
 /// Adds, removes or changes a link.
 pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
@@ -133,18 +131,15 @@ fn broken(text: &str, style: &Style, function: &Function, argument: &str) -> Str
 
 /// The last token of a list that is neither white space nor a comment.
 fn last_token(list: &str) -> Option<Span> {
-    Some(lexed(list).iter().rfind(|token| !token.kind.is_trivia())?.name.span)
+    Some(lexed(list).iter().rfind(|token| !token.is_trivia())?.span)
 }
 
 /// Refuses to remove an argument that the body uses.
 fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Refusal> {
     let Some(body) = function.body else { return Ok(()) };
     let name = argument.name.text.trim_start_matches("mut ").trim();
-    let is_use = |token: &Token| {
-        let word = &token.name.text;
-        word.trim_start_matches("r#") == name || token.kind == SyntaxKind::STRING && formats(word, name)
-    };
-    let Some(Token { name: Name { span, .. }, .. }) = lexed(body.of(text)).into_iter().find(is_use) else {
+    let is_use = |token: &Token<'_>| token.is(name) || token.kind == Kind::Text && formats(token.text, name);
+    let Some(Token { span, .. }) = lexed(body.of(text)).into_iter().find(is_use) else {
         return Ok(());
     };
     let message = format!("the code of `{}` uses `{name}`: remove that use first", function.name.text);

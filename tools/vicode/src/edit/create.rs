@@ -1,19 +1,15 @@
 //! New components: a file, its `mod` line, its entry in a tree.
 
-use std::iter::successors;
-
-use ra_ap_syntax::ast::{self, HasName, HasVisibility};
-use ra_ap_syntax::{AstNode, T};
+use syn::{Item, ItemMod, ItemUse, Visibility};
 
 use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation, snake};
-use super::types::previous;
 use super::{fragment, imports};
 use crate::DEFAULT_WIDTH;
 use crate::model::{Model, Span};
-use crate::read::{content, parse, span};
+use crate::read::{Outline, Token, lexed, parse};
 
 /// The name of the file and module of a component: `ball_keeper` of `BallKeeper`.
 ///
@@ -50,30 +46,30 @@ pub fn blank(name: &str) -> String {
 /// If the file has such a module or name already.
 pub fn declare(text: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let module = module_of(name)?;
-    let root = parse(text).ok_or_else(|| Refusal::new("this file is nested too deeply"))?;
+    let source = parse(text).ok_or_else(|| Refusal::new("this file is nested too deeply"))?;
     let style = Style::of(text, None, DEFAULT_WIDTH);
-    let place = |node: &ra_ap_syntax::SyntaxNode| span(node.text_range());
-    let modules: Vec<ast::Module> = root.tree.children().filter_map(ast::Module::cast).collect();
-    let named = |item: &ast::Module| item.name().map(|name| name.text().to_string()).unwrap_or_default();
-    if let Some(taken) = modules.iter().find(|item| named(item) == module) {
-        return Err(Refusal::at(
-            place(taken.syntax()),
-            format!("there is a module `{module}` already: choose another name"),
-        ));
+    let items = &source.file.items;
+    let modules: Vec<&ItemMod> =
+        items.iter().filter_map(|item| if let Item::Mod(item) = item { Some(item) } else { None }).collect();
+    if let Some(taken) = modules.iter().find(|item| item.ident == module) {
+        let message = format!("there is a module `{module}` already: choose another name");
+        return Err(Refusal::at(source.of(taken), message));
     }
-    let plain: Vec<&ast::Module> = modules.iter().filter(|item| item.item_list().is_none()).collect();
+    let plain: Vec<&ItemMod> = modules.into_iter().filter(|item| item.content.is_none()).collect();
     let code = format!("mod {module};");
-    let next = plain.iter().find(|item| named(item) > module && item.visibility().is_none());
+    let is_private = |item: &ItemMod| matches!(item.vis, Visibility::Inherited);
+    let next = plain.iter().find(|item| item.ident.to_string().as_str() > module.as_str() && is_private(item));
     let line = match (next, plain.last()) {
-        (Some(next), _) => Splice::insert(place(next.syntax()).start, format!("{code}{}", style.newline)),
-        (None, Some(last)) => Splice::insert(place(last.syntax()).end, format!("{}{code}", style.newline)),
-        (None, None) => imports::line(text, &style, &root.tree, &code),
+        (Some(next), _) => Splice::insert(source.item(next).start, format!("{code}{}", style.newline)),
+        (None, Some(last)) => Splice::insert(source.item(last).end, format!("{}{code}", style.newline)),
+        (None, None) => imports::line(&Outline::of(&source), &style, 0, &code),
     };
-    let exports = root.tree.children().filter_map(ast::Use::cast).filter(|item| item.visibility().is_some());
+    let exports: Vec<&ItemUse> =
+        imports::uses(items.iter()).filter(|item| !matches!(item.vis, Visibility::Inherited)).collect();
     let export = exports.last().map(|item| {
-        let visibility = item.visibility().map(|one| one.syntax().text().to_string()).unwrap_or_default();
-        let this = if place(item.syntax()).of(text).contains("self::") { "self::" } else { "" };
-        Splice::insert(place(item.syntax()).end, format!("{}{visibility} use {this}{module}::{name};", style.newline))
+        let (visibility, place) = (source.of(&item.vis).of(text), source.of(item));
+        let this = if place.of(text).contains("self::") { "self::" } else { "" };
+        Splice::insert(place.end, format!("{}{visibility} use {this}{module}::{name};", style.newline))
     });
     Ok([line].into_iter().chain(export).collect())
 }
@@ -84,26 +80,34 @@ pub fn declare(text: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
 /// If the file has no tree, or the tree has the component.
 pub fn enlist(text: &str, model: &Model, name: &str, import: Option<&str>) -> Result<Vec<Splice>, Refusal> {
     fragment::ty(name)?;
-    let root = parse(text);
-    let trees = root.iter().flat_map(|root| root.tree.descendants()).filter_map(ast::TokenTree::cast);
-    let is_list = |tree: &ast::TokenTree| {
-        let before: Vec<_> =
-            tree.syntax().first_token().iter().flat_map(|open| successors(previous(open), previous)).take(2).collect();
-        matches!(&before[..], [colon, key] if colon.kind() == T![:] && key.text() == "components")
-    };
-    let Some((place, list)) = trees.filter(is_list).map(|tree| content(&tree)).next() else {
+    let code: Vec<Token<'_>> = lexed(text).into_iter().filter(|token| !token.is_trivia()).collect();
+    let open =
+        code.windows(3).position(|three| three[0].is("components") && three[1].text == ":" && three[2].text == "[");
+    let Some(open) = open.map(|at| at + 2) else {
         return Err(Refusal::new("no `components: [...]` of an `activation_tree!` is in this file"));
     };
-    if let Some(taken) = list.iter().find(|token| token.name.text == name) {
-        return Err(Refusal::at(taken.name.span, format!("the tree has a component `{name}` already")));
+    let mut depth = 0_usize;
+    let list = code[open + 1..].iter().take_while(|token| {
+        match token.text {
+            "[" => depth += 1,
+            "]" if depth == 0 => return false,
+            "]" => depth -= 1,
+            _ => {}
+        }
+        true
+    });
+    let list: Vec<&Token<'_>> = list.collect();
+    if let Some(taken) = list.iter().find(|token| token.text == name) {
+        return Err(Refusal::at(taken.span, format!("the tree has a component `{name}` already")));
     }
     let newline = Style::of(text, None, DEFAULT_WIDTH).newline;
-    let at = list.last().map_or(place.start, |last| last.name.span.end);
-    let lines = Span::new(place.start, at).of(text).contains('\n');
-    let added = match (list.last().map(|last| last.kind), lines) {
+    let start = code[open].span.end;
+    let at = list.last().map_or(start, |last| last.span.end);
+    let lines = Span::new(start, at).of(text).contains('\n');
+    let added = match (list.last().map(|last| last.text), lines) {
         (None, _) => name.to_owned(),
-        (Some(T![,]), true) => format!("{newline}{}{name},", indentation(text, at)),
-        (Some(T![,]), false) => format!(" {name},"),
+        (Some(","), true) => format!("{newline}{}{name},", indentation(text, at)),
+        (Some(","), false) => format!(" {name},"),
         _ => format!(", {name}"),
     };
     let mut splices = vec![Splice::insert(at, added)];

@@ -55,7 +55,7 @@ fn of_transition<'a>(
     let mut kept = 0;
     let mut changes = Vec::new();
     for arrow in &transition.arrows {
-        let enters = arrow.to.as_ref().is_some_and(|to| to.text == state);
+        let enters = arrow.to.text == state;
         match &arrow.from {
             _ if enters => changes.push(Splice::remove(attribute_removal(text, arrow.span))),
             Sources::These(names) if names.iter().all(|name| name.text == state) => {

@@ -1,16 +1,14 @@
 //! `use` lines.
 
-use ra_ap_syntax::ast::{self, HasAttrs, HasVisibility};
-use ra_ap_syntax::{AstNode, SyntaxKind, SyntaxNode};
+use syn::{Item, ItemUse, UseGroup, UseTree, Visibility};
 
 use super::fragment;
 use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, starts_line};
-use super::types::{imported, named};
 use crate::model::Span;
-use crate::read::{scope, span, tokens};
+use crate::read::{Outline, Source, parse};
 
 /// `Eye` of `Eye<320, 240>`; nothing of a path.
 fn name_of(child: &str) -> Option<&str> {
@@ -18,40 +16,81 @@ fn name_of(child: &str) -> Option<&str> {
     (!name.contains("::")).then_some(name)
 }
 
-/// The `use` items of the file itself or of a module.
-fn items(scope: &SyntaxNode) -> Vec<ast::Use> {
-    scope.children().filter_map(ast::Use::cast).collect()
+/// The `use` items among others.
+pub(super) fn uses<'a>(items: impl Iterator<Item = &'a Item>) -> impl Iterator<Item = &'a ItemUse> {
+    items.filter_map(|item| if let Item::Use(item) = item { Some(item) } else { None })
+}
+
+/// The `use` items of a module.
+fn of_module<'a>(outline: &Outline<'a>, module: usize) -> Vec<&'a ItemUse> {
+    uses(outline.items(module).unwrap_or_default().iter().copied()).collect()
+}
+
+/// A name that a `use` brings.
+pub(super) struct Import {
+    /// The words that lead to it.
+    pub(super) path: Vec<String>,
+    /// The name here; `None` for all names of the path.
+    pub(super) name: Option<String>,
+}
+
+/// The names that a `use` brings; `path` is what stands before it.
+pub(super) fn imports(tree: &UseTree, mut path: Vec<String>) -> Vec<Import> {
+    let name = match tree {
+        UseTree::Path(tree) => {
+            path.push(tree.ident.to_string());
+            return imports(&tree.tree, path);
+        }
+        UseTree::Group(group) => return group.items.iter().flat_map(|tree| imports(tree, path.clone())).collect(),
+        UseTree::Glob(_) => None,
+        UseTree::Name(tree) => {
+            path.push(tree.ident.to_string());
+            path.last().cloned()
+        }
+        UseTree::Rename(tree) => {
+            path.push(tree.ident.to_string());
+            Some(tree.rename.to_string())
+        }
+    };
+    vec![Import { path, name }]
+}
+
+/// The path of a module before the names, as `one::two`, and the rest.
+fn split(tree: &UseTree) -> (String, &UseTree) {
+    let (mut path, mut rest) = (Vec::new(), tree);
+    while let UseTree::Path(tree) = rest {
+        path.push(tree.ident.to_string());
+        rest = &tree.tree;
+    }
+    (path.join("::"), rest)
 }
 
 /// Whether only this module sees what an item imports, and always: an item with `pub` or `cfg` is not.
-fn is_plain(item: &ast::Use) -> bool {
-    let is_condition = |one: ast::Attr| matches!(one.meta(), Some(ast::Meta::CfgMeta(_)));
-    item.visibility().is_none() && !item.attrs().any(is_condition)
+fn is_plain(item: &ItemUse) -> bool {
+    matches!(item.vis, Visibility::Inherited) && !item.attrs.iter().any(|one| one.path().is_ident("cfg"))
 }
 
 /// Imports a child from a module, unless its name is known in the module of the file that contains the byte `at`.
 pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> Vec<Splice> {
-    let Some(name) = name_of(child) else { return Vec::new() };
-    let text = context.text;
-    let Some(scope) = scope(text, at).filter(|scope| !is_known(scope, name)) else { return Vec::new() };
-    let style = Style::of(text, None, context.width);
-    let all = items(&scope);
-    for item in all.iter().filter(|item| is_plain(item)).filter_map(ast::Use::use_tree) {
-        let Some(of) = item.path().map(|path| path.syntax().text().to_string()) else { continue };
-        if let (true, Some(list)) = (of == path, item.use_tree_list()) {
-            return into_list(text, &style, &list, name);
-        }
-        let single = item.use_tree_list().is_none() && item.star_token().is_none();
-        if let (true, Some((module, last))) = (single, of.rsplit_once("::"))
-            && module == path
-        {
-            let last = item.rename().map_or(last.to_owned(), |rename| format!("{last} {}", rename.syntax().text()));
-            let mut names = [last, name.to_owned()];
-            names.sort();
-            return vec![Splice::new(span(item.syntax().text_range()), format!("{path}::{{{}}}", names.join(", ")))];
+    let (Some(name), Some(source)) = (name_of(child), parse(context.text)) else { return Vec::new() };
+    let outline = Outline::of(&source);
+    let module = outline.module(at);
+    if is_known(&outline, module, name) {
+        return Vec::new();
+    }
+    let style = Style::of(context.text, None, context.width);
+    for item in of_module(&outline, module).into_iter().filter(|item| is_plain(item)) {
+        match split(&item.tree) {
+            (of, UseTree::Group(list)) if of == path => return into_list(&source, &style, list, name),
+            (of, last @ (UseTree::Name(_) | UseTree::Rename(_))) if of == path => {
+                let mut names = [source.of(last).of(context.text), name];
+                names.sort_unstable();
+                return vec![Splice::new(source.of(&item.tree), format!("{path}::{{{}}}", names.join(", ")))];
+            }
+            _ => {}
         }
     }
-    vec![line(text, &style, &scope, &format!("use {path}::{name};"))]
+    vec![line(&outline, &style, module, &format!("use {path}::{name};"))]
 }
 
 /// Imports a name from a module.
@@ -61,36 +100,36 @@ pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> 
 pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     fragment::path(path)?;
     fragment::name(name)?;
-    if scope(context.text, 0).is_some_and(|scope| is_known(&scope, name)) {
+    if parse(context.text).is_some_and(|source| is_known(&Outline::of(&source), 0, name)) {
         return Err(Refusal::new(format!("`{name}` is known in this file already: it needs no import")));
     }
     Ok(add(context, 0, path, name))
 }
 
 /// Whether a module has the name: by `use`, or by an item.
-fn is_known(scope: &SyntaxNode, name: &str) -> bool {
-    let trees = items(scope).into_iter().flat_map(|item| item.syntax().descendants().filter_map(ast::UseTree::cast));
-    let has = |node| match ast::Item::cast(node) {
-        Some(ast::Item::Struct(item)) => named(&item, name),
-        Some(ast::Item::Enum(item)) => named(&item, name),
-        Some(ast::Item::TypeAlias(item)) => named(&item, name),
+fn is_known(outline: &Outline<'_>, module: usize, name: &str) -> bool {
+    let all: Vec<Import> =
+        of_module(outline, module).into_iter().flat_map(|item| imports(&item.tree, Vec::new())).collect();
+    let is_item = |item: &&Item| match item {
+        Item::Struct(item) => item.ident == name,
+        Item::Enum(item) => item.ident == name,
+        Item::Type(item) => item.ident == name,
         _ => false,
     };
-    let known = trees.map(|tree| imported(&tree, name)).any(|path| path.is_some()) || scope.children().any(has);
     // `use super::*` brings the names of the module around it.
-    let outer = || {
-        scope.ancestors().skip(1).find(|node| [SyntaxKind::ITEM_LIST, SyntaxKind::SOURCE_FILE].contains(&node.kind()))
-    };
-    let takes_all =
-        || items(scope).iter().any(|item| item.use_tree().is_some_and(|tree| tree.syntax().text() == "super::*"));
-    known || takes_all() && outer().is_some_and(|outer| is_known(&outer, name))
+    let takes_all = all.iter().any(|one| one.name.is_none() && one.path == ["super"]);
+    let outer = || outline.outwards(Some(module)).skip(1).find(|region| outline.items(*region).is_some());
+    all.iter().any(|one| one.name.as_deref() == Some(name))
+        || outline.items(module).unwrap_or_default().iter().any(is_item)
+        || takes_all && outer().is_some_and(|outer| is_known(outline, outer, name))
 }
 
 /// Adds a name at its place in `{a, b}`.
-fn into_list(text: &str, style: &Style, list: &ast::UseTreeList, name: &str) -> Vec<Splice> {
-    let trees: Vec<(String, Span)> =
-        list.use_trees().map(|tree| (tree.syntax().text().to_string(), span(tree.syntax().text_range()))).collect();
-    let whole = span(list.syntax().text_range());
+fn into_list(source: &Source<'_>, style: &Style, list: &UseGroup, name: &str) -> Vec<Splice> {
+    let text = source.text;
+    let places = list.items.iter().map(|tree| source.of(tree));
+    let trees: Vec<(String, Span)> = places.map(|place| (place.of(text).to_owned(), place)).collect();
+    let whole = source.of(&list.brace_token.span.join());
     let Some((_, last)) = trees.last() else { return vec![Splice::insert(whole.start + 1, name)] };
     let next = trees.iter().find(|(tree, _)| tree.as_str() > name);
     let splice = match next {
@@ -128,26 +167,29 @@ fn filled(style: &Style, names: &[String]) -> String {
     result + style.newline + "}"
 }
 
-/// Adds a `use` line where it belongs among the others.
-pub(super) fn line(text: &str, style: &Style, scope: &SyntaxNode, new: &str) -> Splice {
-    let (newline, all) = (style.newline, items(scope));
-    let place = |item: &ast::Use| span(item.syntax().text_range());
-    let of = |item: &ast::Use| place(item).of(text).to_owned();
+/// Adds a `use` line where it belongs among the others of a module.
+pub(super) fn line(outline: &Outline<'_>, style: &Style, module: usize, new: &str) -> Splice {
+    let (source, newline, all) = (outline.source, style.newline, of_module(outline, module));
+    let text = source.text;
+    let of = |item: &ItemUse| source.of(item).of(text).to_owned();
     let first_word = |line: &str| line.trim_start_matches("use ").split("::").next().unwrap_or_default().to_owned();
     let same = |key: &dyn Fn(&str) -> String| all.iter().filter(|item| key(&of(item)) == key(new)).collect::<Vec<_>>();
     // The lines of the same crate, else those of the same kind.
     let group = Some(same(&first_word)).filter(|group| !group.is_empty());
     let group = group.unwrap_or_else(|| same(&|line| kind(&first_word(line)).to_owned()));
-    if let Some(next) = group.iter().find(|item| of(item).as_str() > new && starts_line(text, place(item).start)) {
-        let at = place(next).start;
+    let starts = |item: &ItemUse| starts_line(text, source.item(item).start);
+    if let Some(next) = group.iter().find(|item| of(item).as_str() > new && starts(item)) {
+        let at = source.item(next).start;
         return Splice::insert(at, format!("{new}{newline}{}", indentation(text, at)));
     }
     if let Some(last) = group.last().copied().or(all.last()) {
         let lines = if group.is_empty() { newline.repeat(2) } else { newline.to_owned() };
-        let Span { start, end } = place(last);
+        let Span { start, end } = source.of(last);
         return Splice::insert(end, format!("{lines}{}{new}", indentation(text, start)));
     }
-    let at = first_item(scope);
+    // After the docs and attributes of the module.
+    let first = outline.items(module).and_then(|items| items.first().map(|item| source.item(item).start));
+    let at = first.unwrap_or(outline.regions[module].span.end);
     let behind = if text[at..].starts_with(['\n', '\r']) { String::new() } else { newline.repeat(2) };
     let indent = if behind.is_empty() { "" } else { indentation(text, at) };
     Splice::insert(at, format!("{new}{behind}{indent}"))
@@ -162,38 +204,32 @@ fn kind(first_word: &str) -> &'static str {
     }
 }
 
-/// Offset of the first item, after the docs and attributes of the module.
-fn first_item(scope: &SyntaxNode) -> usize {
-    let item = scope.children().find(|node| node.kind() != SyntaxKind::ATTR);
-    item.map_or(span(scope.text_range()).end, |node| span(node.text_range()).start)
-}
-
 /// Removes an import that only the link at `place` needed.
 pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Splice> {
-    let Some(name) = name_of(child) else { return Vec::new() };
-    let text = context.text;
-    let Some(scope) = scope(text, place.start) else { return Vec::new() };
-    let all = items(&scope);
-    let spans: Vec<Span> = all.iter().map(|item| span(item.syntax().text_range())).collect();
-    let elsewhere = |at: Span| !place.contains(at) && !spans.iter().any(|item| item.contains(at));
-    if tokens(&scope).iter().any(|token| token.name.text == name && elsewhere(token.name.span)) {
+    let (Some(name), Some(source)) = (name_of(child), parse(context.text)) else { return Vec::new() };
+    let outline = Outline::of(&source);
+    let module = outline.module(place.start);
+    let (all, around) = (of_module(&outline, module), outline.regions[module].span);
+    let spans: Vec<Span> = all.iter().map(|item| source.of(*item)).collect();
+    let elsewhere =
+        |at: Span| around.contains(at) && !place.contains(at) && !spans.iter().any(|item| item.contains(at));
+    if source.tokens.iter().any(|token| token.is(name) && elsewhere(token.span)) {
         return Vec::new();
     }
-    for item in all.iter().filter(|item| is_plain(item)) {
-        let Some(tree) = item.use_tree() else { continue };
-        if let Some(list) = tree.use_tree_list() {
-            let trees: Vec<_> = list.use_trees().collect();
-            let Some(index) = trees.iter().position(|tree| tree.syntax().text() == name) else { continue };
-            let at = |index: usize| span(trees[index].syntax().text_range());
-            return match (index + 1 < trees.len(), index) {
-                (true, _) => vec![Splice::remove(Span::new(at(index).start, at(index + 1).start))],
-                (false, 0) => vec![whole_line(text, span(item.syntax().text_range()))],
-                (false, _) => vec![Splice::remove(Span::new(at(index - 1).end, at(index).end))],
-            };
-        }
-        let last = tree.path().and_then(|path| path.segment()).is_some_and(|last| last.syntax().text() == name);
-        if last && tree.rename().is_none() && tree.star_token().is_none() {
-            return vec![whole_line(text, span(item.syntax().text_range()))];
+    for item in all.into_iter().filter(|item| is_plain(item)) {
+        let is_name = |tree: &UseTree| matches!(tree, UseTree::Name(tree) if tree.ident == name);
+        match split(&item.tree).1 {
+            UseTree::Group(list) => {
+                let Some(index) = list.items.iter().position(is_name) else { continue };
+                let at = |index: usize| source.of(&list.items[index]);
+                return match (index + 1 < list.items.len(), index) {
+                    (true, _) => vec![Splice::remove(Span::new(at(index).start, at(index + 1).start))],
+                    (false, 0) => vec![whole_line(context.text, source.item(item))],
+                    (false, _) => vec![Splice::remove(Span::new(at(index - 1).end, at(index).end))],
+                };
+            }
+            tree if is_name(tree) => return vec![whole_line(context.text, source.item(item))],
+            _ => {}
         }
     }
     Vec::new()

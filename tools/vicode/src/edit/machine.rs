@@ -54,20 +54,13 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         Edit::SetTarget { component, transition: name, arrow, to } => {
             let component = context.component(component)?;
             state(component, to)?;
-            let arrow = arrow_of(component, name, *arrow)?;
-            let Some(target) = &arrow.to else {
-                return Err(Refusal::at(arrow.list, "this transition enters no state yet: write one after the arrow"));
-            };
-            Ok(vec![Splice::new(target.span, written(to))])
+            Ok(vec![Splice::new(arrow_of(component, name, *arrow)?.to.span, written(to))])
         }
         Edit::SetTimer { component, transition: name, arrow, after_ms } => {
             let arrow = arrow_of(context.component(component)?, name, *arrow)?;
             let new = after_ms.map_or_else(String::new, |ms| format!(", after_ms = {ms}"));
-            match (&arrow.after_ms, &arrow.to) {
-                (Some((_, span)), _) => Ok(vec![Splice::keeping_comments(text, *span, new)]),
-                (None, Some(to)) => Ok(vec![Splice::insert(to.span.end, new)]),
-                (None, None) => Err(Refusal::at(arrow.list, "this transition enters no state yet: write one first")),
-            }
+            let at = arrow.after_ms.map_or(Span::at(arrow.to.span.end), |(_, span)| span);
+            Ok(vec![Splice::keeping_comments(text, at, new)])
         }
         Edit::SetHookStates { component, hook, states } => {
             hook_states(text, context.component(component)?, hook, states)

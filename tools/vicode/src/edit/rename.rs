@@ -59,7 +59,7 @@ pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> 
     let arrows = component.transitions.iter().flat_map(|transition| &transition.arrows);
     let of_arrows = arrows.flat_map(|arrow| {
         let from: &[Name] = if let Sources::These(names) = &arrow.from { names } else { &[] };
-        from.iter().chain(&arrow.to)
+        from.iter().chain([&arrow.to])
     });
     of_arrows.chain(component.hooks.iter().flat_map(|hook| &hook.states))
 }

@@ -1,10 +1,9 @@
 //! Replacements of parts of a text.
 
-use ra_ap_syntax::SyntaxKind;
 use serde::{Deserialize, Serialize};
 
 use crate::model::Span;
-use crate::read::lexed;
+use crate::read::{Kind, lexed};
 
 /// The part `span` of a text is replaced by `text`; all other bytes stay.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,14 +30,14 @@ impl Splice {
         let tokens = lexed(span.of(text));
         let mut new = new.into();
         let is_removal = new.is_empty();
-        for (index, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == SyntaxKind::COMMENT) {
+        for (index, token) in tokens.iter().enumerate().filter(|(_, token)| token.kind == Kind::Comment) {
             if !new.is_empty() && !new.ends_with(char::is_whitespace) {
                 new.push(' ');
             }
-            new.push_str(&token.name.text);
+            new.push_str(token.text);
             // A line comment must not swallow what follows.
-            if let Some(space) = tokens.get(index + 1).filter(|next| next.kind == SyntaxKind::WHITESPACE) {
-                new.push_str(&space.name.text);
+            if let Some(space) = tokens.get(index + 1).filter(|next| next.kind == Kind::Space) {
+                new.push_str(space.text);
             }
         }
         let trimmed = new.trim_end_matches([' ', '\t']);

@@ -1,9 +1,7 @@
 //! How new code is laid out: as `rustfmt` does, with the line ends and the indentation of the file.
 
-use ra_ap_syntax::SyntaxKind;
-
 use crate::model::Component;
-use crate::read::lexed;
+use crate::read::{Kind, lexed};
 
 /// Layout of a file.
 #[derive(Clone, Debug)]
@@ -98,8 +96,8 @@ fn continued(code: &str) -> Vec<bool> {
     let mut inside = vec![false; code.split('\n').count()];
     let mut line = 0;
     for token in lexed(code) {
-        let breaks = token.name.text.matches('\n').count();
-        if token.kind != SyntaxKind::WHITESPACE {
+        let breaks = token.text.matches('\n').count();
+        if token.kind != Kind::Space {
             inside[line + 1..][..breaks].fill(true);
         }
         line += breaks;

@@ -1,12 +1,11 @@
 //! Uses of a function of a component.
 
-use ra_ap_syntax::ast::HasName;
-use ra_ap_syntax::{AstNode, NodeOrToken, SyntaxKind, SyntaxToken, T, ast};
 use serde::Serialize;
+use syn::Item;
 
-use super::types::{Types, before_separator, next, previous};
+use super::types::Types;
 use crate::model::{Component, Span};
-use crate::read::{parse, span};
+use crate::read::{Node, Outline, Token, parse};
 
 /// A place that uses a function of a component, or may use it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -36,15 +35,14 @@ impl Target {
         let name = name.rsplit("::").next().unwrap_or_default().trim().to_owned();
         let mut target = Self { names: vec![name], module: component.module.clone(), has_namesakes };
         // Without the word nothing has to be parsed.
-        let root = text.contains("type ").then(|| parse(text)).flatten();
-        let aliases = root.iter().flat_map(|root| root.tree.descendants()).filter_map(ast::TypeAlias::cast);
-        let is_item = |alias: &ast::TypeAlias| {
-            alias.syntax().parent().is_some_and(|parent| parent.kind() != SyntaxKind::ASSOC_ITEM_LIST)
-        };
-        let types = Types { target: &target, is_home: true };
-        let of_target = aliases.filter(is_item).filter(|alias| alias.ty().and_then(|ty| types.of(&ty)) == Some(true));
-        let names: Vec<String> =
-            of_target.filter_map(|alias| alias.name()).map(|name| name.text().to_string()).collect();
+        let Some(source) = text.contains("type ").then(|| parse(text)).flatten() else { return target };
+        let outline = Outline::of(&source);
+        let types = Types::new(&outline, &target, true);
+        let names = outline.regions.iter().filter_map(|region| match region.node {
+            Node::Item(Item::Type(alias)) if types.of(&alias.ty) == Some(true) => Some(alias.ident.to_string()),
+            _ => None,
+        });
+        let names: Vec<String> = names.collect();
         target.names.extend(names);
         target
     }
@@ -58,60 +56,42 @@ pub fn uses(text: &str, target: &Target, name: &str, is_home: bool) -> Vec<Use> 
 
 /// Uses of each of some functions, as [`uses`] finds them.
 pub(super) fn of_each<'a>(text: &str, target: &Target, names: &[&'a str], is_home: bool) -> Vec<(&'a str, Use)> {
-    let Some(root) = parse(text) else { return Vec::new() };
-    let types = Types { target, is_home };
-    let mut uses = Vec::new();
-    for token in root.tree.descendants_with_tokens().filter_map(NodeOrToken::into_token) {
-        if is_doc(&token) {
-            uses.extend(names.iter().flat_map(|name| in_docs(&types, &token, name)));
-        } else if let (SyntaxKind::IDENT, Some(name)) =
-            (token.kind(), names.iter().find(|name| **name == token.text().trim_start_matches("r#")))
-        {
-            match verdict(&types, &token) {
-                Some(false) => {}
-                decided => uses.push((*name, Use { span: span(token.text_range()), certain: decided.is_some() })),
-            }
+    let Some(source) = parse(text) else { return Vec::new() };
+    let outline = Outline::of(&source);
+    let types = Types::new(&outline, target, is_home);
+    let comments = source.tokens.iter().filter(|token| token.is_doc());
+    let texts = types.code.windows(3).filter(|three| three[0].is("doc") && three[1].text == "=").map(|three| &three[2]);
+    let docs = comments.chain(texts).flat_map(|token| names.iter().flat_map(|name| in_docs(&types, token, name)));
+    let mut uses: Vec<(&str, Use)> = docs.collect();
+    for (index, token) in types.code.iter().enumerate() {
+        let Some(name) = names.iter().find(|name| token.is(name)) else { continue };
+        let certain = verdict(&types, index);
+        if certain != Some(false) {
+            uses.push((name, Use { span: token.span, certain: certain.is_some() }));
         }
     }
+    uses.sort_by_key(|(_, one)| one.span);
     uses
 }
 
 /// Whether a name stands for the function; `None` if the text does not decide it.
-fn verdict(types: &Types<'_>, token: &SyntaxToken) -> Option<bool> {
-    if let Some(of) = before_separator(token) {
-        return types.before_colons(&of);
+fn verdict(types: &Types<'_>, token: usize) -> Option<bool> {
+    if let Some(of) = types.before_separator(token) {
+        return types.before_colons(of);
     }
-    let is_call = next(token).is_some_and(|next| matches!(next.kind(), T!['('] | T![::] | T![:]));
-    match previous(token) {
-        Some(dot) if is_call && dot.kind() == T![.] => types.of_receiver(&previous(&dot)?),
-        // `self.0.f()` within a macro: the number has the dot.
-        Some(number) if is_call && number.kind() == SyntaxKind::FLOAT_NUMBER => None,
-        _ => Some(false),
-    }
-}
-
-/// Whether a token is a doc comment or the text of `#[doc = "..."]`.
-fn is_doc(token: &SyntaxToken) -> bool {
-    let attribute =
-        || token.parent_ancestors().find_map(ast::Attr::cast)?.path()?.syntax().text().eq("doc").then_some(());
-    match token.kind() {
-        SyntaxKind::COMMENT => ["///", "//!", "/**", "/*!"].iter().any(|mark| token.text().starts_with(mark)),
-        SyntaxKind::STRING => attribute().is_some(),
-        _ => false,
-    }
+    let is_call = types.code[token + 1..].first().is_some_and(|next| matches!(next.text, "(" | ":"));
+    types.before_dot(token).filter(|_| is_call).map_or(Some(false), |of| types.of_receiver(of))
 }
 
 /// Paths to the function in a doc comment: `Self::name`, `Player::name`.
-fn in_docs<'a>(types: &Types<'_>, comment: &SyntaxToken, name: &'a str) -> Vec<(&'a str, Use)> {
-    let text = comment.text();
+fn in_docs<'a>(types: &Types<'_>, comment: &Token<'_>, name: &'a str) -> Vec<(&'a str, Use)> {
+    let (text, start) = (comment.text, comment.span.start);
     let is_word = |one: char| one.is_alphanumeric() || one == '_';
     let found = text.match_indices(name).filter(|(at, _)| {
         let path = text[..*at].strip_suffix("::");
         let path = path.and_then(|path| path.rsplit(|one: char| !is_word(one) && one != ':').next());
         let ends = !text[at + name.len()..].starts_with(is_word);
-        ends && path
-            .is_some_and(|path| types.of_path(&path.split("::").collect::<Vec<_>>(), &comment.clone()) == Some(true))
+        ends && path.is_some_and(|path| types.of_path(&path.split("::").collect::<Vec<_>>(), start) == Some(true))
     });
-    let start = usize::from(comment.text_range().start());
     found.map(|(at, _)| (name, Use { span: Span::new(start + at, start + at + name.len()), certain: true })).collect()
 }

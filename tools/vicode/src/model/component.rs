@@ -140,8 +140,8 @@ pub struct Arrow {
     pub from: Sources,
     /// The states before the arrow, as written.
     pub from_span: Span,
-    /// State that it enters; `None` if missing.
-    pub to: Option<Name>,
+    /// State that it enters.
+    pub to: Name,
     /// Least time in the state before it, ms: its value and its place, with the comma before it.
     pub after_ms: Option<(u32, Span)>,
 }

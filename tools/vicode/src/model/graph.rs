@@ -73,7 +73,7 @@ fn edges(component: &Component) -> Vec<Edge> {
     let mut edges = Vec::new();
     for transition in &component.transitions {
         for arrow in &transition.arrows {
-            let Some(to) = arrow.to.as_ref().and_then(find) else { continue };
+            let Some(to) = find(&arrow.to) else { continue };
             let from: Vec<usize> = match &arrow.from {
                 Sources::Any => (0..names.len()).filter(|state| *state != to).collect(),
                 Sources::These(names) => names.iter().filter_map(find).collect(),

@@ -4,66 +4,65 @@ use bica_syntax::component::{check as component_check, parse as component_parse}
 use bica_syntax::params::parse as params_parse;
 use bica_syntax::report::Report;
 use bica_syntax::tree::{check as tree_check, parse as tree_parse};
-use ra_ap_syntax::{AstNode, SyntaxNode, ast};
+use quote::ToTokens;
+use syn::{Item, Macro};
 
-use super::attributes::Attribute;
-use super::block::component_attribute;
+use super::component::input;
 use super::params::derives;
-use super::span;
-use crate::model::{Problem, Reporter, Span};
+use super::{Node, Outline};
+use crate::model::{Component, Problem, Reporter, Span};
 
 /// Adds what the macros would report about the components, the parameters and the trees of a file.
-pub(super) fn check(root: &SyntaxNode, text: &str, problems: &mut Vec<Problem>) {
-    for node in root.descendants() {
-        let mut report = Report::default();
-        let Some(place) = rules(node, text, &mut report) else { continue };
+pub(super) fn check(outline: &Outline<'_>, components: &[Component], problems: &mut Vec<Problem>) {
+    let source = outline.source;
+    // The macros do not read the bodies of functions.
+    let bodies: Vec<Span> =
+        components.iter().flat_map(Component::functions).filter_map(|function| function.body).collect();
+    let is_read = |omitted: &&Span| !bodies.iter().any(|body| body.contains(**omitted));
+    let omitted: Vec<&Span> = source.omitted.iter().filter(is_read).collect();
+    let items = outline.regions.iter().filter_map(|region| match region.node {
+        Node::Item(item) => Some((region.span, of_item(item)?)),
+        _ => None,
+    });
+    let mut reports: Vec<(Span, Report)> = items.collect();
+    let trees = outline.macros.iter().filter_map(|call| Some((source.of(&call.tokens), of_tree(call)?)));
+    reports.extend(trees);
+    for (place, report) in reports.iter().filter(|(place, _)| !omitted.iter().any(|part| place.contains(**part))) {
         problems.extend(report.errors().map(|error| {
-            let range = error.span().byte_range();
-            let found = Span::new(place.start + range.start, place.start + range.end);
-            let span = if place.contains(found) && !range.is_empty() { found } else { place };
+            let found = source.of(&error.span());
+            let span = if place.contains(found) && found.start < found.end { found } else { *place };
             Problem { span, message: error.to_string(), from: Reporter::Macro }
         }));
     }
-    // The texts that this thread has read are kept for their spans until here.
-    proc_macro2::extra::invalidate_current_thread_spans();
 }
 
-/// Runs the rules of a macro on its input, and returns the place of the input; `None` if the node has none, or one that is not
-/// even a list of tokens, which the parser reports.
-fn rules(node: SyntaxNode, text: &str, report: &mut Report) -> Option<Span> {
-    let place = span(node.text_range());
-    if let Some(block) = ast::Impl::cast(node.clone()) {
-        component(place, &component_attribute(&block)?, text, report)?;
-    } else if let Some(item) = ast::Struct::cast(node.clone()) {
-        let item = derives(&item, "Params").then(|| place.of(text).parse().ok())??;
-        params_parse::params(item, report);
-    } else if let Some(item) = ast::Enum::cast(node.clone()) {
-        let item = derives(&item, "ParamEnum").then(|| place.of(text).parse().ok())??;
-        params_parse::choice(item, report);
-    } else {
-        let place = tree_of(&ast::MacroCall::cast(node)?)?;
-        let draft = tree_parse::parse(place.of(text).parse().ok()?, report);
-        draft.and_then(|draft| tree_check::check(&draft, report));
-        return Some(place);
+/// Runs the rules of the macro of an item; `None` if it has none.
+fn of_item(item: &Item) -> Option<Report> {
+    let mut report = Report::default();
+    match item {
+        Item::Impl(block) => {
+            let (options, block) = input(block)?;
+            let parsed = component_parse::parse(options, &block.to_token_stream(), &mut report);
+            if let component_parse::Parsed::Component(component) = parsed {
+                component_check::check(&component, &mut report);
+            }
+        }
+        Item::Struct(item) if derives(&item.attrs, "Params") => {
+            params_parse::params(item.to_token_stream(), &mut report);
+        }
+        Item::Enum(item) if derives(&item.attrs, "ParamEnum") => {
+            params_parse::choice(item.to_token_stream(), &mut report);
+        }
+        _ => return None,
     }
-    Some(place)
+    Some(report)
 }
 
-/// What stands in the brackets of `activation_tree!`.
-fn tree_of(call: &ast::MacroCall) -> Option<Span> {
-    let is_tree = call.path()?.segment()?.name_ref()?.text() == "activation_tree";
-    is_tree.then(|| Some(super::within(span(call.token_tree()?.syntax().text_range()))))?
-}
-
-/// Checks a block without its attribute, and the options in it. Spaces keep the offsets of both.
-fn component(place: Span, attribute: &Attribute, text: &str, report: &mut Report) -> Option<()> {
-    let Span { start, end } = attribute.span;
-    let list = attribute.list.as_ref().map_or(Span::at(place.start), |(list, _)| *list);
-    let options = " ".repeat(list.start - place.start) + list.of(text);
-    let item = format!("{}{}{}", &text[place.start..start], " ".repeat(end - start), &text[end..place.end]);
-    let parsed = component_parse::parse(options.parse().ok()?, &item.parse().ok()?, report);
-    if let component_parse::Parsed::Component(component) = parsed {
-        component_check::check(&component, report);
-    }
-    Some(())
+/// Runs the rules of `activation_tree!`.
+fn of_tree(call: &Macro) -> Option<Report> {
+    let mut report = Report::default();
+    let is_tree = call.path.segments.last()?.ident == "activation_tree";
+    let draft = is_tree.then(|| tree_parse::parse(call.tokens.clone(), &mut report))?;
+    draft.and_then(|draft| tree_check::check(&draft, &mut report));
+    Some(report)
 }

@@ -1,77 +1,65 @@
 //! How deep a text is nested. Parsers recurse; a text that is nested without bound would overflow their stack.
 
-use ra_ap_parser::LexedStr;
-use ra_ap_syntax::{Edition, SyntaxKind, T};
+use super::lexed::{Kind, Token};
 
 /// The deepest nesting of brackets, prefix operators and types that is read. Code that people write stays below 50.
 const DEEPEST: usize = 128;
-/// The most operators between two separators that are read: each makes the tree one level deeper.
-const LONGEST: usize = 2000;
+/// Operators between two separators that weigh as much as one nesting: each makes the tree one level deeper.
+const OPERATORS: usize = 16;
 /// Tokens at which a parser recurses wherever they stand.
 const RECURSIVE: &str = "< = else return break move async unsafe const dyn impl for fn let if match while mut in";
 
-/// What makes a parser recurse since the last separator within a bracket, the bracket included.
-#[derive(Default)]
-struct Level {
-    recursive: usize,
-    operators: usize,
-}
-
 /// Whether a parser may recurse too deeply.
-pub(super) fn is_too_deep(text: &str) -> bool {
-    let lexed = LexedStr::new(Edition::Edition2024, text);
-    let tokens = (0..lexed.len()).map(|index| (lexed.kind(index), lexed.text(index)));
-    let tokens: Vec<(SyntaxKind, &str)> = tokens.filter(|(kind, _)| !kind.is_trivia()).collect();
-    let mut levels = vec![Level::default()];
-    for (index, (kind, text)) in tokens.iter().copied().enumerate() {
-        let outermost = levels.len() == 1;
-        let ends = match kind {
-            T!['('] | T!['['] | T!['{'] => {
-                levels.push(Level { recursive: 1, operators: 1 });
-                false
-            }
-            T![')'] | T![']'] | T!['}'] if !outermost => {
-                levels.pop();
-                // `else` continues the chain of the `if` before it.
-                kind == T!['}'] && tokens.get(index + 1).is_none_or(|(next, _)| *next != T![else])
-            }
-            kind => matches!(kind, T![;] | T![,]),
-        };
-        let base = usize::from(levels.len() > 1);
-        if let Some(top) = levels.last_mut() {
-            if ends {
-                *top = Level { recursive: base, operators: base };
-            } else {
-                let before = index.checked_sub(1).map(|before| tokens[before].0);
-                top.recursive += usize::from(deepens(kind, text, before));
-                top.operators += usize::from(is_operator(kind));
-            }
+pub(super) fn is_too_deep(tokens: &[Token<'_>]) -> bool {
+    let tokens: Vec<&Token<'_>> = tokens.iter().filter(|token| !token.is_trivia()).collect();
+    // The weight of what stands since the last separator within each open bracket, the bracket included.
+    let mut levels = vec![0];
+    let mut sum = 0;
+    for (index, token) in tokens.iter().enumerate() {
+        let is_next = |text: &str| tokens.get(index + 1).is_some_and(|next| next.text == text);
+        match token.text {
+            "(" | "[" | "{" => levels.push(0),
+            ")" | "]" | "}" if levels.len() > 1 => sum -= levels.pop().unwrap_or(0),
+            _ => {}
         }
-        let sum = |of: fn(&Level) -> usize| levels.iter().map(of).sum::<usize>();
-        if sum(|level| level.recursive) > DEEPEST || sum(|level| level.operators) > LONGEST {
+        let base = if levels.len() > 1 { OPERATORS } else { 0 };
+        // `else` continues the chain of the `if` before it.
+        let ends = matches!(token.text, ";" | ",") || token.text == "}" && !is_next("else");
+        let before = index.checked_sub(1).map(|before| tokens[before]);
+        if let Some(top) = levels.last_mut() {
+            let old = *top;
+            *top = if ends || old == 0 { base } else { old } + if ends { 0 } else { weight(token, before) };
+            sum = sum + *top - old;
+        }
+        if sum > DEEPEST * OPERATORS {
             return true;
         }
     }
     false
 }
 
-fn is_operator(kind: SyntaxKind) -> bool {
-    let is_bracket = matches!(kind, T!['('] | T!['['] | T!['{'] | T![')'] | T![']'] | T!['}']);
-    !is_bracket && (kind.is_punct() || kind.is_keyword(Edition::Edition2024))
+fn is_recursive(token: &Token<'_>) -> bool {
+    RECURSIVE.split(' ').any(|word| word == token.text)
 }
 
-/// Whether a parser may recurse at the token.
-fn deepens(kind: SyntaxKind, text: &str, before: Option<SyntaxKind>) -> bool {
-    let ends_value = |before: SyntaxKind| {
-        matches!(before, SyntaxKind::IDENT | T![self] | T![')'] | T![']'] | T!['}'] | T![>]) || before.is_literal()
+/// How much deeper a parser may recurse after a token.
+fn weight(token: &Token<'_>, before: Option<&Token<'_>>) -> usize {
+    let ends_value = |before: &Token<'_>| match before.kind {
+        Kind::Mark => matches!(before.text, ")" | "]" | "}" | ">"),
+        _ => !is_recursive(before),
     };
-    RECURSIVE.split(' ').any(|word| word == text)
-        || matches!(kind, T![!] | T![&] | T![*] | T![-] | T![|] | T![#] | T![.]) && !before.is_some_and(ends_value)
+    let is_prefix = "!&*-|#.".contains(token.text) && !before.is_some_and(ends_value);
+    let is_operator = token.kind == Kind::Mark && !"()[]{}".contains(token.text);
+    if is_recursive(token) || is_prefix { OPERATORS } else { usize::from(is_operator) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::is_too_deep;
+    use super::super::lexed::lexed;
+
+    fn is_too_deep(text: &str) -> bool {
+        super::is_too_deep(&lexed(text))
+    }
 
     #[test]
     fn only_towers_are_too_deep() {
@@ -82,6 +70,33 @@ mod tests {
             assert!(is_too_deep(&tower.repeat(10_000)), "{tower}");
         }
         assert!(is_too_deep(&"a + ".repeat(10_000)) && is_too_deep(&"a.b".repeat(10_000)));
+    }
+
+    #[test]
+    fn deepest_text_is_read_in_the_stack_of_a_thread() {
+        for tower in [
+            "(",
+            "!",
+            "&",
+            "A<",
+            "if a {} else ",
+            "|x| ",
+            "a = ",
+            "-",
+            "[",
+            "{",
+            "m!(",
+            "a + ",
+            "a.b()",
+            "impl A { fn f() {",
+        ] {
+            let counts: Vec<usize> = (0..3000).collect();
+            let end = counts.partition_point(|count| !is_too_deep(&format!("fn f() {{ {}", tower.repeat(*count))));
+            let deepest = format!("fn f() {{ {}", tower.repeat(end - 1));
+            for text in [deepest.clone(), format!("{deepest} x"), deepest.replace("fn f() {", "type A = ")] {
+                assert!(!crate::read(&text).problems.is_empty(), "{text}");
+            }
+        }
     }
 
     #[test]

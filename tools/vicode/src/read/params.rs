@@ -1,47 +1,45 @@
 //! Structs with `#[derive(Params)]`.
 
-use ra_ap_syntax::AstNode;
-use ra_ap_syntax::ast::{self, HasAttrs, HasName};
+use bica_syntax::text;
+use proc_macro2::TokenTree;
+use syn::{Attribute, Field, Fields, ItemStruct, Meta};
 
-use super::attributes::{self, attribute};
-use super::tokens::{name, tokens, written};
-use super::{docs, span};
+use super::{Source, docs, settings};
 use crate::model::{Name, Parameter, ParameterGroup};
 
 /// Reads a struct; `None` if it holds no parameters.
-pub(super) fn group(item: &ast::Struct, text: &str) -> Option<ParameterGroup> {
-    if !derives(item, "Params") {
+pub(super) fn group(source: &Source<'_>, item: &ItemStruct) -> Option<ParameterGroup> {
+    if !derives(&item.attrs, "Params") {
         return None;
     }
-    let ident = item.name()?;
-    let fields = match item.field_list()? {
-        ast::FieldList::RecordFieldList(list) => list.fields().filter_map(|field| parameter(&field, text)).collect(),
-        ast::FieldList::TupleFieldList(_) => Vec::new(),
+    let fields = match &item.fields {
+        Fields::Named(fields) => fields.named.iter().filter_map(|field| parameter(source, field)).collect(),
+        _ => Vec::new(),
     };
     Some(ParameterGroup {
-        name: name(ident.text(), span(ident.syntax().text_range())),
-        span: span(item.syntax().text_range()),
-        docs: docs::docs(item),
+        name: source.name(&item.ident),
+        span: source.item(item),
+        docs: docs::docs(source, &item.attrs),
         parameters: fields,
     })
 }
 
 /// Whether an item has `#[derive(..., name, ...)]`.
-pub(super) fn derives(item: &impl HasAttrs, name: &str) -> bool {
-    item.attrs().filter_map(|one| attribute(&one)).any(|one| {
-        one.name == "derive" && one.list.iter().flat_map(|(_, tokens)| tokens).any(|token| token.name.text == name)
+pub(super) fn derives(attributes: &[Attribute], name: &str) -> bool {
+    let is_named = |token: TokenTree| matches!(token, TokenTree::Ident(word) if word == name);
+    attributes.iter().any(|one| match &one.meta {
+        Meta::List(list) => list.path.is_ident("derive") && list.tokens.clone().into_iter().any(is_named),
+        _ => false,
     })
 }
 
-fn parameter(field: &ast::RecordField, text: &str) -> Option<Parameter> {
-    let (ident, ty) = (field.name()?, field.ty()?);
-    let param = field.attrs().filter_map(|one| attribute(&one)).find(|one| one.name == "param");
-    let list = param.and_then(|param| param.list);
+fn parameter(source: &Source<'_>, field: &Field) -> Option<Parameter> {
+    let param = field.attrs.iter().find(|one| one.path().is_ident("param"));
     Some(Parameter {
-        name: name(ident.text(), span(ident.syntax().text_range())),
-        span: span(field.syntax().text_range()),
-        docs: docs::docs(field),
-        ty: Name { text: written(&tokens(ty.syntax())), span: span(ty.syntax().text_range()) },
-        keys: list.map(|(_, tokens)| attributes::settings(&tokens, text)).unwrap_or_default(),
+        name: source.name(field.ident.as_ref()?),
+        span: source.item(field),
+        docs: docs::docs(source, &field.attrs),
+        ty: Name { text: text::written(&field.ty), span: source.of(&field.ty) },
+        keys: param.map(|param| settings(source, param)).unwrap_or_default(),
     })
 }

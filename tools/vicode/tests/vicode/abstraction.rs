@@ -63,7 +63,7 @@ impl Abstract {
                     Sources::Any => vec!["*".to_owned()],
                     Sources::These(names) => names.iter().map(|name| name.text.clone()).collect(),
                 };
-                (from, arrow.to.as_ref().unwrap().text.clone(), arrow.after_ms.map(|(value, _)| value))
+                (from, arrow.to.text.clone(), arrow.after_ms.map(|(value, _)| value))
             });
             let arrows = arrows.collect();
             add(&transition.function, Item { role: Role::Transition, arrows, ..Item::default() });

@@ -33,7 +33,7 @@ fn hostile_layout_is_read_with_places() {
     let seen = player.transition("seen").unwrap();
     assert_eq!(seen.arrows.len(), 2);
     assert_eq!(seen.arrows[0].after_ms.unwrap().0, 1500);
-    assert_eq!((&seen.arrows[1].from, &*seen.arrows[1].to.as_ref().unwrap().text), (&Sources::Any, "look"));
+    assert_eq!((&seen.arrows[1].from, &*seen.arrows[1].to.text), (&Sources::Any, "look"));
     assert_eq!(seen.function.arguments[1].input, Input::Tuned { parameters: "A".to_owned() });
     let out: Vec<_> = player.hooks[0].states.iter().map(|state| &*state.text).collect();
     assert_eq!(out, ["look", "loop"]);

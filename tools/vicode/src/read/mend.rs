@@ -1,0 +1,178 @@
+//! What is no Rust in a text, and the rest of it: while someone types, all but the tokens that are in the way is read.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use proc_macro2::TokenStream;
+use syn::File;
+
+use super::lexed::{Kind, Token, prefix};
+use crate::model::{Problem, Reporter, Span};
+
+/// The most tokens that are left out between two brackets before all between them is.
+const FEW: usize = 8;
+/// The most parts that are left out; with more mistakes nothing is read.
+const MOST: usize = 40;
+
+/// Reads a text; also what is wrong, and the parts that were left out.
+pub(super) fn file(text: &str, tokens: &[Token<'_>]) -> (File, Vec<Problem>, Vec<Span>) {
+    let tokens = tokens.iter().filter(|token| !token.is_trivia() || token.is_doc()).copied().collect();
+    let plain = " ".repeat(prefix(text)) + &text[prefix(text)..];
+    let (length, problems, omitted, counts) = (text.len(), Vec::new(), Vec::new(), BTreeMap::new());
+    let mut mender = Mender { tokens, plain, length, problems, omitted, counts };
+    let mut balanced = false;
+    for _ in 0..MOST {
+        match mender.plain.parse::<TokenStream>() {
+            Ok(tokens) => match syn::parse2(tokens) {
+                Ok(file) => return (file, mender.problems, mender.omitted),
+                Err(error) => mender.unexpected(&error),
+            },
+            Err(_) if !std::mem::replace(&mut balanced, true) => mender.brackets(),
+            Err(error) => mender.unknown(error.span().byte_range().start),
+        }
+    }
+    let file = File { shebang: None, frontmatter: None, attrs: Vec::new(), items: Vec::new() };
+    (file, mender.problems, vec![Span::new(0, text.len())])
+}
+
+struct Mender<'a> {
+    /// The tokens that are not left out, with those brackets.
+    tokens: Vec<Token<'a>>,
+    /// The text with spaces instead of the parts that are left out, and with missing brackets after its end.
+    plain: String,
+    /// Length of the text.
+    length: usize,
+    problems: Vec<Problem>,
+    omitted: Vec<Span>,
+    /// How many parts were left out after each bracket, by its place.
+    counts: BTreeMap<usize, usize>,
+}
+
+impl Mender<'_> {
+    fn omit(&mut self, tokens: Range<usize>) {
+        let omitted = &self.tokens[tokens.clone()];
+        let (Some(first), Some(last)) = (omitted.first(), omitted.last()) else { return };
+        let part = Span::new(first.span.start, last.span.end);
+        self.plain.replace_range(part.range(), &" ".repeat(part.range().len()));
+        self.omitted.push(part);
+        self.tokens.drain(tokens);
+    }
+
+    fn report(&mut self, span: Span, message: String) {
+        let Span { start, end } = span;
+        let span = Span::new(start.min(self.length), end.min(self.length));
+        self.problems.push(Problem { span, message, from: Reporter::Syntax });
+    }
+
+    /// Leaves out brackets without a partner, and closes blocks that are open.
+    fn brackets(&mut self) {
+        let (mut open, mut wrong) = (Vec::new(), Vec::new());
+        for (index, token) in self.tokens.iter().enumerate() {
+            if closing(token).is_some() {
+                open.push(index);
+            } else if is_closing(token) {
+                // Parentheses end with the braces around them, but not the other way round.
+                let at = open.iter().rposition(|one| closing(&self.tokens[*one]) == Some(token.text));
+                let is_within = |at: &usize| open[at + 1..].iter().all(|one| self.tokens[*one].text != "{");
+                let at = at.filter(|at| token.text == "}" || is_within(at));
+                wrong.extend(at.map_or_else(|| vec![index], |at| open.drain(at..).skip(1).collect()));
+            }
+        }
+        for index in wrong.iter().chain(&open) {
+            let token = self.tokens[*index];
+            let what = if is_closing(&token) { "closes nothing" } else { "is never closed" };
+            self.report(token.span, format!("this `{}` {what}", token.text));
+        }
+        let is_block =
+            |index: &usize| self.tokens[*index].text == "{" && self.tokens[index.saturating_sub(1)].text != ":";
+        let (blocks, others): (Vec<usize>, Vec<usize>) = open.into_iter().partition(is_block);
+        wrong.extend(others);
+        wrong.sort_unstable();
+        wrong.into_iter().rev().for_each(|index| self.omit(index..index + 1));
+        for _ in blocks {
+            let span = Span::new(self.plain.len(), self.plain.len() + 1);
+            self.tokens.push(Token { text: "}", kind: Kind::Mark, span });
+            self.plain.push('}');
+        }
+    }
+
+    /// Leaves out the token at a place, which is none of the language.
+    fn unknown(&mut self, at: usize) {
+        let token = self.tokens.partition_point(|token| token.span.end <= at);
+        if let Some(Token { span, .. }) = self.tokens.get(token).copied() {
+            self.report(span, "this is no token of Rust".to_owned());
+            self.omit(token..token + 1);
+        }
+    }
+
+    /// Leaves out the token that the parser did not expect, or the one before the end that it did not expect.
+    fn unexpected(&mut self, error: &syn::Error) {
+        let range = error.span().byte_range();
+        // The parser gives no place to the end of the text.
+        let at = if range.is_empty() { usize::MAX } else { range.start };
+        let at = self.tokens.partition_point(|token| token.span.start < at);
+        let pairs = self.pairs();
+        let open = (0..at).rev().find(|open| pairs[*open].is_some_and(|close| close >= at));
+        let within = open.map_or(0..self.tokens.len(), |open| open + 1..pairs[open].unwrap_or(open));
+        let count = self.counts.entry(open.map_or(usize::MAX, |open| self.tokens[open].span.start)).or_default();
+        *count += 1;
+        let count = *count;
+        if count == 1 {
+            let place = self.tokens.get(at).map_or(Span::at(self.plain.len()), |token| token.span);
+            self.report(place, error.to_string());
+        }
+        // A body is not what is wrong with the signature before it.
+        let is_body = |at: usize| self.tokens[at].text == "{" && !"()[]{};".contains(self.tokens[at - 1].text);
+        let one = if within.contains(&at) && !(at > 0 && is_body(at)) { at } else { at.saturating_sub(1) };
+        let other = pairs.get(one).copied().flatten().unwrap_or(one);
+        let part = match count {
+            1 => one.min(other)..one.max(other) + 1,
+            2..=FEW => self.part(at, within.clone(), &pairs),
+            _ => 0..0,
+        };
+        let brackets = open.map_or(0..0, |open| open..within.end + 1);
+        self.omit([part, within, brackets].into_iter().find(|tokens| !tokens.is_empty()).unwrap_or_default());
+    }
+
+    /// The tokens between two separators around one. In braces a closing brace ends a part.
+    fn part(&self, at: usize, within: Range<usize>, pairs: &[Option<usize>]) -> Range<usize> {
+        let in_braces = within.start.checked_sub(1).is_none_or(|open| self.tokens[open].text == "{");
+        let ends = |token: usize| {
+            let text = self.tokens[token].text;
+            text == ";" || text == if in_braces { "}" } else { "," }
+        };
+        let (mut start, mut end) = (at, at);
+        while start > within.start && !ends(start - 1) {
+            start = pairs[start - 1].unwrap_or(start - 1);
+        }
+        while end < within.end {
+            end = pairs[end].unwrap_or(end) + 1;
+            if ends(end - 1) {
+                break;
+            }
+        }
+        start..end
+    }
+
+    /// The other bracket of each.
+    fn pairs(&self) -> Vec<Option<usize>> {
+        let (mut pairs, mut open) = (vec![None; self.tokens.len()], Vec::new());
+        for (index, token) in self.tokens.iter().enumerate() {
+            if closing(token).is_some() {
+                open.push(index);
+            } else if let Some(first) = Some(token).filter(|token| is_closing(token)).and_then(|_| open.pop()) {
+                (pairs[first], pairs[index]) = (Some(index), Some(first));
+            }
+        }
+        pairs
+    }
+}
+
+/// The bracket that closes one.
+fn closing(open: &Token<'_>) -> Option<&'static str> {
+    [("(", ")"), ("[", "]"), ("{", "}")].iter().find(|(one, _)| *one == open.text).map(|(_, close)| *close)
+}
+
+fn is_closing(token: &Token<'_>) -> bool {
+    matches!(token.text, ")" | "]" | "}")
+}
