@@ -2,26 +2,10 @@
 
 use super::*;
 
-pub(crate) struct Slow {
-    child_hz: f32,
-}
+pub(crate) struct Slow;
 
 #[component(hz = 10, crate = bica_core)]
 impl Slow {
-    const fn new() -> Self {
-        Self { child_hz: 20.0 }
-    }
-
-    fn step(&mut self, rate: &mut Rate<Fast>) {
-        rate.set(self.child_hz);
-    }
-}
-
-#[derive(Default)]
-pub(crate) struct Fast;
-
-#[component(hz = 50, crate = bica_core)]
-impl Fast {
     fn step(&mut self, _: &mut Always) {}
 }
 
@@ -34,7 +18,7 @@ activation_tree! {
     pub(crate) struct Rates {
         root: Slow,
         cycle_hz: 100,
-        components: [Slow, Fast = Fast, Always = Always],
+        components: [Slow = Slow, Always = Always],
         crate: bica_core,
     }
 }
@@ -42,18 +26,6 @@ activation_tree! {
 /// Returns the milliseconds at which `name` runs.
 fn run_times(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> Vec<u64> {
     ms.into_iter().filter(|&ms| runs(tree, ms).iter().any(|run| run == name)).collect()
-}
-
-#[test]
-fn a_child_may_run_faster_than_its_parent() {
-    let mut tree = Rates::new();
-    tree.get_mut::<Slow>().child_hz = 50.0;
-    assert_eq!(run_times(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
-    let mut tree = Rates::new();
-    tree.get_mut::<Slow>().child_hz = 50.0;
-    assert_eq!(run_times(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
-    let mut tree = Rates::new();
-    assert_eq!(run_times(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
 }
 
 #[test]
@@ -77,36 +49,6 @@ fn a_clock_set_back_starts_a_new_grid() {
 fn a_stopped_clock_runs_only_components_without_rate() {
     assert_eq!(run_times(&mut Rates::new(), "Slow", [5, 5, 5]), [5]);
     assert_eq!(run_times(&mut Rates::new(), "Always", [5, 5, 5]), [5, 5, 5]);
-}
-
-#[test]
-fn a_parent_modulates_the_rate() {
-    let mut tree = Rates::new();
-    assert_eq!(run_times(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
-    assert_eq!(tree.rate::<Fast>().hz(), Some(20.0));
-    tree.get_mut::<Slow>().child_hz = 1000.0;
-    tree.tick(at(200));
-    assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "limited to the declared rate");
-}
-
-#[test]
-fn the_rate_is_modulated_from_outside() {
-    let mut tree = Rates::new();
-    tree.rate_mut::<Slow>().set(1.0);
-    tree.rate_mut::<Always>().set(10.0);
-    assert_eq!(run_times(&mut tree, "Slow", (0..2000).step_by(10)), [0, 1000]);
-    assert_eq!(run_times(&mut tree, "Always", (2000..2200).step_by(10)), [2000, 2100]);
-    tree.rate_mut::<Always>().reset();
-    assert_eq!(run_times(&mut tree, "Always", [2200, 2201, 2202]), [2200, 2201, 2202]);
-}
-
-#[test]
-fn a_faster_rate_applies_at_once() {
-    let mut tree = Rates::new();
-    tree.rate_mut::<Slow>().set(1.0);
-    tree.tick(at(0));
-    tree.rate_mut::<Slow>().reset();
-    assert_eq!(run_times(&mut tree, "Slow", [50, 97, 98]), [98]);
 }
 
 #[test]
@@ -158,50 +100,6 @@ fn a_component_modulates_its_own_rate() {
     let mut tree = Slower::new();
     let run_times: Vec<_> = (0..1500).step_by(10).filter(|&ms| !runs(&mut tree, ms).is_empty()).collect();
     assert_eq!(run_times, [0, 100, 300, 600, 1000]);
-}
-
-pub(crate) struct Setter {
-    asks: Option<f32>,
-}
-
-#[component(crate = bica_core)]
-impl Setter {
-    const fn new() -> Self {
-        Self { asks: None }
-    }
-
-    fn step(&mut self, rate: &mut Rate<Undeclared>) {
-        if let Some(hz) = self.asks {
-            rate.set(hz);
-        }
-    }
-}
-
-pub(crate) struct Undeclared;
-
-#[component(crate = bica_core)]
-impl Undeclared {}
-
-activation_tree! {
-    pub(crate) struct Given {
-        root: Setter,
-        cycle_hz: 100,
-        components: [Setter, Undeclared = Undeclared],
-        crate: bica_core,
-    }
-}
-
-#[test]
-fn an_undeclared_rate_can_be_given() {
-    let mut tree = Given::new();
-    let mut moments = |asks, ms: std::ops::Range<u64>| -> Vec<u64> {
-        tree.get_mut::<Setter>().asks = asks;
-        ms.step_by(10).filter(|&ms| runs(&mut tree, ms).iter().any(|run| run == "Undeclared")).collect()
-    };
-    assert_eq!(moments(None, 0..40), [0, 10, 20, 30]);
-    assert_eq!(moments(Some(25.0), 40..200), [40, 80, 120, 160], "multiples of the period since the activation");
-    assert_eq!(moments(None, 200..300), [200, 240, 280], "the rate holds until it is set again");
-    assert_eq!(moments(Some(f32::NAN), 300..340), [300, 310, 320, 330]);
 }
 
 #[test]
