@@ -2,12 +2,9 @@
 //!
 //! `cargo run --example operator`
 
-use std::convert::Infallible;
-
 use bica::info::{InfoSink, Information};
-use bica::params::Value;
 use bica::prelude::*;
-use bica::runner::{OwnedRequest, RequestQueue, Robot, Runner, World};
+use bica::runner::{OwnedRequest, Request, RequestQueue};
 
 /// The wheels of a cart.
 struct Wheels {
@@ -100,17 +97,17 @@ impl InfoSink for Print {
 }
 
 fn print_information(cart: &Cart) {
-    for (index, node) in Cart::GRAPH.nodes.iter().enumerate() {
-        for (number, info) in node.info.iter().enumerate() {
+    for node in Cart::GRAPH.nodes {
+        for info in node.info {
             print!("     {}.{} ({}, {}) = ", node.name, info.name, info.ty, info.unit.unwrap_or("no unit"));
-            cart.read_info(ComponentId::new(index), number, &mut Print);
+            cart.read_info(node.name, info.name, &mut Print);
         }
     }
 }
 
-fn main() -> Result<(), Infallible> {
+fn main() -> Result<(), Refusal> {
     let (errand, wheels) = (Cart::id::<Errand>(), Cart::id::<Wheels>());
-    let drive = |speed| OwnedRequest::Modulate { component: wheels, index: 0, arguments: vec![Value::F32(speed)] };
+    let drive = |speed| Request::modulate::<Cart>("Wheels", "drive", &[Value::F32(speed)]).map(OwnedRequest::from);
     let script = [
         ("the errand drives", vec![]),
         (
@@ -118,10 +115,10 @@ fn main() -> Result<(), Infallible> {
             vec![
                 OwnedRequest::Hold { component: errand, hold: Hold::Latent },
                 OwnedRequest::Hold { component: wheels, hold: Hold::Active },
-                drive(-0.2),
+                drive(-0.2)?,
             ],
         ),
-        ("too fast: refused, and nothing changes", vec![drive(2.0)]),
+        ("too fast: refused, and nothing changes", vec![drive(2.0)?]),
         (
             "the tree decides again",
             vec![
@@ -137,7 +134,7 @@ fn main() -> Result<(), Infallible> {
             runner.requests_mut().push(request);
         }
         for _ in 0..50 {
-            runner.cycle()?;
+            let Ok(_) = runner.cycle();
         }
         for refusal in runner.requests_mut().take_answers().into_iter().filter_map(Result::err) {
             println!("     refused: {refusal}");

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --example parameters`
 
-use bica::params::{Setting, Value};
+use bica::Setting;
 use bica::prelude::*;
 
 /// How the cart keeps its distance.
@@ -49,21 +49,18 @@ activation_tree! {
     struct Robot { root: Cart, cycle_hz: 50, tunable, components: [Cart] }
 }
 
-fn main() {
+fn main() -> Result<(), Refusal> {
     let mut robot = Robot::new();
-    let cart = Robot::id::<Cart>();
-    for group in Robot::GRAPH.nodes[cart.index()].params {
+    for group in Cart::PARAMS {
         println!("{}: {}", group.name, group.doc);
         for param in group.params {
             println!("  {} = {} {}: {}", param.name, param.default, param.unit.unwrap_or_default(), param.doc);
         }
     }
     // Both in one batch: the first one alone would break the rule.
-    let batches: [&[Setting]; 3] = [
-        &[Setting::new(cart, 0, Value::F32(2.0))],
-        &[Setting::new(cart, 2, Value::F32(1.0))],
-        &[Setting::new(cart, 1, Value::F32(1.5)), Setting::new(cart, 2, Value::F32(1.0))],
-    ];
+    let setting = |name, value| Robot::setting("Cart", name, Value::F32(value));
+    let batches: [&[Setting]; 3] =
+        [&[setting("gain", 2.0)?], &[setting("nearest", 1.0)?], &[setting("wanted", 1.5)?, setting("nearest", 1.0)?]];
     for (second, batch) in batches.into_iter().enumerate() {
         match robot.set_params(batch) {
             Ok(()) => println!("{second} s: gain is {}", robot.params::<Cart>().gain),
@@ -74,4 +71,5 @@ fn main() {
         }
         println!("     at {:.2} m", robot.get::<Cart>().distance);
     }
+    Ok(())
 }

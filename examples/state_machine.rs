@@ -78,10 +78,10 @@ fn main() {
     for ms in (0..6000).step_by(20) {
         metres -= if robot.is_active::<Legs>() { 0.02 * robot.get::<Legs>().speed } else { 0.0 };
         robot.get_mut::<Ball>().distance = (500..4000).contains(&ms).then_some(metres);
-        let before = robot.state(Robot::id::<Player>());
+        let before = robot.state_name::<Player>();
         robot.tick(Instant::from_millis(ms));
-        if let Some(state) = robot.state(Robot::id::<Player>()).filter(|state| Some(*state) != before) {
-            println!("{ms:4} ms: {} with the ball at {metres:.2} m", Player::STATES[state].name);
+        if let Some(state) = robot.state_name::<Player>().filter(|state| Some(*state) != before) {
+            println!("{ms:4} ms: {state} with the ball at {metres:.2} m");
         }
     }
     println!("{} kicks", robot.get::<Player>().kicks);

@@ -61,7 +61,7 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Blob, Component, ComponentId, Duration, Format, Graph, Has, Hold, Instant, ParamEnum, Params, ParamsOf, Probe,
+    Blob, Component, ComponentId, Duration, Format, Graph, Has, Hold, Instant, Key, ParamEnum, Params, ParamsOf, Probe,
     Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, graph, info, modulation, params, probe, rate,
     refusal, stopwatch, visual,
 };

@@ -6,6 +6,7 @@ pub use hash::hash;
 
 use crate::id::ComponentId;
 use crate::info::Info;
+use crate::key::Key;
 use crate::modulation::Modulation;
 use crate::params::{Param, ParamGroup};
 
@@ -29,10 +30,11 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// Returns the component with this name.
+    /// Returns the component with this key; `None` if there is none.
     #[must_use]
-    pub fn find(&self, name: &str) -> Option<ComponentId> {
-        self.nodes.iter().position(|node| node.name == name).map(ComponentId::new)
+    pub fn find(&self, component: impl Key) -> Option<ComponentId> {
+        let index = component.find(self.nodes.iter().map(|node| node.name));
+        index.filter(|index| *index < self.nodes.len()).map(ComponentId::new)
     }
 }
 
@@ -83,22 +85,26 @@ impl Node {
         }
     }
 
-    /// Returns the parameter with this name, and its index counted through all groups.
+    /// Returns the parameter with this key, and its index counted through all groups.
     #[must_use]
-    pub fn find_param(&self, name: &str) -> Option<(usize, &'static Param)> {
-        self.params.iter().flat_map(|group| group.params).enumerate().find(|(_, param)| param.name == name)
+    pub fn find_param(&self, parameter: impl Key) -> Option<(usize, &'static Param)> {
+        let params = || self.params.iter().flat_map(|group| group.params);
+        let index = parameter.find(params().map(|param| param.name))?;
+        params().nth(index).map(|param| (index, param))
     }
 
-    /// Returns the index of the output with this name in [`info`](Self::info).
+    /// Returns the output with this key, and its index in [`info`](Self::info).
     #[must_use]
-    pub fn find_info(&self, name: &str) -> Option<usize> {
-        self.info.iter().position(|info| info.name == name)
+    pub fn find_info(&self, output: impl Key) -> Option<(usize, &'static Info)> {
+        let index = output.find(self.info.iter().map(|info| info.name))?;
+        self.info.get(index).map(|info| (index, info))
     }
 
-    /// Returns the index of the modulation with this name in [`modulations`](Self::modulations).
+    /// Returns the modulation with this key, and its index in [`modulations`](Self::modulations).
     #[must_use]
-    pub fn find_modulation(&self, name: &str) -> Option<usize> {
-        self.modulations.iter().position(|modulation| modulation.name == name)
+    pub fn find_modulation(&self, modulation: impl Key) -> Option<(usize, &'static Modulation)> {
+        let index = modulation.find(self.modulations.iter().map(|modulation| modulation.name))?;
+        self.modulations.get(index).map(|modulation| (index, modulation))
     }
 
     /// Number of parameters in all groups.

@@ -37,7 +37,7 @@
 //!
 //! let robot = Robot::new();
 //! let mut bytes = Bytes([0; 16], 0);
-//! assert!(robot.read_info(Robot::id::<Ball>(), 0, &mut bytes));
+//! assert!(robot.read_info("Ball", "distance", &mut bytes));
 //! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
 //! ```
 

@@ -18,11 +18,10 @@
 //! activation_tree! { pub struct Robot { root: Turn, cycle_hz: 100, components: [Turn], crate: bica_core } }
 //!
 //! let mut robot = Robot::new();
-//! let turn = Robot::id::<Turn>();
-//! robot.modulate(turn, 0, &[Value::F32(0.5)])?;
+//! robot.modulate("Turn", "turn", &[Value::F32(0.5)])?;
 //! assert_eq!(robot.get::<Turn>().speed, 0.5);
 //!
-//! let refusal = robot.modulate(turn, 0, &[Value::F32(2.0)]).unwrap_err();
+//! let refusal = robot.modulate("Turn", "turn", &[Value::F32(2.0)]).unwrap_err();
 //! assert_eq!(refusal.to_string(), "`Turn.speed`: 2 is outside -1..=1");
 //! # Ok::<(), bica_core::Refusal>(())
 //! ```

@@ -5,7 +5,7 @@
 //! *tree*, not in the component, so a component that resets itself keeps them.
 //!
 //! ```
-//! use bica_core::params::{Setting, Tuned, Value};
+//! use bica_core::params::{Tuned, Value};
 //! use bica_core::{Instant, Tree};
 //! use bica_macros::{Params, activation_tree, component};
 //!
@@ -35,12 +35,11 @@
 //! light.tick(Instant::from_millis(0));
 //! assert_eq!(light.get::<Lamp>().brightness, 0.5);
 //!
-//! let lamp = Light::id::<Lamp>();
-//! light.set_params(&[Setting::new(lamp, 0, Value::F32(0.1))])?;
+//! light.set_params(&[Light::setting("Lamp", "rest", Value::F32(0.1))?])?;
 //! light.tick(Instant::from_millis(10));
 //! assert_eq!(light.get::<Lamp>().brightness, 0.05);
 //!
-//! let refusal = light.set_params(&[Setting::new(lamp, 0, Value::F32(1.5))]).unwrap_err();
+//! let refusal = light.set_params(&[Light::setting("Lamp", "rest", Value::F32(1.5))?]).unwrap_err();
 //! assert_eq!(refusal.to_string(), "`Lamp.rest`: 1.5 is outside 0..=1");
 //! # Ok::<(), bica_core::Refusal>(())
 //! ```
@@ -199,10 +198,4 @@ impl Setting {
     pub const fn new(component: ComponentId, index: u16, value: Value) -> Self {
         Self { component, index, value }
     }
-}
-
-/// Returns the parameter at `index`, counted through the groups.
-#[must_use]
-pub fn find(groups: &'static [ParamGroup], index: usize) -> Option<&'static Param> {
-    groups.iter().flat_map(|group| group.params).nth(index)
 }

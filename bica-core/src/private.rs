@@ -130,9 +130,10 @@ pub fn hz<T: Tree + Has<C>, C: 'static>(tree: &T) -> Option<f32> {
     tree.rate::<C>().hz()
 }
 
-/// Sets the rate of `C`.
-pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: f32) {
-    tree.rate_mut::<C>().set_within(hz, <T::Member as Component>::HZ);
+/// Sets the rate of `C`; `None` is the declared rate.
+pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: Option<f32>) {
+    // The bits of NaN are the declared rate there.
+    tree.rate_mut::<C>().set_within(hz.unwrap_or(f32::NAN), <T::Member as Component>::HZ);
 }
 
 /// Returns the component of each rank: the inverse of `ranks`.

@@ -9,10 +9,11 @@ use crate::graph::{self, Graph};
 use crate::hold::Hold;
 use crate::id::ComponentId;
 use crate::info::InfoSink;
+use crate::key::Key;
 use crate::params::{Setting, Value};
 use crate::probe::Probe;
 use crate::rate::Rate;
-use crate::refusal::Refusal;
+use crate::refusal::{Reason, Refusal};
 
 mod activation;
 pub(crate) mod borrow;
@@ -36,9 +37,10 @@ pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
 /// from the other. A tree does no input or output and reads no clock: the same inputs at the same instants give the same
 /// outputs, bit for bit.
 ///
-/// # By type or by identifier
-/// Functions with a type parameter serve code that knows the component. Those with a [`ComponentId`] serve tools; their names
-/// end in `_at` if there is one by type, too. [`Tree::id`] and [`Graph::find`] return the identifier of a type and of a name.
+/// # By type or by key
+/// Functions with a type parameter serve code that knows the component. Those with a [`Key`] serve tools and tests:
+/// the key is the component's name, or the identifier that [`Tree::id`] and [`Tree::find`] return. Their names end in
+/// `_at` if there is one by type, too. Parameters, outputs and modulations have a [`Key`]: a name, or an index.
 ///
 /// # Panics in a step
 /// If a step, a hook, a transition or a probe panics and the caller catches the unwinding, the tree stays usable:
@@ -118,12 +120,21 @@ pub trait Tree: Layout {
         ComponentId::new(Self::INDEX)
     }
 
+    /// Returns the identifier of the component with this key.
+    ///
+    /// # Errors
+    /// If the tree has no such component.
+    fn find(component: impl Key) -> Result<ComponentId, Refusal> {
+        let reason = Reason::UnknownComponent { nodes: Self::GRAPH.nodes };
+        Self::GRAPH.find(component).ok_or(Refusal { entry: 0, component: "", name: "", reason })
+    }
+
     /// Holds component `C` active or latent from the next cycle on, or releases it.
     fn hold<C: 'static>(&mut self, hold: Hold)
     where
         Self: Has<C>,
     {
-        self.hold_at(Self::id::<C>(), hold);
+        self.engine_mut().hold(Self::id::<C>(), hold);
     }
 
     /// Reads all parameters of component `C`: a [`Tuned<P>`](crate::Tuned), or pairs of these if its functions take several.
@@ -145,10 +156,19 @@ pub trait Tree: Layout {
         tuning::set_all::<Self, C>(self, values)
     }
 
-    /// Reads a parameter by its index, counted through the component's [groups](crate::graph::Node::params); `None` if
-    /// there is none.
-    fn get_param(&self, component: ComponentId, index: usize) -> Option<Value> {
-        tuning::get(self, component, index)
+    /// Reads a parameter; `None` if there is none. An index counts through the component's
+    /// [groups](crate::graph::Node::params).
+    fn get_param(&self, component: impl Key, parameter: impl Key) -> Option<Value> {
+        tuning::get(self, component, parameter)
+    }
+
+    /// Returns an entry of a batch: a value for a parameter.
+    ///
+    /// # Errors
+    /// If the tree has no such component or parameter. Whether the value is valid is checked when the batch is applied.
+    fn setting(component: impl Key, parameter: impl Key, value: Value) -> Result<Setting, Refusal> {
+        let (component, index, _) = tuning::find::<Self>(component, parameter)?;
+        Ok(Setting::new(component, index as u16, value))
     }
 
     /// Applies a batch of settings, from the next cycle on: all of them or, if one is refused, none.
@@ -160,30 +180,38 @@ pub trait Tree: Layout {
         tuning::set(self, batch)
     }
 
-    /// Passes the output at `index` of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether it exists. The
-    /// getter is called only now.
-    fn read_info<S: InfoSink>(&self, component: ComponentId, index: usize, sink: &mut S) -> bool {
-        operate::read(self, component, index, sink)
+    /// Passes an output of [`Node::info`](crate::graph::Node::info) to `sink`; returns whether it exists. The getter is
+    /// called only now.
+    fn read_info(&self, component: impl Key, output: impl Key, sink: &mut impl InfoSink) -> bool {
+        operate::read(self, component, output, sink)
     }
 
-    /// Calls the modulation at `index` of [`Node::modulations`](crate::graph::Node::modulations), as an activator would
-    /// before the next cycle.
+    /// Calls a modulation of [`Node::modulations`](crate::graph::Node::modulations), as an activator would before the next
+    /// cycle.
     ///
     /// # Errors
     /// If there is no such modulation, or an argument is missing, of another kind, not finite or out of range; then
     /// nothing is called. The entry of the refusal is the index of the argument.
-    fn modulate(&mut self, component: ComponentId, index: usize, arguments: &[Value]) -> Result<(), Refusal> {
-        operate::modulate(self, component, index, arguments)
+    fn modulate(&mut self, component: impl Key, modulation: impl Key, arguments: &[Value]) -> Result<(), Refusal> {
+        operate::modulate(self, component, modulation, arguments)
     }
 
-    /// As [`hold`](Tree::hold), by identifier; does nothing for a component that the tree does not list.
-    fn hold_at(&mut self, component: ComponentId, hold: Hold) {
+    /// Returns the component and the index of a modulation.
+    ///
+    /// # Errors
+    /// If the tree has no such component or modulation.
+    fn find_modulation(component: impl Key, modulation: impl Key) -> Result<(ComponentId, usize), Refusal> {
+        operate::find::<Self>(component, modulation)
+    }
+
+    /// As [`hold`](Tree::hold), by key.
+    ///
+    /// # Errors
+    /// If the tree has no such component.
+    fn hold_at(&mut self, component: impl Key, hold: Hold) -> Result<(), Refusal> {
+        let component = Self::find(component)?;
         self.engine_mut().hold(component, hold);
-    }
-
-    /// Returns how the component is held.
-    fn held(&self, component: ComponentId) -> Hold {
-        self.engine().held(component)
+        Ok(())
     }
 
     /// Returns whether component `C` was visited in the last cycle.
@@ -194,9 +222,9 @@ pub trait Tree: Layout {
         self.is_active_at(Self::id::<C>())
     }
 
-    /// As [`is_active`](Tree::is_active), by identifier; `false` for a component that the tree does not list.
-    fn is_active_at(&self, component: ComponentId) -> bool {
-        self.engine().is_active(component)
+    /// As [`is_active`](Tree::is_active), by key; `false` for a component that the tree does not list.
+    fn is_active_at(&self, component: impl Key) -> bool {
+        Self::GRAPH.find(component).is_some_and(|component| self.engine().is_active(component))
     }
 
     /// Returns the components that were visited in the last cycle, in the order of the tree's list.
@@ -208,7 +236,7 @@ pub trait Tree: Layout {
     /// the state in which it became latent.
     ///
     /// `None` for a component that has no states or was never active.
-    fn state(&self, component: ComponentId) -> Option<usize> {
+    fn state(&self, component: impl Key) -> Option<usize> {
         self.status(component)?.state
     }
 
@@ -223,28 +251,34 @@ pub trait Tree: Layout {
         self.state_name_at(Self::id::<C>())
     }
 
-    /// As [`state_name`](Tree::state_name), by identifier; `None` also for a component that the tree does not list.
-    fn state_name_at(&self, component: ComponentId) -> Option<&'static str> {
+    /// As [`state_name`](Tree::state_name), by key; `None` also for a component that the tree does not list.
+    fn state_name_at(&self, component: impl Key) -> Option<&'static str> {
+        let component = Self::GRAPH.find(component)?;
         let state = self.state(component)?;
         Self::GRAPH.nodes.get(component.index())?.states.get(state).map(|state| state.name)
     }
 
     /// State of a component between two cycles; `None` for one that the tree does not list.
-    fn status(&self, component: ComponentId) -> Option<Status> {
+    fn status(&self, component: impl Key) -> Option<Status> {
+        let component = Self::GRAPH.find(component)?;
         let state = Self::component_state(self.engine().store.slots(), component.index())?;
         Some(Status {
             active: self.is_active_at(component),
-            held: self.held(component),
+            held: state.activation().held(),
             state: state.state(),
             since: state.since(),
             hz: Self::hz(self, component.index()),
         })
     }
 
-    /// Sets the rate of a component by identifier, as [`Rate::set`] does; `None` is the declared rate. Does nothing for a
-    /// component that the tree does not list.
-    fn set_rate_at(&mut self, component: ComponentId, hz: Option<f32>) {
-        Self::set_hz(self, component.index(), hz.unwrap_or(f32::NAN));
+    /// Sets the rate of a component by key, as [`Rate::set`] does; `None` is the declared rate.
+    ///
+    /// # Errors
+    /// If the tree has no such component.
+    fn set_rate_at(&mut self, component: impl Key, hz: Option<f32>) -> Result<(), Refusal> {
+        let component = Self::find(component)?;
+        Self::set_hz(self, component.index(), hz);
+        Ok(())
     }
 }
 

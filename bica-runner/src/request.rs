@@ -2,7 +2,7 @@
 
 use bica_core::params::{Setting, Value};
 use bica_core::refusal::{Reason, Refusal};
-use bica_core::{ComponentId, Hold, Instant, Tree};
+use bica_core::{ComponentId, Hold, Instant, Key, Tree};
 
 /// Change of the tree from outside, applied between two cycles.
 ///
@@ -37,40 +37,40 @@ pub enum Request<'a> {
     },
 }
 
-impl Request<'_> {
+impl<'a> Request<'a> {
+    /// Requests a call of a modulation of tree `T` by names.
+    ///
+    /// # Errors
+    /// If the tree has no such component or modulation. Whether the arguments are valid is checked when the request is applied.
+    pub fn modulate<T: Tree>(
+        component: impl Key,
+        modulation: impl Key,
+        arguments: &'a [Value],
+    ) -> Result<Self, Refusal> {
+        let (component, index) = T::find_modulation(component, modulation)?;
+        Ok(Self::Modulate { component, index, arguments })
+    }
+
     /// Applies the request to a tree.
     ///
     /// # Errors
     /// If the tree has no such component, parameter or modulation, or does not accept a value or a rate; then nothing changes.
     pub fn apply<T: Tree>(self, tree: &mut T) -> Result<(), Refusal> {
         match self {
-            Self::Hold { component, hold } => {
-                listed::<T>(component)?;
-                tree.hold_at(component, hold);
-            }
+            Self::Hold { component, hold } => tree.hold_at(component, hold),
             Self::Rate { component, hz } => {
-                listed::<T>(component)?;
                 possible::<T>(component, hz)?;
-                tree.set_rate_at(component, hz);
+                tree.set_rate_at(component, hz)
             }
-            Self::Params(batch) => tree.set_params(batch)?,
-            Self::Modulate { component, index, arguments } => tree.modulate(component, index, arguments)?,
+            Self::Params(batch) => tree.set_params(batch),
+            Self::Modulate { component, index, arguments } => tree.modulate(component, index, arguments),
         }
-        Ok(())
     }
 }
 
-/// Checks that a tree lists a component.
-const fn listed<T: Tree>(component: ComponentId) -> Result<(), Refusal> {
-    if component.index() < T::COUNT {
-        return Ok(());
-    }
-    Err(Refusal { entry: 0, component: "", name: "", reason: Reason::UnknownComponent })
-}
-
-/// Checks a rate for a component that the tree lists.
+/// Checks a rate.
 fn possible<T: Tree>(component: ComponentId, hz: Option<f32>) -> Result<(), Refusal> {
-    let node = &T::GRAPH.nodes[component.index()];
+    let node = &T::GRAPH.nodes[T::find(component)?.index()];
     if hz.is_none_or(|hz| hz > 0.0 && hz <= node.hz.unwrap_or(T::GRAPH.cycle_hz)) {
         return Ok(());
     }

@@ -100,12 +100,19 @@ const NOBODY: ComponentId = ComponentId::new(1);
 /// Answer to a rate outside its range.
 const RATE: &str = "`Counter.rate`: a rate is above 0 Hz and at most the declared rate, or that of the cycles";
 
+/// Answer to a request for an unknown component.
+const NO_COMPONENT: &str = "entry 0: no such component; there are: Counter";
+
 fn slope(value: i32) -> Setting {
-    Setting::new(COUNTER, 0, Value::I32(value))
+    Counting::setting("Counter", "slope", Value::I32(value)).unwrap()
 }
 
 fn offset(value: i32) -> Setting {
-    Setting::new(COUNTER, 1, Value::I32(value))
+    Counting::setting("Counter", "offset", Value::I32(value)).unwrap()
+}
+
+fn restart(count: i32) -> OwnedRequest {
+    Request::modulate::<Counting>("Counter", "restart", &[Value::I32(count)]).unwrap().into()
 }
 
 fn modulate(component: ComponentId, index: usize, count: i32) -> OwnedRequest {
@@ -122,7 +129,7 @@ fn requests_apply_in_the_same_cycle() {
     assert_eq!(runner.cycle(), Ok(101));
     let steps = [
         (OwnedRequest::Params(vec![slope(5), offset(200)]), 206),
-        (modulate(COUNTER, 0, 40), 245),
+        (restart(40), 245),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(0.001) }, 245),
         (OwnedRequest::Rate { component: COUNTER, hz: None }, 250),
         (OwnedRequest::Hold { component: COUNTER, hold: Hold::Latent }, 250),
@@ -144,18 +151,18 @@ fn a_refused_request_changes_nothing() {
         (OwnedRequest::Params(vec![slope(5), slope(6)]), "`Counter.slope`: set twice in one batch"),
         (
             OwnedRequest::Params(vec![slope(5), Setting::new(NOBODY, 0, Value::I32(1))]),
-            "entry 1: the tree has no such component",
+            "entry 1: no such component; there are: Counter",
         ),
-        (modulate(COUNTER, 0, 51), "`Counter.count`: 51 is outside 0..=50"),
-        (modulate(COUNTER, 1, 5), "`Counter`: no such modulation, the component has 1"),
-        (modulate(NOBODY, 0, 5), "entry 0: the tree has no such component"),
-        (OwnedRequest::Rate { component: NOBODY, hz: Some(0.0) }, "entry 0: the tree has no such component"),
+        (restart(51), "`Counter.count`: 51 is outside 0..=50"),
+        (modulate(COUNTER, 1, 5), "`Counter`: no such modulation; there are: restart"),
+        (modulate(NOBODY, 0, 5), NO_COMPONENT),
+        (OwnedRequest::Rate { component: NOBODY, hz: Some(0.0) }, NO_COMPONENT),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(0.0) }, RATE),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(-1e30) }, RATE),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(f32::INFINITY) }, RATE),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(1e6) }, RATE),
         (OwnedRequest::Rate { component: COUNTER, hz: Some(f32::NAN) }, RATE),
-        (OwnedRequest::Hold { component: NOBODY, hold: Hold::Latent }, "entry 0: the tree has no such component"),
+        (OwnedRequest::Hold { component: NOBODY, hold: Hold::Latent }, NO_COMPONENT),
     ];
     let mut runner = runner();
     for (request, _) in &refused {
@@ -185,5 +192,5 @@ fn a_request_of_a_program_takes_the_same_path() {
     assert!(matches!(refusal.reason, Reason::OutOfRange { .. }), "{refusal}");
     assert_eq!(runner.cycle(), Ok(103));
     assert_eq!((runner.observer().requested.len(), runner.observer().refused.len()), (1, 1));
-    assert_eq!(runner.robot().get_param(COUNTER, 0), Some(Value::I32(3)));
+    assert_eq!(runner.robot().get_param(COUNTER, "slope"), Some(Value::I32(3)));
 }

@@ -3,7 +3,7 @@
 use core::iter::FusedIterator;
 
 use bica_core::graph::{Graph, LinkKind, Node};
-use bica_core::params::{self, Kind, Param, Variant};
+use bica_core::params::{Kind, Param, Variant};
 
 use crate::message::{GraphItem, Value};
 use crate::text::truncate;
@@ -159,7 +159,7 @@ impl GraphItems {
                 GraphItem::Transition { component, from, to, name, after_ms }
             }
             List::Params => {
-                let param = params::find(node.params, self.index)?;
+                let (_, param) = node.find_param(self.index)?;
                 let group = group(node, self.index)?;
                 let (kind, default) = self.begin_param(param);
                 GraphItem::Param { component, index, group, name: param.name, unit: param.unit, kind, default }

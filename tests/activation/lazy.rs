@@ -26,7 +26,7 @@ impl Observer<Forward> for Ran {}
 fn ran_with(active: ComponentId) -> Ran {
     let mut game = new_game(&Setup { seed: 3, frame: Frame::Small, ..Setup::default() }).with_observer(Ran::default());
     game.robot_mut().hold::<Player>(Hold::Latent);
-    game.robot_mut().hold_at(active, Hold::Active);
+    game.robot_mut().hold_at(active, Hold::Active).unwrap();
     for _ in 0..300 {
         game.cycle().expect("the image fits");
     }

@@ -1,9 +1,7 @@
 //! Components that an operator holds active and modulates, while the root is latent.
 
 use bica::Value;
-use bica::graph::Node;
 use bica::prelude::*;
-use bica::runner::Request;
 use bica_motion::joints::Joint;
 use bica_motion::pose::{Pose2, wrap};
 use bica_player::Forward;
@@ -39,11 +37,8 @@ impl ByHand {
     where
         Forward: Has<C>,
     {
-        let component = Forward::id::<C>();
-        let node: &Node = &Forward::GRAPH.nodes[component.index()];
-        let index = node.find_modulation(name).unwrap_or_else(|| panic!("{} has no modulation `{name}`", node.name));
-        let request = Request::Modulate { component, index, arguments };
-        request.apply(self.0.robot_mut()).unwrap_or_else(|refusal| panic!("{refusal}"));
+        let called = self.0.robot_mut().modulate(Forward::id::<C>(), name, arguments);
+        called.unwrap_or_else(|refusal| panic!("{refusal}"));
     }
 
     fn run(&mut self, seconds: f32) {

@@ -35,11 +35,9 @@ fn params(component: ComponentId) -> impl Iterator<Item = (u16, &'static Param)>
 /// A setting by the name that a person sees, such as `Head.stiffness`.
 fn setting(name: &str, value: f32) -> Setting {
     let (component, param) = name.split_once('.').expect("a component and a parameter");
-    let id = Forward::GRAPH.find(component).unwrap_or_else(|| panic!("no component {component}"));
-    let found = Forward::GRAPH.nodes[id.index()].find_param(param);
-    let (index, found) = found.unwrap_or_else(|| panic!("no parameter {name}"));
-    let value = if matches!(found.kind, Kind::U32 { .. }) { Value::U32(value as u32) } else { Value::F32(value) };
-    Setting::new(id, index as u16, value)
+    let real = Forward::setting(component, param, Value::F32(value)).unwrap_or_else(|refusal| panic!("{refusal}"));
+    let (_, found) = Forward::GRAPH.nodes[real.component.index()].find_param(param).expect("found above");
+    if matches!(found.kind, Kind::U32 { .. }) { Setting { value: Value::U32(value as u32), ..real } } else { real }
 }
 
 /// Parameters of behaviour, strategy and motion that have an effect in the game of seed 6.

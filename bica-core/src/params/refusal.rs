@@ -3,7 +3,10 @@
 use core::error::Error;
 use core::fmt;
 
+use super::ParamGroup;
 use super::kind::Value;
+use crate::graph::Node;
+use crate::modulation::Modulation;
 
 /// A request that a tree refused; it changed nothing.
 ///
@@ -17,9 +20,9 @@ use super::kind::Value;
 pub struct Refusal {
     /// Index of the setting in its batch, or of the argument of a modulation, that is refused.
     pub entry: usize,
-    /// The component; empty if the tree has none of that identifier.
+    /// The component; empty if the tree has no such component.
     pub component: &'static str,
-    /// The parameter, the modulation or its argument; empty if the component has none of that index, or if several
+    /// The parameter, the modulation or its argument; empty if the component has no such one, or if several
     /// parameters are concerned.
     pub name: &'static str,
     /// The reason.
@@ -32,17 +35,20 @@ pub struct Refusal {
 pub enum Reason {
     /// The tree is not `tunable`.
     NotTunable,
-    /// The tree has no component of that identifier.
-    UnknownComponent,
-    /// The component has no parameter of that index.
-    UnknownParameter {
-        /// Number of parameters of the component.
-        count: usize,
+    /// The tree has no such component.
+    UnknownComponent {
+        /// Its components.
+        nodes: &'static [Node],
     },
-    /// The component has no modulation of that index.
+    /// The component has no such parameter.
+    UnknownParameter {
+        /// Its parameters.
+        params: &'static [ParamGroup],
+    },
+    /// The component has no such modulation.
     UnknownModulation {
-        /// Number of modulations of the component.
-        count: usize,
+        /// Its modulations.
+        modulations: &'static [Modulation],
     },
     /// The modulation takes another number of arguments.
     ArgumentCount {
@@ -94,9 +100,13 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NotTunable => f.write_str("the tree is not `tunable`, its parameters are constants"),
-            Self::UnknownComponent => f.write_str("the tree has no such component"),
-            Self::UnknownParameter { count } => write!(f, "no such parameter, the component has {count}"),
-            Self::UnknownModulation { count } => write!(f, "no such modulation, the component has {count}"),
+            Self::UnknownComponent { nodes } => list(f, "component", &mut nodes.iter().map(|node| node.name)),
+            Self::UnknownParameter { params } => {
+                list(f, "parameter", &mut params.iter().flat_map(|group| group.params).map(|param| param.name))
+            }
+            Self::UnknownModulation { modulations } => {
+                list(f, "modulation", &mut modulations.iter().map(|modulation| modulation.name))
+            }
             Self::ArgumentCount { expected, found } => write!(f, "{found} arguments, but it takes {expected}"),
             Self::WrongKind { expected, found } => {
                 write!(f, "the value is of kind {found}, but {expected} is required")
@@ -108,6 +118,17 @@ impl fmt::Display for Reason {
             Self::Rule(rule) => f.write_str(rule),
         }
     }
+}
+
+/// Writes that there is none of this kind, and which there are.
+fn list(f: &mut fmt::Formatter<'_>, kind: &str, names: &mut dyn Iterator<Item = &'static str>) -> fmt::Result {
+    write!(f, "no such {kind}")?;
+    let mut mark = "; there are: ";
+    for name in names {
+        write!(f, "{mark}{name}")?;
+        mark = ", ";
+    }
+    Ok(())
 }
 
 impl Error for Refusal {}

@@ -53,10 +53,6 @@ impl<T: Layout> Engine<T> {
         activation.hold(hold, cycle_state.parity());
     }
 
-    pub(crate) fn held(&self, component: ComponentId) -> Hold {
-        self.component_state(component).map_or(Hold::Tree, |state| state.activation().held())
-    }
-
     pub(crate) fn is_active(&self, component: ComponentId) -> bool {
         let last = self.store.cycle_state().parity();
         self.component_state(component).is_some_and(|state| state.activation().is_active(last))

@@ -174,5 +174,5 @@ pub trait Layout: Sized + 'static {
     #[doc(hidden)]
     fn hz(&self, index: usize) -> Option<f32>;
     #[doc(hidden)]
-    fn set_hz(&mut self, index: usize, hz: f32);
+    fn set_hz(&mut self, index: usize, hz: Option<f32>);
 }

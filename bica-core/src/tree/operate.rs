@@ -1,10 +1,11 @@
-//! Reading outputs and calling modulations by their index.
+//! Reading outputs and calling modulations by their keys.
 
 use super::Tree;
 use super::layout::{Has, Member, MemberOf};
 use super::tuning::refused;
 use crate::id::ComponentId;
 use crate::info::InfoSink;
+use crate::key::Key;
 use crate::params::Value;
 use crate::refusal::{Reason, Refusal};
 
@@ -26,8 +27,12 @@ impl<T: Tree, S: InfoSink> Member<T> for Read<'_, T, S> {
 }
 
 /// Passes an output to `sink`; returns whether it exists.
-pub(super) fn read<T: Tree, S: InfoSink>(tree: &T, component: ComponentId, index: usize, sink: &mut S) -> bool {
-    T::member(component.index(), Read { tree, index, sink }).unwrap_or(false)
+pub(super) fn read<T: Tree>(tree: &T, component: impl Key, output: impl Key, sink: &mut impl InfoSink) -> bool {
+    let found = T::GRAPH.find(component).and_then(|component| {
+        let (index, _) = T::GRAPH.nodes[component.index()].find_info(output)?;
+        T::member(component.index(), Read { tree, index, sink })
+    });
+    found.unwrap_or(false)
 }
 
 struct Call<'a, T> {
@@ -47,18 +52,25 @@ impl<T: Tree> Member<T> for Call<'_, T> {
     }
 }
 
+/// Returns the component and the index of a modulation.
+pub(super) fn find<T: Tree>(component: impl Key, modulation: impl Key) -> Result<(ComponentId, usize), Refusal> {
+    let component = T::find(component)?;
+    let node = &T::GRAPH.nodes[component.index()];
+    let reason = Reason::UnknownModulation { modulations: node.modulations };
+    let found = node.find_modulation(modulation).map(|(index, _)| (component, index));
+    found.ok_or(Refusal { entry: 0, component: node.name, name: "", reason })
+}
+
 /// Calls a modulation if all arguments are valid.
 pub(super) fn modulate<T: Tree>(
     tree: &mut T,
-    component: ComponentId,
-    index: usize,
+    component: impl Key,
+    modulation: impl Key,
     arguments: &[Value],
 ) -> Result<(), Refusal> {
+    let (component, index) = find::<T>(component, modulation)?;
+    let modulation = &T::GRAPH.nodes[component.index()].modulations[index];
     let refuse = |entry, name, reason| Err(refused::<T>(entry, component, name, reason));
-    let Some(node) = T::GRAPH.nodes.get(component.index()) else { return refuse(0, "", Reason::UnknownComponent) };
-    let Some(modulation) = node.modulations.get(index) else {
-        return refuse(0, "", Reason::UnknownModulation { count: node.modulations.len() });
-    };
     let (expected, found) = (modulation.arguments.len(), arguments.len());
     if expected != found {
         return refuse(0, modulation.name, Reason::ArgumentCount { expected, found });

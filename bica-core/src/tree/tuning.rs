@@ -5,7 +5,8 @@ use super::cycle::Cycle;
 use super::layout::{Has, Layout, Member, ParamsOf};
 use crate::component::Component;
 use crate::id::ComponentId;
-use crate::params::{Setting, Value, find};
+use crate::key::Key;
+use crate::params::{Param, Setting, Value};
 use crate::refusal::{Reason, Refusal};
 
 impl<'t, T: Layout, P> Cycle<'t, T, P> {
@@ -37,8 +38,22 @@ impl<T: Tree> Member<T> for Get<'_, T> {
     }
 }
 
-pub(super) fn get<T: Tree>(tree: &T, component: ComponentId, index: usize) -> Option<Value> {
+pub(super) fn get<T: Tree>(tree: &T, component: impl Key, parameter: impl Key) -> Option<Value> {
+    let component = T::GRAPH.find(component)?;
+    let (index, _) = T::GRAPH.nodes[component.index()].find_param(parameter)?;
     T::member(component.index(), Get { tree, index })?
+}
+
+/// Returns a component, and a parameter of it with its index.
+pub(super) fn find<T: Tree>(
+    component: impl Key,
+    parameter: impl Key,
+) -> Result<(ComponentId, usize, &'static Param), Refusal> {
+    let component = T::find(component)?;
+    let node = &T::GRAPH.nodes[component.index()];
+    let reason = Reason::UnknownParameter { params: node.params };
+    let found = node.find_param(parameter).map(|(index, param)| (component, index, param));
+    found.ok_or(Refusal { entry: 0, component: node.name, name: "", reason })
 }
 
 /// What a batch does with the parameters of a component.
@@ -99,10 +114,7 @@ fn is_first_of_component(batch: &[Setting], entry: usize) -> bool {
 fn check_entry<T: Tree>(batch: &[Setting], entry: usize) -> Result<(), Refusal> {
     let Setting { component, index, value } = batch[entry];
     let refuse = |name, reason| Err(refused::<T>(entry, component, name, reason));
-    let Some(node) = T::GRAPH.nodes.get(component.index()) else { return refuse("", Reason::UnknownComponent) };
-    let Some(param) = find(node.params, index as usize) else {
-        return refuse("", Reason::UnknownParameter { count: node.param_count() });
-    };
+    let (.., param) = find::<T>(component, index as usize).map_err(|refusal| Refusal { entry, ..refusal })?;
     if !T::GRAPH.tunable {
         return refuse(param.name, Reason::NotTunable);
     }

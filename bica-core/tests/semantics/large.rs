@@ -81,11 +81,10 @@ fn any_component_can_be_held() {
     let mut tree = Large::new();
     tree.hold::<Trunk>(Hold::Latent);
     for index in 0..Large::COUNT {
-        let component = bica_core::ComponentId::new(index);
-        tree.hold_at(component, Hold::Active);
+        tree.hold_at(index, Hold::Active).unwrap();
         tree.tick(at(0));
-        assert!(tree.is_active_at(component), "{index}");
-        tree.hold_at(component, Hold::Tree);
+        assert!(tree.is_active_at(index), "{index}");
+        tree.hold_at(index, Hold::Tree).unwrap();
         tree.hold::<Trunk>(Hold::Latent);
     }
 }

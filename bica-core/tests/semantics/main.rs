@@ -4,7 +4,6 @@ mod activity;
 mod batches;
 mod borrows;
 mod description;
-mod hold;
 mod jitter;
 mod large;
 mod machine;

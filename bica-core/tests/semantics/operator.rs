@@ -3,7 +3,7 @@
 use bica_core::info::{Info, InfoSink, Information};
 use bica_core::params::{Kind, Value};
 use bica_core::refusal::Reason;
-use bica_core::{ComponentId, Instant, Tree};
+use bica_core::{Instant, Tree};
 use bica_macros::{ParamEnum, activation_tree, component};
 
 /// Foot of a kick.
@@ -88,22 +88,18 @@ activation_tree! {
     pub(crate) struct Robot { root: Kicker, cycle_hz: 100, components: [Kicker, Other], crate: bica_core }
 }
 
-fn kicker() -> ComponentId {
-    Robot::id::<Kicker>()
-}
-
 const GOOD: [Value; 4] = [Value::F32(4.0), Value::U32(2), Value::Bool(true), Value::Choice(0)];
 
 #[test]
 fn a_modulation_is_called_with_its_arguments() {
     let mut robot = Robot::new();
-    robot.modulate(kicker(), 0, &GOOD).unwrap();
+    robot.modulate("Kicker", "kick", &GOOD).unwrap();
     robot.modulate(Robot::id::<Other>(), 0, &[Value::I32(-3)]).unwrap();
     assert_eq!(robot.get::<Kicker>().log, [(4.0, 2, true, Foot::Left)]);
     assert_eq!(robot.get::<Other>().called, -3);
     robot.tick(Instant::from_ticks(0));
     assert_eq!(robot.get::<Other>().called, 0);
-    robot.modulate(kicker(), 1, &[]).unwrap();
+    robot.modulate("Kicker", "forget", &[]).unwrap();
     assert_eq!(robot.get::<Kicker>().log, []);
 }
 
@@ -115,21 +111,24 @@ fn a_modulation_with_a_wrong_argument_is_not_called() {
         values[place] = value;
         values
     };
-    for (component, index, values, text) in [
-        (kicker(), 0, &with(0, Value::F32(1.0))[..], "`Kicker.strength`: 1 is outside 2..=9"),
-        (kicker(), 0, &with(0, Value::F32(f32::NAN)), "`Kicker.strength`: the value is not finite"),
-        (kicker(), 0, &with(1, Value::U32(4)), "`Kicker.times`: 4 is outside 0..=3"),
-        (kicker(), 0, &with(2, Value::U32(1)), "`Kicker.turns`: the value is of kind u32, but bool is required"),
-        (kicker(), 0, &with(3, Value::Choice(2)), "`Kicker.foot`: no such variant, there are 2"),
-        (kicker(), 0, &GOOD[..3], "`Kicker.kick`: 3 arguments, but it takes 4"),
-        (kicker(), 1, &GOOD[..1], "`Kicker.forget`: 1 arguments, but it takes 0"),
-        (kicker(), 2, &[], "`Kicker`: no such modulation, the component has 2"),
-        (ComponentId::new(2), 0, &[], "entry 0: the tree has no such component"),
+    for (component, modulation, values, text) in [
+        ("Kicker", "kick", &with(0, Value::F32(1.0))[..], "`Kicker.strength`: 1 is outside 2..=9"),
+        ("Kicker", "kick", &with(0, Value::F32(f32::NAN)), "`Kicker.strength`: the value is not finite"),
+        ("Kicker", "kick", &with(1, Value::U32(4)), "`Kicker.times`: 4 is outside 0..=3"),
+        ("Kicker", "kick", &with(2, Value::U32(1)), "`Kicker.turns`: the value is of kind u32, but bool is required"),
+        ("Kicker", "kick", &with(3, Value::Choice(2)), "`Kicker.foot`: no such variant, there are 2"),
+        ("Kicker", "kick", &GOOD[..3], "`Kicker.kick`: 3 arguments, but it takes 4"),
+        ("Kicker", "forget", &GOOD[..1], "`Kicker.forget`: 1 arguments, but it takes 0"),
+        ("Kicker", "kik", &[], "`Kicker`: no such modulation; there are: kick, forget"),
+        ("Kiker", "kick", &[], "entry 0: no such component; there are: Kicker, Other"),
     ] {
-        assert_eq!(robot.modulate(component, index, values).unwrap_err().to_string(), text);
+        assert_eq!(robot.modulate(component, modulation, values).unwrap_err().to_string(), text);
     }
     assert_eq!(robot.get::<Kicker>().log, []);
-    let refusal = robot.modulate(kicker(), 0, &with(3, Value::Choice(9))).unwrap_err();
+    for (component, index) in [(0, 2), (2, 0)] {
+        robot.modulate(component, index, &[]).unwrap_err();
+    }
+    let refusal = robot.modulate("Kicker", 0, &with(3, Value::Choice(9))).unwrap_err();
     assert_eq!((refusal.entry, refusal.reason), (3, Reason::UnknownVariant { count: 2 }));
 }
 
@@ -170,8 +169,9 @@ fn a_getter_is_called_only_when_it_is_read() {
     let mut count = Count(0);
     robot.tick(Instant::from_ticks(0));
     assert_eq!(robot.get::<Kicker>().asked.get(), 0);
-    assert!(robot.read_info(kicker(), 0, &mut count) && robot.read_info(kicker(), 1, &mut count));
-    assert!(!robot.read_info(kicker(), 2, &mut count) && !robot.read_info(Robot::id::<Other>(), 0, &mut count));
-    assert!(!robot.read_info(ComponentId::new(2), 0, &mut count));
+    assert!(robot.read_info("Kicker", "kicks", &mut count) && robot.read_info("Kicker", 1, &mut count));
+    assert!(!robot.read_info("Kicker", 2, &mut count) && !robot.read_info("Other", 0, &mut count));
+    assert!(!robot.read_info("Kicker", "kick", &mut count) && !robot.read_info("Kiker", "kicks", &mut count));
+    assert!(!robot.read_info(2, 0, &mut count));
     assert_eq!((count.0, robot.get::<Kicker>().asked.get()), (2, 1));
 }

@@ -42,16 +42,6 @@ fn required_run_before_and_modulated_after() {
 }
 
 #[test]
-fn a_component_with_several_activators_runs_once() {
-    let mut tree = Diamond::new();
-    for ms in [0, 10, 10, 20] {
-        let runs = runs(&mut tree, ms);
-        assert_eq!(runs.iter().filter(|name| *name == "Shared").count(), 1);
-        assert_eq!(runs.len(), Diamond::COUNT);
-    }
-}
-
-#[test]
 fn values_pass_within_a_cycle() {
     let mut tree = Chain::new();
     tree.get_mut::<Sensor>().truth = 7;

@@ -1,7 +1,7 @@
 //! Parameters of components, in tunable trees and in others.
 
 use bica_core::params::{Kind, Param, Setting, Value};
-use bica_core::refusal::{Reason, Refusal};
+use bica_core::refusal::Reason;
 use bica_core::{Component, ComponentId, Hold, Instant, Rate, Time, Tree, Tuned, graph};
 use bica_macros::{ParamEnum, Params, activation_tree, component};
 
@@ -144,22 +144,18 @@ mod constant {
     }
 }
 
-fn kicker() -> ComponentId {
-    Adjusted::id::<Kicker>()
+fn kicker(parameter: &str, value: Value) -> Setting {
+    Adjusted::setting("Kicker", parameter, value).unwrap()
 }
 
-fn machine() -> ComponentId {
-    Adjusted::id::<Machine>()
-}
-
-fn refusal(tree: &mut Adjusted, component: ComponentId, index: u16, value: Value) -> Refusal {
-    tree.set_params(&[Setting::new(component, index, value)]).expect_err("refused")
+fn machine(runs: u32) -> Setting {
+    Adjusted::setting("Machine", "runs", Value::U32(runs)).unwrap()
 }
 
 #[test]
 fn functions_get_their_component_s_values() {
     let mut tree = Adjusted::new();
-    tree.set_params(&[Setting::new(machine(), 0, Value::U32(1)), Setting::new(kicker(), 5, Value::U32(7))]).unwrap();
+    tree.set_params(&[machine(1), kicker("runs", Value::U32(7))]).unwrap();
     tree.tick(Instant::from_millis(0));
     tree.tick(Instant::from_millis(10));
     tree.hold::<Machine>(Hold::Latent);
@@ -172,7 +168,7 @@ fn functions_get_their_component_s_values() {
 #[test]
 fn values_survive_a_component_that_resets_itself() {
     let mut tree = Adjusted::new();
-    tree.set_params(&[Setting::new(kicker(), 0, Value::F32(0.25))]).unwrap();
+    tree.set_params(&[kicker("back", Value::F32(0.25))]).unwrap();
     tree.hold::<Kicker>(Hold::Latent);
     tree.tick(Instant::from_millis(0));
     tree.hold::<Kicker>(Hold::Tree);
@@ -185,60 +181,70 @@ fn parameters_are_counted_through_structs() {
     let tree = Adjusted::new();
     let values = [Value::F32(-0.5), Value::I32(-7), Value::U32(3), Value::Bool(true), Value::Choice(1), Value::U32(2)];
     for (index, value) in values.into_iter().enumerate() {
-        assert_eq!(tree.get_param(kicker(), index), Some(value));
+        assert_eq!(tree.get_param("Kicker", index), Some(value));
     }
-    assert_eq!(tree.get_param(kicker(), 6), None);
-    assert_eq!(tree.get_param(ComponentId::new(2), 0), None);
+    assert_eq!(tree.get_param(Adjusted::id::<Kicker>(), "runs"), Some(Value::U32(2)));
+    assert_eq!((tree.get_param("Kicker", 6), tree.get_param("Kicker", "run")), (None, None));
+    assert_eq!((tree.get_param(2, 0), tree.get_param("Kiker", "runs")), (None, None));
 }
 
 #[test]
 fn each_reason_of_a_refusal_names_the_parameter() {
     let mut tree = Adjusted::new();
-    for (component, index, value, text) in [
-        (kicker(), 0, Value::F32(1.5), "`Kicker.back`: 1.5 is outside -1..=1"),
-        (kicker(), 0, Value::F32(f32::NAN), "`Kicker.back`: the value is not finite"),
-        (kicker(), 0, Value::F32(f32::INFINITY), "`Kicker.back`: the value is not finite"),
-        (kicker(), 0, Value::I32(0), "`Kicker.back`: the value is of kind i32, but f32 is required"),
-        (kicker(), 1, Value::I32(-8), "`Kicker.forward`: -8 is outside -7..=2147483647"),
-        (kicker(), 2, Value::U32(0), "`Kicker.kicks`: 0 is outside 1..=5"),
-        (kicker(), 2, Value::U32(6), "`Kicker.kicks`: 6 is outside 1..=5"),
-        (kicker(), 3, Value::U32(1), "`Kicker.turns`: the value is of kind u32, but bool is required"),
-        (kicker(), 4, Value::Choice(2), "`Kicker.foot`: no such variant, there are 2"),
-        (kicker(), 6, Value::U32(1), "`Kicker`: no such parameter, the component has 6"),
-        (ComponentId::new(2), 0, Value::U32(1), "entry 0: the tree has no such component"),
+    for (parameter, value, text) in [
+        ("back", Value::F32(1.5), "`Kicker.back`: 1.5 is outside -1..=1"),
+        ("back", Value::F32(f32::NAN), "`Kicker.back`: the value is not finite"),
+        ("back", Value::F32(f32::INFINITY), "`Kicker.back`: the value is not finite"),
+        ("back", Value::I32(0), "`Kicker.back`: the value is of kind i32, but f32 is required"),
+        ("forward", Value::I32(-8), "`Kicker.forward`: -8 is outside -7..=2147483647"),
+        ("kicks", Value::U32(0), "`Kicker.kicks`: 0 is outside 1..=5"),
+        ("kicks", Value::U32(6), "`Kicker.kicks`: 6 is outside 1..=5"),
+        ("turns", Value::U32(1), "`Kicker.turns`: the value is of kind u32, but bool is required"),
+        ("foot", Value::Choice(2), "`Kicker.foot`: no such variant, there are 2"),
     ] {
-        assert_eq!(refusal(&mut tree, component, index, value).to_string(), text);
+        assert_eq!(tree.set_params(&[kicker(parameter, value)]).unwrap_err().to_string(), text);
+    }
+    let (no_param, no_component) = (
+        "`Kicker`: no such parameter; there are: back, forward, kicks, turns, foot, runs",
+        "entry 0: no such component; there are: Kicker, Machine",
+    );
+    for (component, index, text) in [(0, 6, no_param), (2, 0, no_component)] {
+        let setting = Setting::new(ComponentId::new(component), index, Value::U32(1));
+        assert_eq!(tree.set_params(&[setting]).unwrap_err().to_string(), text);
+    }
+    for (component, parameter, text) in [("Kicker", "run", no_param), ("Kiker", "runs", no_component)] {
+        assert_eq!(Adjusted::setting(component, parameter, Value::U32(1)).unwrap_err().to_string(), text);
     }
 }
 
 #[test]
 fn a_refused_batch_changes_nothing() {
     let mut tree = Adjusted::new();
-    let good = Setting::new(machine(), 0, Value::U32(9));
+    let good = machine(9);
     for (bad, reason) in [
         (
-            Setting::new(kicker(), 2, Value::U32(6)),
+            kicker("kicks", Value::U32(6)),
             Reason::OutOfRange { value: Value::U32(6), min: Value::U32(1), max: Value::U32(5) },
         ),
-        (Setting::new(machine(), 0, Value::U32(8)), Reason::Twice),
+        (machine(8), Reason::Twice),
     ] {
         let refusal = tree.set_params(&[good, bad]).unwrap_err();
         assert_eq!((refusal.entry, refusal.reason), (1, reason));
-        assert_eq!(tree.get_param(machine(), 0), Some(Value::U32(2)));
+        assert_eq!(tree.get_param("Machine", "runs"), Some(Value::U32(2)));
     }
-    let pair = [Setting::new(kicker(), 1, Value::I32(0)), good, Setting::new(kicker(), 2, Value::U32(5))];
+    let pair = [kicker("forward", Value::I32(0)), good, kicker("kicks", Value::U32(5))];
     let refusal = tree.set_params(&pair).unwrap_err();
     assert_eq!(refusal.reason, Reason::Rule("five kicks are only for backward swings"));
     assert_eq!(tree.params::<Kicker>().0, Tuned::<Kicking>::DEFAULT);
-    assert_eq!(tree.get_param(machine(), 0), Some(Value::U32(2)));
+    assert_eq!(tree.get_param("Machine", "runs"), Some(Value::U32(2)));
 }
 
 #[test]
 fn a_rule_judges_the_result_of_a_batch() {
     let mut tree = Adjusted::new();
-    tree.set_params(&[Setting::new(kicker(), 2, Value::U32(5))]).unwrap();
-    assert!(tree.set_params(&[Setting::new(kicker(), 1, Value::I32(4))]).is_err());
-    let both = [Setting::new(kicker(), 1, Value::I32(4)), Setting::new(kicker(), 2, Value::U32(4))];
+    tree.set_params(&[kicker("kicks", Value::U32(5))]).unwrap();
+    assert!(tree.set_params(&[kicker("forward", Value::I32(4))]).is_err());
+    let both = [kicker("forward", Value::I32(4)), kicker("kicks", Value::U32(4))];
     tree.set_params(&both).unwrap();
     assert_eq!(tree.params::<Kicker>().0.forward, 4);
 }
@@ -268,8 +274,8 @@ fn values_are_replaced_together_or_not() {
 fn an_untunable_tree_stores_nothing_and_refuses() {
     let mut tree = constant::Adjusted::new();
     assert!(size_of::<constant::Adjusted>() < size_of::<Adjusted>());
-    assert_eq!(tree.get_param(kicker(), 4), Some(Value::Choice(1)));
-    let refusal = tree.set_params(&[Setting::new(kicker(), 0, Value::F32(0.0))]).unwrap_err();
+    assert_eq!(tree.get_param("Kicker", "foot"), Some(Value::Choice(1)));
+    let refusal = tree.set_params(&[kicker("back", Value::F32(0.0))]).unwrap_err();
     assert_eq!(refusal.to_string(), "`Kicker.back`: the tree is not `tunable`, its parameters are constants");
     let refusal = tree.set_params_of::<Machine>(Tuned::DEFAULT).unwrap_err();
     assert_eq!(refusal.reason, Reason::NotTunable);

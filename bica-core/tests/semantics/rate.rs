@@ -2,26 +2,10 @@
 
 use super::*;
 
-pub(crate) struct Slow {
-    child_hz: f32,
-}
+pub(crate) struct Slow;
 
 #[component(hz = 10, crate = bica_core)]
 impl Slow {
-    const fn new() -> Self {
-        Self { child_hz: 20.0 }
-    }
-
-    fn step(&mut self, rate: &mut Rate<Fast>) {
-        rate.set(self.child_hz);
-    }
-}
-
-#[derive(Default)]
-pub(crate) struct Fast;
-
-#[component(hz = 50, crate = bica_core)]
-impl Fast {
     fn step(&mut self, _: &mut Always) {}
 }
 
@@ -34,7 +18,7 @@ activation_tree! {
     pub(crate) struct Rates {
         root: Slow,
         cycle_hz: 100,
-        components: [Slow, Fast = Fast, Always = Always],
+        components: [Slow = Slow, Always = Always],
         crate: bica_core,
     }
 }
@@ -42,18 +26,6 @@ activation_tree! {
 /// Returns the milliseconds at which `name` runs.
 fn run_times(tree: &mut Rates, name: &str, ms: impl IntoIterator<Item = u64>) -> Vec<u64> {
     ms.into_iter().filter(|&ms| runs(tree, ms).iter().any(|run| run == name)).collect()
-}
-
-#[test]
-fn a_child_may_run_faster_than_its_parent() {
-    let mut tree = Rates::new();
-    tree.get_mut::<Slow>().child_hz = 50.0;
-    assert_eq!(run_times(&mut tree, "Slow", (0..400).step_by(10)), [0, 100, 200, 300]);
-    let mut tree = Rates::new();
-    tree.get_mut::<Slow>().child_hz = 50.0;
-    assert_eq!(run_times(&mut tree, "Fast", (0..100).step_by(10)), [0, 20, 40, 60, 80]);
-    let mut tree = Rates::new();
-    assert_eq!(run_times(&mut tree, "Always", (0..50).step_by(10)), [0, 10, 20, 30, 40]);
 }
 
 #[test]
@@ -80,36 +52,6 @@ fn a_stopped_clock_runs_only_components_without_rate() {
 }
 
 #[test]
-fn a_parent_modulates_the_rate() {
-    let mut tree = Rates::new();
-    assert_eq!(run_times(&mut tree, "Fast", (0..200).step_by(10)), [0, 50, 100, 150]);
-    assert_eq!(tree.rate::<Fast>().hz(), Some(20.0));
-    tree.get_mut::<Slow>().child_hz = 1000.0;
-    tree.tick(at(200));
-    assert_eq!(tree.rate::<Fast>().hz(), Some(50.0), "limited to the declared rate");
-}
-
-#[test]
-fn the_rate_is_modulated_from_outside() {
-    let mut tree = Rates::new();
-    tree.rate_mut::<Slow>().set(1.0);
-    tree.rate_mut::<Always>().set(10.0);
-    assert_eq!(run_times(&mut tree, "Slow", (0..2000).step_by(10)), [0, 1000]);
-    assert_eq!(run_times(&mut tree, "Always", (2000..2200).step_by(10)), [2000, 2100]);
-    tree.rate_mut::<Always>().reset();
-    assert_eq!(run_times(&mut tree, "Always", [2200, 2201, 2202]), [2200, 2201, 2202]);
-}
-
-#[test]
-fn a_faster_rate_applies_at_once() {
-    let mut tree = Rates::new();
-    tree.rate_mut::<Slow>().set(1.0);
-    tree.tick(at(0));
-    tree.rate_mut::<Slow>().reset();
-    assert_eq!(run_times(&mut tree, "Slow", [50, 97, 98]), [98]);
-}
-
-#[test]
 fn a_component_with_rate_0_is_active_but_does_not_run() {
     let mut tree = Rates::new();
     tree.rate_mut::<Slow>().set(0.0);
@@ -122,20 +64,6 @@ fn a_component_with_rate_0_is_active_but_does_not_run() {
     let mut watch = super::watch::Watch::of::<Rates>();
     tree.tick_with(Instant::from_ticks(u64::MAX), &mut watch);
     assert!(watch.lines.contains(&"skip Slow".to_owned()), "not even at the largest instant");
-    tree.rate_mut::<Slow>().set(-3.0);
-    assert_eq!(tree.rate::<Slow>().hz(), Some(0.0));
-}
-
-#[test]
-fn a_rate_of_nan_is_the_declared_rate() {
-    let mut tree = Rates::new();
-    tree.rate_mut::<Slow>().set(1.0);
-    tree.rate_mut::<Slow>().set(f32::NAN);
-    assert_eq!(tree.rate::<Slow>().hz(), Some(10.0));
-    tree.rate_mut::<Slow>().set(f32::INFINITY);
-    assert_eq!(tree.rate::<Slow>().hz(), Some(10.0));
-    tree.rate_mut::<Always>().set(f32::NAN);
-    assert_eq!(tree.rate::<Always>().hz(), None);
 }
 
 #[test]
@@ -174,66 +102,21 @@ fn a_component_modulates_its_own_rate() {
     assert_eq!(run_times, [0, 100, 300, 600, 1000]);
 }
 
-pub(crate) struct Setter {
-    asks: Option<f32>,
-}
-
-#[component(crate = bica_core)]
-impl Setter {
-    const fn new() -> Self {
-        Self { asks: None }
-    }
-
-    fn step(&mut self, rate: &mut Rate<Undeclared>) {
-        if let Some(hz) = self.asks {
-            rate.set(hz);
-        }
-    }
-}
-
-pub(crate) struct Undeclared;
-
-#[component(crate = bica_core)]
-impl Undeclared {}
-
-activation_tree! {
-    pub(crate) struct Given {
-        root: Setter,
-        cycle_hz: 100,
-        components: [Setter, Undeclared = Undeclared],
-        crate: bica_core,
-    }
-}
-
-#[test]
-fn an_undeclared_rate_can_be_given() {
-    let mut tree = Given::new();
-    let mut moments = |asks, ms: std::ops::Range<u64>| -> Vec<u64> {
-        tree.get_mut::<Setter>().asks = asks;
-        ms.step_by(10).filter(|&ms| runs(&mut tree, ms).iter().any(|run| run == "Undeclared")).collect()
-    };
-    assert_eq!(moments(None, 0..40), [0, 10, 20, 30]);
-    assert_eq!(moments(Some(25.0), 40..200), [40, 80, 120, 160], "multiples of the period since the activation");
-    assert_eq!(moments(None, 200..300), [200, 240, 280], "the rate holds until it is set again");
-    assert_eq!(moments(Some(f32::NAN), 300..340), [300, 310, 320, 330]);
-}
-
 #[test]
 fn a_given_rate_holds_whatever_the_component_is_held() {
     let mut tree = Rates::new();
-    let always = Rates::id::<Always>();
     tree.rate_mut::<Always>().set(25.0);
     assert_eq!(run_times(&mut tree, "Always", (0..100).step_by(10)), [0, 40, 80]);
-    tree.hold_at(always, Hold::Active);
+    tree.hold::<Always>(Hold::Active);
     assert_eq!(run_times(&mut tree, "Always", (100..200).step_by(10)), [120, 160]);
-    tree.hold_at(always, Hold::Tree);
+    tree.hold::<Always>(Hold::Tree);
     assert_eq!(run_times(&mut tree, "Always", (200..300).step_by(10)), [200, 240, 280]);
     // It does not become latent in between.
-    tree.hold_at(always, Hold::Latent);
-    tree.hold_at(always, Hold::Tree);
+    tree.hold::<Always>(Hold::Latent);
+    tree.hold::<Always>(Hold::Tree);
     assert_eq!(run_times(&mut tree, "Always", (300..400).step_by(10)), [320, 360]);
-    tree.hold_at(always, Hold::Latent);
+    tree.hold::<Always>(Hold::Latent);
     assert_eq!(run_times(&mut tree, "Always", (400..450).step_by(10)), [0_u64; 0]);
-    tree.hold_at(always, Hold::Tree);
+    tree.hold::<Always>(Hold::Tree);
     assert_eq!(run_times(&mut tree, "Always", (450..550).step_by(10)), [450, 490, 530], "a new grid");
 }

@@ -8,7 +8,7 @@ use super::*;
 /// Component with a number that depends on all that it reads and on its times.
 macro_rules! part {
     ($name:ident [$($option:tt)*] reads($($read:ident: $Read:ty),*) writes($($write:ident: $Write:ty),*)) => {
-        pub(crate) struct $name(u64);
+        pub(crate) struct $name(pub(crate) u64);
 
         #[component($($option)* crate = bica_core)]
         impl $name {
@@ -28,7 +28,7 @@ macro_rules! part {
 /// Machine that leaves a state after 20 ms.
 macro_rules! machine {
     ($name:ident [$($option:tt)*] ($($first:ident: $First:ty),*) ($($second:ident: $Second:ty),*)) => {
-        pub(crate) struct $name(u64);
+        pub(crate) struct $name(pub(crate) u64);
 
         #[component($($option)* crate = bica_core)]
         impl $name {
@@ -78,15 +78,6 @@ mod fixed {
             crate: bica_core,
         }
     }
-
-    /// Mixture of all numbers.
-    pub(super) fn values(tree: &Fixed) -> u64 {
-        tree.get::<Root>().0
-            ^ tree.get::<Left>().0.rotate_left(1)
-            ^ tree.get::<Right>().0.rotate_left(2)
-            ^ tree.get::<After>().0.rotate_left(3)
-            ^ tree.get::<Shared>().0.rotate_left(4)
-    }
 }
 
 mod mixed {
@@ -106,15 +97,6 @@ mod mixed {
             components: [Root, Leaf, Branch, Below, Shared],
             crate: bica_core,
         }
-    }
-
-    /// Mixture of all numbers.
-    pub(super) fn values(tree: &Mixed) -> u64 {
-        tree.get::<Root>().0
-            ^ tree.get::<Leaf>().0.rotate_left(1)
-            ^ tree.get::<Branch>().0.rotate_left(2)
-            ^ tree.get::<Below>().0.rotate_left(3)
-            ^ tree.get::<Shared>().0.rotate_left(4)
     }
 }
 
@@ -136,21 +118,12 @@ mod choosing {
             crate: bica_core,
         }
     }
-
-    /// Mixture of all numbers.
-    pub(super) fn values(tree: &Choosing) -> u64 {
-        tree.get::<Root>().0
-            ^ tree.get::<Left>().0.rotate_left(1)
-            ^ tree.get::<Branch>().0.rotate_left(2)
-            ^ tree.get::<Below>().0.rotate_left(3)
-            ^ tree.get::<Shared>().0.rotate_left(4)
-    }
 }
 
 mod rated {
     use super::*;
 
-    pub(crate) struct Root(u64);
+    pub(crate) struct Root(pub(crate) u64);
 
     #[component(crate = bica_core)]
     impl Root {
@@ -165,7 +138,7 @@ mod rated {
         }
     }
 
-    pub(crate) struct Slow(u64);
+    pub(crate) struct Slow(pub(crate) u64);
 
     #[component(hz = 50, crate = bica_core)]
     impl Slow {
@@ -191,15 +164,6 @@ mod rated {
             components: [Slow, Slowed, Under, Usual, Root],
             crate: bica_core,
         }
-    }
-
-    /// Mixture of all numbers.
-    pub(super) fn values(tree: &Rated) -> u64 {
-        tree.get::<Root>().0
-            ^ tree.get::<Slow>().0.rotate_left(1)
-            ^ tree.get::<Slowed>().0.rotate_left(2)
-            ^ tree.get::<Usual>().0.rotate_left(3)
-            ^ tree.get::<Under>().0.rotate_left(4)
     }
 }
 
@@ -262,8 +226,8 @@ impl Probe for Recorder {
 fn request<T: Tree>(tree: &mut T, request: Request) {
     match request {
         Request::None => {}
-        Request::Hold(index, hold) => tree.hold_at(ComponentId::new(index), hold),
-        Request::Rate(index, hz) => tree.set_rate_at(ComponentId::new(index), hz),
+        Request::Hold(index, hold) => tree.hold_at(index, hold).unwrap(),
+        Request::Rate(index, hz) => tree.set_rate_at(index, hz).unwrap(),
     }
 }
 
@@ -274,7 +238,7 @@ fn is_steady<T: Tree>(tree: &T) -> bool {
 
 /// Compares a tree with one that is never steady; returns the numbers of cycles and of steady ones. `unsettle` writes a
 /// rate without changing it.
-fn compare<T: Tree>(sequence: &[Step], new: fn() -> T, unsettle: fn(&mut T), values: fn(&T) -> u64) -> (u64, u64) {
+fn compare<T: Tree>(sequence: &[Step], new: fn() -> T, unsettle: fn(&mut T), values: fn(&T) -> Vec<u64>) -> (u64, u64) {
     let (mut tree, mut plain) = (new(), new());
     let (mut seen, mut expected) = (Recorder::default(), Recorder::default());
     let (mut now, mut counts) = (1_000, (0, 0));
@@ -290,7 +254,7 @@ fn compare<T: Tree>(sequence: &[Step], new: fn() -> T, unsettle: fn(&mut T), val
         tree.tick_with(Instant::from_millis(now), &mut seen);
         plain.tick_with(Instant::from_millis(now), &mut expected);
         assert_eq!(seen, expected, "cycle {cycle} of {sequence:?}");
-        let status = |tree: &T| (0..T::COUNT).map(|index| tree.status(ComponentId::new(index))).collect::<Vec<_>>();
+        let status = |tree: &T| (0..T::COUNT).map(|index| tree.status(index)).collect::<Vec<_>>();
         assert_eq!(status(&tree), status(&plain), "cycle {cycle} of {sequence:?}");
         assert_eq!(values(&tree), values(&plain), "cycle {cycle} of {sequence:?}");
     }
@@ -298,7 +262,7 @@ fn compare<T: Tree>(sequence: &[Step], new: fn() -> T, unsettle: fn(&mut T), val
 }
 
 /// Compares every sequence with a number of requests, and checks that many cycles are steady.
-fn explore<T: Tree>(requests: u32, new: fn() -> T, unsettle: fn(&mut T), values: fn(&T) -> u64) {
+fn explore<T: Tree>(requests: u32, new: fn() -> T, unsettle: fn(&mut T), values: fn(&T) -> Vec<u64>) {
     let steps = steps(T::COUNT);
     let (mut sequences, mut cycles, mut steady) = (0, 0, 0);
     for mut code in 0..steps.len().pow(requests) {
@@ -315,10 +279,18 @@ fn explore<T: Tree>(requests: u32, new: fn() -> T, unsettle: fn(&mut T), values:
 }
 
 fn explore_all(requests: u32) {
-    explore(requests, fixed::Fixed::new, |tree| _ = tree.rate_mut::<fixed::Root>(), fixed::values);
-    explore(requests, mixed::Mixed::new, |tree| _ = tree.rate_mut::<mixed::Root>(), mixed::values);
-    explore(requests, choosing::Choosing::new, |tree| _ = tree.rate_mut::<choosing::Root>(), choosing::values);
-    explore(requests, rated::Rated::new, |tree| _ = tree.rate_mut::<rated::Root>(), rated::values);
+    macro_rules! explore_each {
+        ($($module:ident::$Tree:ident: $($component:ident),*;)*) => {$(
+            let values = |tree: &$module::$Tree| vec![$(tree.get::<$module::$component>().0),*];
+            explore(requests, $module::$Tree::new, |tree| _ = tree.rate_mut::<$module::Root>(), values);
+        )*};
+    }
+    explore_each! {
+        fixed::Fixed: Root, Left, Right, After, Shared;
+        mixed::Mixed: Root, Leaf, Branch, Below, Shared;
+        choosing::Choosing: Root, Left, Branch, Below, Shared;
+        rated::Rated: Root, Slow, Slowed, Usual, Under;
+    }
 }
 
 #[test]

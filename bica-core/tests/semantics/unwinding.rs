@@ -254,7 +254,7 @@ proptest! {
             for (countdown, ms, hold) in ticks {
                 now += ms;
                 if let Some((index, how)) = hold {
-                    tree.hold_at(ComponentId::new(index), [Hold::Tree, Hold::Active, Hold::Latent][how]);
+                    tree.hold_at(index, [Hold::Tree, Hold::Active, Hold::Latent][how]).unwrap();
                 }
                 let unwound = unwinds(&mut tree, now, countdown);
                 let active: BTreeSet<_> = tree.active().collect();

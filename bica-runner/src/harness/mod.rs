@@ -192,9 +192,7 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
     where
         T: Has<C>,
     {
-        let id = T::id::<C>();
-        let state = self.tree.state(id).filter(|_| self.tree.is_active_at(id))?;
-        T::GRAPH.nodes[id.index()].states.get(state).map(|state| state.name)
+        self.tree.state_name_at(T::id::<C>()).filter(|_| self.tree.is_active::<C>())
     }
 
     /// Whether component `C` was active in the last cycle.

@@ -1,7 +1,7 @@
 //! What a server reads out of a tree after a cycle.
 
+use bica_core::Tree;
 use bica_core::graph::Node;
-use bica_core::{ComponentId, Tree};
 use heapless::Vec;
 
 use crate::message::{Change, ComponentState, MAX_BATCH, MAX_VALUES, ParamValues, Setting, Value};
@@ -11,11 +11,11 @@ use crate::message::{Change, ComponentState, MAX_BATCH, MAX_VALUES, ParamValues,
 pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
     match change {
         Change::Params(batch) => {
-            let value = |setting: &Setting| tree.get_param(setting.component, setting.index.into());
+            let value = |setting: &Setting| tree.get_param(setting.component, usize::from(setting.index));
             batch.iter().filter_map(value).collect()
         }
         Change::Rate { component, .. } => {
-            let hz = tree.status(ComponentId::new((*component).into())).and_then(|status| status.hz);
+            let hz = tree.status(usize::from(*component)).and_then(|status| status.hz);
             hz.into_iter().map(Value::F32).collect()
         }
         Change::Hold { .. } | Change::Modulate { .. } => Vec::new(),
@@ -25,7 +25,7 @@ pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
 /// State of the component at an index, after a cycle; `None` for one that the tree does not list.
 #[must_use]
 pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
-    tree.status(ComponentId::new(index)).map(|status| ComponentState {
+    tree.status(index).map(|status| ComponentState {
         active: status.active,
         held: status.held,
         state: status.state.map(|state| state as u16),
@@ -38,7 +38,7 @@ pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
 pub fn params<T: Tree>(tree: &T, cycle: u64, component: u16, first: u16) -> Option<ParamValues> {
     let count = T::GRAPH.nodes.get(usize::from(component)).map_or(0, Node::param_count);
     let start = usize::from(first);
-    let value = |index| tree.get_param(ComponentId::new(component.into()), index);
+    let value = |index| tree.get_param(usize::from(component), index);
     (start < count).then(|| {
         let values = (start..count.min(start + MAX_VALUES)).map(value).collect();
         ParamValues { cycle, component, first, values }

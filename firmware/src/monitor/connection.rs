@@ -106,7 +106,7 @@ impl Outcome {
     pub(super) fn of_refusal(refusal: &Refusal) -> Self {
         let reason = match refusal.reason {
             Reason::NotTunable => "the tree is not `tunable`, its parameters are constants",
-            Reason::UnknownComponent => "the tree has no such component",
+            Reason::UnknownComponent { .. } => "the tree has no such component",
             Reason::UnknownParameter { .. } => "no such parameter",
             Reason::UnknownModulation { .. } => "no such modulation",
             Reason::ArgumentCount { .. } => "another number of arguments is required",

@@ -143,7 +143,7 @@ impl Connection {
     ) -> Option<usize> {
         let (component, info) = (self.watched[entry].component, self.watched[entry].info);
         let mut sink = SchemaOf(None);
-        context.tree.read_info(ComponentId::new(component.into()), info.into(), &mut sink);
+        context.tree.read_info(ComponentId::new(component.into()), usize::from(info), &mut sink);
         let Some(schema) = sink.0 else {
             // The component has no such output.
             set(&mut self.due, entry, false);

@@ -16,7 +16,7 @@
 use std::fmt::Debug;
 use std::ops::AddAssign;
 
-use bica_core::{ComponentId, Hold, Instant, Tree};
+use bica_core::{Hold, Instant, Tree};
 
 use super::choice::{Choice, each_choice};
 use super::key::{Known, key};
@@ -121,7 +121,7 @@ impl<T: Subject> Graph<'_, T> {
                 let held = model.components.iter().filter(|memory| memory.hold != Hold::Tree).count();
                 if held <= most && node.model.components[index].hold != hold {
                     let mut tree = self.copy(&node.tree);
-                    tree.hold_at(ComponentId::new(index), hold);
+                    tree.hold_at(index, hold).unwrap();
                     self.reach(Node { tree, model, ..*node });
                 }
             }
@@ -161,7 +161,7 @@ pub(crate) fn trees(len: usize) -> u64 {
 fn compare<T: Tree>(tree: &T, model: &Model, seen: &[Event], expected: &[Event], case: (&Shape, &impl Debug, u64)) {
     assert_eq!(seen, expected, "{case:#?}\nbefore: {model:#?}");
     for (index, memory) in model.components.iter().enumerate() {
-        let status = tree.status(ComponentId::new(index)).expect("a component of the tree");
+        let status = tree.status(index).expect("a component of the tree");
         let expected = (memory.active, memory.hold, memory.state);
         assert_eq!((status.active, status.held, status.state), expected, "{index}: {case:#?}");
     }

@@ -170,9 +170,9 @@ macro_rules! tree {
                 }
             }
 
-            fn set_hz(&mut self, index: usize, hz: f32) {
+            fn set_hz(&mut self, index: usize, hz: Option<f32>) {
                 match index {
-                    $($index => self.rate_mut::<Node<$index, $rated>>().set(hz),)*
+                    $($index => hz.map_or((), |hz| self.rate_mut::<Node<$index, $rated>>().set(hz)),)*
                     _ => {}
                 }
             }

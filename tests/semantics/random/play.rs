@@ -33,20 +33,16 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
     match action {
         Action::Flags(flags) => (tree.unit(index).flags, model.components[index].flags) = (flags, flags),
         Action::Rate(hz) => {
-            tree.set_rate(index, hz);
-            model.set_rate(index, hz);
-        }
-        Action::RateAt(hz) => {
-            tree.set_rate_at(ComponentId::new(index), Some(hz));
+            tree.set_rate_at(index, Some(hz)).unwrap();
             model.set_rate(index, hz);
         }
         Action::Reset => {
-            tree.reset_rate(index);
+            tree.set_rate_at(index, None).unwrap();
             model.components[index].hz = T::GRAPH.nodes[index].hz;
         }
         Action::SetChildRate(hz) => tree.unit(index).requested_rate = Some(hz),
         Action::Hold(hold) => {
-            tree.hold_at(ComponentId::new(index), hold);
+            tree.hold_at(index, hold).unwrap();
             model.memories[index].hold = hold;
         }
     }
@@ -55,7 +51,6 @@ fn perform<T: TestTree>(tree: &mut T, model: &mut Model, index: usize, action: A
 /// Compares the status of each component between two cycles.
 fn compare<T: TestTree>(tree: &T, model: &Model) -> Result<(), TestCaseError> {
     for (index, (memory, data)) in model.memories.iter().zip(&model.components).enumerate() {
-        let id = ComponentId::new(index);
         let expected = Status {
             active: memory.active,
             held: memory.hold,
@@ -63,11 +58,7 @@ fn compare<T: TestTree>(tree: &T, model: &Model) -> Result<(), TestCaseError> {
             since: data.started.then(|| Instant::from_ticks(data.entered)),
             hz: data.hz,
         };
-        prop_assert_eq!(tree.status(id), Some(expected));
-        prop_assert_eq!(
-            (tree.is_active_at(id), tree.held(id), tree.state(id)),
-            (expected.active, expected.held, expected.state)
-        );
+        prop_assert_eq!(tree.status(index), Some(expected));
     }
     Ok(())
 }

@@ -22,8 +22,6 @@ pub(crate) enum Action {
     Flags(u32),
     /// Sets the rate of a component, by its type.
     Rate(f32),
-    /// Sets the rate of a component, by its index.
-    RateAt(f32),
     /// Resets the rate of a component to the declared one.
     Reset,
     /// Makes a component set the rate of its child in its next run.
@@ -62,8 +60,7 @@ fn action(stress: Stress) -> BoxedStrategy<Action> {
     prop_oneof![
         1 => Just(Action::Flags(0)),
         stress.flags => (any::<u32>(), any::<u32>()).prop_map(|(a, b)| Action::Flags(a & b)),
-        stress.rates => rate().prop_map(Action::Rate),
-        stress.rates => rate().prop_map(Action::RateAt),
+        2 * stress.rates => rate().prop_map(Action::Rate),
         stress.rates => Just(Action::Reset),
         stress.rates => rate().prop_map(Action::SetChildRate),
         stress.holds => hold().prop_map(Action::Hold),

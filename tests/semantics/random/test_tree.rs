@@ -19,8 +19,6 @@ pub(crate) trait TestTree: Tree + Default {
     const HOOKS: &'static [Hook];
 
     fn unit(&mut self, index: usize) -> &mut Unit;
-    fn set_rate(&mut self, index: usize, hz: f32);
-    fn reset_rate(&mut self, index: usize);
 }
 
 /// Implements [`TestTree`] for a tree: its components in the order of its list, and its hooks.
@@ -41,18 +39,6 @@ macro_rules! test_tree {
                     return &mut self.get_mut::<$component>().unit;
                 })*
                 panic!("no component has index {index}")
-            }
-
-            fn set_rate(&mut self, index: usize, hz: f32) {
-                $(if index == <$tree>::id::<$component>().index() {
-                    self.rate_mut::<$component>().set(hz);
-                })*
-            }
-
-            fn reset_rate(&mut self, index: usize) {
-                $(if index == <$tree>::id::<$component>().index() {
-                    self.rate_mut::<$component>().reset();
-                })*
             }
         }
     };

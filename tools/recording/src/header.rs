@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 use bica::graph::{self, Graph, Node};
 use bica::info::Info as Information;
-use bica::params::{Kind, Param, find};
+use bica::params::{Kind, Param};
 use bica::{ComponentId, Tree};
 use bica_link::Placement;
 use postcard_schema::schema::owned::OwnedNamedType;
@@ -284,7 +284,7 @@ impl ParameterInfo {
 fn recorded_parameters<T: Tree>(tree: &T) -> Vec<Parameter> {
     let of_component = |(component, node): (usize, &Node)| {
         let parameter = move |index| {
-            let (param, value) = (find(node.params, index)?, tree.get_param(ComponentId::new(component), index)?);
+            let ((_, param), value) = (node.find_param(index)?, tree.get_param(component, index)?);
             let (text, is_default) = (param.kind.text(value).to_string(), value == param.default);
             Some(Parameter { component: node.name.to_owned(), name: param.name.to_owned(), value: text, is_default })
         };

@@ -104,7 +104,7 @@ fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
             }
         }
 
-        fn set_hz(&mut self, index: usize, hz: f32) {
+        fn set_hz(&mut self, index: usize, hz: ::core::option::Option<f32>) {
             match index {
                 #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
                 _ => {}

@@ -116,7 +116,7 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
             fn hz(&self, _: usize) -> ::core::option::Option<f32> {
                 ::core::option::Option::None
             }
-            fn set_hz(&mut self, _: usize, _: f32) {}
+            fn set_hz(&mut self, _: usize, _: ::core::option::Option<f32>) {}
         }
     }
 }

@@ -66,7 +66,7 @@ impl CycleData {
             self.bytes.resize(2 * (self.used + MAX_INFO_BYTES), 0);
         }
         let mut sink = Bytes { room: &mut self.bytes[self.used..self.used + MAX_INFO_BYTES], taken: None };
-        tree.read_info(ComponentId::new(component.into()), info.into(), &mut sink);
+        tree.read_info(ComponentId::new(component.into()), usize::from(info), &mut sink);
         let Some((schema, length)) = sink.taken else { return };
         let place = length.map(|length| self.used..self.used + length);
         self.used = place.as_ref().map_or(self.used, |place| place.end);

@@ -5,7 +5,6 @@ use std::sync::atomic::Ordering;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use bica::params::find;
 use bica::runner::{Request, Requests};
 use bica::{Graph, Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode, WorldChange};
@@ -154,8 +153,9 @@ fn describe(graph: &'static Graph, change: &Change) -> String {
             let mut text = "set".to_owned();
             for setting in batch {
                 let node = node(setting.component.index());
-                let param = node.and_then(|node| find(node.params, setting.index.into()));
-                let (component, param) = (node.map_or("?", |node| node.name), param.map_or("?", |param| param.name));
+                let param = node.and_then(|node| node.find_param(usize::from(setting.index)));
+                let (component, param) =
+                    (node.map_or("?", |node| node.name), param.map_or("?", |(_, param)| param.name));
                 // Writing to a String cannot fail.
                 let _ = write!(text, " {component}.{param}={}", setting.value);
             }
