@@ -1,7 +1,9 @@
 //! The static description of a tree: what every tool reads and what the compiler checks.
 
+mod doc;
 mod hash;
 
+pub use doc::Doc;
 pub use hash::hash;
 
 use crate::id::ComponentId;

@@ -41,6 +41,7 @@
 //! assert_eq!(&bytes.0[..bytes.1], 1.25_f32.to_le_bytes());
 //! ```
 
+use crate::graph::Doc;
 use crate::visual::Placement;
 
 /// Description of an output.
@@ -49,7 +50,7 @@ pub struct Info {
     /// The getter's name.
     pub name: &'static str,
     /// The getter's doc comment.
-    pub doc: &'static str,
+    pub doc: Doc,
     /// The unit, such as `"m"`; `None` for what has none.
     pub unit: Option<&'static str>,
     /// The type of the value, as the getter writes it.

@@ -71,6 +71,7 @@ pub use declare::{
     assert_default, assert_distinct_names, assert_range, assert_rule, assert_step, natural_default, variant,
 };
 
+use crate::graph::Doc;
 use crate::id::ComponentId;
 
 /// Parameters of a component; `#[derive(Params)]` implements it.
@@ -171,7 +172,7 @@ pub struct Param {
     /// The field's name.
     pub name: &'static str,
     /// The field's doc comment.
-    pub doc: &'static str,
+    pub doc: Doc,
     /// The unit, such as `"m/s"`; `None` for a pure number.
     pub unit: Option<&'static str>,
     /// Kind and range.

@@ -5,7 +5,7 @@ pub use crate::__output as output;
 pub use crate::__visit_functions as visit_functions;
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
-pub use crate::graph::{Graph, Link, LinkKind, Node, State, Transition};
+pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 pub use crate::info::{Info, InfoSink};
 pub use crate::modulation::Modulation;
 pub use crate::params::{

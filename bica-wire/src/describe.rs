@@ -166,7 +166,7 @@ impl GraphItems {
             }
             List::Info => {
                 let info = node.info.get(self.index)?;
-                self.doc = info.doc;
+                self.doc = info.doc.text();
                 let type_name = truncate(info.ty, TYPE_BYTES);
                 let placement = info.placement.copied();
                 GraphItem::Info { component, index, name: info.name, unit: info.unit, type_name, placement }
@@ -188,7 +188,7 @@ impl GraphItems {
 
     /// Prepares what follows a parameter or argument; returns its kind and default.
     fn begin_param(&mut self, param: &Param) -> (Kind<u16>, Value) {
-        self.doc = param.doc;
+        self.doc = param.doc.text();
         if let Kind::Choice { variants } = param.kind {
             self.variants = variants;
         }

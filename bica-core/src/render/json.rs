@@ -38,7 +38,7 @@ fn component(f: &mut Formatter<'_>, node: &Node) -> Result {
 }
 
 fn info(f: &mut Formatter<'_>, info: &Info) -> Result {
-    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(info.name), quoted(info.doc))?;
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(info.name), quoted(info.doc.text()))?;
     write!(f, "\"unit\": {}, \"type\": {}, ", or_null(info.unit.map(quoted)), quoted(info.ty))?;
     let (shape, frame) = (info.placement.map(|one| quoted(one.shape)), info.placement.map(|one| quoted(one.frame)));
     let child = info.placement.and_then(|placement| placement.child);
@@ -59,7 +59,7 @@ fn group(f: &mut Formatter<'_>, group: &ParamGroup) -> Result {
 }
 
 fn param(f: &mut Formatter<'_>, param: &Param) -> Result {
-    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(param.name), quoted(param.doc))?;
+    write!(f, "{{\"name\": {}, \"doc\": {}, ", quoted(param.name), quoted(param.doc.text()))?;
     write!(f, "\"unit\": {}, \"kind\": \"{}\", ", or_null(param.unit.map(quoted)), param.kind.name())?;
     match param.kind {
         Kind::F32 { min, max, step } => {

@@ -1,6 +1,6 @@
 //! Random graphs.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{Kind, Param, ParamGroup, Value, Variant};
@@ -119,7 +119,7 @@ fn special_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
         });
     let kind = prop_oneof![f32s, i32s, u32s, bools, choices];
     let param = (special_text(), special_text(), prop::option::of(special_text()), kind)
-        .prop_map(|(name, doc, unit, (kind, default))| Param { name, doc, unit, kind, default });
+        .prop_map(|(name, doc, unit, (kind, default))| Param { name, doc: Doc::new(doc), unit, kind, default });
     let group = (special_text(), special_text(), prop::collection::vec(param, 0..3))
         .prop_map(|(name, doc, params)| ParamGroup { name, doc, params: params.leak() });
     prop::collection::vec(group, 0..3).prop_map(|groups| &*groups.leak())
@@ -140,7 +140,13 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
             let info = |group: &ParamGroup| {
                 let (name, doc) = (group.name, group.doc);
                 let placement = &*Box::leak(Box::new(Placement { shape: name, frame: doc, child: Some(name) }));
-                Info { name, doc, unit: Some(doc), ty: name, placement: (!doc.is_empty()).then_some(placement) }
+                Info {
+                    name,
+                    doc: Doc::new(doc),
+                    unit: Some(doc),
+                    ty: name,
+                    placement: (!doc.is_empty()).then_some(placement),
+                }
             };
             node.info = groups.iter().map(info).collect::<Vec<_>>().leak();
             let modulation =

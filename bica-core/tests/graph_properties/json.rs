@@ -45,7 +45,7 @@ fn group_is(written: &Value, group: &ParamGroup) -> bool {
 
 fn info_is(written: &Value, info: &Info) -> bool {
     *written
-        == json!({ "name": info.name, "doc": info.doc, "unit": info.unit, "type": info.ty,
+        == json!({ "name": info.name, "doc": info.doc.text(), "unit": info.unit, "type": info.ty,
         "shape": info.placement.map(|one| one.shape), "frame": info.placement.map(|one| one.frame), "child": info.placement.and_then(|one| one.child) })
 }
 
@@ -79,7 +79,7 @@ fn param_is(written: &Value, param: &Param) -> bool {
     written.as_object().is_some_and(|fields| fields.len() == count)
         && same
         && written["name"] == param.name
-        && written["doc"] == param.doc
+        && written["doc"] == param.doc.text()
         && written["unit"] == json!(param.unit)
         && written["kind"] == param.kind.name()
 }

@@ -1,7 +1,7 @@
 //! Message of each violation.
 
 use bica_core::check::{check, first_violation, message};
-use bica_core::graph::{Graph, Node, State};
+use bica_core::graph::{Doc, Graph, Node, State};
 use bica_core::info::Info;
 use bica_core::visual::Placement;
 
@@ -134,7 +134,7 @@ fn too_many() {
 }
 
 const fn pose(name: &'static str, placement: &'static Placement<'static>) -> Info {
-    Info { name, doc: "", unit: None, ty: "Pose2", placement: Some(placement) }
+    Info { name, doc: Doc::new(""), unit: None, ty: "Pose2", placement: Some(placement) }
 }
 
 const ROBOT: Info = pose("robot", &Placement { shape: "Pose2", frame: "odometry", child: Some("robot") });

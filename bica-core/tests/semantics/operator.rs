@@ -1,5 +1,6 @@
 //! What an operator may look at and call.
 
+use bica_core::graph::Doc;
 use bica_core::info::{Info, InfoSink, Information};
 use bica_core::params::{Kind, Value};
 use bica_core::refusal::Reason;
@@ -135,10 +136,10 @@ fn a_modulation_with_a_wrong_argument_is_not_called() {
 #[test]
 fn descriptions_hold_what_the_functions_declare() {
     let node = Robot::GRAPH.nodes[0];
-    let kicks = Info { name: "kicks", doc: "Number of kicks.", unit: None, ty: "u32", placement: None };
+    let kicks = Info { name: "kicks", doc: Doc::new("Number of kicks."), unit: None, ty: "u32", placement: None };
     let strength = Info {
         name: "strength",
-        doc: "Strength of the last kick.",
+        doc: Doc::new("Strength of the last kick."),
         unit: Some("N"),
         ty: "Option<f32>",
         placement: None,
@@ -147,7 +148,7 @@ fn descriptions_hold_what_the_functions_declare() {
     let [kick, forget] = node.modulations else { panic!("two modulations") };
     assert_eq!((kick.name, kick.doc, forget.name, forget.arguments.len()), ("kick", "Kicks.", "forget", 0));
     let [strength, times, turns, foot] = kick.arguments else { panic!("four arguments") };
-    assert_eq!((strength.name, strength.doc, strength.unit), ("strength", "How hard.", Some("N")));
+    assert_eq!((strength.name, &*strength.doc, strength.unit), ("strength", "How hard.", Some("N")));
     assert_eq!(strength.kind, Kind::F32 { min: 2.0, max: 9.0, step: Some(0.5) });
     let defaults = [strength, times, turns, foot].map(|argument| argument.default);
     assert_eq!(defaults, [Value::F32(2.0), Value::U32(1), Value::Bool(false), Value::Choice(1)]);

@@ -299,7 +299,10 @@ fn descriptions_hold_what_the_structs_declare() {
     let names: Vec<_> = node.params.iter().map(|group| (group.name, group.doc, group.params.len())).collect();
     assert_eq!(names, [("Kicking", "How to kick.", 5), ("Waiting", "How to wait.", 1)]);
     let back = node.params[0].params[0];
-    assert_eq!((back.name, back.doc, back.unit, back.default), ("back", "Swing back.", Some("rad"), Value::F32(-0.5)));
+    assert_eq!(
+        (back.name, &*back.doc, back.unit, back.default),
+        ("back", "Swing back.", Some("rad"), Value::F32(-0.5))
+    );
     assert_eq!(back.kind, Kind::F32 { min: -1.0, max: 1.0, step: Some(0.01) });
     let Kind::Choice { variants } = node.params[0].params[4].kind else { panic!("an enum") };
     assert_eq!(variants.map_names(), ["Left", "Right"]);
@@ -339,7 +342,7 @@ fn the_hash_depends_on_indices_only() {
     for (index, hash) in [
         changed(&|node| node.doc = "other"),
         changed(&|node| node.budget_us = Some(1.0)),
-        changed(&param(&|param| param.doc = "other")),
+        changed(&param(&|param| param.doc = graph::Doc::new("other"))),
         changed(&param(&|param| param.default = Value::F32(-0.25))),
         changed(&param(&|param| param.kind = Kind::F32 { min: -1.0, max: 2.0, step: None })),
     ]

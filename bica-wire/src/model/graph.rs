@@ -69,7 +69,7 @@ fn of_group(group: &str, param: &params::Param) -> Param {
     Param {
         group: group.to_owned(),
         name: param.name.to_owned(),
-        doc: param.doc.to_owned(),
+        doc: param.doc.text().to_owned(),
         unit: param.unit.map(str::to_owned),
         kind: param.kind.map(|variants| Variants(variants.iter().map(variant).collect())),
         default: param.default,
@@ -79,7 +79,7 @@ fn of_group(group: &str, param: &params::Param) -> Param {
 
 impl From<&info::Info> for Info {
     fn from(info: &info::Info) -> Self {
-        let (name, doc, unit) = (info.name.to_owned(), info.doc.to_owned(), info.unit.map(str::to_owned));
+        let (name, doc, unit) = (info.name.to_owned(), info.doc.text().to_owned(), info.unit.map(str::to_owned));
         Self { name, doc, unit, type_name: info.ty.to_owned(), placement: info.placement.copied().map(Placement::from) }
     }
 }

@@ -1,6 +1,6 @@
 //! The description of a tree.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
@@ -15,7 +15,7 @@ const fn state(name: &'static str, initial: bool) -> State {
 
 const GAIN: Param = Param {
     name: "gain",
-    doc: "Part of the way.",
+    doc: Doc::new("Part of the way."),
     unit: Some("1/s"),
     kind: Kind::F32 { min: 0.0, max: 1.0, step: Some(0.5) },
     default: params::Value::F32(0.5),
@@ -23,7 +23,7 @@ const GAIN: Param = Param {
 
 const SIDE: Param = Param {
     name: "side",
-    doc: "",
+    doc: Doc::new(""),
     unit: None,
     kind: Kind::Choice {
         variants: &[Variant { name: "Left", doc: "" }, Variant { name: "Right", doc: "Of the robot." }],
@@ -44,7 +44,13 @@ static GRAPH: Graph = Graph {
         Node {
             budget_us: Some(5.0),
             params: &[ParamGroup { name: "Seeing", doc: "", params: &[GAIN, SIDE] }],
-            info: &[Info { name: "at", doc: "", unit: Some("m"), ty: "Option < Vec2 >", placement: Some(&PLACEMENT) }],
+            info: &[Info {
+                name: "at",
+                doc: Doc::new(""),
+                unit: Some("m"),
+                ty: "Option < Vec2 >",
+                placement: Some(&PLACEMENT),
+            }],
             modulations: &[Modulation { name: "look", doc: "Looks.", arguments: &[GAIN] }],
             ..Node::new("Eye")
         },

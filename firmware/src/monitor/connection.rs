@@ -3,7 +3,7 @@
 use bica::refusal::Reason;
 use bica::{Instant, Refusal};
 use bica_wire::message::{CycleInfo, MAX_BATCH, RefusalCode, Value, WatchInfo};
-use bica_wire::{Description, describe};
+use bica_wire::{GraphItems, describe};
 use heapless::{Deque, String, Vec};
 
 use crate::tree::GRAPH;
@@ -35,7 +35,7 @@ pub(super) struct Connection {
     pub(super) params: u64,
     pub(super) first_param: u16,
     /// Rest of the description.
-    pub(super) description: Option<Description>,
+    pub(super) description: Option<GraphItems>,
     /// A snapshot in every n-th cycle; 0: none.
     pub(super) every: u16,
     /// Next part of the snapshot that is due; `None`: none is due.

@@ -1,28 +1,33 @@
 //! Values of outputs and their schemas as bytes.
 
 use bica::info::{InfoSink, Information};
-use postcard::ser_flavors::Flavor;
+use postcard::Serializer;
+use postcard::ser_flavors::{Flavor, Slice};
 use postcard_schema::schema::NamedType;
 
-/// Sink that stores a value as bytes.
-pub(super) struct ValueBytes<'a> {
-    pub(super) room: &'a mut [u8],
-    /// Number of bytes of the value; `None` if it is larger than the room.
-    pub(super) length: Option<usize>,
+/// Sink that stores a value as bytes, and its schema. One sink for both, because each one needs a copy of all getters.
+pub(super) struct OutputBytes<'a> {
+    serializer: Serializer<Slice<'a>>,
+    fits: bool,
+    /// Schema of the value; `None` before one was taken.
+    pub(super) schema: Option<&'static NamedType>,
 }
 
-impl InfoSink for ValueBytes<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
-        self.length = postcard::to_slice(value, self.room).ok().map(|bytes| bytes.len());
+impl<'a> OutputBytes<'a> {
+    pub(super) fn new(room: &'a mut [u8]) -> Self {
+        Self { serializer: Serializer { output: Slice::new(room) }, fits: false, schema: None }
+    }
+
+    /// Returns the bytes of the value; `None` if it is larger than the room.
+    pub(super) fn finish(self) -> Option<&'a [u8]> {
+        self.serializer.output.finalize().ok().filter(|_| self.fits).map(|bytes| &*bytes)
     }
 }
 
-/// Sink that stores the schema of a value.
-pub(super) struct SchemaOf(pub(super) Option<&'static NamedType>);
-
-impl InfoSink for SchemaOf {
-    fn take<V: Information>(&mut self, _value: &V) {
-        self.0 = Some(V::SCHEMA);
+impl InfoSink for OutputBytes<'_> {
+    fn take<V: Information>(&mut self, value: &V) {
+        self.schema = Some(V::SCHEMA);
+        self.fits = value.serialize(&mut self.serializer).is_ok();
     }
 }
 

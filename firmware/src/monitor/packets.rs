@@ -8,9 +8,10 @@ use bica_wire::message::{
 use bica_wire::server::read;
 use bica_wire::{Encoder, FromRobot, SCHEMA, ToMonitor};
 use heapless::String;
+use postcard_schema::schema::NamedType;
 
 use super::connection::{Connection, LogEntry, Outcome, contains, set};
-use super::info::{SchemaOf, ValueBytes, schema_part};
+use super::info::{OutputBytes, schema_part};
 use crate::tree::{Forward, GRAPH};
 
 /// Largest size of a message before it is packed, bytes.
@@ -117,17 +118,18 @@ impl Connection {
         let (component, info) = (self.watched[entry].component, self.watched[entry].info);
         let (id, index) = (ComponentId::new(component.into()), usize::from(info));
         let mut buffer = [0; MAX_INFO_BYTES];
-        if !contains(&self.schemas, entry) {
-            return self.next_schema(context, entry, encoder, room);
-        }
-        let mut value = ValueBytes { room: &mut buffer, length: None };
-        if !context.tree.read_info(id, index, &mut value) {
+        let mut value = OutputBytes::new(&mut buffer);
+        context.tree.read_info(id, index, &mut value);
+        let Some(schema) = value.schema else {
+            // The component has no such output.
             set(&mut self.due, entry, false);
             return None;
+        };
+        if !contains(&self.schemas, entry) {
+            return self.next_schema(schema, entry, encoder, room);
         }
-        let length = value.length;
-        let bytes = length.map(|length| &buffer[..length]);
-        let message = InfoValue { cycle: context.cycle(), component: component.into(), info: info.into(), bytes };
+        let (cycle, bytes) = (context.cycle(), value.finish());
+        let message = InfoValue { cycle, component: component.into(), info: info.into(), bytes };
         let length = encode(&ToMonitor::Info(message), encoder, room)?;
         set(&mut self.due, entry, false);
         self.next_info = entry + 1;
@@ -136,19 +138,12 @@ impl Connection {
 
     fn next_schema(
         &mut self,
-        context: &Context<'_>,
+        schema: &NamedType,
         entry: usize,
         encoder: &mut Encoder,
         room: &mut [u8],
     ) -> Option<usize> {
         let (component, info) = (self.watched[entry].component, self.watched[entry].info);
-        let mut sink = SchemaOf(None);
-        context.tree.read_info(ComponentId::new(component.into()), usize::from(info), &mut sink);
-        let Some(schema) = sink.0 else {
-            // The component has no such output.
-            set(&mut self.due, entry, false);
-            return None;
-        };
         let mut part = [0; SCHEMA_PART_BYTES];
         let (length, more) = schema_part(schema, self.schema_offset, &mut part);
         let bytes = &part[..length];

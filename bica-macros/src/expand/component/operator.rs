@@ -15,7 +15,7 @@ pub(super) fn descriptions(component: &Component) -> TokenStream {
         let (name, doc, unit, ty) =
             (text::name(&info.name), &info.doc, option(info.unit.as_ref()), text::written(&info.ty));
         let placement = option(info.placement.as_ref().map(|placement| placed_at(info, placement)).as_ref());
-        quote!(#p::Info { name: #name, doc: #p::doc(#doc), unit: #unit, ty: #ty, placement: #placement })
+        quote!(#p::Info { name: #name, doc: #p::Doc::new(#doc), unit: #unit, ty: #ty, placement: #placement })
     });
     let infos = (!component.infos.is_empty()).then(|| quote!(const INFO: &'static [#p::Info] = &[#(#infos),*];));
     let modulations = (!component.modulations.is_empty()).then(|| modulations(&p, &component.modulations));

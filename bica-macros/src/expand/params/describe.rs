@@ -14,7 +14,7 @@ pub(crate) fn param(p: &TokenStream, field: &Field, default: Option<&TokenStream
     let (kind, default) = (kind(p, field), value(p, field, default));
     quote! {{
         let kind = #kind;
-        #p::Param { name: #name, doc: #p::doc(#doc), unit: #unit, kind, default: #default }
+        #p::Param { name: #name, doc: #p::Doc::new(#doc), unit: #unit, kind, default: #default }
     }}
 }
 

@@ -112,7 +112,7 @@ impl<'a> ParameterRow<'a> {
         Self {
             component: place.node.name,
             name: param.name,
-            doc: param.doc,
+            doc: param.doc.text(),
             unit: param.unit,
             kind: param.kind.name(),
             range: range(&param.kind),
