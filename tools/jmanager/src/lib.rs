@@ -4,6 +4,7 @@
 //! recordings; [`web`] serves the page and its sockets. The page is in `page/`.
 
 pub mod cli;
+pub mod files;
 mod open;
 mod options;
 mod pages;

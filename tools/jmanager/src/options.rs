@@ -14,10 +14,6 @@ pub struct Options {
     pub recordings: PathBuf,
     /// Folder of tune files.
     pub tune: PathBuf,
-    /// Folder of saved colour profiles.
-    pub profiles: PathBuf,
-    /// Folder of labelled images for the colour tuner, if there is one.
-    pub images: Option<PathBuf>,
     /// Folder of Rust sources that may be read and edited, if that is allowed.
     pub source: Option<PathBuf>,
     /// Whether what is in that folder may be checked, built and run.
@@ -43,8 +39,6 @@ impl Default for Options {
         Self {
             recordings: "recordings".into(),
             tune: "tune".into(),
-            profiles: "profiles".into(),
-            images: None,
             source: None,
             build: false,
             run: RUN.to_owned(),

@@ -104,7 +104,7 @@ mod tests {
     }
 
     fn sources(arguments: &[&str]) -> Result<Vec<Open>, Failure> {
-        let program = Program { worlds: vec![Box::new(Room)] };
+        let program = Program { worlds: vec![Box::new(Room)], ..Program::default() };
         read(&parse(arguments), &program).map(|sources| sources.open)
     }
 

@@ -1,18 +1,7 @@
 // Layouts for common work: lists of panels, each with its place beside an earlier one.
 
-const right = (beside, size) => ({ beside, direction: 'right', size });
-const below = (beside, size) => ({ beside, direction: 'below', size });
-const with_ = (beside, inactive = true) => ({ beside, direction: 'within', inactive });
-
-/** On a narrow window all panels share two groups. */
-function narrow(first, rest, bottom) {
-  return [
-    [first, {}],
-    ...rest.map((name) => [name, with_(first)]),
-    [bottom[0], below(first, 300)],
-    ...bottom.slice(1).map((name) => [name, with_(bottom[0])]),
-  ];
-}
+import { EXTENSIONS } from '../extensions.js';
+import { below, narrow, right, within } from './places.js';
 
 export const PRESETS = {
   overview: {
@@ -24,12 +13,12 @@ export const PRESETS = {
         ['timeline', below('tree', height * 0.32)],
         ['camera', right('tree', width * 0.53)],
         ['component', right('camera', Math.max(290, width * 0.24))],
-        ['drive', with_('component')],
-        ['recordings', with_('component')],
+        ['drive', within('component')],
+        ['recordings', within('component')],
         ['field', below('camera', height * 0.34)],
-        ['plot:1', with_('timeline')],
-        ['log', with_('timeline')],
-        ['latency', with_('timeline')],
+        ['plot:1', within('timeline')],
+        ['log', within('timeline')],
+        ['latency', within('timeline')],
       ]),
   },
   behaviour: {
@@ -41,22 +30,11 @@ export const PRESETS = {
         ['component', right('tree', Math.max(320, width * 0.3))],
         ['timeline', below('tree', height * 0.37)],
         ['log', below('component', height * 0.2)],
-        ['plot:1', with_('timeline')],
-        ['drive', with_('component')],
+        ['plot:1', within('timeline')],
+        ['drive', within('component')],
       ]),
   },
-  colours: {
-    title: 'Tuning colours',
-    panels: (width, height) => (width < 900
-      ? narrow('tuner', ['camera', 'boundary'], ['component:Colours', 'log'])
-      : [
-        ['tuner', {}],
-        ['camera', right('tuner', width * 0.36)],
-        ['boundary', with_('camera')],
-        ['component:Colours', below('camera', height * 0.45)],
-        ['component:BallDetector', with_('component:Colours')],
-      ]),
-  },
+  ...Object.assign({}, ...EXTENSIONS.map(({ presets }) => presets ?? {})),
   walking: {
     title: 'Walking',
     panels: (width, height) => (width < 900
@@ -65,9 +43,9 @@ export const PRESETS = {
         ['drive', {}],
         ['field', right('drive', width * 0.72)],
         ['component:Walk', right('field', Math.max(300, width * 0.25))],
-        ['component:Body', with_('component:Walk')],
+        ['component:Body', within('component:Walk')],
         ['plot:1', { ...below('field', height * 0.42), params: { curves: ['Walk.velocity.forward', 'Walk.velocity.left', 'Walk.velocity.turn'] } }],
-        ['timeline', with_('plot:1')],
+        ['timeline', within('plot:1')],
       ]),
   },
   replay: {
@@ -80,9 +58,9 @@ export const PRESETS = {
         ['tree', right('camera', width * 0.6)],
         ['field', below('camera', height * 0.3)],
         ['recordings', right('tree', Math.max(290, width * 0.22))],
-        ['component', with_('recordings')],
-        ['log', with_('timeline')],
-        ['plot:1', with_('timeline')],
+        ['component', within('recordings')],
+        ['log', within('timeline')],
+        ['plot:1', within('timeline')],
       ]),
   },
   designer: {
@@ -94,9 +72,9 @@ export const PRESETS = {
         ['vicode', right('sources', width - Math.max(190, width * 0.14))],
         ['code', right('vicode', Math.max(360, width * 0.33))],
         ['inspector', below('code', height * 0.42)],
-        ['tree', with_('sources')],
-        ['component', with_('inspector')],
-        ['log', with_('inspector')],
+        ['tree', within('sources')],
+        ['component', within('inspector')],
+        ['log', within('inspector')],
       ]),
   },
 };

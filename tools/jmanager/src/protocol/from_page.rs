@@ -194,45 +194,12 @@ pub enum Request {
         /// Settings.
         settings: Vec<Setting>,
     },
-    /// Reads the colour classes that are in force. [`{"classes": [{"name", "colour", "limits": …}], "text": profile TOML}`]
-    Colours {},
-    /// Assigns pixels to a class, or takes them away, in the profile under edit. [as `Colours`]
-    PickColours {
-        /// Index of the class.
-        class: usize,
-        /// True: the pixels are not of the class.
-        remove: bool,
-        /// Number of the image, and pixels in it: `x`, `y`.
-        image: u32,
-        /// Pixels, px.
-        pixels: Vec<(u16, u16)>,
-    },
-    /// Undoes the last change of the profile under edit. [as `Colours`]
-    UndoColours {},
-    /// Replaces the profile under edit by a saved or built-in one, or by the limits of the robot. [as `Colours`]
-    LoadColours {
-        /// Name of the profile without ending, or `robot`.
+    /// Sends a message to an [extension](crate::program::Extension). [its answer]
+    Extension {
+        /// Name of the extension.
         name: String,
-    },
-    /// Classifies an image with the profile under edit: a binary frame with this `id` comes before the answer.
-    Classify {
-        /// Number of the image.
-        image: u32,
-    },
-    /// Computes the field boundary in an image, with the profile under edit and the robot's thresholds. [[`Boundary`](super::Boundary)]
-    Boundary {
-        /// Number of the image.
-        image: u32,
-    },
-    /// Recall and precision of the profile under edit on a folder of labelled images. [`{"rows": [{"object", "recall", "precision",
-    /// "images"}]}`]
-    ScoreColours {},
-    /// Sends the profile under edit to the robot, as parameters.
-    SendColours {},
-    /// Saves the profile under edit. [`{"path": text}`]
-    SaveColours {
-        /// File name without folder and ending.
-        name: String,
+        /// The message.
+        message: serde_json::Value,
     },
 }
 

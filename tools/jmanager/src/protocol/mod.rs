@@ -9,7 +9,6 @@
 //! message of the same kind.
 
 pub mod binary;
-mod boundary;
 mod breakpoint;
 mod compiler;
 mod drawing;
@@ -22,7 +21,6 @@ mod state;
 mod to_page;
 mod watch;
 
-pub use boundary::{Boundary, BoundaryColumn, BoundaryVerdict};
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use drawing::{Drawing, DrawnBox, DrawnLink};

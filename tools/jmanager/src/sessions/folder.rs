@@ -1,37 +1,35 @@
-//! A folder of images as a session: for the colour tuner.
+//! Files of images as a session.
 
 use std::sync::Arc;
 use std::thread;
 
-use bica_evaluation::frame_io::{RecordedFrame, list};
 use bica_link::Description;
 
 use super::commands::Commands;
-use super::history::StoredImage;
+use super::common::Common;
 use super::session::Session;
-use crate::options::Options;
-use crate::pages::Pages;
+use crate::program::Image;
 use crate::protocol::{Capabilities, Connection, Failed, SessionId, SessionKind};
 
 /// Time from one image to the next, µs.
 const PERIOD_US: u64 = 1_000_000;
 
-/// Opens the folder of labelled images. Images are read in the background.
-pub(super) fn open(id: SessionId, options: &Arc<Options>, pages: &Arc<Pages>) -> Result<Arc<Session>, Failed> {
-    let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
-    let folder = options.images.clone().ok_or_else(none)?;
-    let files = list(&folder)?;
+/// Opens the images of the program. They are read in the background.
+pub(super) fn open(id: SessionId, common: &Common) -> Result<Arc<Session>, Failed> {
+    let none = || Failed::new("the program has no images", "start it with a folder of images");
+    let images = common.program.images.as_ref().ok_or_else(none)?;
+    let files = images.list()?;
     // Nobody receives commands: a session of images cannot be operated.
-    let commands = Commands::of_nobody();
-    let identity = (id, SessionKind::Recording, folder.display().to_string());
-    let session = Arc::new(Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, None));
+    let identity = (id, SessionKind::Recording, images.name());
+    let session = Arc::new(Session::new(identity, common.clone(), Commands::of_nobody(), None));
     let own = Arc::clone(&session);
     let work = move || {
         own.describe(Description::default(), Capabilities { images: true, ..Capabilities::default() });
         let mut skipped = Vec::new();
         for (number, file) in files.iter().enumerate() {
-            match RecordedFrame::read(file) {
-                Ok(frame) => add(&own, number as u32, &frame),
+            let Some(images) = &own.program.images else { return };
+            match images.read(file) {
+                Ok(image) => add(&own, number as u32, image),
                 Err(why) => skipped.push(format!("{}: {why}", file.display())),
             }
             if number % 16 == 0 {
@@ -45,17 +43,9 @@ pub(super) fn open(id: SessionId, options: &Arc<Options>, pages: &Arc<Pages>) ->
     Ok(session)
 }
 
-fn add(session: &Session, number: u32, frame: &RecordedFrame) {
-    let image = frame.image();
+fn add(session: &Session, number: u32, (width, height, yuyv): (u16, u16, Vec<u8>)) {
     let time_us = u64::from(number) * PERIOD_US;
     let mut shared = session.shared();
     shared.history.states.push(time_us, number.into(), std::iter::empty());
-    shared.history.images.push(StoredImage {
-        number,
-        time_us,
-        bottom_camera: false,
-        width: image.width,
-        height: image.height,
-        yuyv: image.yuyv.into(),
-    });
+    shared.history.images.push(Image { number, time_us, bottom_camera: false, width, height, yuyv: yuyv.into() });
 }

@@ -7,13 +7,14 @@ use std::sync::{Arc, Mutex};
 use serde_json::{Value, json};
 
 use super::commands;
+use super::common::Common;
 use super::registry::Registry;
 use super::value::unknown;
-use super::{colours, recorded, storage, tune};
+use super::{recorded, storage, tune};
 use crate::options::Options;
 use crate::pages::Outbox;
-use crate::pages::{PageId, Pages, lock};
-use crate::program::Program;
+use crate::pages::{PageId, lock};
+use crate::program::{Asked, Extension, Program, Reply};
 use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 
@@ -23,8 +24,7 @@ const MAX_NOTE: usize = 500;
 /// All sessions and sources. Pages attach to it; what they ask for is answered through their outboxes.
 pub struct Manager {
     registry: Arc<Registry>,
-    options: Arc<Options>,
-    pages: Arc<Pages>,
+    common: Common,
     /// Sources, if the server has a folder of them; why not, if it cannot be opened.
     editor: Option<Result<Editor, Failed>>,
     /// Held while layouts are written.
@@ -37,10 +37,11 @@ impl Manager {
     #[must_use]
     pub fn new(options: Options, program: Program) -> Self {
         let registry = Arc::new(Registry::new(options, program));
-        let (options, pages) = (Arc::clone(&registry.options), Arc::clone(&registry.pages));
-        let open = |folder: &PathBuf| Editor::new(folder, &options, &pages, Arc::clone(&registry) as Arc<dyn Host>);
+        let common = registry.common.clone();
+        let Common { options, pages, .. } = &common;
+        let open = |folder: &PathBuf| Editor::new(folder, options, pages, Arc::clone(&registry) as Arc<dyn Host>);
         let editor = options.source.as_ref().map(open);
-        Self { registry, options, pages, editor, layouts: Mutex::default(), last_page: AtomicU64::new(0) }
+        Self { registry, common, editor, layouts: Mutex::default(), last_page: AtomicU64::new(0) }
     }
 
     /// Opens a session. It is connected, or read, by a thread of its own.
@@ -65,6 +66,19 @@ impl Manager {
         self.editor.is_some()
     }
 
+    /// Text of a module of an extension.
+    pub(crate) fn module(&self, name: &str) -> Option<&str> {
+        self.common.program.extension(name).map(Extension::module)
+    }
+
+    /// Module with the names of all extensions.
+    pub(crate) fn modules(&self) -> String {
+        let names: Vec<_> = self.common.program.extensions.iter().map(|one| one.name()).collect();
+        let imports: String =
+            names.iter().map(|name| format!("import {name} from './extensions/{name}.js';\n")).collect();
+        format!("{imports}export const EXTENSIONS = [{}];\n", names.join(", "))
+    }
+
     fn editor(&self) -> Result<&Editor, Failed> {
         let none = || Failed::new("this server has no folder of sources", "start it with --source FOLDER");
         self.editor.as_ref().ok_or_else(none)?.as_ref().map_err(Clone::clone)
@@ -79,16 +93,16 @@ impl Manager {
             protocol: VERSION,
             program: env!("CARGO_PKG_VERSION"),
             page,
-            read_only: self.options.read_only,
-            source: self.options.source.is_some(),
-            build: self.options.source.is_some() && self.options.build && !self.options.read_only,
-            worlds: self.registry.program.worlds.iter().map(|world| World::of(&**world)).collect(),
+            read_only: self.common.options.read_only,
+            source: self.common.options.source.is_some(),
+            build: self.common.options.source.is_some() && self.common.options.build && !self.common.options.read_only,
+            worlds: self.common.program.worlds.iter().map(|world| World::of(&**world)).collect(),
             sessions,
         });
-        self.pages.add(page, outbox);
+        self.common.pages.add(page, outbox);
         // What changed before the page was registered is sent again.
         for session in shown.into_iter().filter(|session| self.registry.get(*session).is_err()) {
-            self.pages.state(page, ToPage::Closed { session });
+            self.common.pages.state(page, ToPage::Closed { session });
         }
         for session in self.registry.list() {
             session.greet(page);
@@ -101,7 +115,7 @@ impl Manager {
 
     /// Forgets a page. What it operated ends.
     pub fn detach(&self, page: PageId) {
-        self.pages.remove(page);
+        self.common.pages.remove(page);
         if let Ok(editor) = self.editor() {
             editor.left(page);
         }
@@ -116,26 +130,26 @@ impl Manager {
     pub fn handle(&self, page: PageId, message: FromPage) {
         let id = message.id;
         match self.answer(page, message) {
-            Ok(Some(value)) => self.pages.answer(page, id, Ok(value)),
+            Ok(Some(value)) => self.common.pages.answer(page, id, Ok(value)),
             Ok(None) => {}
-            Err(failed) => self.pages.answer(page, id, Err(failed)),
+            Err(failed) => self.common.pages.answer(page, id, Err(failed)),
         }
     }
 
     /// Returns the answer; none if it follows later.
     fn answer(&self, page: PageId, message: FromPage) -> Result<Option<Value>, Failed> {
         let FromPage { id, session, request } = message;
-        if self.options.read_only && !only_reads(&request) {
+        if self.common.options.read_only && !self.only_reads(&request) {
             return Err(read_only());
         }
         match request {
             Request::Open { source } => return self.open(source).map(|session| Some(json!({ "session": session }))),
-            Request::Recordings {} => return Ok(Some(storage::recordings(&self.options))),
-            Request::Layouts {} => return storage::layouts(&self.options).map(Some),
+            Request::Recordings {} => return Ok(Some(storage::recordings(&self.common.options))),
+            Request::Layouts {} => return storage::layouts(&self.common.options).map(Some),
             Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
             Request::SaveLayout { name, layout } => {
                 let _one_at_a_time = lock(&self.layouts);
-                return storage::save_layout(&self.options, &name, layout).map(|()| Some(Value::Null));
+                return storage::save_layout(&self.common.options, &name, layout).map(|()| Some(Value::Null));
             }
             _ => {}
         }
@@ -163,15 +177,13 @@ impl Manager {
                 session.log(2, LogKind::Note, text);
                 Ok(Some(Value::Null))
             }
-            Request::Colours {}
-            | Request::Boundary { .. }
-            | Request::Classify { .. }
-            | Request::ScoreColours {}
-            | Request::PickColours { .. }
-            | Request::UndoColours {}
-            | Request::LoadColours { .. }
-            | Request::SendColours {}
-            | Request::SaveColours { .. } => colours::handle(&session, page, id, &request),
+            Request::Extension { name, message } => {
+                let extension = self.common.program.extension(&name).ok_or_else(|| unknown_extension(&name))?;
+                match extension.handle(Asked::new(&session, page, id), message)? {
+                    Reply::Done(value) => Ok(Some(value)),
+                    Reply::Later => Ok(None),
+                }
+            }
             Request::SaveSource { component, param } => {
                 let description = session.description()?;
                 let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
@@ -200,30 +212,35 @@ impl Manager {
     }
 }
 
+fn unknown_extension(name: &str) -> Failed {
+    Failed::new(format!("this program has no extension `{name}`"), "reload the page")
+}
+
 fn read_only() -> Failed {
     Failed::new("this server lets pages only watch", "start it without --read-only")
 }
 
-/// Whether pages of a server for watching may ask for it. Requests about sources are checked by their editor.
-const fn only_reads(request: &Request) -> bool {
-    matches!(
-        request,
-        Request::Watch { .. }
-            | Request::At { .. }
-            | Request::Timeline { .. }
-            | Request::Series { .. }
-            | Request::Lines { .. }
-            | Request::Breakpoints { .. }
-            | Request::NextHit { .. }
-            | Request::Recordings {}
-            | Request::Layouts {}
-            | Request::Source { .. }
-            | Request::Compare { .. }
-            | Request::Colours {}
-            | Request::Boundary { .. }
-            | Request::Classify { .. }
-            | Request::ScoreColours {}
-    )
+impl Manager {
+    /// Whether pages of a server for watching may ask for it. Requests about sources are checked by their editor.
+    fn only_reads(&self, request: &Request) -> bool {
+        if let Request::Extension { name, message } = request {
+            return self.common.program.extension(name).is_some_and(|extension| extension.only_reads(message));
+        }
+        matches!(
+            request,
+            Request::Watch { .. }
+                | Request::At { .. }
+                | Request::Timeline { .. }
+                | Request::Series { .. }
+                | Request::Lines { .. }
+                | Request::Breakpoints { .. }
+                | Request::NextHit { .. }
+                | Request::Recordings {}
+                | Request::Layouts {}
+                | Request::Source { .. }
+                | Request::Compare { .. }
+        )
+    }
 }
 
 impl Drop for Manager {
@@ -232,6 +249,6 @@ impl Drop for Manager {
         self.editor = None;
         self.registry.end();
         // Threads that still end leave a file there; the folder is one for temporary files.
-        let _ = std::fs::remove_dir(&self.options.spool);
+        let _ = std::fs::remove_dir(&self.common.options.spool);
     }
 }

@@ -5,10 +5,9 @@
 //! sends to a page goes into the page's [`Outbox`].
 
 mod breakpoints;
-mod colours;
-mod commands;
+pub(crate) mod commands;
+mod common;
 mod drawing;
-mod files;
 mod folder;
 mod history;
 mod live;
@@ -18,7 +17,7 @@ mod recorded;
 mod registry;
 mod result;
 mod robot_recording;
-mod session;
+pub(crate) mod session;
 mod storage;
 mod tune;
 mod value;

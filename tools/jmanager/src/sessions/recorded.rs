@@ -9,19 +9,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use bica_game::{ReplayOptions, replay, rerun};
 use bica_link::Description;
 use bica_recording::ImagePlace;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::commands::Commands;
-use super::files;
-use super::history::StoredImage;
+use super::common::Common;
 use super::session::Session;
 use super::storage::MCAP;
 use super::value::unknown;
-use crate::options::Options;
-use crate::pages::{PageId, Pages};
+use crate::files;
+use crate::pages::PageId;
+use crate::program::{Compared, Image, Replay};
 use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
 
 /// Images of a recording: they stay in its file.
@@ -46,37 +45,28 @@ impl Recorded {
 }
 
 /// Reads an image from the file of a recording.
-pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, ImagePlace)) -> Result<StoredImage, Failed> {
+pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, ImagePlace)) -> Result<Image, Failed> {
     let read = place.read(path);
     let image = read.map_err(|error| Failed::new(format!("image {number}: {error}"), error.help()))?;
     let (bottom_camera, width, height) = (image.bottom_camera, image.width, image.height);
-    Ok(StoredImage { number, time_us, bottom_camera, width, height, yuyv: image.yuyv.into() })
+    Ok(Image { number, time_us, bottom_camera, width, height, yuyv: image.yuyv.into() })
 }
 
-fn new_session(
-    (id, name): (SessionId, String),
-    path: &Path,
-    (options, pages): (&Arc<Options>, &Arc<Pages>),
-) -> Arc<Session> {
+fn new_session((id, name): (SessionId, String), path: &Path, common: &Common) -> Arc<Session> {
     // Nobody receives commands: a recording cannot be operated.
     let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, name);
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, None);
+    let session = Session::new(identity, common.clone(), commands, None);
     path.clone_into(&mut session.shared().recorded.path);
     Arc::new(session)
 }
 
 /// Opens a recording of the recordings folder. It is read in the background.
-pub(super) fn open(
-    id: SessionId,
-    options: &Arc<Options>,
-    pages: &Arc<Pages>,
-    name: &str,
-) -> Result<Arc<Session>, Failed> {
-    let path = files::path(&options.recordings, name, MCAP)?;
+pub(super) fn open(id: SessionId, common: &Common, name: &str) -> Result<Arc<Session>, Failed> {
+    let path = files::path(&common.options.recordings, name, MCAP)?;
     // The header is read at once, so that a file that is no recording is refused here.
-    let recording = index::open(&path)?;
-    let session = new_session((id, name.to_owned()), &path, (options, pages));
+    let recording = index::open(&path, &common.program)?;
+    let session = new_session((id, name.to_owned()), &path, common);
     let own = Arc::clone(&session);
     spawn("index", move || index::read(&own, recording))?;
     Ok(session)
@@ -89,28 +79,36 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[Setting])
         return Err(Failed::new("this session cannot be run again", "keep a recording, open it, and run that again"));
     }
     let set = assignments(&*original.description()?, settings)?;
+    let (options, pages, program) =
+        (Arc::clone(&original.options), Arc::clone(&original.pages), Arc::clone(&original.program));
+    let common = Common { options, pages, program };
     let options = &original.options;
     super::storage::make_private(&options.spool).map_err(|error| {
-        super::storage::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
+        files::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
     })?;
     let out = options.spool.join(format!("again-{id}{MCAP}"));
     let name =
         format!("{}, again: {}", original.name, if set.is_empty() { "as it was".to_owned() } else { set.join(" ") });
-    let session = new_session((id, name), &out, (options, &original.pages));
+    let session = new_session((id, name), &out, &common);
     session.inherit(original);
     let own = Arc::clone(&session);
     spawn("again", move || {
-        let progress = |seconds: f64| {
+        let mut progress = |seconds: f64| {
             own.set_connection(Connection::Connecting, format!("runs again: {seconds:.0} s done"));
             !own.is_closed()
         };
-        let result = rerun(&path, &set, &out, progress).map_err(Failed::from);
-        match result.and_then(|_| index::open(&out)) {
+        let result = replay_of(&own).and_then(|replay| Ok(replay.again(&path, &set, &out, &mut progress)?));
+        match result.and_then(|()| index::open(&out, &own.program)) {
             Ok(recording) => index::read(&own, recording),
             Err(failed) => own.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help)),
         }
     })?;
     Ok(session)
+}
+
+fn replay_of(session: &Session) -> Result<&dyn Replay, Failed> {
+    let none = || Failed::new("this program runs no recordings again", "open them with the program of their robot");
+    session.program.replay.as_deref().ok_or_else(none)
 }
 
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed> {
@@ -149,17 +147,11 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
         if have_same_content(path, other) {
             return session.pages.answer(page, id, Ok(json!({ "equal": true, "copies": true })));
         }
-        let options = ReplayOptions { against: Some(other), ..ReplayOptions::whole(path) };
-        let answer = replay(&options).map_err(Failed::from).map(|result| {
-            let Some(first) = result.first_difference else { return json!({ "equal": true, "cycles": result.cycles }) };
-            let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
-            let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
-            let time_us = (first.t * 1e6).round() as u64;
-            let decisions = serde_json::to_value(&result.decisions).unwrap_or(Value::Null);
-            json!({
-                "equal": false, "cycle": first.cycle, "time_us": time_us, "field": first.field, "text": text,
-                "decisions": decisions,
-            })
+        let answer = replay_of(&session).and_then(|replay| {
+            let compared = replay.compare(path, other)?;
+            let mut answer = json!(compared);
+            answer["equal"] = json!(matches!(compared, Compared::Equal { .. }));
+            Ok(answer)
         });
         session.pages.answer(page, id, answer);
     })

@@ -6,11 +6,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use super::common::Common;
 use super::session::Session;
 use super::world::Setup;
 use super::{folder, live, recorded};
 use crate::options::Options;
-use crate::pages::{PageId, Pages, lock};
+use crate::pages::{PageId, lock};
 use crate::program::Program;
 use crate::protocol::{Failed, Open, SessionId, SessionInfo, ToPage};
 use crate::source::Host;
@@ -23,17 +24,15 @@ const END: Duration = Duration::from_secs(10);
 
 /// All sessions.
 pub(super) struct Registry {
-    pub(super) options: Arc<Options>,
-    pub(super) pages: Arc<Pages>,
-    pub(super) program: Arc<Program>,
+    pub(super) common: Common,
     sessions: Mutex<BTreeMap<SessionId, Arc<Session>>>,
     last: AtomicU32,
 }
 
 impl Registry {
     pub(super) fn new(options: Options, program: Program) -> Self {
-        let (options, program, pages) = (Arc::new(options), Arc::new(program), Arc::default());
-        Self { options, pages, program, sessions: Mutex::default(), last: AtomicU32::new(0) }
+        let common = Common { options: Arc::new(options), program: Arc::new(program), pages: Arc::default() };
+        Self { common, sessions: Mutex::default(), last: AtomicU32::new(0) }
     }
 
     /// A number that no session has had.
@@ -48,11 +47,11 @@ impl Registry {
         let session = match source {
             Open::World { world, seed, options } => {
                 let setup = Setup { world, seed, options };
-                live::open_world(id, (&self.options, &self.program), &self.pages, setup, record)?
+                live::open_world(id, &self.common, setup, record)?
             }
-            Open::Robot { address } => live::open_robot(id, &self.options, &self.pages, &address, record)?,
-            Open::Images {} => folder::open(id, &self.options, &self.pages)?,
-            Open::Recording { name } => recorded::open(id, &self.options, &self.pages, &name)?,
+            Open::Robot { address } => live::open_robot(id, &self.common, &address, record)?,
+            Open::Images {} => folder::open(id, &self.common)?,
+            Open::Recording { name } => recorded::open(id, &self.common, &name)?,
         };
         self.add(&session)?;
         Ok(id)
@@ -92,7 +91,7 @@ impl Registry {
         let session = self.get(id)?;
         lock(&self.sessions).remove(&id);
         session.end();
-        self.pages.broadcast(&ToPage::Closed { session: id });
+        self.common.pages.broadcast(&ToPage::Closed { session: id });
         Ok(())
     }
 

@@ -1,6 +1,7 @@
 //! A session: what the manager and the session's thread share.
 
-use std::collections::BTreeSet;
+use std::any::{Any, TypeId};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -9,8 +10,8 @@ use std::time::{Duration, Instant};
 use bica_link::Description;
 
 use super::breakpoints::{self, Place};
-use super::colours::Edit;
-use super::history::{History, Limits, StoredImage};
+use super::common::Common;
+use super::history::{History, Limits};
 use super::recorded::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
 use super::watching::Watching;
@@ -18,6 +19,7 @@ use super::{commands, drawing};
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
 use crate::pages::{PageId, Pages, lock};
+use crate::program::{Image, Program};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
     Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
@@ -41,7 +43,7 @@ pub(super) enum Operator {
 
 /// Part of a session that its thread and the manager change.
 #[derive(Default)]
-pub(super) struct Shared {
+pub(crate) struct Shared {
     pub(super) connection: Connection,
     pub(super) note: String,
     /// How the run ended; empty before.
@@ -57,13 +59,13 @@ pub(super) struct Shared {
     pub(super) paused: bool,
     /// Whether the rules of a world of this process have ended its run.
     pub(super) is_over: bool,
-    pub(super) description: Option<Arc<Description>>,
+    pub(crate) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
     /// File and images of a recording.
     pub(super) recorded: Recorded,
-    /// The profile under edit, once it was changed.
-    pub(super) colours: Option<Edit>,
+    /// What extensions remember.
+    pub(crate) extensions: BTreeMap<TypeId, Box<dyn Any + Send>>,
     pub(super) watching: Watching,
     pub(super) breakpoints: Vec<Place>,
     /// Breakpoints of the session before this one, and its tree.
@@ -77,12 +79,13 @@ pub(super) struct Shared {
 }
 
 /// A session.
-pub(super) struct Session {
-    pub(super) id: SessionId,
+pub(crate) struct Session {
+    pub(crate) id: SessionId,
     pub(super) kind: SessionKind,
     pub(super) name: String,
     pub(super) options: Arc<Options>,
-    pub(super) pages: Arc<Pages>,
+    pub(crate) pages: Arc<Pages>,
+    pub(super) program: Arc<Program>,
     /// File in which the session is recorded from its beginning, if it is the one of the command line.
     pub(super) record: Option<PathBuf>,
     /// Writer of that file, for a robot.
@@ -97,8 +100,7 @@ pub(super) struct Session {
 impl Session {
     pub(super) fn new(
         (id, kind, name): (SessionId, SessionKind, String),
-        options: Arc<Options>,
-        pages: Arc<Pages>,
+        Common { options, pages, program }: Common,
         commands: commands::Commands,
         record: Option<PathBuf>,
     ) -> Self {
@@ -110,6 +112,7 @@ impl Session {
             name,
             options,
             pages,
+            program,
             record,
             recorder: Mutex::new(recorder),
             closed: AtomicBool::new(false),
@@ -119,12 +122,12 @@ impl Session {
         }
     }
 
-    pub(super) fn shared(&self) -> MutexGuard<'_, Shared> {
+    pub(crate) fn shared(&self) -> MutexGuard<'_, Shared> {
         lock(&self.shared)
     }
 
     /// Hands a command to the session's thread.
-    pub(super) fn command(&self, command: commands::Command) -> Result<(), Failed> {
+    pub(crate) fn command(&self, command: commands::Command) -> Result<(), Failed> {
         let ended = || Failed::new("the session has ended", "open it again");
         self.commands.send(command).then_some(()).ok_or_else(ended)
     }
@@ -300,7 +303,7 @@ impl Session {
     }
 
     /// Returns the binary frame of an image.
-    pub(super) fn image_frame(&self, image: &StoredImage, id: u32) -> Vec<u8> {
+    pub(super) fn image_frame(&self, image: &Image, id: u32) -> Vec<u8> {
         let head = ImageHead {
             kind: PixelKind::Yuyv,
             bottom_camera: image.bottom_camera,
@@ -325,7 +328,7 @@ fn limits(options: &Options, kind: SessionKind) -> Limits {
 
 impl Session {
     /// The image with a number, from memory or from the file of a recording.
-    pub(super) fn image(&self, number: u32) -> Result<StoredImage, Failed> {
+    pub(crate) fn image(&self, number: u32) -> Result<Image, Failed> {
         let (image, place) = {
             let shared = self.shared();
             (shared.history.images.get(number).cloned(), shared.recorded.get(number))

@@ -10,9 +10,9 @@ use std::time::Duration;
 use bica_recording::repair::recover;
 use serde_json::{Map, Value, json};
 
-use super::files;
 use super::robot_recording;
 use super::session::Session;
+use crate::files::{self, failed, replace};
 use crate::options::Options;
 use crate::pages::PageId;
 use crate::protocol::{Failed, LogKind, SessionKind};
@@ -23,10 +23,6 @@ pub(super) const MCAP: &str = ".mcap";
 const WRITTEN: Duration = Duration::from_millis(600);
 /// Largest file of layouts, bytes.
 const MAX_LAYOUTS: usize = 1 << 20;
-
-pub(super) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, help: &str) -> Failed {
-    Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
-}
 
 /// Lists the recordings in the recordings folder, sorted by name.
 pub(super) fn recordings(options: &Options) -> Value {
@@ -141,24 +137,4 @@ pub(super) fn make_private(folder: &Path) -> io::Result<()> {
     #[cfg(unix)]
     std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
     builder.create(folder)
-}
-
-/// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
-pub(super) fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
-    let help = "is the disk full, or the folder write-protected?";
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
-    }
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let temporary = path.with_file_name(format!(".{name}.{}", std::process::id()));
-    let result = File::create_new(&temporary).and_then(|mut file| {
-        file.write_all(content)?;
-        file.sync_all()?;
-        fs::rename(&temporary, path)
-    });
-    if result.is_err() {
-        // The failure of the writing is what the user has to know.
-        let _ = fs::remove_file(&temporary);
-    }
-    result.map_err(|error| failed("write", path, &error, help))
 }

@@ -1,13 +1,12 @@
 //! Values of parameters in tune files.
 
-use bica_game::GRAPH;
 use bica_link::{Description, Kind};
 use bica_tuning::Layers;
 use serde_json::{Value, json};
 
 use super::session::Session;
 use super::value::unknown;
-use super::{files, storage};
+use crate::files;
 use crate::protocol::Failed;
 
 /// Writes current values to a tune file. Other lines of the file stay as they are.
@@ -17,17 +16,17 @@ pub(super) fn save(session: &Session, params: &[(usize, usize)], name: &str) -> 
     let mut text = match files::read(&path) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-        Err(error) => return Err(storage::failed("read", &path, &error, "mend or remove the file")),
+        Err(error) => return Err(files::failed("read", &path, &error, "mend or remove the file")),
     };
     for &(component, param) in params {
         let (section, key, value) = value(&description, component, param)?;
         text = with_value(&text, section, key, &value);
     }
-    if description.hash == format!("{:016x}", bica::graph::hash(&GRAPH)) {
+    if let Some(graph) = session.program.graph.filter(|_| session.program.has_tree(&description.hash)) {
         // What was in the file before may be wrong too: it is not made worse, and the user learns of it.
-        Layers::new(&GRAPH).read_text(&path.display().to_string(), &text)?;
+        Layers::new(graph).read_text(&path.display().to_string(), &text)?;
     }
-    storage::replace(&path, text.as_bytes())?;
+    files::replace(&path, text.as_bytes())?;
     Ok(json!({ "path": path.display().to_string() }))
 }
 

@@ -8,10 +8,11 @@ use std::time::{Duration, Instant};
 
 use bica_link::Transition;
 
-use super::history::{self, StoredImage};
+use super::history;
 use super::session::{Session, Shared};
 use crate::pages::PageId;
 use crate::pages::{DataKind, Frame};
+use crate::program::Image;
 use crate::protocol::{
     ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Truth, Watch, WatchImages,
 };
@@ -134,7 +135,7 @@ impl Session {
     }
 
     /// Remembers an image, and sends it to the pages that watch images.
-    pub(super) fn show_image(&self, image: StoredImage) {
+    pub(super) fn show_image(&self, image: Image) {
         let mut shared = self.shared();
         shared.history.images.push(image);
         self.send_image(&mut shared);
@@ -218,6 +219,7 @@ mod tests {
     use crate::pages::{Key, Outbox};
     use crate::protocol::RobotPose;
     use crate::sessions::commands::Commands;
+    use crate::sessions::common::Common;
 
     /// Kinds of the data that a page received.
     #[derive(Default)]
@@ -234,7 +236,7 @@ mod tests {
     #[test]
     fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
         let identity = (1, SessionKind::Robot, String::new());
-        let session = Session::new(identity, Arc::default(), Arc::default(), Commands::of_nobody(), None);
+        let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let truth = Truth {
             robot: RobotPose(0.0, 0.0, 0.0),
             ball: (0.0, 0.0),
@@ -246,7 +248,7 @@ mod tests {
         for number in 0..500 {
             let time_us = 1_000_000 * u64::from(number);
             let yuyv = Arc::clone(&pixels);
-            let image = StoredImage { number, time_us, bottom_camera: false, width: 256, height: 128, yuyv };
+            let image = Image { number, time_us, bottom_camera: false, width: 256, height: 128, yuyv };
             let page = Arc::new(Received::default());
             session.pages.add(number.into(), Arc::clone(&page) as Arc<dyn Outbox>);
             session.shared().history.states.push(time_us, number.into(), std::iter::empty());
@@ -269,13 +271,13 @@ mod tests {
     #[test]
     fn the_last_image_before_a_pause_reaches_a_page_that_wants_few() {
         let identity = (1, SessionKind::Robot, String::new());
-        let session = Session::new(identity, Arc::default(), Arc::default(), Commands::of_nobody(), None);
+        let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let page = Arc::new(Received::default());
         session.pages.add(1, Arc::clone(&page) as Arc<dyn Outbox>);
         session.watch(1, Watch { images: Some(WatchImages { max_hz: 1000.0 }), ..Watch::default() });
         for number in 0..2 {
             let yuyv = vec![0; 4].into();
-            session.show_image(StoredImage { number, time_us: 0, bottom_camera: false, width: 2, height: 1, yuyv });
+            session.show_image(Image { number, time_us: 0, bottom_camera: false, width: 2, height: 1, yuyv });
         }
         let last = |session: &Session| session.shared().watching.images[&1];
         while last(&session).0 != 1 {

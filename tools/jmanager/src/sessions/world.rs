@@ -8,7 +8,8 @@ use std::time::Duration;
 
 use bica_console::Failure;
 
-use super::{files, storage};
+use super::storage;
+use crate::files;
 use crate::options::Options;
 use crate::program::{Game, Program, WorldRun, WorldSetup};
 use crate::protocol::Failed;
@@ -47,7 +48,7 @@ impl Setup {
         let tune = options.tune.join(format!("{}.toml", self.world));
         let tune = tune.exists().then_some(tune);
         if let Some(tune) = &tune {
-            files::open(tune).map_err(|error| storage::failed("read", tune, &error, "remove it"))?;
+            files::open(tune).map_err(|error| files::failed("read", tune, &error, "remove it"))?;
         }
         let setup = WorldSetup { seed: self.seed, options: self.options.clone(), tune };
         Ok(world.prepare(&setup)?)

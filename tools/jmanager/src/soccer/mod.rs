@@ -1,16 +1,19 @@
-//! Soccer: the forward's worlds.
+//! Soccer: the forward's worlds, replay and panels.
 
 mod cli;
+mod colours;
+mod images;
+mod replay;
 mod run;
 mod world;
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use bica_game::FirmwareImage;
+use bica_game::{FirmwareImage, GRAPH};
 use bica_sim::setup::Frame;
 
-use crate::program::{LocalWorld, Program};
+use crate::program::{ImageFiles, LocalWorld, Program};
 
 pub use run::run;
 pub use world::ROBOTS;
@@ -22,11 +25,15 @@ pub struct SoccerOptions {
     pub firmware: PathBuf,
     /// Size of the camera images of simulated worlds.
     pub size: Frame,
+    /// Folder of saved colour profiles.
+    pub profiles: PathBuf,
+    /// Folder of labelled images for the colour tuner, if there is one.
+    pub images: Option<PathBuf>,
 }
 
 impl Default for SoccerOptions {
     fn default() -> Self {
-        Self { firmware: FirmwareImage::MONITOR.into(), size: Frame::Small }
+        Self { firmware: FirmwareImage::MONITOR.into(), size: Frame::Small, profiles: "profiles".into(), images: None }
     }
 }
 
@@ -35,5 +42,13 @@ impl Default for SoccerOptions {
 pub fn program(options: SoccerOptions) -> Program {
     let options = Arc::new(options);
     let worlds = world::all(&options).into_iter().map(|world| Box::new(world) as Box<dyn LocalWorld>);
-    Program { worlds: worlds.collect() }
+    let SoccerOptions { profiles, images, .. } = &*options;
+    let tuner = colours::Tuner { profiles: profiles.clone(), images: images.clone() };
+    Program {
+        graph: Some(&GRAPH),
+        worlds: worlds.collect(),
+        replay: Some(Box::new(replay::GameReplay)),
+        images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
+        extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],
+    }
 }

@@ -48,6 +48,7 @@ fn serve(cli: Cli) -> Result<Outcome, Failure> {
     if robots > 0 {
         arguments.option.push((ROBOTS.to_owned(), robots));
     }
-    let options = Options { run: RUN.to_owned(), images, ..Options::default() };
-    crate::run(&arguments, options, program(SoccerOptions { firmware: image, size }))
+    let options = Options { run: RUN.to_owned(), ..Options::default() };
+    let soccer = SoccerOptions { firmware: image, size, images, ..SoccerOptions::default() };
+    crate::run(&arguments, options, program(soccer))
 }

@@ -2,6 +2,9 @@
 
 use std::borrow::Cow;
 
+/// Media type of modules.
+pub(crate) const SCRIPT: &str = "text/javascript; charset=utf-8";
+
 /// Name and contents of each file of the page.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
@@ -22,7 +25,7 @@ pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
 fn media_type(name: &str) -> Option<&'static str> {
     Some(match name.rsplit_once('.')?.1 {
         "html" => "text/html; charset=utf-8",
-        "js" => "text/javascript; charset=utf-8",
+        "js" => SCRIPT,
         "css" => "text/css; charset=utf-8",
         "svg" => "image/svg+xml",
         "txt" | "md" => "text/plain; charset=utf-8",

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
-use axum::extract::{Extension, Path};
+use axum::extract::{Extension, Path, State};
 use axum::http::{StatusCode, header};
 use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
@@ -60,9 +60,25 @@ fn routes(shared: &Arc<Shared>, stop: &watch::Receiver<bool>) -> Router {
     Router::new()
         .route("/", get(|| async { file("index.html") }))
         .route("/socket", get(socket::upgrade))
+        .route("/extensions.js", get(modules))
+        .route("/extensions/{name}", get(module))
         .route("/{*name}", get(|Path(name): Path<String>| async move { file(&name) }))
         .layer(from_fn_with_state(Arc::clone(shared), guard::guard))
         .with_state((Arc::clone(shared), stop.clone()))
+}
+
+type Own = State<(Arc<Shared>, watch::Receiver<bool>)>;
+
+async fn modules(State((shared, _)): Own) -> Response {
+    ([(header::CONTENT_TYPE, assets::SCRIPT)], shared.manager.modules()).into_response()
+}
+
+/// The module of an extension: `NAME.js`.
+async fn module(State((shared, _)): Own, Path(name): Path<String>) -> Response {
+    match name.strip_suffix(".js").and_then(|name| shared.manager.module(name)) {
+        Some(text) => ([(header::CONTENT_TYPE, assets::SCRIPT)], text.to_owned()).into_response(),
+        None => (StatusCode::NOT_FOUND, "the program has no such extension").into_response(),
+    }
 }
 
 fn file(name: &str) -> Response {

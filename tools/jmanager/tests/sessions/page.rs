@@ -67,7 +67,11 @@ impl Bench {
     }
 
     pub(crate) fn of(folder: &Arc<Folder>, options: Options) -> Arc<Self> {
-        Arc::new(Self { manager: Manager::new(options, program(SoccerOptions::default())), folder: Arc::clone(folder) })
+        Self::of_program(folder, options, SoccerOptions::default())
+    }
+
+    pub(crate) fn of_program(folder: &Arc<Folder>, options: Options, soccer: SoccerOptions) -> Arc<Self> {
+        Arc::new(Self { manager: Manager::new(options, program(soccer)), folder: Arc::clone(folder) })
     }
 }
 
@@ -211,7 +215,6 @@ impl Folder {
         Options {
             recordings: self.0.join("recordings"),
             tune: self.0.join("tune"),
-            profiles: self.0.join("profiles"),
             layouts: self.0.join("layouts.json"),
             spool: self.0.join("spool"),
             ..Options::default()

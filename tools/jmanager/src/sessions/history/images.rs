@@ -1,29 +1,13 @@
 //! Images of the last time.
 
 use std::collections::VecDeque;
-use std::sync::Arc;
 
-/// An image.
-#[derive(Clone, Debug)]
-pub(crate) struct StoredImage {
-    /// Number in the session, from 0.
-    pub(crate) number: u32,
-    /// Time of the cycle that took it in, µs.
-    pub(crate) time_us: u64,
-    /// Whether the bottom camera took it.
-    pub(crate) bottom_camera: bool,
-    /// Width, px.
-    pub(crate) width: u16,
-    /// Height, px.
-    pub(crate) height: u16,
-    /// YUYV 4:2:2.
-    pub(crate) yuyv: Arc<[u8]>,
-}
+use crate::program::Image;
 
 /// Images of the last time, in bounded memory.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
-    all: VecDeque<StoredImage>,
+    all: VecDeque<Image>,
     bytes: usize,
     max_bytes: usize,
 }
@@ -34,7 +18,7 @@ impl Images {
     }
 
     /// Adds the newest image; the oldest ones give way. One that is known already changes nothing.
-    pub(crate) fn push(&mut self, image: StoredImage) {
+    pub(crate) fn push(&mut self, image: Image) {
         if self.all.back().is_some_and(|last| (last.number, last.time_us) == (image.number, image.time_us)) {
             return;
         }
@@ -58,24 +42,24 @@ impl Images {
     }
 
     /// The last image that is not later.
-    pub(crate) fn at(&self, time_us: u64) -> Option<&StoredImage> {
+    pub(crate) fn at(&self, time_us: u64) -> Option<&Image> {
         let end = self.all.partition_point(|image| image.time_us <= time_us);
         self.all.get(end.checked_sub(1)?)
     }
 
     /// The image with a number.
-    pub(crate) fn get(&self, number: u32) -> Option<&StoredImage> {
+    pub(crate) fn get(&self, number: u32) -> Option<&Image> {
         let index = self.all.binary_search_by_key(&number, |image| image.number).ok()?;
         self.all.get(index)
     }
 
     /// The newest image.
-    pub(crate) fn newest(&self) -> Option<&StoredImage> {
+    pub(crate) fn newest(&self) -> Option<&Image> {
         self.all.back()
     }
 
     /// The images after a time and up to another one.
-    pub(super) fn part(&self, after_us: Option<u64>, last_us: u64) -> impl Iterator<Item = &StoredImage> {
+    pub(super) fn part(&self, after_us: Option<u64>, last_us: u64) -> impl Iterator<Item = &Image> {
         let begin = after_us.map_or(0, |after| self.all.partition_point(|image| image.time_us <= after));
         self.all.range(begin..).take_while(move |image| image.time_us <= last_us)
     }
@@ -96,7 +80,7 @@ mod tests {
         for number in 0..10 {
             let time_us = u64::from(number) * 10;
             let yuyv = vec![0; 30].into();
-            images.push(StoredImage { number, time_us, bottom_camera: false, width: 5, height: 3, yuyv });
+            images.push(Image { number, time_us, bottom_camera: false, width: 5, height: 3, yuyv });
         }
         assert_eq!(images.bytes(), 90);
         assert!(images.get(6).is_none());

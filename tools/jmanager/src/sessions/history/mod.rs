@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::protocol::{Costs, LogLine, Truth};
 
-pub(super) use images::{Images, StoredImage};
+pub(super) use images::Images;
 pub(super) use info::InfoStore;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;

@@ -1,6 +1,7 @@
 //! What is remembered, cycle by cycle.
 
-use super::{History, StoredImage};
+use super::History;
+use crate::program::Image;
 use crate::protocol::{ComponentNow, LogLine};
 
 /// What is remembered of a cycle, and of the time since the one before it.
@@ -17,7 +18,7 @@ pub(crate) struct CyclePart {
     /// Log lines.
     pub(crate) lines: Vec<LogLine>,
     /// Images.
-    pub(crate) images: Vec<StoredImage>,
+    pub(crate) images: Vec<Image>,
 }
 
 impl History {
@@ -67,7 +68,7 @@ mod tests {
             // It changes in cycle 10.
             history.info.push(0, 1, time_us, &json!(cycle / 10));
             if cycle % 5 == 2 {
-                let image = StoredImage {
+                let image = Image {
                     number: cycle as u32,
                     time_us,
                     bottom_camera: false,

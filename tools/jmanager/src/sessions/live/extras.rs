@@ -2,14 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bica_link::{Costs, Event, Image};
+use bica_link::{Costs, Event};
 use bica_wire::message::{
     ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken, Truth as LinkTruth,
 };
 
 use super::attached::Attached;
+use crate::program::Image;
 use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth};
-use crate::sessions::history::StoredImage;
 
 /// Number of cycles between two looks at conditions and the true state, while time goes on.
 const EVERY: u16 = 5;
@@ -115,8 +115,8 @@ fn page_reached(&LinkReached { time_us, stop, .. }: &LinkReached) -> Reached {
     Reached { time_us, breakpoint: Breakpoint { component: stop.component.into(), state, transition } }
 }
 
-fn stored(Image { head, yuyv }: Image) -> StoredImage {
-    StoredImage {
+fn stored(bica_link::Image { head, yuyv }: bica_link::Image) -> Image {
+    Image {
         number: head.number,
         time_us: head.time_us,
         bottom_camera: head.bottom_camera,

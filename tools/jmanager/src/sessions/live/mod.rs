@@ -16,12 +16,10 @@ use bica_link::{Address, Client, ClientOptions, Wakeups, waker};
 use bica_wire::message::Offers;
 
 use super::commands::{Command, Commands};
+use super::common::Common;
 use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Setup, World};
-use crate::options::Options;
-use crate::pages::Pages;
-use crate::program::Program;
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
 use attached::{Attached, Exit};
 
@@ -36,41 +34,37 @@ struct Inbox {
 
 /// What a live session is connected to.
 enum Source {
-    World(Setup, Arc<Program>),
+    World(Setup),
     Robot(Address),
 }
 
 /// Opens a world in this process.
 pub(super) fn open_world(
     id: SessionId,
-    (options, program): (&Arc<Options>, &Arc<Program>),
-    pages: &Arc<Pages>,
+    common: &Common,
     setup: Setup,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
-    drop(setup.prepare(program, options)?);
+    drop(setup.prepare(&common.program, &common.options)?);
     let name = format!("{}, seed {}", setup.world, setup.seed);
-    let source = Source::World(setup, Arc::clone(program));
-    start((id, SessionKind::World, name), options, pages, source, record)
+    start((id, SessionKind::World, name), common, Source::World(setup), record)
 }
 
 /// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
 pub(super) fn open_robot(
     id: SessionId,
-    options: &Arc<Options>,
-    pages: &Arc<Pages>,
+    common: &Common,
     address: &str,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     let text = address.strip_prefix("tcp://").or_else(|| address.strip_prefix("serial:")).unwrap_or(address);
     let parsed: Address = text.parse()?;
-    start((id, SessionKind::Robot, address.to_owned()), options, pages, Source::Robot(parsed), record)
+    start((id, SessionKind::Robot, address.to_owned()), common, Source::Robot(parsed), record)
 }
 
 fn start(
     identity: (SessionId, SessionKind, String),
-    options: &Arc<Options>,
-    pages: &Arc<Pages>,
+    common: &Common,
     source: Source,
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
@@ -78,7 +72,7 @@ fn start(
     let (waker, wakeups) = waker().map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
     let inbox = Inbox { commands: commands_in, wakeups };
     let commands = Commands::new(commands, waker);
-    let session = Session::new(identity, Arc::clone(options), Arc::clone(pages), commands, record);
+    let session = Session::new(identity, common.clone(), commands, record);
     let session = Arc::new(session);
     let own = Arc::clone(&session);
     let thread = std::thread::Builder::new().name(format!("session {}", session.id));
@@ -97,7 +91,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
         let exit = match connect(session, &source) {
             Ok((client, world)) => Attached::new(session, client, world).run(inbox),
             Err(failed) => {
-                let world = matches!(source, Source::World(..));
+                let world = matches!(source, Source::World(_));
                 let connection = match session.shared().connection {
                     _ if world => Connection::Ended,
                     known @ (Connection::Connecting | Connection::Ended) => known,
@@ -110,14 +104,14 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
         session.shared().operator = Operator::Nobody;
         match (exit, &mut source) {
             (Exit::Close, _) => break,
-            (Exit::Restart(seed), Source::World(setup, _)) => setup.seed = seed.unwrap_or(setup.seed),
-            (Exit::Lost(failed), Source::World(..)) => {
+            (Exit::Restart(seed), Source::World(setup)) => setup.seed = seed.unwrap_or(setup.seed),
+            (Exit::Lost(failed), Source::World(_)) => {
                 session.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help));
                 session.log(4, LogKind::Server, format!("the world has ended: {}", failed.text));
                 match idle(session, inbox, None) {
                     Exit::Close => break,
                     Exit::Restart(seed) => {
-                        if let Source::World(setup, _) = &mut source {
+                        if let Source::World(setup) = &mut source {
                             setup.seed = seed.unwrap_or(setup.seed);
                         }
                     }
@@ -140,8 +134,8 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
     let options = ClientOptions::default();
     match source {
         Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
-        Source::World(setup, program) => {
-            let game = setup.prepare(program, &session.options)?;
+        Source::World(setup) => {
+            let game = setup.prepare(&session.program, &session.options)?;
             let file = match &session.record {
                 Some(file) => unused(file),
                 None => session.options.spool.join(format!("session-{}.mcap", session.id)),

@@ -4,16 +4,16 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::Path;
 
-use bica_game::GRAPH;
 use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
 use serde_json::Value;
 
 use super::tree;
+use crate::files;
+use crate::files::failed;
+use crate::program::Program;
 use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
-use crate::sessions::files;
 use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
-use crate::sessions::storage::failed;
 use crate::sessions::value::page_hold;
 
 /// What a page says of a recording that a monitor made.
@@ -28,11 +28,11 @@ const MAX_CYCLES: usize = 10_000_000;
 type FileRecording = Recording<BufReader<File>>;
 
 /// Opens a recording and reads its header.
-pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
+pub(super) fn open(path: &Path, program: &Program) -> Result<FileRecording, Failed> {
     let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
     let failed = |error: Error| failed("open", path, &error, error.help());
     let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_images();
-    tree::describe(recording.header())?;
+    tree::describe(recording.header(), program)?;
     Ok(recording)
 }
 
@@ -69,11 +69,11 @@ impl Requested {
 /// Reads a recording into a session.
 pub(super) fn read(session: &Session, mut recording: FileRecording) {
     let header = recording.header().clone();
-    let description = match tree::describe(&header) {
+    let description = match tree::describe(&header, &session.program) {
         Ok(description) => description,
         Err(failed) => return session.set_connection(Connection::Ended, failed.text),
     };
-    let is_own = description.hash == format!("{:016x}", bica::graph::hash(&GRAPH));
+    let is_own = session.program.replay.is_some() && session.program.has_tree(&description.hash);
     let can = Capabilities { images: true, run_again: is_own && header.monitor.is_none(), ..Capabilities::default() };
     let mut requested = Requested {
         holds: vec![HoldKind::Tree; description.components.len()],

@@ -1,28 +1,24 @@
 //! The tree of a recording as a description.
 
 use bica::Value;
-use bica_game::GRAPH;
 use bica_link::{Component, Description, Info, Kind, Modulation, Param, State, Variant, Variants};
 use bica_recording::{ComponentInfo, Header};
 
+use crate::program::Program;
 use crate::protocol::Failed;
 
 /// Largest number of components of a recording that is shown.
 const MAX_COMPONENTS: usize = 1024;
 
 /// Returns the description: the one that a monitor received, that of this program's tree, if it is the same, or what the recording tells.
-pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
+pub(super) fn describe(header: &Header, program: &Program) -> Result<Description, Failed> {
     let count = header.tree.components.len();
     if count == 0 || count > MAX_COMPONENTS {
         let what = format!("the recording has {count} components");
         return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
     }
-    let own = Description::of(&GRAPH);
-    let mut description = match received(header) {
-        Some(description) => description,
-        None if own.hash == header.tree.hash => own,
-        None => names(header),
-    };
+    let own = program.graph.filter(|_| program.has_tree(&header.tree.hash)).map(Description::of);
+    let mut description = received(header).or(own).unwrap_or_else(|| names(header));
     for parameter in &header.parameters {
         let component = description.components.iter_mut().find(|component| component.name == parameter.component);
         let param = component.and_then(|one| one.params.iter_mut().find(|param| param.name == parameter.name));

@@ -12,7 +12,7 @@ use std::time::Duration;
 use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
 use crate::pages::lock;
-use crate::sessions::history::StoredImage;
+use crate::program::Image;
 
 /// Largest number of cycles and images that wait for the disk: 40 s at 100 Hz.
 const QUEUE: usize = 4096;
@@ -30,14 +30,14 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
 }
 
 /// An image of a session as an image of a recording.
-pub(super) fn received(image: &StoredImage) -> ReceivedImage<'_> {
-    let StoredImage { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
+pub(super) fn received(image: &Image) -> ReceivedImage<'_> {
+    let Image { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
     ReceivedImage { number, time_us, bottom_camera, width, height, yuyv }
 }
 
 enum Entry {
     Cycle(Box<RecordedCycle>),
-    Image(StoredImage),
+    Image(Image),
 }
 
 /// What both threads know.
@@ -83,7 +83,7 @@ impl WrittenFile {
     }
 
     /// Adds an image; one that finds no room is left out, and counted.
-    pub(super) fn image(&mut self, image: StoredImage) {
+    pub(super) fn image(&mut self, image: Image) {
         if self.progress.waiting.fetch_add(1, Ordering::Relaxed) < IMAGES {
             self.send(Entry::Image(image));
         } else {

@@ -9,9 +9,9 @@ use bica_recording::{Header, MonitorRecorder, Report, create};
 use serde_json::{Value, json};
 
 use super::{Cycles, add_info, add_line, file::received};
+use crate::files::failed;
 use crate::protocol::Failed;
 use crate::sessions::session::Session;
-use crate::sessions::storage::failed;
 
 /// Number of cycles that are taken out of the memory under one lock.
 const BATCH: usize = 256;

@@ -8,8 +8,8 @@ use serde_json::Value;
 
 use super::file::{WrittenFile, unused};
 use super::{Cycles, add_line, add_value};
+use crate::program::Image;
 use crate::protocol::{ComponentNow, LogLine};
-use crate::sessions::history::StoredImage;
 use crate::sessions::value::page_hold;
 
 /// Largest number of lines before the first cycle of a connection.
@@ -77,7 +77,7 @@ impl RobotRecorder {
         }
     }
 
-    pub(in crate::sessions) fn image(&mut self, image: &StoredImage) {
+    pub(in crate::sessions) fn image(&mut self, image: &Image) {
         if let (None, Some((file, _))) = (&self.connected, &mut self.file) {
             file.image(image.clone());
         }

@@ -1,7 +1,7 @@
-//! Files that a page chooses.
+//! Files that a page chooses, and files that it saves.
 
-use std::fs::{File, OpenOptions};
-use std::io::{self, ErrorKind, Read as _};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use crate::protocol::Failed;
@@ -11,7 +11,10 @@ const MAX_NAME: usize = 100;
 
 /// Returns the path of a file in a folder. A name contains neither a separator of folders nor a control character, and does not begin
 /// with a dot, so it leads out of no folder.
-pub(super) fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> {
+///
+/// # Errors
+/// If the name is none of a file.
+pub fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> {
     let is_allowed = |letter: char| letter.is_alphanumeric() || "-_. ()[]+,=@#'!~".contains(letter);
     let valid = !name.is_empty()
         && name.len() <= MAX_NAME
@@ -28,7 +31,10 @@ pub(super) fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, F
 }
 
 /// Opens a regular file. Another kind is refused at once: a pipe would wait for a writer, which may never come.
-pub(super) fn open(path: &Path) -> io::Result<File> {
+///
+/// # Errors
+/// If it cannot be opened, or is no regular file.
+pub fn open(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.read(true);
     #[cfg(unix)]
@@ -39,9 +45,36 @@ pub(super) fn open(path: &Path) -> io::Result<File> {
 }
 
 /// Reads a regular file as text.
-pub(super) fn read(path: &Path) -> io::Result<String> {
+pub(crate) fn read(path: &Path) -> io::Result<String> {
     let mut text = String::new();
     open(path)?.read_to_string(&mut text).map(|_| text)
+}
+
+pub(crate) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, help: &str) -> Failed {
+    Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
+}
+
+/// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
+    let help = "is the disk full, or the folder write-protected?";
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
+    }
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let temporary = path.with_file_name(format!(".{name}.{}", std::process::id()));
+    let result = File::create_new(&temporary).and_then(|mut file| {
+        file.write_all(content)?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    });
+    if result.is_err() {
+        // The failure of the writing is what the user has to know.
+        let _ = fs::remove_file(&temporary);
+    }
+    result.map_err(|error| failed("write", path, &error, help))
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Score of a profile on labelled images.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use bica_console::{Failure, Outcome};
 use bica_evaluation::camera_poses::Pose;
@@ -12,21 +11,17 @@ use bica_vision::colour::Filters;
 use bica_vision::table::CompactTable;
 use serde_json::{Value, json};
 
-use crate::pages::PageId;
+use crate::program::{Asked, Reply};
 use crate::protocol::Failed;
-use crate::sessions::session::Session;
 
 /// Radius of a ball of 2009, m.
 const RADIUS: f32 = 0.0325;
 
-/// Scores a profile in a thread of its own, and answers when that is done.
-pub(super) fn start(session: &Arc<Session>, page: PageId, id: u32, filters: &Filters) -> Result<(), Failed> {
+/// Scores a profile in a thread of its own; the answer follows.
+pub(super) fn start(asked: Asked<'_>, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
     let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
-    let folder = session.options.images.clone().ok_or_else(none)?;
-    let (session, filters) = (Arc::clone(session), *filters);
-    let work = move || session.pages.answer(page, id, score(&folder, &filters).map_err(Failed::from));
-    let started = std::thread::Builder::new().name("score".to_owned()).spawn(work);
-    started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+    let (folder, filters) = (folder.ok_or_else(none)?.to_owned(), *filters);
+    asked.later(move || score(&folder, &filters).map_err(Failed::from))
 }
 
 struct Counter(Score);

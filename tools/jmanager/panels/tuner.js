@@ -5,8 +5,12 @@ import { Canvas } from '../lib/canvas.js';
 import { request } from '../lib/connection.js';
 import { FITTED, Picture, pixel, placed, usePicture } from '../lib/image.js';
 import { act, ask, command, classified, session, watch } from '../lib/store.js';
+import { below, narrow, right, within } from '../lib/places.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
+
+/** The fields of a message to the tuner in the program. */
+const tuner = (type, fields = {}) => ({ name: 'tuner', message: { type, ...fields } });
 
 /** Pixels that are sent at once. */
 const MAX_PIXELS = 2000;
@@ -26,9 +30,9 @@ function rgbOf(one, index) {
   return CLASS_COLOURS[name] ?? [[255, 80, 160], [120, 220, 220], [180, 120, 255]][index % 3];
 }
 
-export const classColour = (index) => `rgb(${rgbOf(colours.value?.classes[index], index).join(' ')})`;
+const classColour = (index) => `rgb(${rgbOf(colours.value?.classes[index], index).join(' ')})`;
 
-export function Tuner({ visible }) {
+function Tuner({ visible }) {
   const shown = session.value;
   const chosen = useSignal(0);
   const remove = useSignal(false);
@@ -53,7 +57,7 @@ export function Tuner({ visible }) {
     const one = image();
     if (!one || pixels.length === 0) return;
     const step = Math.ceil(pixels.length / MAX_PIXELS);
-    const next = await command('pick_colours', { class: chosen.value, remove: remove.value, image: one.number, pixels: pixels.filter((_, index) => index % step === 0) });
+    const next = await command('extension', tuner('pick', { class: chosen.value, remove: remove.value, image: one.number, pixels: pixels.filter((_, index) => index % step === 0) }));
     if (next) await changed(shown, one, next, score);
   };
   // The image is held, so that the pressed pixel is the one that is picked.
@@ -68,7 +72,7 @@ export function Tuner({ visible }) {
   if (!colours.value) return html`<${Empty} what=${unknown.value?.text ?? 'No colour classes yet'} help=${unknown.value?.help ?? 'They come from the component Colours of the tree.'} />`;
   const { classes } = colours.value;
   const replace = async (type, fields) => {
-    const next = await command(type, fields);
+    const next = await command('extension', tuner(type, fields));
     if (next) await changed(shown, image(), next, score);
   };
   const reads = () => { void [shown.image.value, edited.value, classified.value, zoom.value, pointer.value, region.value, chosen.value, colours.value]; };
@@ -92,19 +96,19 @@ export function Tuner({ visible }) {
     const one = image();
     if (one) plane.draw(context, width, height, one, classified.value?.number === one.number ? classified.value : null, chosen.value);
   };
-  const save = () => ask('save_colours', { session: shown.id, name: saveName.value }, `the profile ${saveName.value}.toml is saved`);
-  const measure = async () => { score.value = (await act('score_colours')) ?? null; };
+  const save = () => ask('extension', { session: shown.id, ...tuner('save', { name: saveName.value }) }, `the profile ${saveName.value}.toml is saved`);
+  const measure = async () => { score.value = (await act('extension', tuner('score'))) ?? null; };
   return html`<${Bar} label="Colour tuner">
       <div class="classes" role="radiogroup" aria-label="Class">${classes.map((one, index) => html`<button role="radio" aria-checked=${chosen.value === index} class=${chosen.value === index ? 'on' : ''} onClick=${() => { chosen.value = index; }}>
         <i class="dot" ref=${(dot) => { if (dot) dot.style.background = classColour(index); }}></i>${one.name}</button>`)}</div>
       <${Toggle} on=${remove.value} label="Take away" title="Picked pixels are not of the class (or hold Alt)" onChange=${(on) => { remove.value = on; }} />
       <select aria-label="How to pick" onChange=${(event) => { brush.value = event.target.value; }}>${['pixel', 'region', 'paint'].map((name) => html`<option selected=${brush.value === name}>${name}</option>`)}</select>
-      <button onClick=${() => replace('undo_colours')}>Undo</button>
-      <button title="Begin again with the limits that the robot has now" onClick=${() => replace('load_colours', { name: 'robot' })}>From robot</button>
+      <button onClick=${() => replace('undo')}>Undo</button>
+      <button title="Begin again with the limits that the robot has now" onClick=${() => replace('load', { name: 'robot' })}>From robot</button>
       <${Toggle} on=${live.value} label="Live" title="Follow the camera; picking holds the image" onChange=${(on) => { live.value = on; if (on) edited.value = null; else edited.value = shown.image.value; }} />
       <span class="grow"></span>
       <button onClick=${measure} title="On labelled images, if the program was started with --images">Score</button>
-      <button class="primary" onClick=${() => command('send_colours', {}, 'the colours are on the robot')}>Send to robot</button>
+      <button class="primary" onClick=${() => command('extension', tuner('send'), 'the colours are on the robot')}>Send to robot</button>
       <form class="join" onSubmit=${(event) => { event.preventDefault(); save(); }}><input class="short" aria-label="Name of the profile" value=${saveName.value} onInput=${(event) => { saveName.value = event.target.value; }} /><button>Save profile</button></form>
     <//>
     <div class="tuner fill">
@@ -128,7 +132,7 @@ async function readColours() {
   const shown = session.peek();
   if (!shown?.info.peek().can.images) return;
   try {
-    colours.value = await request('colours', { session: shown.id });
+    colours.value = await request('extension', { session: shown.id, ...tuner('read') });
     unknown.value = null;
   } catch (error) {
     colours.value = null;
@@ -138,8 +142,8 @@ async function readColours() {
 
 async function changed(shown, image, next, score) {
   colours.value = next;
-  if (image) await ask('classify', { session: shown.id, image: image.number });
-  if (score.value) score.value = (await ask('score_colours', { session: shown.id })) ?? score.value;
+  if (image) await ask('extension', { session: shown.id, ...tuner('classify', { image: image.number }) });
+  if (score.value) score.value = (await ask('extension', { session: shown.id, ...tuner('score') })) ?? score.value;
 }
 
 /** Classifies the shown image, again for each new image and after each change of the limits, one at a time. */
@@ -154,7 +158,7 @@ function useClassify(shown, visible, image, live, params) {
       if (busy || !visible.peek() || !one || !colours.peek() || one.number === last) return;
       busy = true;
       last = one.number;
-      await ask('classify', { session: shown.id, image: one.number });
+      await ask('extension', { session: shown.id, ...tuner('classify', { image: one.number }) });
       busy = false;
     }, live.value ? 150 : 300);
     return () => clearInterval(timer);
@@ -288,3 +292,36 @@ class Plane {
   }
 }
 
+const style = new CSSStyleSheet();
+style.replaceSync(`
+  .tuner { display: grid; grid-template: 1fr 1fr / 1fr 1fr; gap: 1px; background: var(--line); }
+  @container (max-width: 560px) { .tuner { grid-template: repeat(4, 1fr) / 1fr; } }
+  .tuner figure { background: var(--panel); display: flex; flex-direction: column; min-width: 0; min-height: 0; }
+  .tuner figcaption { font-size: 11.5px; color: var(--dim); padding: 3px 8px; }
+  .tuner figure > div { flex: 1; position: relative; min-height: 0; }
+  .tuner .score > div { overflow: auto; padding: 2px 10px; }
+  .tuner table { width: 100%; border-collapse: collapse; margin-bottom: 8px; }
+  .tuner th { text-align: left; color: var(--dim); font-weight: 500; }
+  .tuner th.n { text-align: right; }
+  .classes { display: inline-flex; gap: 3px; flex-wrap: wrap; }
+  .classes button { display: inline-flex; align-items: center; }
+`);
+document.adoptedStyleSheets.push(style);
+
+export default {
+  panels: { tuner: { title: 'Colours', view: Tuner } },
+  presets: {
+    colours: {
+      title: 'Tuning colours',
+      panels: (width, height) => (width < 900
+        ? narrow('tuner', ['camera', 'boundary'], ['component:Colours', 'log'])
+        : [
+          ['tuner', {}],
+          ['camera', right('tuner', width * 0.36)],
+          ['boundary', within('camera')],
+          ['component:Colours', below('camera', height * 0.45)],
+          ['component:BallDetector', within('component:Colours')],
+        ]),
+    },
+  },
+};

@@ -1,11 +1,12 @@
 //! The colour tuner: a profile under edit for each session.
 
-mod boundary;
+mod answer;
+pub(super) mod boundary;
 mod limits;
 mod score;
 
 use std::fs;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
 use bica_evaluation::profile::{self, CLASSES, Notes};
 use bica_link::{Description, Plain};
@@ -13,14 +14,12 @@ use bica_vision::colour::{Classify, Colour, Filters};
 use bica_vision::frame::{Frame, Pixel};
 use bica_vision::profile::BUILT_IN;
 use bica_vision::table::CompactTable;
+use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::history::StoredImage;
-use super::session::Session;
-use super::{commands, files, storage};
-use crate::pages::PageId;
-use crate::protocol::binary::{ImageHead, PixelKind};
-use crate::protocol::{Failed, Request, Setting};
+use crate::files;
+use crate::program::{Asked, Extension, Image, Reply};
+use crate::protocol::{Failed, Setting};
 use limits::Limits;
 
 /// Colour of each class on the page.
@@ -35,7 +34,7 @@ const MAX_PICKED: usize = 10_000;
 const NO_CLASS: u8 = 255;
 /// Component of the robot with the limits as parameters.
 const COMPONENT: &str = "Colours";
-/// Name with which [`Request::LoadColours`] loads the limits of the robot.
+/// Name with which [`Request::Load`] loads the limits of the robot.
 const OF_ROBOT: &str = "robot";
 
 /// A profile under edit.
@@ -143,82 +142,118 @@ impl Edit {
     }
 }
 
-/// Handles a request of the colour tuner. Returns the answer; none if it follows later.
-pub(super) fn handle(
-    session: &Arc<Session>,
-    page: PageId,
-    id: u32,
-    request: &Request,
-) -> Result<Option<Value>, Failed> {
-    let mut edit = {
-        let shared = session.shared();
-        shared.colours.clone().unwrap_or_else(|| Edit::of_robot(shared.description.as_deref()))
-    };
-    match request {
-        Request::PickColours { class, remove, image, pixels, .. } => {
-            let pixels = pixels_of(&session.image(*image)?, pixels)?;
-            if *class >= CLASSES.len() {
-                return Err(super::value::unknown("colour class", *class));
+/// What a session remembers: the profile under edit, once it was changed.
+type Edited = Option<Edit>;
+
+/// What the panel asks for.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum Request {
+    /// Reads the classes that are in force: `{"classes": [{"name", "colour", "limits": …}], "text": profile TOML}`.
+    Read {},
+    /// Assigns pixels of an image to a class, or takes them away. As `Read`.
+    Pick { class: usize, remove: bool, image: u32, pixels: Vec<(u16, u16)> },
+    /// Undoes the last change. As `Read`.
+    Undo {},
+    /// Replaces the profile by a saved or built-in one, or by the limits of the `robot`. As `Read`.
+    Load { name: String },
+    /// Classifies an image: a binary frame with the classes comes before the answer.
+    Classify { image: u32 },
+    /// Recall and precision on labelled images: `{"rows": [{"object", "recall", "precision", "images"}]}`.
+    Score {},
+    /// Sends the profile to the robot, as parameters.
+    Send {},
+    /// Saves the profile: `{"path": text}`.
+    Save { name: String },
+}
+
+/// The profile under edit of a session. Until something is changed, the limits that are in force are those of the robot.
+fn edit_of(asked: Asked<'_>) -> Edit {
+    let edit = asked.state(|edited: &mut Edited| edited.clone());
+    edit.unwrap_or_else(|| Edit::of_robot(asked.description().as_deref()))
+}
+
+/// The colour tuner.
+pub(super) struct Tuner {
+    /// Folder of saved profiles.
+    pub(super) profiles: PathBuf,
+    /// Folder of labelled images.
+    pub(super) images: Option<PathBuf>,
+}
+
+impl Extension for Tuner {
+    fn name(&self) -> &'static str {
+        "tuner"
+    }
+
+    fn module(&self) -> &'static str {
+        include_str!("../../../panels/tuner.js")
+    }
+
+    fn only_reads(&self, message: &Value) -> bool {
+        ["read", "classify", "score"].iter().any(|kind| message["type"] == *kind)
+    }
+
+    fn handle(&self, asked: Asked<'_>, message: Value) -> Result<Reply, Failed> {
+        let request =
+            serde_json::from_value(message).map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
+        let tree = asked.description();
+        let mut edit = edit_of(asked);
+        match request {
+            Request::Classify { image } => return classify(asked, &asked.image(image)?, &edit),
+            Request::Score {} => return score::start(asked, self.images.as_deref(), &edit.filters()),
+            Request::Send {} => {
+                let unknown = || Failed::new("nothing is known of this session yet", "wait until it is connected");
+                return asked.set_params(edit.settings(&*tree.ok_or_else(unknown)?)?);
             }
-            edit.pick(*class, *remove, &pixels);
+            Request::Save { name } => {
+                let path = files::path(&self.profiles, &name, ".toml")?;
+                files::replace(&path, profile::write(&edit.filters(), &Notes::default()).as_bytes())?;
+                return Ok(Reply::Done(json!({ "path": path.display().to_string() })));
+            }
+            Request::Read {} => return Ok(Reply::Done(edit.to_json())),
+            Request::Pick { class, remove, image, pixels } => {
+                let pixels = pixels_of(&asked.image(image)?, &pixels)?;
+                if class >= CLASSES.len() {
+                    return Err(Failed::new(format!("there is no colour class {class}"), "reload the page"));
+                }
+                edit.pick(class, remove, &pixels);
+            }
+            Request::Undo {} => {
+                let last = edit.undo.pop();
+                edit.limits = last.ok_or_else(|| Failed::new("there is nothing to undo", "pick pixels first"))?;
+            }
+            Request::Load { name } => {
+                let loaded = match name.as_str() {
+                    OF_ROBOT => Edit::of_robot(tree.as_deref()),
+                    _ => Edit::new(&load(&self.profiles, &name)?),
+                };
+                edit.begin_change();
+                edit.limits = loaded.limits;
+                edit.picked = Default::default();
+            }
         }
-        Request::UndoColours { .. } => {
-            let last = edit.undo.pop();
-            edit.limits = last.ok_or_else(|| Failed::new("there is nothing to undo", "pick pixels first"))?;
-        }
-        Request::LoadColours { name, .. } => {
-            let loaded = match name.as_str() {
-                OF_ROBOT => Edit::of_robot(session.shared().description.as_deref()),
-                _ => Edit::new(&load(session, name)?),
-            };
-            edit.begin_change();
-            edit.limits = loaded.limits;
-            edit.picked = Default::default();
-        }
-        Request::Classify { image, .. } => {
-            let frame = classified(session, &session.image(*image)?, &edit, id)?;
-            session.pages.binary(page, frame.into());
-            return Ok(Some(Value::Null));
-        }
-        Request::Boundary { image, .. } => {
-            let found = boundary::find(session, &session.image(*image)?, &edit.filters())?;
-            return Ok(Some(json!(found)));
-        }
-        Request::ScoreColours { .. } => return score::start(session, page, id, &edit.filters()).map(|()| None),
-        Request::SendColours { .. } => {
-            let settings = edit.settings(&*session.description()?)?;
-            let request = Request::Set { settings };
-            return session.command(commands::Command::Operate { page, id, request }).map(|()| None);
-        }
-        Request::SaveColours { name, .. } => {
-            let path = files::path(&session.options.profiles, name, ".toml")?;
-            storage::replace(&path, profile::write(&edit.filters(), &Notes::default()).as_bytes())?;
-            return Ok(Some(json!({ "path": path.display().to_string() })));
-        }
-        // Until something is changed, the limits that are in force are those of the robot.
-        _ => return Ok(Some(edit.to_json())),
+        let answer = edit.to_json();
+        asked.state(|edited: &mut Edited| *edited = Some(edit));
+        Ok(Reply::Done(answer))
     }
-    let answer = edit.to_json();
-    if !matches!(request, Request::Colours {}) {
-        session.shared().colours = Some(edit);
-    }
-    Ok(Some(answer))
 }
 
 /// Loads a profile by name: a built-in one, or a file in the folder of profiles.
-fn load(session: &Session, name: &str) -> Result<Filters, Failed> {
-    let path = files::path(&session.options.profiles, name, ".toml")?;
+fn load(profiles: &Path, name: &str) -> Result<Filters, Failed> {
+    let path = files::path(profiles, name, ".toml")?;
     let source = if fs::exists(&path).unwrap_or(false) { path.display().to_string() } else { name.to_owned() };
     if source != name {
-        files::open(&path).map_err(|error| storage::failed("read", &path, &error, "choose another profile"))?;
+        let unreadable = |error| Failed::new(format!("cannot read `{source}`: {error}"), "choose another profile");
+        files::open(&path).map_err(unreadable)?;
     } else if !["built-in", "nao2009", "darwin2013"].contains(&name) {
-        let what = format!("there is no profile `{name}` in `{}`", session.options.profiles.display());
+        let what = format!("there is no profile `{name}` in `{}`", profiles.display());
         return Err(Failed::new(what, "known are its files, built-in, nao2009 and darwin2013"));
     }
     Ok(profile::load(&source)?)
 }
 
-fn pixels_of(image: &StoredImage, places: &[(u16, u16)]) -> Result<Vec<Pixel>, Failed> {
+fn pixels_of(image: &Image, places: &[(u16, u16)]) -> Result<Vec<Pixel>, Failed> {
     if places.is_empty() || places.len() > MAX_PIXELS {
         return Err(Failed::new(format!("{} pixels", places.len()), format!("pick 1 to {MAX_PIXELS} pixels")));
     }
@@ -233,8 +268,8 @@ fn pixels_of(image: &StoredImage, places: &[(u16, u16)]) -> Result<Vec<Pixel>, F
     places.iter().map(pixel).collect()
 }
 
-/// Returns the binary frame with the class of each pixel, by the table that the robot uses.
-fn classified(session: &Session, image: &StoredImage, edit: &Edit, id: u32) -> Result<Vec<u8>, Failed> {
+/// Sends the class of each pixel, by the table that the robot uses.
+fn classify(asked: Asked<'_>, image: &Image, edit: &Edit) -> Result<Reply, Failed> {
     let table = Box::new(CompactTable::compile(&edit.filters()));
     let frame = Frame::new(image.width, image.height, &image.yuyv);
     frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;
@@ -250,15 +285,6 @@ fn classified(session: &Session, image: &StoredImage, edit: &Edit, id: u32) -> R
     let classes: Vec<u8> = pairs
         .flat_map(|&[left, cb, right, cr]| [left, right].map(|y| index(table.classify(Pixel::new(y, cb, cr)))))
         .collect();
-    let head = ImageHead {
-        kind: PixelKind::Classes,
-        bottom_camera: image.bottom_camera,
-        session: session.id,
-        number: image.number,
-        width: image.width,
-        height: image.height,
-        time_us: image.time_us,
-        id,
-    };
-    Ok(head.frame(&classes))
+    asked.send_classes(image, &classes);
+    Ok(Reply::Done(Value::Null))
 }

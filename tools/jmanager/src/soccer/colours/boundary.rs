@@ -6,20 +6,54 @@ use bica_vision::colour::Filters;
 use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
 use bica_vision::frame::Frame;
 use bica_vision::table::CompactTable;
+use serde::Deserialize;
+use serde_json::{Value, json};
 
-use crate::protocol::{Boundary, BoundaryColumn, BoundaryVerdict, Failed};
-use crate::sessions::history::StoredImage;
-use crate::sessions::session::Session;
+use super::answer::{Boundary, BoundaryColumn, BoundaryVerdict};
+use crate::program::{Asked, Extension, Image, Reply};
+use crate::protocol::Failed;
 
 /// Component with the thresholds as parameters.
 const COMPONENT: &str = "FieldBoundary";
 
+/// What the panel asks for: the [`Boundary`] in an image.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Message {
+    image: u32,
+}
+
+/// The panel of the field boundary: with the colours of the tuner and the thresholds of the robot.
+pub(in crate::soccer) struct Panel;
+
+impl Extension for Panel {
+    fn name(&self) -> &'static str {
+        "boundary"
+    }
+
+    fn module(&self) -> &'static str {
+        include_str!("../../../panels/boundary.js")
+    }
+
+    fn only_reads(&self, _: &Value) -> bool {
+        true
+    }
+
+    fn handle(&self, asked: Asked<'_>, message: Value) -> Result<Reply, Failed> {
+        let message = serde_json::from_value(message);
+        let Message { image } = message.map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
+        let filters = super::edit_of(asked).filters();
+        let found = find(asked.description().as_deref(), &asked.image(image)?, &filters)?;
+        Ok(Reply::Done(json!(found)))
+    }
+}
+
 /// Finds the boundary with these colours and the robot's thresholds.
-pub(super) fn find(session: &Session, image: &StoredImage, filters: &Filters) -> Result<Boundary, Failed> {
+fn find(tree: Option<&Description>, image: &Image, filters: &Filters) -> Result<Boundary, Failed> {
     let frame = Frame::new(image.width, image.height, &image.yuyv);
     let frame = frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;
     let table = Box::new(CompactTable::compile(filters));
-    let tuning = session.description().map_or(BoundaryTuning::DEFAULT, |tree| tuning(&tree));
+    let tuning = tree.map_or(BoundaryTuning::DEFAULT, tuning);
     let boundary = FieldBoundary::find_tuned(&frame, &*table, None, &tuning);
     let inlier_distance = tuning.inlier_distance * f32::from(image.height);
     let column = |(x, y): (f32, Option<f32>)| {
