@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use bica_evaluation::frame_io::{list, stem};
 use bica_evaluation::labels::{Ball, Labels};
-use jmanager::protocol::{Open, Request, Watch, WatchImages};
-use jmanager::soccer::SoccerOptions;
+use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
+use jmanager::SoccerOptions;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};

@@ -8,9 +8,9 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use jmanager::protocol::{FromPage, Open, Request, SessionId, ToPage};
-use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
-use jmanager::soccer::{SoccerOptions, program};
+use bica_monitor::protocol::{FromPage, Open, Request, SessionId, ToPage};
+use bica_monitor::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
+use jmanager::{SoccerOptions, program};
 use serde_json::{Value, json};
 
 /// Longest wait for anything.

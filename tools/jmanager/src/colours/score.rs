@@ -11,8 +11,8 @@ use bica_vision::colour::Filters;
 use bica_vision::table::CompactTable;
 use serde_json::{Value, json};
 
-use crate::program::{Asked, Reply};
-use crate::protocol::Failed;
+use bica_monitor::program::{Asked, Reply};
+use bica_monitor::protocol::Failed;
 
 /// Radius of a ball of 2009, m.
 const RADIUS: f32 = 0.0325;

@@ -6,7 +6,7 @@ use bica_console::Failure;
 use bica_game::{ReplayOptions, replay, rerun};
 use serde_json::Value;
 
-use crate::program::{Compared, Replay};
+use bica_monitor::program::{Compared, Replay};
 
 /// Runs recordings of the forward again.
 pub(super) struct GameReplay;

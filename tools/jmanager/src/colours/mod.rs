@@ -17,9 +17,9 @@ use bica_vision::table::CompactTable;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::files;
-use crate::program::{Asked, Extension, Image, Reply};
-use crate::protocol::{Failed, Setting};
+use bica_monitor::files;
+use bica_monitor::program::{Asked, Extension, Image, Reply};
+use bica_monitor::protocol::{Failed, Setting};
 use limits::Limits;
 
 /// Colour of each class on the page.
@@ -187,7 +187,7 @@ impl Extension for Tuner {
     }
 
     fn module(&self) -> &'static str {
-        include_str!("../../../panels/tuner.js")
+        include_str!("../../panels/tuner.js")
     }
 
     fn only_reads(&self, message: &Value) -> bool {

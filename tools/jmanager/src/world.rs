@@ -14,8 +14,8 @@ use bica_sim::setup::{Frame, MAX_ROBOTS};
 use bica_tuning::Layers;
 
 use super::SoccerOptions;
-use crate::program::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};
-use crate::protocol::Failed;
+use bica_monitor::program::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};
+use bica_monitor::protocol::Failed;
 
 /// Option of the worlds: the number of other robots.
 pub const ROBOTS: &str = "robots";

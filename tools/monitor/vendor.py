@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the JavaScript libraries of JManager's page: `python3 tools/jmanager/vendor.py [--check]`.
+"""Writes the JavaScript libraries of JManager's page: `python3 tools/monitor/vendor.py [--check]`.
 
 Fetches the exact versions in vendor.json from npm, compares the SHA-512 of their packages, and writes them to page/vendor. There they
 are ES modules that import each other by relative paths, so that the page needs neither an import map nor another host. esbuild joins
@@ -76,7 +76,7 @@ def readme(versions):
     rows += [(library, parts["file"], "MIT", "codemirror.LICENSE.txt") for library in parts["packages"]]
     table = "".join(f"| {row['package']} | {row['version']} | {files} | {kind}, {licence} |\n" for row, files, kind, licence in rows)
     return (
-        "# Libraries of the page\n\nWritten by `python3 tools/jmanager/vendor.py`; do not edit. Module names in imports are replaced "
+        "# Libraries of the page\n\nWritten by `python3 tools/monitor/vendor.py`; do not edit. Module names in imports are replaced "
         f"by relative\npaths, links to source maps are removed, and esbuild joins the packages of {parts['file']}; nothing else is "
         f"changed.\n\n| package | version | files | licence |\n|---|---|---|---|\n{table}"
     )

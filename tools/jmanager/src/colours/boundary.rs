@@ -10,8 +10,8 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::answer::{Boundary, BoundaryColumn, BoundaryVerdict};
-use crate::program::{Asked, Extension, Image, Reply};
-use crate::protocol::Failed;
+use bica_monitor::program::{Asked, Extension, Image, Reply};
+use bica_monitor::protocol::Failed;
 
 /// Component with the thresholds as parameters.
 const COMPONENT: &str = "FieldBoundary";
@@ -24,7 +24,7 @@ struct Message {
 }
 
 /// The panel of the field boundary: with the colours of the tuner and the thresholds of the robot.
-pub(in crate::soccer) struct Panel;
+pub(crate) struct Panel;
 
 impl Extension for Panel {
     fn name(&self) -> &'static str {
@@ -32,7 +32,7 @@ impl Extension for Panel {
     }
 
     fn module(&self) -> &'static str {
-        include_str!("../../../panels/boundary.js")
+        include_str!("../../panels/boundary.js")
     }
 
     fn only_reads(&self, _: &Value) -> bool {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bica_console::Failure;
 use bica_evaluation::frame_io::{RecordedFrame, list};
 
-use crate::program::ImageFiles;
+use bica_monitor::program::ImageFiles;
 
 /// A folder of labelled images.
 pub(super) struct LabelledImages(pub(super) PathBuf);
