@@ -1,6 +1,5 @@
 //! How the field boundary in an image is found: the robot's own code on the same image.
 
-use bica::Value;
 use bica_link::{Description, Param};
 use bica_vision::colour::Filters;
 use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
@@ -80,8 +79,8 @@ fn tuning(tree: &Description) -> BoundaryTuning {
     let number = |name: &str, otherwise: f32| {
         let param = component.params.iter().find(|param| param.name == name);
         match param.map(Param::current) {
-            Some(Value::F32(value)) => value,
-            Some(Value::I32(value)) => value as f32,
+            Some(bica::Value::F32(value)) => value,
+            Some(bica::Value::I32(value)) => value as f32,
             _ => otherwise,
         }
     };
