@@ -5,7 +5,6 @@ use std::time::{Duration, Instant as Clock};
 use bica::graph::Graph;
 use bica::runner::Observer;
 use bica::{ComponentId, Instant, Probe};
-use bica_link::ConditionTable;
 use bica_player::tunable::Forward;
 
 /// Activity of a component in a game.
@@ -30,7 +29,6 @@ pub(crate) struct Meter {
     pub(crate) started: Vec<ComponentId>,
     /// Components that became latent in this cycle.
     pub(crate) stopped: Vec<ComponentId>,
-    pub(crate) conditions: ConditionTable,
     has_transition: bool,
     began: Clock,
 }
@@ -42,7 +40,6 @@ impl Meter {
             activity: vec![Activity::default(); graph.nodes.len()],
             started: Vec::new(),
             stopped: Vec::new(),
-            conditions: ConditionTable::new(graph),
             has_transition: false,
             began: Clock::now(),
         }
@@ -55,8 +52,7 @@ impl Meter {
 }
 
 impl Probe for Meter {
-    fn cycle_begin(&mut self, now: Instant) {
-        self.conditions.cycle_begin(now);
+    fn cycle_begin(&mut self, _now: Instant) {
         self.started.clear();
         self.stopped.clear();
         self.has_transition = false;
@@ -64,7 +60,6 @@ impl Probe for Meter {
 
     fn start(&mut self, component: ComponentId) {
         self.activity[component.index()].starts += 1;
-        self.conditions.start(component);
         self.started.push(component);
     }
 
@@ -90,12 +85,7 @@ impl Probe for Meter {
         self.activity[component.index()].time += self.began.elapsed();
     }
 
-    fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
-        self.conditions.condition(component, transition, holds);
-    }
-
-    fn transition(&mut self, component: ComponentId, from: usize, to: usize) {
-        self.conditions.transition(component, from, to);
+    fn transition(&mut self, _component: ComponentId, _from: usize, _to: usize) {
         self.has_transition = true;
     }
 }

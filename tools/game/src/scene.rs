@@ -53,33 +53,6 @@ impl Scene<'_> {
         }
     }
 
-    /// Returns the number of runs of each component since the start, and the time in its own code.
-    pub fn totals(&self) -> impl Iterator<Item = (u64, Duration)> {
-        self.meter.activity.iter().map(|activity| (activity.runs, activity.time))
-    }
-
-    /// Returns the condition of each transition of a component: whether it held when it was evaluated last in the present
-    /// state, and the time since which it has had this value, µs. The transition that was taken last held when it was taken.
-    pub fn conditions(&self, component: usize) -> impl Iterator<Item = Option<(bool, u64)>> {
-        self.meter
-            .conditions
-            .of(component)
-            .iter()
-            .map(|condition| condition.map(|(holds, since)| (holds, since.as_micros())))
-    }
-
-    /// Returns the transition that a component has taken in this cycle, if any.
-    #[must_use]
-    pub fn taken(&self, component: usize) -> Option<usize> {
-        self.meter.conditions.taken(component)
-    }
-
-    /// Returns the number of the newest image, and the image, if there is one.
-    #[must_use]
-    pub fn numbered_image(&self) -> Option<(u32, bica_motion::robot::Image<'_>)> {
-        self.image().map(|image| (self.robot.get::<CameraInput>().count(), image))
-    }
-
     /// Returns the detections in the newest image, of the active detectors.
     #[must_use]
     pub fn marks(&self) -> Marks {

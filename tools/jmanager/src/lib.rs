@@ -1,20 +1,54 @@
-//! Web monitor for BICA robots.
-//!
-//! [`protocol`] declares the messages between the page and this server. [`sessions`] connects robots, simulated worlds and
-//! recordings; [`web`] serves the page and its sockets. The page is in `page/`.
+//! The monitor of the forward: its worlds, replay and panels.
 
-pub mod cli;
-mod open;
-mod options;
-mod pages;
-pub mod program;
-pub mod protocol;
+mod cli;
+mod colours;
+mod images;
+mod replay;
 mod run;
-pub mod sessions;
-pub mod soccer;
-mod source;
-mod sources;
-mod token;
-pub mod web;
+mod world;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use bica_game::{FirmwareImage, GRAPH};
+use bica_sim::setup::Frame;
+
+use bica_monitor::program::{ImageFiles, LocalWorld, Program};
 
 pub use run::run;
+pub use world::ROBOTS;
+
+/// Options of the forward's worlds.
+#[derive(Clone, Debug)]
+pub struct SoccerOptions {
+    /// Firmware image for the world `firmware`.
+    pub firmware: PathBuf,
+    /// Size of the camera images of simulated worlds.
+    pub size: Frame,
+    /// Folder of saved colour profiles.
+    pub profiles: PathBuf,
+    /// Folder of labelled images for the colour tuner, if there is one.
+    pub images: Option<PathBuf>,
+}
+
+impl Default for SoccerOptions {
+    fn default() -> Self {
+        Self { firmware: FirmwareImage::MONITOR.into(), size: Frame::Small, profiles: "profiles".into(), images: None }
+    }
+}
+
+/// Returns what soccer adds to the monitor.
+#[must_use]
+pub fn program(options: SoccerOptions) -> Program {
+    let options = Arc::new(options);
+    let worlds = world::all(&options).into_iter().map(|world| Box::new(world) as Box<dyn LocalWorld>);
+    let SoccerOptions { profiles, images, .. } = &*options;
+    let tuner = colours::Tuner { profiles: profiles.clone(), images: images.clone() };
+    Program {
+        graph: Some(&GRAPH),
+        worlds: worlds.collect(),
+        replay: Some(Box::new(replay::GameReplay)),
+        images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
+        extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],
+    }
+}

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    jmanager::soccer::run()
+    jmanager::run()
 }

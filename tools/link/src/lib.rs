@@ -35,9 +35,7 @@ pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot}
 pub use error::Error;
 pub use memory::Memory;
 pub use schema::decode as decode_info;
-pub use server::{
-    ConditionTable, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions,
-};
+pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};
 
 #[cfg(doctest)]

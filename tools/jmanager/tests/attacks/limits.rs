@@ -3,7 +3,7 @@
 use std::io::{Read, Write};
 use std::time::{Duration, Instant};
 
-use jmanager::sessions::Options;
+use bica_monitor::sessions::Options;
 use serde_json::json;
 use tungstenite::Message;
 

@@ -9,9 +9,9 @@ use std::net::TcpListener;
 use std::path::Path;
 use std::sync::Arc;
 
-use jmanager::program::Program;
-use jmanager::sessions::{Manager, Options};
-use jmanager::web::{Web, WebOptions};
+use bica_monitor::program::Program;
+use bica_monitor::sessions::{Manager, Options};
+use bica_monitor::web::{Web, WebOptions};
 use serde_json::json;
 use tungstenite::Message;
 
@@ -188,7 +188,7 @@ fn the_page_writes_data_only_as_text() {
             }
         }
     }
-    check(&Path::new(env!("CARGO_MANIFEST_DIR")).join("page"));
+    check(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../monitor/page"));
 }
 
 #[test]

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use jmanager::program::Program;
-use jmanager::sessions::{Manager, Options};
-use jmanager::web::{Web, WebOptions};
+use bica_monitor::program::Program;
+use bica_monitor::sessions::{Manager, Options};
+use bica_monitor::web::{Web, WebOptions};
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 

@@ -5,9 +5,9 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jmanager::program::Program;
-use jmanager::sessions::{Manager, Options};
-use jmanager::web::{Web, WebOptions};
+use bica_monitor::program::Program;
+use bica_monitor::sessions::{Manager, Options};
+use bica_monitor::web::{Web, WebOptions};
 use serde_json::{Value, json};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::protocol::WebSocketConfig;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bica_game::{ReplayOptions, replay};
-use jmanager::protocol::{Open, Request, Setting, Watch};
+use bica_monitor::protocol::{Open, Request, Setting, Watch};
 use serde_json::json;
 
 use crate::page::Page;

@@ -1,6 +1,6 @@
 //! Breakpoints on states and transitions.
 
-use jmanager::protocol::{Breakpoint, Request};
+use bica_monitor::protocol::{Breakpoint, Request};
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use bica_evaluation::frame_io::{list, stem};
 use bica_evaluation::labels::{Ball, Labels};
-use jmanager::protocol::{Open, Request, Watch, WatchImages};
-use jmanager::sessions::Options;
-use serde_json::Value;
+use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
+use jmanager::SoccerOptions;
+use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};
 
@@ -23,9 +24,27 @@ const SPOILT: &str = "[orange]\nhue = [148, 165]\nsaturation = [50, 400]\nluma =
     [green]\nhue = [193, 263]\nsaturation = [8, 400]\nluma = [38, 133]\nchroma = 5\n
     [white]\nsaturation = [0, 8]\nluma = [111, 255]\n";
 
+/// A manager with labelled images.
+fn bench_of(folder: Folder, images: PathBuf) -> Arc<Bench> {
+    let options = folder.options();
+    let soccer =
+        SoccerOptions { profiles: folder.0.join("profiles"), images: Some(images), ..SoccerOptions::default() };
+    Bench::of_program(&Arc::new(folder), options, soccer)
+}
+
+/// A message to the tuner.
+fn tuner(message: Value) -> Request {
+    Request::Extension { name: "tuner".to_owned(), message }
+}
+
+/// A click on a pixel of the ball.
+fn pick(remove: bool, image: u32, (x, y): (u16, u16)) -> Request {
+    tuner(json!({ "type": "pick", "class": ORANGE, "remove": remove, "image": image, "pixels": [[x, y]] }))
+}
+
 /// Recall and precision of the ball, missed images, wrong detections.
 fn score(page: &Page) -> (f64, f64, Vec<String>, Vec<String>) {
-    let rows = page.ask(Request::ScoreColours {}).unwrap();
+    let rows = page.ask(tuner(json!({ "type": "score" }))).unwrap();
     let row = &rows["rows"][0];
     assert_eq!(row["object"], "ball");
     let names = |list: &Value| list.as_array().unwrap().iter().map(|name| name.as_str().unwrap().to_owned()).collect();
@@ -35,7 +54,7 @@ fn score(page: &Page) -> (f64, f64, Vec<String>, Vec<String>) {
 
 /// Class of each pixel of an image.
 fn classify(page: &Page, image: u32) -> Vec<u8> {
-    let id = page.send(Request::Classify { image });
+    let id = page.send(tuner(json!({ "type": "classify", "image": image })));
     let frame = page.wait("the classes", |got| match got {
         Got::Binary(frame) => Some(frame.clone()),
         Got::Message(_) => None,
@@ -66,14 +85,13 @@ bica_test_data::images_test! {
         let numbers: BTreeMap<String, u32> = (0..).zip(&files).map(|(number, path)| (stem(&name(path)).to_owned(), number)).collect();
 
         let folder = Folder::new();
-        let profiles = folder.options().profiles;
+        let profiles = folder.0.join("profiles");
         fs::create_dir_all(&profiles).unwrap();
         fs::write(profiles.join("spoilt.toml"), SPOILT).unwrap();
-        let images = Some(images.clone());
-        let page = Page::new(&Bench::with(folder, |options| Options { images: images.clone(), ..options }));
+        let page = Page::new(&bench_of(folder, images));
         page.open(Open::Images {});
         page.session(|one| one["connection"] == "connected");
-        page.ask(Request::LoadColours { name: "spoilt".to_owned() }).unwrap();
+        page.ask(tuner(json!({ "type": "load", "name": "spoilt" }))).unwrap();
 
         let (mut recall, mut precision, mut missed, mut wrong) = score(&page);
         assert!(recall < 0.5, "spoilt: {recall}");
@@ -93,32 +111,30 @@ bica_test_data::images_test! {
             };
             clicks += 1;
             if let Some((image, place, remove)) = click {
-                page.ask(Request::PickColours { class: ORANGE, remove, image, pixels: vec![place] }).unwrap();
+                page.ask(pick(remove, image, place)).unwrap();
             }
             (recall, precision, missed, wrong) = score(&page);
             println!("{clicks} clicks: recall {recall:.3}, precision {precision:.3}, missed {}", missed.len());
         }
         assert!(recall >= 0.97, "{recall}");
         assert!(precision >= 0.99, "{precision}");
-        let saved = page.ask(Request::SaveColours { name: "mended".to_owned() }).unwrap();
+        let saved = page.ask(tuner(json!({ "type": "save", "name": "mended" }))).unwrap();
         let text = fs::read_to_string(saved["path"].as_str().unwrap()).unwrap();
         assert!(text.contains("[orange]"));
     }
 
     fn a_pick_can_be_undone() {
-        let images = Some(bica_test_data::images().join("nao2009"));
-        let page = Page::new(&Bench::with(Folder::new(), |options| Options { images: images.clone(), ..options }));
+        let images = bica_test_data::images().join("nao2009");
+        let page = Page::new(&bench_of(Folder::new(), images));
         page.open(Open::Images {});
         page.session(|one| one["connection"] == "connected");
-        let before = page.ask(Request::Colours {}).unwrap();
-        let pick = Request::PickColours { class: ORANGE, remove: false, image: 0, pixels: vec![(5, 5)] };
-        let picked = page.ask(pick).unwrap();
+        let before = page.ask(tuner(json!({ "type": "read" }))).unwrap();
+        let picked = page.ask(pick(false, 0, (5, 5))).unwrap();
         assert_ne!(picked["classes"], before["classes"]);
-        let undone = page.ask(Request::UndoColours {}).unwrap();
+        let undone = page.ask(tuner(json!({ "type": "undo" }))).unwrap();
         assert_eq!(undone["classes"], before["classes"]);
-        assert!(page.ask(Request::UndoColours {}).is_err());
-        let outside = Request::PickColours { class: ORANGE, remove: false, image: 0, pixels: vec![(320, 5)] };
-        assert!(page.ask(outside).unwrap_err()["text"].as_str().unwrap().contains("outside"));
+        assert!(page.ask(tuner(json!({ "type": "undo" }))).is_err());
+        assert!(page.ask(pick(false, 0, (320, 5))).unwrap_err()["text"].as_str().unwrap().contains("outside"));
     }
 }
 
@@ -137,11 +153,10 @@ fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
     let (page, description) = crate::world::running();
     let (component, param) = crate::world::find(&description, "Colours", "params", "orange_luma_min");
     let image = watched_image(&page);
-    let pick = Request::PickColours { class: ORANGE, remove: false, image, pixels: vec![(80, 100)] };
-    let picked = page.ask(pick).unwrap();
+    let picked = page.ask(pick(false, image, (80, 100))).unwrap();
     let luma = &picked["classes"][ORANGE]["limits"]["luma"][0];
     page.ask(Request::Acquire {}).unwrap();
-    let sent = page.ask(Request::SendColours {}).unwrap();
+    let sent = page.ask(tuner(json!({ "type": "send" }))).unwrap();
     assert!(sent["values"].as_array().unwrap().len() > 30);
 
     let late = Page::new(&page.bench);
@@ -155,10 +170,11 @@ fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
 fn the_end_of_the_field_is_shown_with_what_was_rejected() {
     let (page, _) = crate::world::running();
     let image = watched_image(&page);
-    let boundary = page.ask(Request::Boundary { image }).unwrap();
+    let message = |image: u32| Request::Extension { name: "boundary".to_owned(), message: json!({ "image": image }) };
+    let boundary = page.ask(message(image)).unwrap();
     let columns = boundary["columns"].as_array().unwrap();
     assert_eq!(columns.len(), 40);
     let inliers = columns.iter().filter(|column| column["verdict"] == "inlier").count();
     assert_eq!(boundary["corners"].as_array().unwrap().is_empty(), inliers == 0, "{boundary}");
-    assert!(page.ask(Request::Boundary { image: 1_000_000 }).is_err());
+    assert!(page.ask(message(1_000_000)).is_err());
 }

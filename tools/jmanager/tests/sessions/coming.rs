@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex};
 
-use jmanager::protocol::{FromPage, Open, Request, ToPage};
-use jmanager::sessions::{Frame, Key, Outbox};
+use bica_monitor::protocol::{FromPage, Open, Request, ToPage};
+use bica_monitor::sessions::{Frame, Key, Outbox};
 use serde_json::{Value, json};
 
 use crate::page::Bench;

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use bica_console::Failure;
 use bica_game::{ReplayOptions, replay};
+use bica_monitor::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
 use bica_recording::{Info, Recording};
-use jmanager::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
-use jmanager::soccer::ROBOTS;
+use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};

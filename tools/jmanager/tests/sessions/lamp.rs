@@ -9,7 +9,7 @@ use std::time::Duration;
 use bica::prelude::*;
 use bica::runner::{Runner, World};
 use bica_link::{Address, LinkServer, ServerOptions};
-use jmanager::protocol::{Breakpoint, HoldKind, Request};
+use bica_monitor::protocol::{Breakpoint, HoldKind, Request};
 use serde_json::json;
 
 use crate::robot::{Robot, attached};

@@ -1,4 +1,4 @@
-//! Sessions at the level of [`jmanager::sessions::Manager`], with pages that are programs.
+//! Sessions at the level of [`bica_monitor::sessions::Manager`], with pages that are programs.
 
 mod ball;
 mod breakpoints;

@@ -8,9 +8,9 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use jmanager::protocol::{FromPage, Open, Request, SessionId, ToPage};
-use jmanager::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
-use jmanager::soccer::{SoccerOptions, program};
+use bica_monitor::protocol::{FromPage, Open, Request, SessionId, ToPage};
+use bica_monitor::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
+use jmanager::{SoccerOptions, program};
 use serde_json::{Value, json};
 
 /// Longest wait for anything.
@@ -67,7 +67,11 @@ impl Bench {
     }
 
     pub(crate) fn of(folder: &Arc<Folder>, options: Options) -> Arc<Self> {
-        Arc::new(Self { manager: Manager::new(options, program(SoccerOptions::default())), folder: Arc::clone(folder) })
+        Self::of_program(folder, options, SoccerOptions::default())
+    }
+
+    pub(crate) fn of_program(folder: &Arc<Folder>, options: Options, soccer: SoccerOptions) -> Arc<Self> {
+        Arc::new(Self { manager: Manager::new(options, program(soccer)), folder: Arc::clone(folder) })
     }
 }
 
@@ -211,7 +215,6 @@ impl Folder {
         Options {
             recordings: self.0.join("recordings"),
             tune: self.0.join("tune"),
-            profiles: self.0.join("profiles"),
             layouts: self.0.join("layouts.json"),
             spool: self.0.join("spool"),
             ..Options::default()

@@ -1,6 +1,6 @@
 //! What a page gets of a world that is paused.
 
-use jmanager::protocol::{Request, Watch, WatchImages, WatchInfo};
+use bica_monitor::protocol::{Request, Watch, WatchImages, WatchInfo};
 use serde_json::{Value, json};
 
 use crate::page::{Got, Page};

@@ -5,9 +5,9 @@ use std::process::Command;
 use std::time::Duration;
 
 use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
+use bica_monitor::protocol::{Open, Request, Setting};
 use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
-use jmanager::protocol::{Open, Request, Setting};
 use serde_json::Value;
 
 use crate::page::{Bench, Folder, Got, Page};

@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
+use bica_monitor::protocol::{Open, Request};
 use bica_recording::Recording;
-use jmanager::protocol::{Open, Request};
 use serde_json::Value;
 
 use crate::lamp::{Room, Served};

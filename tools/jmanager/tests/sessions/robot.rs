@@ -8,9 +8,9 @@ use std::time::Duration;
 
 use bica_game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
 use bica_link::{Address, Client, ClientOptions};
+use bica_monitor::protocol::{Breakpoint, HoldKind, Open, Request, Setting, Watch, WatchImages};
+use bica_monitor::sessions::Options;
 use bica_sim::setup::Frame;
-use jmanager::protocol::{Breakpoint, HoldKind, Open, Request, Setting, Watch, WatchImages};
-use jmanager::sessions::Options;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use bica_link::Plain;
-use jmanager::protocol::{HoldKind, Open, Request, Setting};
-use jmanager::soccer::ROBOTS;
+use bica_monitor::protocol::{HoldKind, Open, Request, Setting};
+use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};
@@ -25,7 +25,7 @@ pub(crate) fn find(description: &Value, component: &str, list: &str, name: &str)
 #[cfg(feature = "mujoco")]
 #[test]
 fn a_game_in_mujoco_is_shown_with_its_images() {
-    use jmanager::protocol::{Watch, WatchImages};
+    use bica_monitor::protocol::{Watch, WatchImages};
 
     let page = Page::new(&Bench::new());
     page.open(Open::World { world: "mujoco".to_owned(), seed: 1, options: BTreeMap::new() });

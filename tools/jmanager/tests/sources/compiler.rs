@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use jmanager::sessions::Options;
+use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
 use crate::session_page::{Bench, LONG};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use bica_link::Plain;
-use jmanager::protocol::{Open, Request, Setting};
+use bica_monitor::protocol::{Open, Request, Setting};
 use serde_json::Value;
 
 use crate::view::{Sources, View, text_of};

@@ -1,6 +1,6 @@
 //! Edits, drawings, searches.
 
-use jmanager::sessions::Options;
+use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
 use crate::view::{PLAYER, Sources, View, text_of};

@@ -83,7 +83,7 @@ fn versions() -> [String; 2] {
 fn victim() {
     let Ok(folder) = std::env::var(VICTIM) else { return };
     let folder = std::path::Path::new(&folder);
-    let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
+    let options = bica_monitor::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
     let bench = Bench::of(&Arc::new(Folder(std::path::PathBuf::new())), options);
     let view = View::of(&bench, "player.rs");
     for number in 0_u32.. {
@@ -131,7 +131,7 @@ const ROOM: usize = 64;
 fn server_with_a_full_disk() {
     let Ok(folder) = std::env::var(FULL) else { return };
     let folder = std::path::Path::new(&folder);
-    let options = jmanager::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
+    let options = bica_monitor::sessions::Options { source: Some(folder.to_owned()), ..Default::default() };
     let bench = Bench::of(&Arc::new(Folder(std::path::PathBuf::new())), options);
     let view = View::of(&bench, "player.rs");
     let before = view.shown("player.rs").text;

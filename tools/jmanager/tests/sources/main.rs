@@ -1,4 +1,4 @@
-//! Sources at the level of [`jmanager::sessions::Manager`], with pages that are programs.
+//! Sources at the level of [`bica_monitor::sessions::Manager`], with pages that are programs.
 
 mod compiler;
 mod defaults;

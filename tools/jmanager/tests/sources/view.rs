@@ -6,8 +6,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use jmanager::protocol::{Request, SourceRequest};
-use jmanager::sessions::Options;
+use bica_monitor::protocol::{Request, SourceRequest};
+use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
 use crate::session_page::{Bench, Folder, Got, Page};

@@ -8,7 +8,7 @@ use super::extras::Extra;
 /// For each transition of each component: whether its condition held when it was evaluated last in the present state, and the
 /// instant since which it has had this value. The transition that was taken last held when it was taken.
 #[derive(Debug)]
-pub struct ConditionTable {
+pub(super) struct ConditionTable {
     components: Vec<Vec<Option<(bool, Instant)>>>,
     /// Instant of the last cycle.
     now: Instant,
@@ -18,21 +18,18 @@ pub struct ConditionTable {
 
 impl ConditionTable {
     /// A table without values.
-    #[must_use]
-    pub fn new(graph: &Graph) -> Self {
+    pub(super) fn new(graph: &Graph) -> Self {
         let components = graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect();
         Self { components, now: Instant::MIN, holding: 0 }
     }
 
     /// Returns the conditions of a component, one for each transition.
-    #[must_use]
-    pub fn of(&self, component: usize) -> &[Option<(bool, Instant)>] {
+    pub(super) fn of(&self, component: usize) -> &[Option<(bool, Instant)>] {
         self.components.get(component).map_or(&[], Vec::as_slice)
     }
 
     /// Returns the transition that a component has taken in the last cycle.
-    #[must_use]
-    pub fn taken(&self, component: usize) -> Option<usize> {
+    pub(super) fn taken(&self, component: usize) -> Option<usize> {
         self.of(component).iter().position(|condition| *condition == Some((true, self.now)))
     }
 

@@ -35,7 +35,6 @@ use crate::error::Error;
 use control::Control;
 use hub::Hub;
 
-pub use conditions::ConditionTable;
 pub use hub::LinkStats;
 pub use observer::LinkObserver;
 pub use picture::LinkImage;

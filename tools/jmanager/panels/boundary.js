@@ -1,0 +1,94 @@
+// The end of the field: scan columns, the first green in each, and the line that the robot found.
+
+import { html, useEffect, useMemo, useSignal } from '../lib/dom.js';
+import { Canvas } from '../lib/canvas.js';
+import { text, words } from '../lib/format.js';
+import { FITTED, Picture, placed, usePicture } from '../lib/image.js';
+import { ask, cursor, session, watch } from '../lib/store.js';
+import { css } from '../lib/theme.js';
+import { Bar, Empty, Toggle } from '../lib/ui.js';
+
+function Boundary({ visible }) {
+  const shown = session.value;
+  const description = shown?.description.value;
+  const component = shown?.find('FieldBoundary') ?? -1;
+  const columns = useSignal(true);
+  const zoom = useSignal(FITTED);
+  const pointer = useSignal(null);
+  const held = useSignal(null);
+  const picture = useMemo(() => new Picture(), []);
+  const infos = description?.components[component]?.info ?? [];
+  useEffect(() => {
+    if (!visible.value || component < 0) return undefined;
+    return watch({ images: true, info: infos.map((_, index) => [component, index, 1]) });
+  }, [visible.value, component, description]);
+  const image = () => (held.value?.session === shown?.id ? held.value : shown?.image.value ?? null);
+  const found = useFound(shown, visible, image, component);
+  const handlers = usePicture(image, zoom, pointer);
+
+  if (!shown || component < 0) return html`<${Empty} what="No end of field" help=${shown ? 'This tree has no component FieldBoundary.' : 'Open a session first.'} />`;
+  if (!shown.info.value.can.images) return html`<${Empty} what="No images" help="This session sends no images." />`;
+  const read = (name, time) => {
+    const index = infos.findIndex((info) => info.name === name);
+    if (index < 0) return null;
+    const information = shown.info_of(component, index);
+    return (cursor.value === null ? information.at(time) : information.now.value?.value) ?? null;
+  };
+  const draw = (context, width, height) => {
+    const one = image();
+    if (!one) return;
+    const at = placed(one, width, height, zoom.value);
+    context.drawImage(picture.of(one), at.left, at.top, one.width * at.scale, one.height * at.scale);
+    const corners = read('corners', one.time_us)?.points ?? [];
+    if (columns.value && found.value?.number === one.number) drawColumns(context, at, found.value.columns, one.height);
+    context.strokeStyle = css('--cursor');
+    context.lineWidth = 2.5;
+    context.beginPath();
+    for (const { x, y } of corners) context.lineTo(at.x(x), at.y(y));
+    context.stroke();
+  };
+  return html`<${Bar} label="End of field"><${Toggle} on=${columns.value} label="Scan columns" title="The program scans the image with the colours under edit and the thresholds of the robot" onChange=${(on) => { columns.value = on; }} />
+      <span class="dim">● first green of a column · <span class="warn">× rejected</span> · — found by the robot</span><span class="grow"></span>
+      <${Toggle} on=${held.value?.session === shown.id} label="Freeze" onChange=${(on) => { held.value = on ? shown.image.value : null; }} /><//>
+    <div class="fill picture"><${Canvas} reads=${() => { void [shown.image.value, held.value, found.value, columns.value, zoom.value, cursor.value]; }} draw=${draw} visible=${visible} label="End of the field in the image" ...${handlers} /></div>
+    <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.info_of(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
+}
+
+/** Scans one image at a time; returns what was found in the last one. */
+function useFound(shown, visible, image, component) {
+  const found = useSignal(null);
+  useEffect(() => {
+    if (!shown || component < 0) return undefined;
+    let [busy, last] = [false, null];
+    const timer = setInterval(async () => {
+      const one = image();
+      if (busy || !visible.peek() || !one || one.number === last) return;
+      busy = true;
+      last = one.number;
+      const answer = await ask('extension', { session: shown.id, name: 'boundary', message: { image: one.number } });
+      if (answer) found.value = { ...answer, number: one.number };
+      busy = false;
+    }, 200);
+    return () => clearInterval(timer);
+  }, [shown, component]);
+  return found;
+}
+
+function drawColumns(context, at, columns, height) {
+  context.lineWidth = 1;
+  for (const { x, y, verdict } of columns) {
+    context.strokeStyle = css('--scan');
+    context.beginPath();
+    context.moveTo(at.x(x), at.y(0));
+    context.lineTo(at.x(x), at.y(y ?? height));
+    context.stroke();
+    if (y === null) continue;
+    context.fillStyle = css(verdict === 'inlier' ? '--perceive' : '--warn');
+    context.beginPath();
+    if (verdict === 'inlier') context.arc(at.x(x), at.y(y), 3, 0, 2 * Math.PI);
+    else context.fillText('×', at.x(x) - 4, at.y(y) + 4);
+    context.fill();
+  }
+}
+
+export default { panels: { boundary: { title: 'End of field', view: Boundary } } };

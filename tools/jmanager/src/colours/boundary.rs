@@ -1,0 +1,94 @@
+//! How the field boundary in an image is found: the robot's own code on the same image.
+
+use bica_link::{Description, Param};
+use bica_vision::colour::Filters;
+use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
+use bica_vision::frame::Frame;
+use bica_vision::table::CompactTable;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::answer::{Boundary, BoundaryColumn, BoundaryVerdict};
+use bica_monitor::program::{Asked, Extension, Image, Reply};
+use bica_monitor::protocol::Failed;
+
+/// Component with the thresholds as parameters.
+const COMPONENT: &str = "FieldBoundary";
+
+/// What the panel asks for: the [`Boundary`] in an image.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Message {
+    image: u32,
+}
+
+/// The panel of the field boundary: with the colours of the tuner and the thresholds of the robot.
+pub(crate) struct Panel;
+
+impl Extension for Panel {
+    fn name(&self) -> &'static str {
+        "boundary"
+    }
+
+    fn module(&self) -> &'static str {
+        include_str!("../../panels/boundary.js")
+    }
+
+    fn only_reads(&self, _: &Value) -> bool {
+        true
+    }
+
+    fn handle(&self, asked: Asked<'_>, message: Value) -> Result<Reply, Failed> {
+        let message = serde_json::from_value(message);
+        let Message { image } = message.map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
+        let filters = super::edit_of(asked).filters();
+        let found = find(asked.description().as_deref(), &asked.image(image)?, &filters)?;
+        Ok(Reply::Done(json!(found)))
+    }
+}
+
+/// Finds the boundary with these colours and the robot's thresholds.
+fn find(tree: Option<&Description>, image: &Image, filters: &Filters) -> Result<Boundary, Failed> {
+    let frame = Frame::new(image.width, image.height, &image.yuyv);
+    let frame = frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;
+    let table = Box::new(CompactTable::compile(filters));
+    let tuning = tree.map_or(BoundaryTuning::DEFAULT, tuning);
+    let boundary = FieldBoundary::find_tuned(&frame, &*table, None, &tuning);
+    let inlier_distance = tuning.inlier_distance * f32::from(image.height);
+    let column = |(x, y): (f32, Option<f32>)| {
+        let verdict = match (y, boundary.row_at(x)) {
+            (None, _) => BoundaryVerdict::NoGreen,
+            (Some(_), None) => BoundaryVerdict::NoBoundary,
+            (Some(y), Some(row)) if (y - row).abs() <= inlier_distance => BoundaryVerdict::Inlier,
+            (Some(y), Some(row)) if y < row => BoundaryVerdict::Above,
+            (Some(_), Some(_)) => BoundaryVerdict::Below,
+        };
+        BoundaryColumn { x, y, verdict }
+    };
+    Ok(Boundary {
+        columns: FieldBoundary::scan(&frame, &*table, &tuning).map(column).collect(),
+        corners: boundary.corners().iter().map(|corner| (corner.x, corner.y)).collect(),
+        inlier_distance,
+    })
+}
+
+/// The thresholds in force in the robot.
+fn tuning(tree: &Description) -> BoundaryTuning {
+    let default = BoundaryTuning::DEFAULT;
+    let Some(component) = tree.components.iter().find(|one| one.name == COMPONENT) else { return default };
+    let number = |name: &str, otherwise: f32| {
+        let param = component.params.iter().find(|param| param.name == name);
+        match param.map(Param::current) {
+            Some(bica::Value::F32(value)) => value,
+            Some(bica::Value::I32(value)) => value as f32,
+            _ => otherwise,
+        }
+    };
+    BoundaryTuning {
+        min_green: number("min_green", default.min_green),
+        max_gap: number("max_gap", default.max_gap),
+        inlier_distance: number("inlier_distance", default.inlier_distance),
+        min_score: number("min_score", default.min_score as f32) as i32,
+        ..default
+    }
+}

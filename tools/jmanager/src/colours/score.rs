@@ -1,0 +1,65 @@
+//! Score of a profile on labelled images.
+
+use std::path::{Path, PathBuf};
+
+use bica_console::{Failure, Outcome};
+use bica_evaluation::camera_poses::Pose;
+use bica_evaluation::detection::{ColourTable, DetectionObserver, DetectionOptions, Detections, Folder};
+use bica_evaluation::labels::Labels;
+use bica_evaluation::scoring::Score;
+use bica_vision::colour::Filters;
+use bica_vision::table::CompactTable;
+use serde_json::{Value, json};
+
+use bica_monitor::program::{Asked, Reply};
+use bica_monitor::protocol::Failed;
+
+/// Radius of a ball of 2009, m.
+const RADIUS: f32 = 0.0325;
+
+/// Scores a profile in a thread of its own; the answer follows.
+pub(super) fn start(asked: Asked<'_>, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
+    let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
+    let (folder, filters) = (folder.ok_or_else(none)?.to_owned(), *filters);
+    asked.later(move || score(&folder, &filters).map_err(Failed::from))
+}
+
+struct Counter(Score);
+
+impl DetectionObserver for Counter {
+    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure> {
+        self.0.count(&detections, pose);
+        Ok(())
+    }
+
+    fn skipped(&mut self, _file: &str, _why: String) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+/// The file with the labels of a folder: in it, or beside it.
+fn labels(folder: &Path) -> Result<PathBuf, Failure> {
+    let inside = folder.join("labels.csv");
+    let beside = folder.join("..").join("labels.csv");
+    let found = [inside, beside].into_iter().find(|path| path.is_file());
+    let missing =
+        || Failure::new(format!("`{}` has no labels", folder.display()), "put labels.csv into it or beside it");
+    found.ok_or_else(missing)
+}
+
+fn score(folder: &Path, filters: &Filters) -> Result<Value, Failure> {
+    let labels = Labels::read(&labels(folder)?, folder)?;
+    let options = DetectionOptions {
+        folder: folder.to_owned(),
+        profile: String::new(),
+        poses: None,
+        radius: RADIUS,
+        pictures: None,
+    };
+    let table = ColourTable::Compact(Box::new(CompactTable::compile(filters)));
+    let mut counter = Counter(Score::new(labels, RADIUS));
+    if Folder::open_with(&options, table)?.detect(&mut counter)? == Outcome::Interrupted {
+        return Err(Failure::new("stopped by Ctrl-C", "score again"));
+    }
+    Ok(json!({ "rows": counter.0.rows() }))
+}

@@ -1,0 +1,115 @@
+//! The worlds in which the forward plays.
+
+use std::cell::Cell;
+use std::sync::Arc;
+use std::time::Duration;
+
+use bica_console::Failure;
+use bica_game::{
+    FirmwareImage, GRAPH, GameControl, NextStep, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled,
+    settings,
+};
+use bica_recording::ImagePolicy;
+use bica_sim::setup::{Frame, MAX_ROBOTS};
+use bica_tuning::Layers;
+
+use super::SoccerOptions;
+use bica_monitor::program::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};
+use bica_monitor::protocol::Failed;
+
+/// Option of the worlds: the number of other robots.
+pub const ROBOTS: &str = "robots";
+
+/// A world in which the forward plays.
+pub(super) struct SoccerWorld {
+    name: &'static str,
+    kind: WorldKind,
+    options: Arc<SoccerOptions>,
+}
+
+/// Returns all worlds that this program contains.
+pub(super) fn all(options: &Arc<SoccerOptions>) -> Vec<SoccerWorld> {
+    let worlds = [
+        ("built-in", WorldKind::BuiltIn),
+        #[cfg(feature = "mujoco")]
+        ("mujoco", WorldKind::Mujoco),
+        ("firmware", WorldKind::BuiltIn),
+    ];
+    worlds.into_iter().map(|(name, kind)| SoccerWorld { name, kind, options: Arc::clone(options) }).collect()
+}
+
+impl LocalWorld for SoccerWorld {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn options(&self) -> Vec<WorldOption> {
+        let (name, doc) = (ROBOTS.to_owned(), "Number of other robots".to_owned());
+        vec![WorldOption { name, doc, max: MAX_ROBOTS as u64 }]
+    }
+
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure> {
+        let is_firmware = self.name == "firmware";
+        let size = if is_firmware { Frame::Small } else { self.options.size };
+        let firmware = is_firmware.then(|| FirmwareImage::new(self.options.firmware.clone(), size));
+        let mut layers = Layers::new(&GRAPH);
+        if let Some(tune) = &setup.tune {
+            layers.read(tune)?;
+        }
+        // Without end, in real time.
+        let rules = Rules {
+            world: self.kind,
+            seed: setup.seed,
+            size,
+            robots: setup.options.get(ROBOTS).copied().unwrap_or(0) as usize,
+            limit: Duration::MAX,
+            realtime: true,
+            firmware: firmware.transpose()?,
+            settings: settings(&layers)?,
+        };
+        Ok(Box::new(move |run| play(&rules, run)))
+    }
+}
+
+/// Plays a game until its run ends.
+fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
+    let has_begun = Cell::new(false);
+    let started = |_: &str| {
+        has_begun.set(true);
+        Ok(())
+    };
+    let address = run.address();
+    let serve = ServeOptions { address: &address, anywhere: false, started: &started };
+    // Images are not stored: the same world is made again from its rules.
+    let record = RecordOptions { path: run.recording(), images: ImagePolicy::None, force: true };
+    let result = play_controlled(rules, &mut (), &mut Control(run), Some(record), Some(serve));
+    result.map(drop).or_else(|failure| {
+        if has_begun.get() {
+            return Err(failure);
+        }
+        // The world or its file cannot be made. Without a file only the world's failure is left.
+        let Failed { text, help, .. } = failure.into();
+        run.not_recorded(&format!("{text}: {help}"));
+        play_controlled(rules, &mut (), &mut Control(run), None, Some(serve)).map(drop)
+    })
+}
+
+struct Control<'a>(&'a WorldRun);
+
+impl GameControl for Control<'_> {
+    fn next(&mut self, is_over: bool) -> NextStep {
+        match self.0 {
+            run if run.is_ended() => NextStep::End,
+            run if is_over && run.over() => NextStep::Pause,
+            _ => NextStep::Cycle,
+        }
+    }
+
+    fn note(&mut self) -> Option<String> {
+        self.0.note()
+    }
+
+    fn recording_ended(&mut self, reason: &str) {
+        self.0.not_recorded(reason);
+    }
+}

@@ -1,0 +1,106 @@
+//! Files that a page chooses, and files that it saves.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use crate::protocol::Failed;
+
+/// Longest name, bytes.
+const MAX_NAME: usize = 100;
+
+/// Returns the path of a file in a folder. A name contains neither a separator of folders nor a control character, and does not begin
+/// with a dot, so it leads out of no folder.
+///
+/// # Errors
+/// If the name is none of a file.
+pub fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> {
+    let is_allowed = |letter: char| letter.is_alphanumeric() || "-_. ()[]+,=@#'!~".contains(letter);
+    let valid = !name.is_empty()
+        && name.len() <= MAX_NAME
+        && !name.starts_with(['.', ' '])
+        && name.trim_end() == name
+        && name.chars().all(is_allowed);
+    if !valid {
+        let help =
+            format!("use at most {MAX_NAME} letters, digits, spaces and -_.()[]+,=@#'!~, with no dot at the beginning");
+        return Err(Failed::new(format!("`{}` is no name of a file", name.escape_debug()), help));
+    }
+    let name = name.strip_suffix(ending).unwrap_or(name);
+    Ok(folder.join(format!("{name}{ending}")))
+}
+
+/// Opens a regular file. Another kind is refused at once: a pipe would wait for a writer, which may never come.
+///
+/// # Errors
+/// If it cannot be opened, or is no regular file.
+pub fn open(path: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, nix::libc::O_NONBLOCK);
+    let file = options.open(path)?;
+    let is_file = file.metadata()?.is_file();
+    is_file.then_some(file).ok_or_else(|| io::Error::new(ErrorKind::InvalidInput, "it is no regular file"))
+}
+
+/// Reads a regular file as text.
+pub(crate) fn read(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
+    open(path)?.read_to_string(&mut text).map(|_| text)
+}
+
+pub(crate) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, help: &str) -> Failed {
+    Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
+}
+
+/// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
+    let help = "is the disk full, or the folder write-protected?";
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
+    }
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let temporary = path.with_file_name(format!(".{name}.{}", std::process::id()));
+    let result = File::create_new(&temporary).and_then(|mut file| {
+        file.write_all(content)?;
+        file.sync_all()?;
+        fs::rename(&temporary, path)
+    });
+    if result.is_err() {
+        // The failure of the writing is what the user has to know.
+        let _ = fs::remove_file(&temporary);
+    }
+    result.map_err(|error| failed("write", path, &error, help))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_stays_in_its_folder() {
+        let folder = Path::new("/folder");
+        for name in ["", ".", "..", "../a", "a/b", "/etc/passwd", "a\\b", "a\r\nb", ".hidden", " a", "a ", "a\0"] {
+            assert!(path(folder, name, ".mcap").is_err(), "{name:?}");
+        }
+        for name in ["goal of day 1", "run (1)", "it's [new] + 2"] {
+            assert_eq!(path(folder, name, ".mcap").unwrap(), folder.join(format!("{name}.mcap")));
+        }
+        assert_eq!(path(folder, "a.mcap", ".mcap").unwrap(), folder.join("a.mcap"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_and_a_folder_are_refused_without_waiting() {
+        let pipe = std::env::temp_dir().join(format!("jmanager-pipe-{}", std::process::id()));
+        nix::unistd::mkfifo(&pipe, nix::sys::stat::Mode::S_IRWXU).unwrap();
+        for path in [&pipe, &std::env::temp_dir()] {
+            assert!(open(path).unwrap_err().to_string().contains("regular file"), "{}", path.display());
+        }
+        std::fs::remove_file(&pipe).unwrap();
+    }
+}

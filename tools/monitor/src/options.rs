@@ -1,0 +1,69 @@
+//! Options of all sessions.
+
+use std::hash::{BuildHasher, Hasher, RandomState};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// A program of [`App`](https://docs.rs/bica-app) in the folder of sources, in its first world.
+const RUN: &str = "-- run --serve {address} --seed {seed}";
+
+/// Folders and limits of all sessions.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Folder of kept recordings; made when the first one is kept.
+    pub recordings: PathBuf,
+    /// Folder of tune files.
+    pub tune: PathBuf,
+    /// Folder of Rust sources that may be read and edited, if that is allowed.
+    pub source: Option<PathBuf>,
+    /// Whether what is in that folder may be checked, built and run.
+    pub build: bool,
+    /// What is run: `[CARGO-OPTIONS] -- [ARGUMENTS]`, with `{address}`, `{seed}` and `{robots}` in the arguments.
+    pub run: String,
+    /// File of saved layouts of panels.
+    pub layouts: PathBuf,
+    /// Folder of the files of running recordings; made when needed.
+    pub spool: PathBuf,
+    /// Whether pages may only watch.
+    pub read_only: bool,
+    /// Time that a session remembers.
+    pub ring: Duration,
+    /// Longest memory of images, bytes of each session.
+    pub image_bytes: usize,
+    /// Longest memory of information, bytes of each session.
+    pub info_bytes: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            recordings: "recordings".into(),
+            tune: "tune".into(),
+            source: None,
+            build: false,
+            run: RUN.to_owned(),
+            layouts: "jmanager-layouts.json".into(),
+            spool: spool(),
+            read_only: false,
+            ring: Duration::from_mins(10),
+            image_bytes: 96 << 20,
+            info_bytes: 64 << 20,
+        }
+    }
+}
+
+/// A folder among those of all users. Its name cannot be guessed, so that nobody else can make it before, with links in it.
+fn spool() -> PathBuf {
+    let random = RandomState::new().build_hasher().finish();
+    std::env::temp_dir().join(format!("jmanager-{}-{random:016x}", std::process::id()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_folder_of_running_recordings_has_a_name_that_cannot_be_guessed() {
+        assert_ne!(Options::default().spool, Options::default().spool);
+    }
+}

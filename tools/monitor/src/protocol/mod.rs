@@ -1,0 +1,45 @@
+//! Messages between the page and the server, over one WebSocket.
+//!
+//! Text frames are JSON objects with the field `type`; binary frames are [`images`](binary). Times are µs of the robot's time, or of a
+//! recording's time, since the start of its clock. A component, information, parameter, modulation, state or transition is its
+//! index in the [description](bica_link::Description) of the session.
+//!
+//! A message from the page has an `id`, chosen by the page; the server answers each with one [`ToPage::Answer`] with the same
+//! `id`. Everything else that the server sends is state: a page that missed some of it is right again after the next
+//! message of the same kind.
+
+pub mod binary;
+mod breakpoint;
+mod compiler;
+mod drawing;
+mod from_page;
+mod open;
+mod session;
+mod source_file;
+mod source_request;
+mod state;
+mod to_page;
+mod watch;
+
+pub use breakpoint::{Breakpoint, Hit, Reached};
+pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
+pub use drawing::{Drawing, DrawnBox, DrawnLink};
+pub use from_page::{FromPage, HoldKind, Request, Setting};
+pub use open::Open;
+pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
+pub use source_file::{
+    ChangedBy, FileState, SourceChange, SourceComponent, SourceFile, SourceState, SourceUse, StatePosition,
+};
+pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
+pub use state::{
+    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, RobotPose,
+    Row, Truth,
+};
+pub use to_page::{Failed, ToPage, World};
+pub use watch::{Watch, WatchImages, WatchInfo};
+
+/// Version of the protocol: a page of another version reloads itself.
+pub const VERSION: u32 = 1;
+
+/// Identifier of a session: a robot, a simulated world or a recording that the server shows.
+pub type SessionId = u32;

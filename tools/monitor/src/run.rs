@@ -1,0 +1,151 @@
+//! The program from its start to Ctrl-C.
+
+use std::io::{self, BufRead, IsTerminal};
+use std::net::{IpAddr, Ipv4Addr, TcpListener};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use crate::cli::Arguments;
+use crate::options::Options;
+use crate::program::Program;
+use crate::protocol::Open;
+use crate::sessions::Manager;
+use crate::sources::Sources;
+use crate::web::{Web, WebOptions};
+use crate::{open, sources, token};
+use bica_console::{Console, Failure, Outcome, Style, interrupt};
+
+/// Port of the page, if it is free.
+const PORT: u16 = 7410;
+/// Time between two looks for Ctrl-C.
+const POLL: Duration = Duration::from_millis(50);
+
+/// Serves the page until Ctrl-C. `options` has the folders and limits that no argument gives.
+///
+/// # Errors
+/// If an argument is wrong, or the page cannot be served.
+pub fn run(arguments: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
+    interrupt::listen();
+    serve(arguments, options, program)
+}
+
+fn serve(cli: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
+    let console = Console::new(false);
+    let Sources { open: shown, recordings } = sources::read(cli, &program)?;
+    may_edit(cli)?;
+    let token = cli.token_file.as_deref().map(token::read).transpose()?;
+    if let (Some((_, true)), Some(path)) = (&token, &cli.token_file) {
+        console.print(&format!("a new secret is in `{}`: the page of another computer asks for it", path.display()))?;
+    }
+    let manager = Arc::new(Manager::new(chosen(cli, recordings, options), program));
+    for source in shown {
+        let opened = match &cli.record {
+            Some(file) if !matches!(source, Open::Recording { .. }) => manager.open_recorded(source, file),
+            _ => manager.open(source),
+        };
+        opened.map_err(|failed| Failure::new(failed.text, failed.help))?;
+    }
+    let web_options = WebOptions { names: cli.host.clone(), token: token.map(|(token, _)| token) };
+    let failure = |error: io::Error| Failure::new(format!("cannot serve the page: {error}"), "try again");
+    let web = Web::start(listen(cli)?, web_options, Arc::clone(&manager)).map_err(failure)?;
+    if cli.listen.is_some_and(|address| !address.is_loopback()) {
+        let text = "warning: the page is not encrypted, and whoever knows the secret operates the robots";
+        console.print(&console.styled(Style::Bad, text))?;
+    }
+    announce(console, &web, "works once")?;
+    if !cli.no_open {
+        open::open(&web.url().map_err(failure)?);
+    }
+    let lines = lines();
+    while !interrupt::requested() {
+        std::thread::sleep(POLL);
+        if lines.try_recv().is_ok() {
+            announce(console, &web, "a new one")?;
+        }
+    }
+    // Pages are told that the server ends, then robots are given back.
+    drop(web);
+    drop(manager);
+    Ok(Outcome::Success)
+}
+
+/// Refuses to let other computers edit sources, and a folder that cannot be opened.
+fn may_edit(cli: &Arguments) -> Result<(), Failure> {
+    let Some(folder) = &cli.source else { return Ok(()) };
+    if cli.listen.is_some_and(|address| !address.is_loopback()) {
+        let help = "leave out --source and --build, or --listen: an SSH tunnel reaches a page at 127.0.0.1, too";
+        return Err(Failure::new("sources are edited and built from this computer only", help));
+    }
+    let failed = |error| Failure::new(format!("the folder of sources cannot be opened: {error}"), "is the path right?");
+    bica_vicode::Folder::open(folder).map(drop).map_err(failed)
+}
+
+fn announce(console: Console, web: &Web, note: &str) -> Result<(), Failure> {
+    let url = web.url().map_err(|error| Failure::new(format!("no random numbers: {error}"), "try again"))?;
+    let more = if io::stdin().is_terminal() { "; Enter prints another one, Ctrl-C ends" } else { "" };
+    console.print(&format!(
+        "{}  {}",
+        console.styled(Style::Strong, &url),
+        console.styled(Style::Faint, &format!("({note}{more})"))
+    ))
+}
+
+fn chosen(cli: &Arguments, recordings: std::path::PathBuf, options: Options) -> Options {
+    Options {
+        recordings,
+        source: cli.source.clone(),
+        build: cli.build,
+        run: cli.run.clone().unwrap_or_else(|| options.run.clone()),
+        read_only: cli.read_only,
+        ..options
+    }
+}
+
+/// Binds the port: the one of the command line, or the usual one, or any that is free.
+fn listen(cli: &Arguments) -> Result<TcpListener, Failure> {
+    let address = cli.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
+    let bind = |port| TcpListener::bind((address, port));
+    let bound = match cli.port {
+        Some(port) => bind(port),
+        None => bind(PORT).or_else(|_| bind(0)),
+    };
+    bound.map_err(|error| {
+        let what = format!("cannot listen at {address}, port {}: {error}", cli.port.unwrap_or(PORT));
+        Failure::new(what, "choose another --port, or an address of this computer for --listen")
+    })
+}
+
+/// Lines that a person types at a terminal.
+fn lines() -> Receiver<()> {
+    let (sender, lines) = channel();
+    if io::stdin().is_terminal() {
+        std::thread::spawn(move || {
+            for line in io::stdin().lock().lines() {
+                if line.is_err() || sender.send(()).is_err() {
+                    return;
+                }
+            }
+        });
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::parse;
+
+    #[test]
+    fn sources_are_not_edited_from_other_computers() {
+        let may = |arguments: &[&str]| may_edit(&parse(arguments));
+        let folder = env!("CARGO_MANIFEST_DIR");
+        assert!(may(&["--source", folder, "--build"]).is_ok());
+        assert!(may(&["--source", folder, "--listen", "127.0.0.1", "--token-file", "t"]).is_ok());
+        assert!(may(&["--listen", "0.0.0.0", "--token-file", "t"]).is_ok());
+        for address in ["0.0.0.0", "192.168.1.5", "::"] {
+            assert!(may(&["--source", folder, "--listen", address, "--token-file", "t"]).is_err(), "{address}");
+        }
+        assert!(may(&["--source", "/nowhere/at/all"]).is_err());
+    }
+}

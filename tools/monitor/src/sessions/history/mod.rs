@@ -1,0 +1,120 @@
+//! What a session remembers.
+
+mod images;
+mod info;
+mod part;
+mod states;
+mod timed;
+mod timeline;
+
+use std::collections::BTreeMap;
+
+use crate::protocol::{Costs, LogLine, Truth};
+
+pub(super) use images::Images;
+pub(super) use info::InfoStore;
+pub(super) use states::{Change, States};
+pub(super) use timed::Timed;
+
+/// For each transition of a component whether its condition holds, and since when, µs.
+pub(super) type Conditions = Vec<Option<(bool, u64)>>;
+
+/// Limits of what is remembered.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Limits {
+    /// Time, µs; none for a recording, which is remembered whole.
+    pub(super) ring_us: Option<u64>,
+    /// Memory of information, bytes.
+    pub(super) info_bytes: usize,
+    /// Memory of images, bytes.
+    pub(super) image_bytes: usize,
+}
+
+/// What a session remembers: the last minutes of a robot, or a recording.
+#[derive(Debug, Default)]
+pub(super) struct History {
+    limits: Limits,
+    pub(super) states: States,
+    pub(super) info: InfoStore,
+    pub(super) images: Images,
+    pub(super) lines: Timed<LogLine>,
+    pub(super) truths: Timed<Truth>,
+    pub(super) costs: Timed<Costs>,
+    /// Changes of the conditions of each component; none from when on they are not received.
+    conditions: BTreeMap<usize, Timed<Option<Conditions>>>,
+    /// Components of which a run took longer than its budget.
+    pub(super) overruns: Timed<u16>,
+    /// Transitions that were taken: component and index. In a session behind a link only those with breakpoints.
+    pub(super) taken: Timed<(usize, usize)>,
+}
+
+impl History {
+    pub(super) fn new(limits: Limits, components: usize) -> Self {
+        Self { limits, states: States::new(components), images: Images::new(limits.image_bytes), ..Self::default() }
+    }
+
+    /// First and last time of which the state is known, µs.
+    pub(super) fn span(&self) -> (u64, u64) {
+        self.states.span()
+    }
+
+    /// What follows is not received until the next cycle that is added.
+    pub(super) fn interrupt(&mut self) {
+        self.states.interrupt();
+        self.info.interrupt();
+        let time_us = self.span().1;
+        self.conditions.values_mut().for_each(|known| known.push(time_us, None));
+    }
+
+    /// Memory of information and images, bytes.
+    pub(super) const fn bytes(&self) -> usize {
+        self.info.bytes() + self.images.bytes()
+    }
+
+    pub(super) fn add_line(&mut self, line: LogLine) {
+        self.lines.push(line.time_us, line);
+    }
+
+    /// Returns the last lines of an interval, oldest first.
+    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize) -> Vec<LogLine> {
+        let last = self.lines.between(from_us, until_us).rev().take(limit);
+        let mut lines: Vec<_> = last.map(|(_, line)| line.clone()).collect();
+        lines.reverse();
+        lines
+    }
+
+    /// Adds the conditions of a component, or that they are not received any more.
+    pub(super) fn add_conditions(&mut self, time_us: u64, component: usize, conditions: Option<Conditions>) {
+        let known = self.conditions.entry(component).or_default();
+        if known.newest().is_none_or(|(_, last)| *last != conditions) {
+            known.push(time_us, conditions);
+        }
+    }
+
+    /// The conditions of a component at a time.
+    pub(super) fn conditions(&self, component: usize, time_us: u64) -> Option<&Conditions> {
+        self.conditions.get(&component)?.at(time_us)?.1.as_ref()
+    }
+
+    /// Forgets what is older than the ring, or does not fit into the memory.
+    pub(super) fn evict(&mut self) {
+        let (first, last) = self.span();
+        if let Some(ring) = self.limits.ring_us {
+            let horizon = last.saturating_sub(ring);
+            self.states.evict(horizon);
+            self.info.evict(horizon);
+            self.images.evict(horizon);
+            self.lines.evict(horizon);
+            self.truths.evict(horizon);
+            self.costs.evict(horizon);
+            self.overruns.evict(horizon);
+            self.taken.evict(horizon);
+            self.conditions.values_mut().for_each(|known| known.evict_states(horizon));
+        }
+        let mut horizon = first;
+        while self.info.bytes() > self.limits.info_bytes && horizon < last {
+            horizon += ((last - first) / 8).max(1);
+            self.info.evict(horizon);
+        }
+    }
+}

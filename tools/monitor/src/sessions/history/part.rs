@@ -1,0 +1,126 @@
+//! What is remembered, cycle by cycle.
+
+use super::History;
+use crate::program::Image;
+use crate::protocol::{ComponentNow, LogLine};
+
+/// What is remembered of a cycle, and of the time since the one before it.
+#[derive(Debug)]
+pub(crate) struct CyclePart {
+    /// Time, µs.
+    pub(crate) time_us: u64,
+    /// Number.
+    pub(crate) cycle: u64,
+    /// States of all components after it.
+    pub(crate) states: Vec<ComponentNow>,
+    /// Component, index and value, as JSON text, of information that came or changed.
+    pub(crate) info: Vec<(usize, usize, Box<str>)>,
+    /// Log lines.
+    pub(crate) lines: Vec<LogLine>,
+    /// Images.
+    pub(crate) images: Vec<Image>,
+}
+
+impl History {
+    /// Returns at most `count` cycles after a time and up to another one, in the order of time; without `after_us` from the first one in
+    /// memory on, which then has everything that was known before.
+    pub(crate) fn part(&self, after_us: Option<u64>, until_us: u64, count: usize) -> Vec<CyclePart> {
+        let ticks = self.states.ticks_after(after_us, until_us, count);
+        let (Some(&(first, _)), Some(&(last, _))) = (ticks.first(), ticks.last()) else { return Vec::new() };
+        let Some((_, _, mut states)) = self.states.at(first) else { return Vec::new() };
+        let changes = self.states.changes().skip_while(|change| change.time_us <= first);
+        let mut changes = changes.take_while(|change| change.time_us <= last).peekable();
+        let mut info = self.info.part(after_us, last, until_us).into_iter().peekable();
+        let mut lines = self.lines(after_us.map_or(0, |after| after + 1), last, usize::MAX).into_iter().peekable();
+        let mut images = self.images.part(after_us, last).cloned().peekable();
+        let cycle = |(time_us, cycle): (u64, u64)| {
+            while let Some(change) = changes.next_if(|change| change.time_us <= time_us) {
+                states[usize::from(change.component)] = change.now;
+            }
+            let info = std::iter::from_fn(|| info.next_if(|sample| sample.0 <= time_us));
+            CyclePart {
+                time_us,
+                cycle,
+                states: states.clone(),
+                info: info.map(|(_, component, index, value)| (component, index, value)).collect(),
+                lines: std::iter::from_fn(|| lines.next_if(|line| line.time_us <= time_us)).collect(),
+                images: std::iter::from_fn(|| images.next_if(|image| image.time_us <= time_us)).collect(),
+            }
+        };
+        ticks.into_iter().map(cycle).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::super::Limits;
+    use super::*;
+    use crate::protocol::{HoldKind, LogKind};
+
+    /// History of 20 cycles of one component, that is active in every fourth.
+    fn history() -> History {
+        let mut history = History::new(Limits { ring_us: None, info_bytes: 1000, image_bytes: 1000 }, 1);
+        for cycle in 0..20 {
+            let time_us = cycle * 1000;
+            history.states.push(time_us, cycle, [(cycle % 4 == 0, HoldKind::Tree, None, None)].into_iter());
+            // It changes in cycle 10.
+            history.info.push(0, 1, time_us, &json!(cycle / 10));
+            if cycle % 5 == 2 {
+                let image = Image {
+                    number: cycle as u32,
+                    time_us,
+                    bottom_camera: false,
+                    width: 2,
+                    height: 1,
+                    yuyv: [0; 4].into(),
+                };
+                history.images.push(image);
+                let text = format!("line {cycle}");
+                history.add_line(LogLine {
+                    time_us: time_us - 1,
+                    level: 2,
+                    kind: LogKind::Robot,
+                    text,
+                    component: None,
+                });
+            }
+        }
+        history
+    }
+
+    #[test]
+    fn all_parts_together_are_everything_once_whatever_their_size() {
+        let history = history();
+        for size in [1, 3, 7, 100] {
+            let (mut all, mut after) = (Vec::new(), None);
+            loop {
+                let part = history.part(after, 17_000, size);
+                assert!(part.len() <= size);
+                let Some(last) = part.last() else { break };
+                after = Some(last.time_us);
+                all.extend(part);
+            }
+            assert_eq!(all.iter().map(|one| one.cycle).collect::<Vec<_>>(), (0..=17).collect::<Vec<_>>());
+            assert!(all.iter().all(|one| one.states[0].0 == (one.cycle % 4 == 0)), "{size}");
+            let with = |is: &dyn Fn(&CyclePart) -> bool| -> Vec<u64> {
+                all.iter().filter(|one| is(one)).map(|one| one.cycle).collect()
+            };
+            assert_eq!(with(&|one| one.images.len() == 1), [2, 7, 12, 17], "{size}");
+            assert_eq!(with(&|one| one.lines.len() == 1), [2, 7, 12, 17], "{size}");
+            let values: Vec<_> = all.iter().flat_map(|one| one.info.iter().map(|info| (one.cycle, &*info.2))).collect();
+            assert_eq!(values, [(0, "0"), (10, "1"), (17, "1")], "the last value is there until the end, {size}");
+        }
+    }
+
+    #[test]
+    fn the_first_part_has_what_was_known_before_it() {
+        let mut history = history();
+        history.states.evict(5000);
+        history.info.evict(5000);
+        let part = history.part(None, u64::MAX, 1);
+        assert_eq!((part[0].cycle, part[0].states[0].0), (5, false));
+        assert_eq!(part[0].info.iter().map(|info| &*info.2).collect::<Vec<_>>(), ["0"]);
+    }
+}

@@ -1,0 +1,138 @@
+//! Images, costs, conditions and the true state, which come over the link.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use bica_link::{Costs, Event};
+use bica_wire::message::{
+    ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken, Truth as LinkTruth,
+};
+
+use super::attached::Attached;
+use crate::program::Image;
+use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth};
+
+/// Number of cycles between two looks at conditions and the true state, while time goes on.
+const EVERY: u16 = 5;
+
+/// What is watched besides states and information.
+#[derive(Debug, Default)]
+pub(super) struct Extras {
+    /// Over the link, with n for every n-th cycle or image.
+    watched: BTreeMap<ExtraKind, u16>,
+}
+
+impl Attached<'_> {
+    /// Watches over the link what the pages watch, and for the history the true state and costs, which are small; of a world of this
+    /// process everything.
+    pub(super) fn watch_extras(&mut self) -> Result<(), bica_link::Error> {
+        let offers = self.client.offers();
+        let every = if self.session.is_paused() { 1 } else { EVERY };
+        let mut wanted = BTreeMap::new();
+        let mut want = |offer, kind, every| {
+            if offers.contains(offer) {
+                wanted.insert(kind, every);
+            }
+        };
+        want(Offers::TRUTH, ExtraKind::Truth, every);
+        want(Offers::COSTS, ExtraKind::Costs, 1);
+        let shared = self.session.shared();
+        let is_own = self.world.is_some();
+        if is_own || self.session.record.is_some() || shared.watching.watches().any(|watch| watch.images.is_some()) {
+            want(Offers::IMAGES, ExtraKind::Images, 1);
+        }
+        let watched: BTreeSet<usize> = shared.watching.watches().flat_map(|watch| &watch.conditions).copied().collect();
+        for (component, described) in self.client.description().components.iter().enumerate() {
+            if watched.contains(&component) || (is_own && !described.transitions.is_empty()) {
+                want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
+            }
+        }
+        want(Offers::CONDITIONS, ExtraKind::Taken, 1);
+        for place in &shared.breakpoints {
+            want(Offers::CONDITIONS, ExtraKind::Stop(place.stop(shared.can.pause)), 1);
+        }
+        drop(shared);
+        for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
+            self.client.watch_extra(kind, 0)?;
+            if let ExtraKind::Conditions { component } = kind {
+                let mut shared = self.session.shared();
+                let time_us = shared.history.span().1;
+                shared.history.add_conditions(time_us, component.into(), None);
+            }
+        }
+        for (&kind, &every) in &wanted {
+            if self.extras.watched.get(&kind) != Some(&every) {
+                self.client.watch_extra(kind, every)?;
+            }
+        }
+        self.extras.watched = wanted;
+        Ok(())
+    }
+
+    /// Takes over what came over the link.
+    pub(super) fn link_extra(&mut self, event: Event) {
+        match event {
+            Event::Conditions { time_us, component, conditions } => {
+                let conditions: Vec<_> =
+                    conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
+                self.session.show_conditions(time_us, component, conditions);
+            }
+            Event::Truth(truth) => self.session.show_truth(truth.time_us, page_truth(&truth)),
+            // An image of which a part was lost is empty.
+            Event::Image(image) if !image.yuyv.is_empty() => {
+                let image = stored(image);
+                self.session.record_robot(|recorder| recorder.image(&image));
+                self.session.show_image(image);
+            }
+            Event::Costs(costs) => self.link_costs(&costs),
+            Event::Taken(Taken { time_us, component, transition }) => {
+                self.session.shared().history.taken.push(time_us, (component.into(), transition.into()));
+            }
+            Event::Reached(reached) => self.session.hit(page_reached(&reached), reached.paused),
+            _ => {}
+        }
+    }
+
+    fn link_costs(&self, Costs { cycles, components }: &Costs) {
+        for (component, cost) in components.iter().enumerate().filter(|(_, cost)| cost.overruns > 0) {
+            self.session.shared().history.overruns.push(cost.overrun_us, component as u16);
+        }
+        let one = |cost: &LinkCost| ComponentCost(cost.runs, cost.mean_us, cost.max_us);
+        self.session.show_costs(protocol::Costs {
+            time_us: cycles.time_us,
+            window_us: cycles.window_us,
+            components: components.iter().map(one).collect(),
+            chain_us: (cycles.mean_us, cycles.max_us),
+            worst_us: cycles.worst_us,
+        });
+    }
+}
+
+fn page_reached(&LinkReached { time_us, stop, .. }: &LinkReached) -> Reached {
+    let (state, transition) = match stop.at {
+        StopAt::State(state) => (Some(state.into()), None),
+        StopAt::Transition(transition) => (None, Some(transition.into())),
+    };
+    Reached { time_us, breakpoint: Breakpoint { component: stop.component.into(), state, transition } }
+}
+
+fn stored(bica_link::Image { head, yuyv }: bica_link::Image) -> Image {
+    Image {
+        number: head.number,
+        time_us: head.time_us,
+        bottom_camera: head.bottom_camera,
+        width: head.width,
+        height: head.height,
+        yuyv: yuyv.into(),
+    }
+}
+
+fn page_truth(truth: &LinkTruth) -> Truth {
+    let pose = |[x, y, heading]: [f32; 3]| RobotPose(x, y, heading);
+    Truth {
+        robot: pose(truth.robot),
+        ball: truth.ball.into(),
+        others: truth.others.iter().map(|&other| other.into()).collect(),
+        start: pose(truth.start),
+        attacks_blue: truth.attacks_blue,
+    }
+}

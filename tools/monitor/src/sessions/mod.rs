@@ -1,0 +1,29 @@
+//! Sessions: robots, simulated worlds and recordings behind the page.
+//!
+//! [`Manager`] owns all sessions and knows all pages. A live session is a thread that owns a [`Client`](bica_link::Client), also
+//! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
+//! sends to a page goes into the page's [`Outbox`].
+
+mod breakpoints;
+pub(crate) mod commands;
+mod common;
+mod drawing;
+mod folder;
+mod history;
+mod live;
+mod manager;
+mod query;
+mod recorded;
+mod registry;
+mod result;
+mod robot_recording;
+pub(crate) mod session;
+mod storage;
+mod tune;
+mod value;
+mod watching;
+mod world;
+
+pub use crate::options::Options;
+pub use crate::pages::{DataKind, Frame, Key, Outbox, PageId};
+pub use manager::Manager;

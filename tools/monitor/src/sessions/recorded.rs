@@ -1,0 +1,165 @@
+//! Recordings as sessions.
+
+mod index;
+mod tree;
+
+use std::fs;
+use std::io::{BufReader, Read as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread;
+
+use bica_link::Description;
+use bica_recording::ImagePlace;
+use serde_json::json;
+
+use super::commands::Commands;
+use super::common::Common;
+use super::session::Session;
+use super::storage::MCAP;
+use super::value::unknown;
+use crate::files;
+use crate::pages::PageId;
+use crate::program::{Compared, Image, Replay};
+use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
+
+/// Images of a recording: they stay in its file.
+#[derive(Debug, Default)]
+pub(super) struct Recorded {
+    pub(super) path: PathBuf,
+    /// Number of the image, time of its cycle, µs, and place; in order of time.
+    pub(super) places: Vec<(u32, u64, ImagePlace)>,
+}
+
+impl Recorded {
+    /// The last image that is not later: its number and place.
+    pub(super) fn at(&self, time_us: u64) -> Option<(u32, u64, ImagePlace)> {
+        let end = self.places.partition_point(|(_, time, _)| *time <= time_us);
+        self.places.get(end.checked_sub(1)?).copied()
+    }
+
+    pub(super) fn get(&self, number: u32) -> Option<(u32, u64, ImagePlace)> {
+        let index = self.places.binary_search_by_key(&number, |(number, ..)| *number).ok()?;
+        self.places.get(index).copied()
+    }
+}
+
+/// Reads an image from the file of a recording.
+pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, ImagePlace)) -> Result<Image, Failed> {
+    let read = place.read(path);
+    let image = read.map_err(|error| Failed::new(format!("image {number}: {error}"), error.help()))?;
+    let (bottom_camera, width, height) = (image.bottom_camera, image.width, image.height);
+    Ok(Image { number, time_us, bottom_camera, width, height, yuyv: image.yuyv.into() })
+}
+
+fn new_session((id, name): (SessionId, String), path: &Path, common: &Common) -> Arc<Session> {
+    // Nobody receives commands: a recording cannot be operated.
+    let commands = Commands::of_nobody();
+    let identity = (id, SessionKind::Recording, name);
+    let session = Session::new(identity, common.clone(), commands, None);
+    path.clone_into(&mut session.shared().recorded.path);
+    Arc::new(session)
+}
+
+/// Opens a recording of the recordings folder. It is read in the background.
+pub(super) fn open(id: SessionId, common: &Common, name: &str) -> Result<Arc<Session>, Failed> {
+    let path = files::path(&common.options.recordings, name, MCAP)?;
+    // The header is read at once, so that a file that is no recording is refused here.
+    let recording = index::open(&path, &common.program)?;
+    let session = new_session((id, name.to_owned()), &path, common);
+    let own = Arc::clone(&session);
+    spawn("index", move || index::read(&own, recording))?;
+    Ok(session)
+}
+
+/// Runs a recording again with other parameters; the new course is a session of its own.
+pub(super) fn run_again(id: SessionId, original: &Session, settings: &[Setting]) -> Result<Arc<Session>, Failed> {
+    let path = original.shared().recorded.path.clone();
+    if path.as_os_str().is_empty() || !original.shared().can.run_again {
+        return Err(Failed::new("this session cannot be run again", "keep a recording, open it, and run that again"));
+    }
+    let set = assignments(&*original.description()?, settings)?;
+    let (options, pages, program) =
+        (Arc::clone(&original.options), Arc::clone(&original.pages), Arc::clone(&original.program));
+    let common = Common { options, pages, program };
+    let options = &original.options;
+    super::storage::make_private(&options.spool).map_err(|error| {
+        files::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
+    })?;
+    let out = options.spool.join(format!("again-{id}{MCAP}"));
+    let name =
+        format!("{}, again: {}", original.name, if set.is_empty() { "as it was".to_owned() } else { set.join(" ") });
+    let session = new_session((id, name), &out, &common);
+    session.inherit(original);
+    let own = Arc::clone(&session);
+    spawn("again", move || {
+        let mut progress = |seconds: f64| {
+            own.set_connection(Connection::Connecting, format!("runs again: {seconds:.0} s done"));
+            !own.is_closed()
+        };
+        let result = replay_of(&own).and_then(|replay| Ok(replay.again(&path, &set, &out, &mut progress)?));
+        match result.and_then(|()| index::open(&out, &own.program)) {
+            Ok(recording) => index::read(&own, recording),
+            Err(failed) => own.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help)),
+        }
+    })?;
+    Ok(session)
+}
+
+fn replay_of(session: &Session) -> Result<&dyn Replay, Failed> {
+    let none = || Failed::new("this program runs no recordings again", "open them with the program of their robot");
+    session.program.replay.as_deref().ok_or_else(none)
+}
+
+fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed> {
+    let started = thread::Builder::new().name(name.to_owned()).spawn(work);
+    started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+/// Returns the settings as assignments of the command line.
+fn assignments(description: &Description, settings: &[Setting]) -> Result<Vec<String>, Failed> {
+    let one = |Setting { component, param, value }: &Setting| {
+        let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
+        let param = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
+        let value = param.value_of(value)?;
+        Ok(format!("{}.{}={}", owner.name, param.name, param.kind.text(value)))
+    };
+    settings.iter().map(one).collect()
+}
+
+/// Compares two recordings in a thread of its own, and answers with the first difference.
+pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session) -> Result<(), Failed> {
+    for session in [&**one, other] {
+        if session.shared().connection == Connection::Connecting && session.kind == SessionKind::Recording {
+            let text = format!("`{}` is still being read or run again", session.name);
+            return Err(Failed::new(text, "wait until it is complete, then compare"));
+        }
+    }
+    // Both may be one session, whose lock is not taken twice at once.
+    let path = |session: &Session| session.shared().recorded.path.clone();
+    let paths = [path(one), path(other)];
+    if paths.iter().any(|path| path.as_os_str().is_empty()) {
+        return Err(Failed::new("only recordings are compared", "keep a recording of the live session, and open it"));
+    }
+    let session = Arc::clone(one);
+    spawn("compare", move || {
+        let [path, other] = &paths;
+        if have_same_content(path, other) {
+            return session.pages.answer(page, id, Ok(json!({ "equal": true, "copies": true })));
+        }
+        let answer = replay_of(&session).and_then(|replay| {
+            let compared = replay.compare(path, other)?;
+            let mut answer = json!(compared);
+            answer["equal"] = json!(matches!(compared, Compared::Equal { .. }));
+            Ok(answer)
+        });
+        session.pages.answer(page, id, answer);
+    })
+}
+
+/// Whether two files are copies of each other. What cannot be read is reported by the comparison of their cycles.
+fn have_same_content(one: &Path, other: &Path) -> bool {
+    let bytes = |path: &Path| Some(BufReader::new(files::open(path).ok()?).bytes().map_while(Result::ok));
+    let length = |path: &Path| fs::metadata(path).ok().map(|file| file.len());
+    length(one) == length(other) && bytes(one).zip(bytes(other)).is_some_and(|(one, other)| one.eq(other))
+}

@@ -1,0 +1,186 @@
+//! One pass through a recording: states, information, log, places of images.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+
+use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
+use serde_json::Value;
+
+use super::tree;
+use crate::files;
+use crate::files::failed;
+use crate::program::Program;
+use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
+use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
+use crate::sessions::session::Session;
+use crate::sessions::value::page_hold;
+
+/// What a page says of a recording that a monitor made.
+const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
+/// Number of cycles that are taken over under one lock.
+const BATCH: usize = 256;
+/// Largest number of changes and of images that are remembered: the rest of a longer recording is not shown.
+const MAX_CHANGES: usize = 2_000_000;
+/// Largest number of cycles that are shown: more than a day.
+const MAX_CYCLES: usize = 10_000_000;
+
+type FileRecording = Recording<BufReader<File>>;
+
+/// Opens a recording and reads its header.
+pub(super) fn open(path: &Path, program: &Program) -> Result<FileRecording, Failed> {
+    let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
+    let failed = |error: Error| failed("open", path, &error, error.help());
+    let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_images();
+    tree::describe(recording.header(), program)?;
+    Ok(recording)
+}
+
+/// Holds and rates, as requests changed them.
+struct Requested {
+    holds: Vec<HoldKind>,
+    rates: Vec<Option<f32>>,
+}
+
+impl Requested {
+    /// Takes over the holds and rates of a recording that a monitor made.
+    fn replace(&mut self, record: &HoldsRecord) {
+        let all = self.holds.iter_mut().zip(&mut self.rates);
+        all.zip(holds_of(record)).for_each(|((held, rate), now)| (*held, *rate) = now);
+    }
+
+    fn apply(&mut self, request: &RequestRecord) {
+        match *request {
+            RequestRecord::Hold { component, hold } => {
+                if let Some(held) = self.holds.get_mut(usize::from(component)) {
+                    *held = page_hold(hold);
+                }
+            }
+            RequestRecord::Rate { component, hz } => {
+                if let Some(rate) = self.rates.get_mut(usize::from(component)) {
+                    *rate = (!hz.is_nan()).then_some(hz);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Reads a recording into a session.
+pub(super) fn read(session: &Session, mut recording: FileRecording) {
+    let header = recording.header().clone();
+    let description = match tree::describe(&header, &session.program) {
+        Ok(description) => description,
+        Err(failed) => return session.set_connection(Connection::Ended, failed.text),
+    };
+    let is_own = session.program.replay.is_some() && session.program.has_tree(&description.hash);
+    let can = Capabilities { images: true, run_again: is_own && header.monitor.is_none(), ..Capabilities::default() };
+    let mut requested = Requested {
+        holds: vec![HoldKind::Tree; description.components.len()],
+        rates: description.components.iter().map(|component| component.hz).collect(),
+    };
+    session.describe(description, can);
+    let length = fs::metadata(&session.shared().recorded.path).map_or(0, |file| file.len()).max(1);
+    let note = loop {
+        if session.is_closed() {
+            return;
+        }
+        match batch(session, &mut recording, &header, &mut requested) {
+            Ok(true) => {}
+            Ok(false) => {
+                let time_us = session.shared().history.span().1;
+                for line in lines(recording.rest(), &header, time_us) {
+                    session.shared().add_line(line);
+                }
+                break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned());
+            }
+            Err(note) => break note,
+        }
+        let percent = 100 * recording.position() / length;
+        session.set_connection(Connection::Connecting, format!("{percent} % read"));
+    };
+    let has_images = !session.shared().recorded.places.is_empty();
+    session.shared().can.images = has_images;
+    session.set_connection(Connection::Connected, note);
+    session.announce();
+    session.show_update(Vec::new());
+}
+
+/// Reads some cycles; returns whether there are more, or why not all can be shown.
+fn batch(
+    session: &Session,
+    recording: &mut FileRecording,
+    header: &Header,
+    requested: &mut Requested,
+) -> Result<bool, String> {
+    let mut cycles = Vec::with_capacity(BATCH);
+    let mut ended = Ok(true);
+    while cycles.len() < BATCH {
+        match recording.next_cycle() {
+            Ok(Some(cycle)) => cycles.push((cycle, recording.image_place())),
+            Ok(None) => {
+                ended = Ok(false);
+                break;
+            }
+            Err(error) => {
+                ended = Err(format!("{error}; what comes before it is shown"));
+                break;
+            }
+        }
+    }
+    let mut shared = session.shared();
+    for (cycle, place) in cycles {
+        let time_us = header.nanoseconds(cycle.tick.instant) / 1000;
+        cycle.requests.iter().for_each(|request| requested.apply(request));
+        if let Some(holds) = &cycle.holds {
+            requested.replace(holds);
+        }
+        let components = requested.holds.iter().zip(&requested.rates).enumerate();
+        let states = components.map(|(index, (hold, hz))| {
+            let state = cycle.tree.state(index).map(|state| state as u16);
+            (cycle.tree.is_active(index), *hold, state, *hz)
+        });
+        shared.history.states.push(time_us, cycle.tick.cycle, states);
+        if let Some(place) = place {
+            shared.images_taken += 1;
+            let number = place.id.wrapping_sub(1);
+            shared.recorded.places.push((number, place.time / 1000, place));
+        }
+        for line in lines(&cycle, header, time_us) {
+            shared.add_line(line);
+        }
+        for value in cycle.information.iter().flat_map(|record| &record.values) {
+            let (component, index) = (usize::from(value.component), usize::from(value.index));
+            let declared = header.tree.components.get(component).and_then(|one| one.information.get(index));
+            let decoded = declared.and_then(|info| info.decode(&value.value));
+            shared.history.info.push(component, index, time_us, &decoded.unwrap_or(Value::Null));
+        }
+        let (all, changes) = shared.history.states.sizes();
+        if changes > MAX_CHANGES || all > MAX_CYCLES || shared.recorded.places.len() > MAX_CHANGES {
+            return Err("the recording is too long: its beginning is shown".to_owned());
+        }
+    }
+    shared.history.evict();
+    ended
+}
+
+/// The lines of a cycle: requests, events of the referee, log.
+fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl Iterator<Item = LogLine> + 'a {
+    let line = move |level, kind, text: String| LogLine { time_us, level, kind, text, component: None };
+    let requests = cycle.requests.iter().map(move |one| line(2, LogKind::Request, one.describe(&header.tree)));
+    let events = cycle.events.iter().map(move |event| {
+        let is_result = event.detail.is_empty() && event.kind.ends_with("goal");
+        let detail = if is_result { format!("at {:.2} s", event.at_ns as f64 / 1e9) } else { event.detail.clone() };
+        let separator = if detail.is_empty() { "" } else { ", " };
+        line(2, LogKind::Referee, format!("{}{separator}{detail}", event.kind))
+    });
+    let log = cycle.log.iter().map(move |one| match one.text.strip_prefix(NOTE) {
+        _ if header.monitor.is_some() => {
+            let (kind, text) = line_of(&one.text);
+            line(one.level, kind, text.to_owned())
+        }
+        Some(note) => line(one.level, LogKind::Note, note.to_owned()),
+        None => line(one.level, LogKind::Robot, one.text.clone()),
+    });
+    requests.chain(events).chain(log)
+}

@@ -1,0 +1,67 @@
+//! The memory of a robot's session as a file.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use bica_recording::{Header, MonitorRecorder, Report, create};
+use serde_json::{Value, json};
+
+use super::{Cycles, add_info, add_line, file::received};
+use crate::files::failed;
+use crate::protocol::Failed;
+use crate::sessions::session::Session;
+
+/// Number of cycles that are taken out of the memory under one lock.
+const BATCH: usize = 256;
+
+/// Writes what is remembered of a robot to a new file. A file that could not be written is removed.
+pub(in crate::sessions) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
+    let help = "is the disk full, or the folder write-protected?";
+    if let Some(folder) = target.parent() {
+        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
+    }
+    let header = Header::of_monitor(&session.name, &*session.description()?);
+    let file = create(target, false).map_err(|error| failed("write", target, &error, help))?;
+    let reason = match MonitorRecorder::new(file, &header).and_then(|recorder| write(session, recorder)) {
+        Ok(Report { reason: None, cycles: 0, .. }) => {
+            let _ = fs::remove_file(target);
+            return Err(Failed::new("nothing was received of this session yet", "wait until it is connected"));
+        }
+        Ok(Report { reason: None, cycles, .. }) => {
+            return Ok(json!({ "path": target.display().to_string(), "cycles": cycles }));
+        }
+        Ok(Report { reason: Some(reason), .. }) => reason,
+        Err(error) => error.to_string(),
+    };
+    // The failure of the writing is what the user has to know.
+    let _ = fs::remove_file(target);
+    Err(failed("write", target, &reason, help))
+}
+
+fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<Report> {
+    let (epoch, until_us) = {
+        let shared = session.shared();
+        (shared.epoch, shared.history.span().1)
+    };
+    let (mut cycles, mut after_us) = (Cycles::default(), None);
+    loop {
+        let part = {
+            let shared = session.shared();
+            // After a new connection the memory is of another run.
+            if shared.epoch == epoch { shared.history.part(after_us, until_us, BATCH) } else { Vec::new() }
+        };
+        let Some(last) = part.last() else { return Ok(recorder.finish(None, 0)) };
+        after_us = Some(last.time_us);
+        for part in part {
+            part.images.iter().try_for_each(|image| recorder.image(&received(image)))?;
+            let mut cycle = cycles.cycle(part.time_us, part.cycle, part.states.into_iter());
+            for (component, info, text) in &part.info {
+                add_info(&mut cycle, *component, *info, text);
+            }
+            part.lines.iter().for_each(|line| add_line(&mut cycle, line));
+            recorder.cycle(&cycle)?;
+        }
+    }
+}

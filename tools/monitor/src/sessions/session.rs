@@ -1,0 +1,382 @@
+//! A session: what the manager and the session's thread share.
+
+use std::any::{Any, TypeId};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
+
+use bica_link::Description;
+
+use super::breakpoints::{self, Place};
+use super::common::Common;
+use super::history::{History, Limits};
+use super::recorded::{Recorded, read_image};
+use super::robot_recording::RobotRecorder;
+use super::watching::Watching;
+use super::{commands, drawing};
+use crate::options::Options;
+use crate::pages::{DataKind, Frame, Key};
+use crate::pages::{PageId, Pages, lock};
+use crate::program::{Image, Program};
+use crate::protocol::binary::{ImageHead, PixelKind};
+use crate::protocol::{
+    Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
+    SessionKind, ToPage,
+};
+
+/// Time between two looks whether a session has ended.
+const POLL: Duration = Duration::from_millis(5);
+
+/// Who operates a session.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Operator {
+    /// Nobody.
+    #[default]
+    Nobody,
+    /// A page.
+    Page(PageId),
+    /// Another monitor of the robot.
+    Other,
+}
+
+/// Part of a session that its thread and the manager change.
+#[derive(Default)]
+pub(crate) struct Shared {
+    pub(super) connection: Connection,
+    pub(super) note: String,
+    /// How the run ended; empty before.
+    pub(super) result: String,
+    pub(super) can: Capabilities,
+    pub(super) recording: RecordingState,
+    /// File with the run of a world.
+    pub(super) recording_file: PathBuf,
+    /// Number of times that everything remembered was forgotten.
+    pub(super) epoch: u64,
+    pub(super) operator: Operator,
+    /// Whether a simulated world is paused.
+    pub(super) paused: bool,
+    /// Whether the rules of a world of this process have ended its run.
+    pub(super) is_over: bool,
+    pub(crate) description: Option<Arc<Description>>,
+    pub(super) drawing: Drawing,
+    pub(super) history: History,
+    /// File and images of a recording.
+    pub(super) recorded: Recorded,
+    /// What extensions remember.
+    pub(crate) extensions: BTreeMap<TypeId, Box<dyn Any + Send>>,
+    pub(super) watching: Watching,
+    pub(super) breakpoints: Vec<Place>,
+    /// Breakpoints of the session before this one, and its tree.
+    pub(super) inherited: Option<(Arc<Description>, Vec<Place>)>,
+    /// Pages that know the tree.
+    described: BTreeSet<PageId>,
+    pub(super) images_taken: u64,
+    pub(super) overruns: u64,
+    /// When the last cycle was received.
+    pub(super) received: Option<Instant>,
+}
+
+/// A session.
+pub(crate) struct Session {
+    pub(crate) id: SessionId,
+    pub(super) kind: SessionKind,
+    pub(super) name: String,
+    pub(super) options: Arc<Options>,
+    pub(crate) pages: Arc<Pages>,
+    pub(super) program: Arc<Program>,
+    /// File in which the session is recorded from its beginning, if it is the one of the command line.
+    pub(super) record: Option<PathBuf>,
+    /// Writer of that file, for a robot.
+    recorder: Mutex<Option<RobotRecorder>>,
+    closed: AtomicBool,
+    /// Whether the thread has ended.
+    ended: AtomicBool,
+    commands: commands::Commands,
+    shared: Mutex<Shared>,
+}
+
+impl Session {
+    pub(super) fn new(
+        (id, kind, name): (SessionId, SessionKind, String),
+        Common { options, pages, program }: Common,
+        commands: commands::Commands,
+        record: Option<PathBuf>,
+    ) -> Self {
+        let recorder = record.clone().filter(|_| kind == SessionKind::Robot).map(RobotRecorder::new);
+        let limits = limits(&options, kind);
+        Self {
+            id,
+            kind,
+            name,
+            options,
+            pages,
+            program,
+            record,
+            recorder: Mutex::new(recorder),
+            closed: AtomicBool::new(false),
+            ended: AtomicBool::new(false),
+            commands,
+            shared: Mutex::new(Shared { history: History::new(limits, 0), ..Shared::default() }),
+        }
+    }
+
+    pub(crate) fn shared(&self) -> MutexGuard<'_, Shared> {
+        lock(&self.shared)
+    }
+
+    /// Hands a command to the session's thread.
+    pub(crate) fn command(&self, command: commands::Command) -> Result<(), Failed> {
+        let ended = || Failed::new("the session has ended", "open it again");
+        self.commands.send(command).then_some(()).ok_or_else(ended)
+    }
+
+    /// Returns the session as a page sees it.
+    pub(super) fn info(&self, page: PageId) -> SessionInfo {
+        self.info_of(&self.shared(), page)
+    }
+
+    fn info_of(&self, shared: &Shared, page: PageId) -> SessionInfo {
+        let (from_us, until_us) = shared.history.span();
+        let control = match shared.operator {
+            _ if !shared.can.operate => Control::Unavailable,
+            Operator::Nobody => Control::Free,
+            Operator::Other => Control::OtherMonitor,
+            Operator::Page(owner) if owner == page => Control::Yours,
+            Operator::Page(_) => Control::OtherPage,
+        };
+        SessionInfo {
+            id: self.id,
+            kind: self.kind,
+            name: self.name.clone(),
+            connection: shared.connection,
+            note: shared.note.clone(),
+            result: shared.result.clone(),
+            from_us,
+            until_us,
+            gaps: shared.history.states.gaps().copied().collect(),
+            paused: shared.paused,
+            control,
+            can: shared.can,
+            recording: shared.recording.clone(),
+        }
+    }
+
+    /// Whether a simulated world is paused.
+    pub(super) fn is_paused(&self) -> bool {
+        self.shared().paused
+    }
+
+    /// Sends the session to all pages. The lock is held meanwhile: what another thread announces later is newer.
+    pub(super) fn announce(&self) {
+        self.announce_of(&self.shared());
+    }
+
+    fn announce_of(&self, shared: &Shared) {
+        if self.is_closed() {
+            return;
+        }
+        for page in self.pages.list() {
+            self.pages.state(page, ToPage::Session { session: self.info_of(shared, page) });
+        }
+    }
+
+    /// Sends all that a page must know when it comes.
+    pub(super) fn greet(&self, page: PageId) {
+        let mut shared = self.shared();
+        if !self.is_closed() {
+            self.pages.state(page, ToPage::Session { session: self.info_of(&shared, page) });
+            self.send_description(&mut shared, page);
+        }
+    }
+
+    /// Changes the connection's state and announces it.
+    pub(super) fn set_connection(&self, connection: Connection, note: impl Into<String>) {
+        let note = note.into();
+        let mut shared = self.shared();
+        if (shared.connection, &shared.note) != (connection, &note) {
+            (shared.connection, shared.note) = (connection, note);
+            self.announce_of(&shared);
+        }
+    }
+
+    /// Begins with a tree: what was remembered is forgotten.
+    pub(super) fn describe(&self, description: Description, can: Capabilities) {
+        self.begin(description, can, false);
+    }
+
+    /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
+    pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
+        let components = description.components.len();
+        let drawing = drawing::draw(&description);
+        let mut shared = self.shared();
+        if goes_on {
+            shared.history.interrupt();
+        } else {
+            shared.history = History::new(limits(&self.options, self.kind), components);
+            shared.epoch += 1;
+            shared.result.clear();
+        }
+        let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
+        if let Some((tree, places)) = shared.inherited.take().or(own) {
+            shared.breakpoints = breakpoints::moved(&places, &tree, &description, can.conditions);
+        }
+        shared.description = Some(Arc::new(description));
+        shared.drawing = drawing;
+        shared.can = can;
+        // A world of this process that a person has paused begins again paused.
+        shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
+        shared.watching = Watching::default();
+        shared.described.clear();
+        for page in self.pages.list() {
+            self.send_description(&mut shared, page);
+        }
+    }
+
+    /// Sends the tree and its state to a page, once.
+    fn send_description(&self, shared: &mut Shared, page: PageId) {
+        let Some(description) = shared.description.clone() else { return };
+        if shared.described.insert(page) {
+            let description = Box::new((*description).clone());
+            let drawing = shared.drawing.clone();
+            self.pages.state(page, ToPage::Described { session: self.id, description, drawing });
+            self.pages.state(page, self.breakpoints(shared));
+        }
+        if let Some(update) = self.update(shared, Vec::new()) {
+            self.pages.data(page, self.key(DataKind::Update), Frame::of(update));
+        }
+    }
+
+    /// Sends the state after the last cycle to all pages, and what has changed since the last update.
+    pub(super) fn show_update(&self, changes: Vec<(usize, u64, bool, Option<u16>)>) {
+        let shared = self.shared();
+        if let Some(update) = self.update(&shared, changes) {
+            self.pages.broadcast_data(self.key(DataKind::Update), &Frame::of(update));
+        }
+    }
+
+    pub(super) const fn key(&self, kind: DataKind) -> Key {
+        Key { session: self.id, kind }
+    }
+
+    /// Returns the state after the last cycle.
+    fn update(&self, shared: &Shared, changes: Vec<(usize, u64, bool, Option<u16>)>) -> Option<ToPage> {
+        let (time_us, cycle) = shared.history.states.last()?;
+        Some(ToPage::Update {
+            session: self.id,
+            time_us,
+            cycle,
+            images: shared.images_taken,
+            overruns: shared.overruns,
+            components: shared.history.states.current().to_vec(),
+            changes,
+        })
+    }
+
+    /// Adds a line to the log and sends it to all pages.
+    pub(super) fn log(&self, level: u8, kind: LogKind, text: impl Into<String>) {
+        let time_us = self.shared().history.span().1;
+        self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
+    }
+
+    pub(super) fn add_line(&self, line: LogLine) {
+        if self.shared().add_line(line.clone()) {
+            self.announce();
+        }
+        self.record_robot(|recorder| recorder.line(&line));
+        self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
+    }
+
+    /// Lets the recorder of a robot take something in, if there is one.
+    pub(super) fn record_robot<T>(&self, record: impl FnOnce(&mut RobotRecorder) -> T) -> Option<T> {
+        lock(&self.recorder).as_mut().map(record)
+    }
+
+    /// Returns the description.
+    ///
+    /// # Errors
+    /// Before the first connection.
+    pub(super) fn description(&self) -> Result<Arc<Description>, Failed> {
+        let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
+        self.shared().description.clone().ok_or_else(none)
+    }
+
+    /// Returns the binary frame of an image.
+    pub(super) fn image_frame(&self, image: &Image, id: u32) -> Vec<u8> {
+        let head = ImageHead {
+            kind: PixelKind::Yuyv,
+            bottom_camera: image.bottom_camera,
+            session: self.id,
+            number: image.number,
+            width: image.width,
+            height: image.height,
+            time_us: image.time_us,
+            id,
+        };
+        head.frame(&image.yuyv)
+    }
+}
+
+fn limits(options: &Options, kind: SessionKind) -> Limits {
+    Limits {
+        ring_us: (kind != SessionKind::Recording).then_some(options.ring.as_micros() as u64),
+        info_bytes: options.info_bytes,
+        image_bytes: options.image_bytes,
+    }
+}
+
+impl Session {
+    /// The image with a number, from memory or from the file of a recording.
+    pub(crate) fn image(&self, number: u32) -> Result<Image, Failed> {
+        let (image, place) = {
+            let shared = self.shared();
+            (shared.history.images.get(number).cloned(), shared.recorded.get(number))
+        };
+        let gone = || Failed::new(format!("image {number} is not in memory any more"), "choose a newer one");
+        match (image, place) {
+            (Some(image), _) => Ok(image),
+            (None, Some(place)) => read_image(&self.recording_path(), place),
+            (None, None) => Err(gone()),
+        }
+    }
+
+    pub(super) fn recording_path(&self) -> std::path::PathBuf {
+        self.shared().recorded.path.clone()
+    }
+
+    /// Whether the session was closed; its threads end then.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Relaxed)
+    }
+
+    /// Closes the file of a robot. The session's thread calls it at its end.
+    pub(super) fn thread_ended(&self) {
+        drop(lock(&self.recorder).take());
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    /// Waits until the file of a session that is recorded from its beginning is closed.
+    pub(super) fn wait_for_file(&self, limit: Duration) {
+        let until = Instant::now() + limit;
+        while self.record.is_some() && !self.ended.load(Ordering::Relaxed) && Instant::now() < until {
+            std::thread::sleep(POLL);
+        }
+    }
+
+    /// Ends the session's thread.
+    pub(super) fn end(&self) {
+        {
+            // Nothing is announced any more.
+            let _shared = self.shared();
+            self.closed.store(true, Ordering::Relaxed);
+        }
+        let path = self.recording_path();
+        if path.starts_with(&self.options.spool) {
+            // The file of a run that was repeated may not exist yet.
+            let _ = std::fs::remove_file(path);
+        }
+        // A thread that has ended needs no end.
+        let _ = self.command(commands::Command::Close);
+    }
+}

@@ -1,0 +1,103 @@
+//! A world that runs in this process.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use bica_console::Failure;
+
+use super::storage;
+use crate::files;
+use crate::options::Options;
+use crate::program::{Game, Program, WorldRun, WorldSetup};
+use crate::protocol::Failed;
+
+/// Time between two looks whether a world that starts has ended.
+const POLL: Duration = Duration::from_millis(50);
+
+/// World and set-up.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Setup {
+    pub(super) world: String,
+    pub(super) seed: u64,
+    pub(super) options: BTreeMap<String, u64>,
+}
+
+/// A world that is run by a thread of its own.
+pub(super) struct World {
+    thread: Option<JoinHandle<Result<(), Failure>>>,
+    pub(super) run: WorldRun,
+    /// Whether the file of its recording stays.
+    is_kept: bool,
+}
+
+impl Setup {
+    /// Checks the set-up, and returns what runs it.
+    pub(super) fn prepare(&self, program: &Program, options: &Options) -> Result<Game, Failed> {
+        let world = program.world(&self.world)?;
+        let known = world.options();
+        for (name, value) in &self.options {
+            let known = known.iter().find(|one| one.name == *name);
+            if known.is_none_or(|known| *value > known.max) {
+                let help = known.map_or_else(|| "leave it out".to_owned(), |known| format!("at most {}", known.max));
+                return Err(Failed::new(format!("the world `{}` cannot have {value} {name}", self.world), help));
+            }
+        }
+        let tune = options.tune.join(format!("{}.toml", self.world));
+        let tune = tune.exists().then_some(tune);
+        if let Some(tune) = &tune {
+            files::open(tune).map_err(|error| files::failed("read", tune, &error, "remove it"))?;
+        }
+        let setup = WorldSetup { seed: self.seed, options: self.options.clone(), tune };
+        Ok(world.prepare(&setup)?)
+    }
+}
+
+impl World {
+    /// Starts a world and waits until its link can be reached.
+    pub(super) fn start(game: Game, options: &Options, recording: PathBuf) -> Result<Self, Failed> {
+        // A spool folder that cannot be made is a recording that cannot be made, which the world reports.
+        let _ = storage::make_private(&options.spool);
+        let is_kept = !recording.starts_with(&options.spool);
+        let run = WorldRun::new(recording);
+        let own = run.clone();
+        let thread = std::thread::Builder::new().name("world".to_owned()).spawn(move || game(&own));
+        let thread = thread.map_err(|error| Failed::new(error.to_string(), "close other programs"))?;
+        let mut world = Self { thread: Some(thread), run, is_kept };
+        while !world.run.memory().is_served_within(POLL) {
+            if world.has_ended() {
+                return Err(world
+                    .ending()
+                    .err()
+                    .unwrap_or_else(|| Failed::new("the world ended at once", "try again")));
+            }
+        }
+        Ok(world)
+    }
+
+    /// Whether the run has ended.
+    pub(super) fn has_ended(&self) -> bool {
+        self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+
+    /// Waits for the end of the run; returns why it ended.
+    pub(super) fn ending(&mut self) -> Result<(), Failed> {
+        let panicked = || Failure::new("the world ended with a panic", "its message is in the terminal");
+        let result = self.thread.take().map(JoinHandle::join);
+        result.unwrap_or(Ok(Ok(()))).unwrap_or_else(|_| Err(panicked())).map_err(Failed::from)
+    }
+}
+
+impl Drop for World {
+    fn drop(&mut self) {
+        self.run.end();
+        // The failure of a world that is given up is of no use.
+        let _ = self.ending();
+        if !self.is_kept {
+            // A file that is gone already needs no removal.
+            let _ = fs::remove_file(self.run.recording());
+        }
+    }
+}

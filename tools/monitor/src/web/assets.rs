@@ -1,0 +1,65 @@
+//! Files of the page.
+
+use std::borrow::Cow;
+
+/// Media type of modules.
+pub(crate) const SCRIPT: &str = "text/javascript; charset=utf-8";
+
+/// Name and contents of each file of the page.
+const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
+
+/// Returns a file of the page and its media type. Only names of the table exist, so no path leads out of the page's folder. A
+/// debug build reads the file anew, so that a change of the page needs no build.
+pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
+    let (name, bytes) = FILES.iter().find(|(known, _)| *known == name)?;
+    let media = media_type(name)?;
+    if cfg!(debug_assertions) {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/page/");
+        if let Ok(bytes) = std::fs::read(format!("{path}{name}")) {
+            return Some((Cow::Owned(bytes), media));
+        }
+    }
+    Some((Cow::Borrowed(bytes), media))
+}
+
+fn media_type(name: &str) -> Option<&'static str> {
+    Some(match name.rsplit_once('.')?.1 {
+        "html" => "text/html; charset=utf-8",
+        "js" => SCRIPT,
+        "css" => "text/css; charset=utf-8",
+        "svg" => "image/svg+xml",
+        "txt" | "md" => "text/plain; charset=utf-8",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_file_has_a_media_type() {
+        for (name, _) in FILES {
+            assert!(file(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn no_module_imports_from_another_host_or_by_a_bare_name() {
+        for (name, bytes) in
+            FILES.iter().filter(|(name, _)| media_type(name).is_some_and(|media| media.starts_with("text/javascript")))
+        {
+            let text = std::str::from_utf8(bytes).unwrap();
+            for quote in ['"', '\''] {
+                for part in text.split("from").skip(1) {
+                    let Some(path) = part.trim_start_matches(' ').strip_prefix(quote) else { continue };
+                    let path = path.split(quote).next().unwrap();
+                    // Only what can be a module: messages contain the word, too.
+                    if path.len() < 80 && !path.contains([' ', ',', '(']) && !path.is_empty() {
+                        assert!(path.starts_with("./") || path.starts_with("../"), "{name} imports `{path}`");
+                    }
+                }
+            }
+        }
+    }
+}
