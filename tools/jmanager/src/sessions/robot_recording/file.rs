@@ -9,6 +9,8 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use bica::{Blob, Format};
+use bica_motion::robot::CameraId;
 use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
 use crate::pages::lock;
@@ -32,7 +34,9 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
 /// An image of a session as an image of a recording.
 pub(super) fn received(image: &StoredImage) -> ReceivedImage<'_> {
     let StoredImage { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
-    ReceivedImage { number, time_us, bottom_camera, width, height, yuyv }
+    let camera = if bottom_camera { CameraId::Bottom } else { CameraId::Top };
+    let frame = camera.frame();
+    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame } }
 }
 
 enum Entry {
