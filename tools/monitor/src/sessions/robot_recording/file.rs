@@ -9,10 +9,15 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use bica::{Blob, Format};
 use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
 use crate::pages::lock;
 use crate::program::Image;
+
+/// Frames of the images of the two cameras that the link's messages distinguish.
+pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
+const TOP_CAMERA: &str = "top_camera";
 
 /// Largest number of cycles and images that wait for the disk: 40 s at 100 Hz.
 const QUEUE: usize = 4096;
@@ -32,7 +37,8 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
 /// An image of a session as an image of a recording.
 pub(super) fn received(image: &Image) -> ReceivedImage<'_> {
     let Image { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
-    ReceivedImage { number, time_us, bottom_camera, width, height, yuyv }
+    let frame = if bottom_camera { BOTTOM_CAMERA } else { TOP_CAMERA };
+    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame } }
 }
 
 enum Entry {
