@@ -4,6 +4,7 @@ mod children;
 mod create;
 mod delete;
 mod docs;
+mod finder;
 mod fragment;
 mod functions;
 mod imports;

@@ -1,6 +1,5 @@
-//! What is no Rust in a text, and the rest of it: while someone types, all but the tokens that are in the way is read.
+//! What is no Rust in a text, and the rest of it: while someone types, all but the smallest part around a mistake is read.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 use proc_macro2::TokenStream;
@@ -9,8 +8,6 @@ use syn::File;
 use super::lexed::{Kind, Token, prefix};
 use crate::model::{Problem, Reporter, Span};
 
-/// The most tokens that are left out between two brackets before all between them is.
-const FEW: usize = 8;
 /// The most parts that are left out; with more mistakes nothing is read.
 const MOST: usize = 40;
 
@@ -18,8 +15,7 @@ const MOST: usize = 40;
 pub(super) fn file(text: &str, tokens: &[Token<'_>]) -> (File, Vec<Problem>, Vec<Span>) {
     let tokens = tokens.iter().filter(|token| !token.is_trivia() || token.is_doc()).copied().collect();
     let plain = " ".repeat(prefix(text)) + &text[prefix(text)..];
-    let (length, problems, omitted, counts) = (text.len(), Vec::new(), Vec::new(), BTreeMap::new());
-    let mut mender = Mender { tokens, plain, length, problems, omitted, counts };
+    let mut mender = Mender { tokens, plain, length: text.len(), problems: Vec::new(), omitted: Vec::new() };
     let mut balanced = false;
     for _ in 0..MOST {
         match mender.plain.parse::<TokenStream>() {
@@ -44,8 +40,6 @@ struct Mender<'a> {
     length: usize,
     problems: Vec<Problem>,
     omitted: Vec<Span>,
-    /// How many parts were left out after each bracket, by its place.
-    counts: BTreeMap<usize, usize>,
 }
 
 impl Mender<'_> {
@@ -105,53 +99,28 @@ impl Mender<'_> {
         }
     }
 
-    /// Leaves out the token that the parser did not expect, or the one before the end that it did not expect.
+    /// Leaves out what stands between two separators around the place where the parser stopped, or all between the brackets
+    /// around it. In braces a closing brace ends a part.
     fn unexpected(&mut self, error: &syn::Error) {
         let range = error.span().byte_range();
         // The parser gives no place to the end of the text.
-        let at = if range.is_empty() { usize::MAX } else { range.start };
+        let at = if range.is_empty() { self.plain.len() } else { range.start };
+        self.report(Span::new(at, range.end.max(at)), error.to_string());
         let at = self.tokens.partition_point(|token| token.span.start < at);
         let pairs = self.pairs();
         let open = (0..at).rev().find(|open| pairs[*open].is_some_and(|close| close >= at));
         let within = open.map_or(0..self.tokens.len(), |open| open + 1..pairs[open].unwrap_or(open));
-        let count = self.counts.entry(open.map_or(usize::MAX, |open| self.tokens[open].span.start)).or_default();
-        *count += 1;
-        let count = *count;
-        if count == 1 {
-            let place = self.tokens.get(at).map_or(Span::at(self.plain.len()), |token| token.span);
-            self.report(place, error.to_string());
+        let last = if open.is_none_or(|open| self.tokens[open].text == "{") { "}" } else { "," };
+        let ends = |token: usize| [";", last].contains(&self.tokens[token].text);
+        let mut part = at..at;
+        while part.start > within.start && !ends(part.start - 1) {
+            part.start = pairs[part.start - 1].unwrap_or(part.start - 1);
         }
-        // A body is not what is wrong with the signature before it.
-        let is_body = |at: usize| self.tokens[at].text == "{" && !"()[]{};".contains(self.tokens[at - 1].text);
-        let one = if within.contains(&at) && !(at > 0 && is_body(at)) { at } else { at.saturating_sub(1) };
-        let other = pairs.get(one).copied().flatten().unwrap_or(one);
-        let part = match count {
-            1 => one.min(other)..one.max(other) + 1,
-            2..=FEW => self.part(at, within.clone(), &pairs),
-            _ => 0..0,
-        };
+        while part.end < within.end && (part.end == at || !ends(part.end - 1)) {
+            part.end = pairs[part.end].unwrap_or(part.end) + 1;
+        }
         let brackets = open.map_or(0..0, |open| open..within.end + 1);
         self.omit([part, within, brackets].into_iter().find(|tokens| !tokens.is_empty()).unwrap_or_default());
-    }
-
-    /// The tokens between two separators around one. In braces a closing brace ends a part.
-    fn part(&self, at: usize, within: Range<usize>, pairs: &[Option<usize>]) -> Range<usize> {
-        let in_braces = within.start.checked_sub(1).is_none_or(|open| self.tokens[open].text == "{");
-        let ends = |token: usize| {
-            let text = self.tokens[token].text;
-            text == ";" || text == if in_braces { "}" } else { "," }
-        };
-        let (mut start, mut end) = (at, at);
-        while start > within.start && !ends(start - 1) {
-            start = pairs[start - 1].unwrap_or(start - 1);
-        }
-        while end < within.end {
-            end = pairs[end].unwrap_or(end) + 1;
-            if ends(end - 1) {
-                break;
-            }
-        }
-        start..end
     }
 
     /// The other bracket of each.

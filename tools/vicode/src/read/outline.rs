@@ -1,11 +1,7 @@
 //! Which items, blocks and functions contain a place.
 
-use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{
-    Block, Expr, FnArg, ImplItemFn, Item, ItemImpl, ItemMod, Local, Macro, Pat, PatIdent, PatType, Signature, Stmt,
-    TraitItemFn, Type, TypeParam,
-};
+use syn::{Block, ImplItemFn, Item, ItemImpl, ItemMod, Macro, Signature, Stmt, TraitItemFn, TypeParam};
 
 use super::Source;
 use crate::model::Span;
@@ -14,7 +10,6 @@ use crate::model::Span;
 pub(crate) struct Outline<'a> {
     pub(crate) source: &'a Source<'a>,
     pub(crate) regions: Vec<Region<'a>>,
-    pub(crate) bindings: Vec<Binding<'a>>,
     /// Type parameters, each with the region that declares it.
     pub(crate) parameters: Vec<(&'a TypeParam, usize)>,
     pub(crate) macros: Vec<&'a Macro>,
@@ -42,20 +37,10 @@ pub(crate) enum Node<'a> {
     Method(&'a Signature),
 }
 
-/// A name that a pattern binds.
-pub(crate) struct Binding<'a> {
-    pub(crate) name: String,
-    pub(crate) start: usize,
-    /// A use within it means another binding: `let k = k;` gives the value of an outer `k`.
-    pub(crate) around: Span,
-    pub(crate) ty: Option<&'a Type>,
-    pub(crate) value: Option<&'a Expr>,
-}
-
 impl<'a> Outline<'a> {
     pub(crate) fn of(source: &'a Source<'a>) -> Self {
-        let (regions, bindings, parameters, macros) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut outline = Self { source, regions, bindings, parameters, macros, open: None };
+        let (regions, parameters, macros) = (Vec::new(), Vec::new(), Vec::new());
+        let mut outline = Self { source, regions, parameters, macros, open: None };
         let items = Node::Module(source.file.items.iter().collect());
         outline.enter(Span::new(0, source.text.len()), items, |outline| visit::visit_file(outline, &source.file));
         outline
@@ -122,11 +107,6 @@ impl<'a> Outline<'a> {
     pub(crate) fn block(&self, region: usize) -> Option<&'a ItemImpl> {
         if let Node::Item(Item::Impl(block)) = self.regions[region].node { Some(block) } else { None }
     }
-
-    fn bind(&mut self, name: &'a PatIdent, around: Span, ty: Option<&'a Type>, value: Option<&'a Expr>) {
-        let start = self.source.of(&name.ident).start;
-        self.bindings.push(Binding { name: name.ident.to_string(), start, around, ty, value });
-    }
 }
 
 impl<'a> Visit<'a> for Outline<'a> {
@@ -163,37 +143,5 @@ impl<'a> Visit<'a> for Outline<'a> {
 
     fn visit_type_param(&mut self, parameter: &'a TypeParam) {
         self.parameters.extend(self.open.map(|region| (parameter, region)));
-    }
-
-    fn visit_fn_arg(&mut self, input: &'a FnArg) {
-        match input {
-            FnArg::Typed(PatType { pat, ty, .. }) if matches!(**pat, Pat::Ident(_)) => {
-                if let Pat::Ident(name) = &**pat {
-                    self.bind(name, self.source.of(input), Some(ty), None);
-                }
-            }
-            _ => visit::visit_fn_arg(self, input),
-        }
-    }
-
-    fn visit_local(&mut self, local: &'a Local) {
-        let (pattern, ty) = match &local.pat {
-            Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
-            pattern => (pattern, None),
-        };
-        let value = local.init.as_ref().map(|init| &*init.expr);
-        if let Pat::Ident(name) = pattern {
-            self.bind(name, self.source.of(local), ty, value);
-        } else {
-            self.visit_pat(pattern);
-        }
-        if let Some(init) = &local.init {
-            self.visit_local_init(init);
-        }
-    }
-
-    fn visit_pat_ident(&mut self, name: &'a PatIdent) {
-        self.bind(name, Span::at(name.span().byte_range().start), None, None);
-        visit::visit_pat_ident(self, name);
     }
 }

@@ -1,7 +1,5 @@
 //! A text as the parser sees it. All edits and the model are made from it.
 
-use std::cell::Cell;
-
 use proc_macro2::Ident;
 use proc_macro2::extra::DelimSpan;
 use syn::File;
@@ -22,30 +20,13 @@ pub(crate) struct Source<'a> {
     /// Where the text is no Rust.
     pub(crate) problems: Vec<Problem>,
     /// The parts that were left out to read the rest.
-    pub(super) omitted: Vec<Span>,
-    _places: Places,
+    pub(crate) omitted: Vec<Span>,
 }
 
-/// Keeps the places of parsed texts. The parser stores the texts of a thread until the last of them is dropped.
-struct Places;
-
-thread_local! {
-    static SOURCES: Cell<usize> = const { Cell::new(0) };
-}
-
-impl Places {
-    fn keep() -> Self {
-        SOURCES.set(SOURCES.get() + 1);
-        Self
-    }
-}
-
-impl Drop for Places {
+/// The parser stores the texts of a thread for their places. So each thread has one source at a time.
+impl Drop for Source<'_> {
     fn drop(&mut self) {
-        SOURCES.set(SOURCES.get() - 1);
-        if SOURCES.get() == 0 {
-            proc_macro2::extra::invalidate_current_thread_spans();
-        }
+        proc_macro2::extra::invalidate_current_thread_spans();
     }
 }
 
@@ -55,12 +36,11 @@ pub(crate) fn parse(text: &str) -> Option<Source<'_>> {
     if nesting::is_too_deep(&tokens) {
         return None;
     }
-    let places = Places::keep();
     let (file, problems, omitted) = mend::file(text, &tokens);
-    Some(Source { text, tokens, file, problems, omitted, _places: places })
+    Some(Source { text, tokens, file, problems, omitted })
 }
 
-impl<'a> Source<'a> {
+impl Source<'_> {
     /// The place of a node.
     pub(crate) fn of(&self, node: &impl Spanned) -> Span {
         let range = node.span().byte_range();
@@ -89,10 +69,5 @@ impl<'a> Source<'a> {
         let starts_line = |index: usize| index == 0 || self.tokens[index - 1].text.contains('\n');
         let begin = above.filter(|(index, token)| token.kind == Kind::Comment && starts_line(*index)).last();
         Span::new(begin.map_or(start, |(_, comment)| comment.span.start), end)
-    }
-
-    /// The tokens without white space and comments.
-    pub(crate) fn code(&self) -> Vec<Token<'a>> {
-        self.tokens.iter().filter(|token| !token.is_trivia()).copied().collect()
     }
 }

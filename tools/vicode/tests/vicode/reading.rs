@@ -52,18 +52,29 @@ fn no_prefix_of_a_file_panics() {
 }
 
 #[test]
-fn half_typed_function_hides_no_other() {
-    let text = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> \n\n    #[state]\n    fn two(&mut self) {}\n}\n";
-    let model = read(text);
-    assert!(!model.problems.is_empty());
-    assert!(model.component("A").unwrap().state("one").is_some());
-    let typed =
-        text.replace("    #[transition(one -> \n", "    #[transition(one -> two)]\n    fn go(&self, ba) -> bool {\n");
-    let model = read(&typed);
-    assert!(
-        model.component("A").unwrap().state("one").is_some()
-            && model.component("A").unwrap().transition("go").is_some()
-    );
+fn mistake_hides_no_other_function() {
+    let text = "use a::{B};\n\nstruct A { a: u8 }\n\n#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> two)]\n    fn go(&self) -> bool {\n        true\n    }\n\n    #[state]\n    fn two(&mut self) {}\n}\n";
+    for (from, to, has_go) in [
+        ("true", "let x =", true),
+        ("true", "self.", true),
+        ("true", "b\"ä\"; '", true),
+        ("(&self)", "(&self, ba)", true),
+        ("(&self)", "&self)", false),
+        ("bool {", "{", false),
+        ("two)]", "two)", false),
+        ("two)]", "", false),
+        ("{B};", "{B;", true),
+        ("a: u8", "a u8", true),
+        ("(one -> two)", "(one -> )", true),
+        ("}\n}\n", "}}}\n}\n", true),
+    ] {
+        let broken = text.replacen(from, to, 1);
+        let model = read(&broken);
+        assert!(!model.problems.is_empty(), "{broken}");
+        let player = model.component("A").expect(&broken);
+        assert!(player.state("one").is_some() && player.state("two").is_some(), "{broken}");
+        assert!(!has_go || player.transition("go").is_some(), "{broken}");
+    }
 }
 
 #[test]

@@ -37,6 +37,9 @@ fn rename_covers_known_types_and_leaves_namesakes() {
         ("", "/// [`Self::one`]\n#[doc = \"[`A::$`], [`Other::one`]\"]\nstruct S; /** A::$ */ enum E {}"),
         ("", "mod x { pub struct A; } mod y { use super::x::*; fn f(a: &A) { a.one() } }"),
         ("", "trait One { fn one(&self); fn more(&self) { self.one(); Self::one(self) } }"),
+        ("", "activation_tree! { struct T { root: A, cycle_hz: 1, components: [A = A::$(), Other = Other::one()] } }"),
+        ("", "#[params(check = A::$)]\nstruct P;\nmacro_rules! m { () => { A::$(); one!(one: one) } }"),
+        ("{ let q = Other; q.one(); } fn f(q: &A) { q.$(); }", ""),
         ("println!(\"{}\", self.$(), k.$(), ball.one(), A::$());", ""),
         (
             "",
@@ -65,6 +68,8 @@ fn rename_lists_undecided_places() {
         ("[1].map(|q| q.one());", "line 11"),
         ("self.unknown.one(); self.unknown.one();", "line 11"),
         ("} fn f(d: &D) { d.one();", "line 11"),
+        ("} } macro_rules! m { ($x:expr) => { $x.one() } }\n fn g() { { ", "line 11"),
+        ("self.n + ;\n        let k = = A::one(self);", "line 12"),
         ("} }\n struct W<T>(T); impl<T> W<T> { fn f(&self) { self.0.one();", "line 12"),
     ] {
         let message = rename(&file(code, "struct D(A); impl Deref for D {}")).expect_err(code);
