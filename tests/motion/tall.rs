@@ -3,7 +3,7 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
-use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel};
+use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use bica_motion::model::{
     Actuator, BodyShape, CameraMount, Dimensions, FallLimits, FallPostures, GetUpFrames, HeadPitchLimit, HeadSpeed,
     KickFrame, Mass, Masses, Nao, Parameters, Profile, Range, RobotModel, StiffnessTable, Technique, ThermalLimits,
@@ -145,7 +145,7 @@ impl SimulatedModel for Tall {
     const LYING: &'static Lying =
         &Lying { fall_length: 0.33, front_height: 0.12, back_height: 0.13, side_height: 0.16, ..*Nao::LYING };
     const FIGURE: &'static Figure = &Figure {
-        trunk: &[Part::block(Segment::Torso, Paint::Shell, [0.0, 0.0, 0.2], [0.08, 0.12, 0.3])],
+        trunk: &[Part(Segment::Torso, Paint::Shell, Solid::Block([0.0, 0.0, 0.2], [0.08, 0.12, 0.3]))],
         side: &[],
         head: &[],
         foot_shadow: Disc { ahead: 0.03, radius: 0.18 },

@@ -3,8 +3,6 @@
 #[cfg(feature = "mujoco")]
 mod ball;
 #[cfg(feature = "mujoco")]
-mod determinism;
-#[cfg(feature = "mujoco")]
 mod rising;
 #[cfg(feature = "mujoco")]
 mod second_model;
