@@ -26,7 +26,8 @@ pub(crate) struct MotorHeat {
 impl MotorHeat {
     /// Returns motors at ambient temperature.
     pub(crate) fn new<M: SimulatedModel>() -> Self {
-        let current = |joint| libm::sqrtf(M::CONTINUOUS_LOSSES[joint] / M::ACTUATORS[joint].resistance());
+        let current =
+            |joint| libm::sqrtf(M::THERMAL_RATINGS[joint].continuous_loss() / M::ACTUATORS[joint].resistance());
         let continuous = Joints(Joint::ALL.map(current));
         Self { temperatures: Joints::all(AMBIENT), currents: Joints::all(0.0), continuous }
     }

@@ -3,7 +3,7 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
-use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, Paint, Part, SimulatedModel};
+use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use bica_motion::model::{
     Actuator, BodyShape, CameraMount, Dimensions, FallLimits, FallPostures, GetUpFrames, HeadPitchLimit, HeadSpeed,
     KickFrame, Mass, Masses, Nao, Parameters, Profile, Range, RobotModel, StiffnessTable, Technique, ThermalLimits,
@@ -145,11 +145,20 @@ impl SimulatedModel for Tall {
     const LYING: &'static Lying =
         &Lying { fall_length: 0.33, front_height: 0.12, back_height: 0.13, side_height: 0.16, ..*Nao::LYING };
     const FIGURE: &'static Figure = &Figure {
-        trunk: &[Part::block(Segment::Torso, Paint::Shell, [0.0, 0.0, 0.2], [0.08, 0.12, 0.3])],
+        trunk: &[Part(Segment::Torso, Paint::Shell, Solid::Block([0.0, 0.0, 0.2], [0.08, 0.12, 0.3]))],
         side: &[],
         head: &[],
         foot_shadow: Disc { ahead: 0.03, radius: 0.18 },
     };
+}
+
+impl MujocoModel for Tall {
+    const ROBOT: &'static str = include_str!("tall.xml");
+    const BYSTANDER: &'static str = "<geom type=\"cylinder\" size=\"0.2 0.4\" pos=\"0 0 0.4\" material=\"team\"/>";
+    const SHELLS: &'static str = "<body name=\"Torso\"><geom size=\"0.3\" material=\"team\"/></body>";
+    const GAINS: &'static Joints = &Joints([250.0; 25]);
+    const TORQUE_LIMITS: &'static Joints = &Joints([20.0; 25]);
+    const SHADOWS: [Vec2; 2] = [Vec2::new(0.15, 0.09), Vec2::new(0.2, 0.2)];
 }
 
 const MASSES: Masses = Masses::symmetric(

@@ -61,14 +61,3 @@ pub(super) const fn continuous_currents(actuators: &Joints<Actuator>) -> Joints 
     }
     Joints(currents)
 }
-
-/// Continuous copper loss of each joint's motor, W.
-pub(super) const fn continuous_losses(actuators: &Joints<Actuator>) -> Joints {
-    let mut losses = [0.0; JOINTS];
-    let mut i = 0;
-    while i < JOINTS {
-        losses[i] = actuators.0[i].continuous_loss();
-        i += 1;
-    }
-    Joints(losses)
-}

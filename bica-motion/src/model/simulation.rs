@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 
-use super::{Range, RobotModel};
+use super::{Actuator, Range, RobotModel};
 use crate::joints::Joints;
 use crate::segment::Segment;
 
@@ -20,8 +20,8 @@ pub trait SimulatedModel: RobotModel {
     const LYING: &'static Lying;
     /// Looks in rendered images.
     const FIGURE: &'static Figure;
-    /// Copper loss that each motor bears continuously, W. The default follows from [`RobotModel::ACTUATORS`].
-    const CONTINUOUS_LOSSES: &'static Joints = &super::actuator::continuous_losses(Self::ACTUATORS);
+    /// Motors whose continuous copper loss the motor of each joint bears. The default is that motor itself.
+    const THERMAL_RATINGS: &'static Joints<Actuator> = Self::ACTUATORS;
 }
 
 /// A humanoid with a body in `MuJoCo`.
@@ -121,16 +121,9 @@ pub struct Figure {
     pub foot_shadow: Disc,
 }
 
-/// A visible part of a segment.
+/// A visible part: the segment in whose frame its solid is given, and its colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
-    /// Segment in whose frame the solid is given.
-    pub segment: Segment,
-    /// Shape.
-    pub solid: Solid,
-    /// Colour.
-    pub paint: Paint,
-}
+pub struct Part(pub Segment, pub Paint, pub Solid);
 
 /// Shape of a part, in its segment's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,33 +148,16 @@ pub enum Paint {
 }
 
 impl Part {
-    /// A sphere with this centre and radius.
-    #[must_use]
-    pub const fn sphere(segment: Segment, paint: Paint, centre: [f32; 3], radius: f32) -> Self {
-        Self { segment, solid: Solid::Sphere(centre, radius), paint }
-    }
-
-    /// A tube with these ends and the radius at each.
-    #[must_use]
-    pub const fn tube(segment: Segment, paint: Paint, ends: [[f32; 3]; 2], radii: [f32; 2]) -> Self {
-        Self { segment, solid: Solid::Tube(ends, radii), paint }
-    }
-
-    /// A box with this centre and half lengths.
-    #[must_use]
-    pub const fn block(segment: Segment, paint: Paint, centre: [f32; 3], half: [f32; 3]) -> Self {
-        Self { segment, solid: Solid::Block(centre, half), paint }
-    }
-
     /// Mirror image of the part on the other side.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let image = |[x, y, z]: [f32; 3]| [x, -y, z];
-        let solid = match self.solid {
+        let Self(segment, paint, solid) = *self;
+        let solid = match solid {
             Solid::Sphere(centre, radius) => Solid::Sphere(image(centre), radius),
             Solid::Tube(ends, radii) => Solid::Tube(ends.map(image), radii),
             Solid::Block(centre, half) => Solid::Block(image(centre), half),
         };
-        Self { segment: self.segment.mirrored(), solid, ..*self }
+        Self(segment.mirrored(), paint, solid)
     }
 }

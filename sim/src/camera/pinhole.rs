@@ -148,7 +148,6 @@ impl Mapping {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
     use crate::random::{Random, Stream};
 
     fn some_view(random: &mut Random) -> PinholeCamera {
@@ -188,25 +187,6 @@ mod tests {
         }
         for x in [f32::NAN, f32::INFINITY, -1e30] {
             assert!(round_wrapping(x) < 1 << 22);
-        }
-    }
-
-    #[test]
-    fn pixels_map_to_published_points_on_ground() {
-        use bica_motion::{joints::Joints, kinematics::camera, robot::CameraId};
-        let cases = [
-            (CameraId::Top, (320.0, 479.0), (1.286, 0.0)),
-            (CameraId::Top, (500.0, 400.0), (1.852, -0.525)),
-            (CameraId::Bottom, (320.0, 240.0), (0.604, 0.0)),
-            (CameraId::Bottom, (320.0, 479.0), (0.307, 0.0)),
-            (CameraId::Bottom, (500.0, 400.0), (0.3815, -0.159)),
-        ];
-        for (id, (u, v), (x, y)) in cases {
-            let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
-            let pose = hips * camera::<TestModel>(id, &Joints::all(0.0));
-            let view = PinholeCamera::new(pose, FOCAL, 640, 480);
-            let hit = view.mapping(Vec3::ZERO, Vec3::X, Vec3::Y).at(u, v);
-            assert!(hit.distance(Vec2::new(x, y)) < 1e-3, "{id:?} {u} {v}: {hit}");
         }
     }
 

@@ -3,9 +3,9 @@
 #[cfg(feature = "mujoco")]
 mod ball;
 #[cfg(feature = "mujoco")]
-mod determinism;
-#[cfg(feature = "mujoco")]
 mod rising;
+#[cfg(feature = "mujoco")]
+mod second_model;
 #[cfg(feature = "mujoco")]
 mod seeing;
 #[cfg(feature = "mujoco")]
@@ -14,6 +14,9 @@ mod sensing;
 mod standing;
 #[cfg(feature = "mujoco")]
 mod support;
+#[cfg(feature = "mujoco")]
+#[path = "../../../tests/motion/tall.rs"]
+mod tall;
 
 /// Stands for the tests of this target in a build without the simulator, so that a report counts them as skipped.
 #[cfg(not(feature = "mujoco"))]

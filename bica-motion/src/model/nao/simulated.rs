@@ -2,10 +2,10 @@
 
 use super::{Nao, actuators::ACTUATORS, dimensions::DIMENSIONS};
 use crate::joints::{Joint, Joints};
-use crate::model::Range;
-use crate::model::actuator::continuous_losses;
 use crate::model::simulation::Paint::{Joint as Inner, Shell, Team};
+use crate::model::simulation::Solid::{Block, Sphere, Tube};
 use crate::model::simulation::{Disc, Extents, Figure, Lying, Part, SimulatedModel};
+use crate::model::{Actuator, Range};
 use crate::segment::Segment::{Ankle, Biceps, Foot, Forearm, Hand, Head, Shoulder, Thigh, Tibia, Torso};
 use crate::side::Side::Left;
 
@@ -25,7 +25,7 @@ impl SimulatedModel for Nao {
     const LYING: &'static Lying = &LYING;
     const FIGURE: &'static Figure =
         &Figure { trunk: &TRUNK, side: &SIDE, head: &HEAD, foot_shadow: Disc { ahead: 0.02, radius: 0.12 } };
-    const CONTINUOUS_LOSSES: &'static Joints = &LOSSES;
+    const THERMAL_RATINGS: &'static Joints<Actuator> = &RATINGS;
 }
 
 /// Postures on the ground.
@@ -44,27 +44,27 @@ const LYING: Lying = Lying {
     rising_knee: Range { min: 0.3, max: 1.4 },
 };
 
-/// Losses of the data sheet, except for the shoulder pitch: its data sheet states 2.6 mNm, an eighth of the stall torque,
-/// which is a loss of 0.4 W. The other motors of the arm, which are not larger, bear 3 W, so their loss is used.
-const LOSSES: Joints = {
-    let Joints(mut losses) = continuous_losses(&ACTUATORS);
-    losses[Joint::LShoulderPitch.index()] = losses[Joint::LShoulderRoll.index()];
-    losses[Joint::RShoulderPitch.index()] = losses[Joint::RShoulderRoll.index()];
-    Joints(losses)
+/// Ratings of the data sheet, except for the shoulder pitch: its data sheet states 2.6 mNm, an eighth of the stall torque,
+/// which is a loss of 0.4 W. The other motors of the arm, which are not larger, bear 3 W, so their rating is used.
+const RATINGS: Joints<Actuator> = {
+    let Joints(mut ratings) = ACTUATORS;
+    ratings[Joint::LShoulderPitch.index()] = ratings[Joint::LShoulderRoll.index()];
+    ratings[Joint::RShoulderPitch.index()] = ratings[Joint::RShoulderRoll.index()];
+    Joints(ratings)
 };
 
 const TRUNK: [Part; 4] = [
-    Part::tube(Torso, Inner, [[0.0, 0.0, -0.02], [0.0, 0.0, 0.035]], [0.045, 0.05]),
-    Part::tube(Torso, Team, [[0.0, 0.0, 0.035], [0.0, 0.0, 0.065]], [0.056, 0.056]),
-    Part::tube(Torso, Shell, [[0.0, 0.0, 0.065], [-0.005, 0.0, 0.185]], [0.054, 0.052]),
-    Part::tube(Torso, Inner, [[-0.01, 0.0, 0.185], [-0.01, 0.0, 0.21]], [0.03, 0.022]),
+    Part(Torso, Inner, Tube([[0.0, 0.0, -0.02], [0.0, 0.0, 0.035]], [0.045, 0.05])),
+    Part(Torso, Team, Tube([[0.0, 0.0, 0.035], [0.0, 0.0, 0.065]], [0.056, 0.056])),
+    Part(Torso, Shell, Tube([[0.0, 0.0, 0.065], [-0.005, 0.0, 0.185]], [0.054, 0.052])),
+    Part(Torso, Inner, Tube([[-0.01, 0.0, 0.185], [-0.01, 0.0, 0.21]], [0.03, 0.022])),
 ];
 
 const HEAD: [Part; 4] = [
-    Part::sphere(Head, Shell, [-0.005, 0.0, 0.06], 0.062),
-    Part::tube(Head, Inner, [[0.045, 0.0, 0.062], [0.058, 0.0, 0.062]], [0.03, 0.016]),
-    Part::tube(Head, Team, [[-0.005, 0.05, 0.06], [-0.005, 0.068, 0.06]], [0.03, 0.022]),
-    Part::tube(Head, Team, [[-0.005, -0.05, 0.06], [-0.005, -0.068, 0.06]], [0.03, 0.022]),
+    Part(Head, Shell, Sphere([-0.005, 0.0, 0.06], 0.062)),
+    Part(Head, Inner, Tube([[0.045, 0.0, 0.062], [0.058, 0.0, 0.062]], [0.03, 0.016])),
+    Part(Head, Team, Tube([[-0.005, 0.05, 0.06], [-0.005, 0.068, 0.06]], [0.03, 0.022])),
+    Part(Head, Team, Tube([[-0.005, -0.05, 0.06], [-0.005, -0.068, 0.06]], [0.03, 0.022])),
 ];
 
 const SIDE: [Part; 11] = {
@@ -72,16 +72,16 @@ const SIDE: [Part; 11] = {
     let (thigh, tibia, sole) = (-DIMENSIONS.thigh, -DIMENSIONS.tibia, DIMENSIONS.foot_height);
     let toes = [[0.058, 0.0065, -sole], [0.058, 0.0065, 0.034 - sole]];
     [
-        Part::tube(Torso, Shell, [[0.0, 0.03, 0.165], [0.0, 0.075, 0.18]], [0.04, 0.03]),
-        Part::sphere(Shoulder(Left), Team, [0.0; 3], 0.036),
-        Part::tube(Biceps(Left), Shell, [[0.02, 0.0, 0.0], elbow], [0.028, 0.024]),
-        Part::tube(Forearm(Left), Shell, [[0.0; 3], [0.085, 0.0, 0.0]], [0.026, 0.022]),
-        Part::sphere(Hand(Left), Inner, [0.055, 0.0, 0.005], 0.022),
-        Part::tube(Thigh(Left), Shell, [[0.0; 3], [0.0, 0.0, thigh]], [0.042, 0.034]),
-        Part::sphere(Tibia(Left), Inner, [0.0; 3], 0.033),
-        Part::tube(Tibia(Left), Shell, [[0.0, 0.0, -0.01], [0.0, 0.0, tibia]], [0.036, 0.034]),
-        Part::sphere(Ankle(Left), Inner, [0.0; 3], 0.03),
-        Part::block(Foot(Left), Shell, [0.006, 0.0065, 0.018 - sole], [0.058, 0.042, 0.018]),
-        Part::tube(Foot(Left), Team, toes, [0.042, 0.036]),
+        Part(Torso, Shell, Tube([[0.0, 0.03, 0.165], [0.0, 0.075, 0.18]], [0.04, 0.03])),
+        Part(Shoulder(Left), Team, Sphere([0.0; 3], 0.036)),
+        Part(Biceps(Left), Shell, Tube([[0.02, 0.0, 0.0], elbow], [0.028, 0.024])),
+        Part(Forearm(Left), Shell, Tube([[0.0; 3], [0.085, 0.0, 0.0]], [0.026, 0.022])),
+        Part(Hand(Left), Inner, Sphere([0.055, 0.0, 0.005], 0.022)),
+        Part(Thigh(Left), Shell, Tube([[0.0; 3], [0.0, 0.0, thigh]], [0.042, 0.034])),
+        Part(Tibia(Left), Inner, Sphere([0.0; 3], 0.033)),
+        Part(Tibia(Left), Shell, Tube([[0.0, 0.0, -0.01], [0.0, 0.0, tibia]], [0.036, 0.034])),
+        Part(Ankle(Left), Inner, Sphere([0.0; 3], 0.03)),
+        Part(Foot(Left), Shell, Block([0.006, 0.0065, 0.018 - sole], [0.058, 0.042, 0.018])),
+        Part(Foot(Left), Team, Tube(toes, [0.042, 0.036])),
     ]
 };

@@ -76,15 +76,15 @@ impl PosedRobot {
     }
 
     /// Converts a part to the field frame.
-    fn solid(&self, part: &Part, colours: RobotColours) -> Solid {
-        let pose = self.segments[part.segment.index()];
+    fn solid(&self, &Part(segment, paint, solid): &Part, colours: RobotColours) -> Solid {
+        let pose = self.segments[segment.index()];
         let at = |point: [f32; 3]| pose.transform_point3(point.into());
-        let colour = match part.paint {
+        let colour = match paint {
             Paint::Shell => colours.shell,
             Paint::Joint => colours.joint,
             Paint::Team => colours.team,
         };
-        match part.solid {
+        match solid {
             Shape::Sphere(centre, radius) => Solid::Sphere { centre: at(centre), radius, colour },
             Shape::Tube(ends, radii) => Solid::Tube { ends: ends.map(at), radii, colour },
             Shape::Block(centre, half) => {
