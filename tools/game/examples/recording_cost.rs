@@ -93,14 +93,14 @@ fn measure(
         firmware: None,
         settings: &[],
     };
-    let header = recording_header(&rules, GoalColour::Yellow, policy);
+    let header = recording_header(&rules, GoalColour::Yellow, policy).of_robot(&*forward());
     let file = fs::File::create(path).expect("room");
     let warn = |reason: &str| eprintln!("the recording ended: {reason}");
     let recorder = Recorder::start(file, &header, RecorderOptions::default(), warn).expect("room");
     let (newest, shared) = (Arc::new(Mutex::new(Arc::clone(&images[0]))), sharing);
     let in_recorder = Arc::clone(&newest);
     let owner = move |_: &[u8]| shared.then(|| Arc::clone(&in_recorder.lock().expect("no panic")));
-    let recorder = recorder.sharing_images(owner);
+    let recorder = recorder.sharing_blobs(owner);
     let mut with = Runner::new(forward(), ()).with_observer(recorder);
     let mut without = Runner::new(forward(), ());
     let (mut times, began) = ([Vec::new(), Vec::new()], Clock::now());

@@ -3,6 +3,7 @@
 use bica_console::Style;
 use bica_motion::fall::Direction;
 use bica_motion::side::Side;
+use bica_recording::RunEvent;
 use bica_sim::referee::{Event, TimedEvent};
 use serde::Serialize;
 
@@ -33,6 +34,12 @@ impl From<&TimedEvent> for EventRecord {
         };
         Self { t: event.at.as_secs_f64(), event: kind, detail }
     }
+}
+
+/// Returns an event as it is recorded.
+pub(crate) fn recorded(event: &TimedEvent) -> RunEvent {
+    let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
+    RunEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail }
 }
 
 /// Returns the text of an event and its emphasis.

@@ -26,6 +26,7 @@ mod tuning;
 mod world_factory;
 
 pub use album::Album;
+pub use bica_recording::{AfterGap, ReplayOptions, ReplayReport};
 pub use control::{GameControl, NextStep};
 pub use event::EventRecord;
 pub use film::Film;
@@ -35,7 +36,7 @@ pub use latency::LatencySummary;
 pub use link::ServeOptions;
 pub use observer::{GameObserver, View};
 pub use recording::{RecordOptions, RecordingSummary, recording_header};
-pub use replay::{AfterGap, ReplayOptions, Replayed, replay, rerun};
+pub use replay::{replay, rerun};
 pub use rules::{Rules, WorldKind};
 pub use scene::{GRAPH, Scene};
 pub use series::{SeriesOptions, play_series};

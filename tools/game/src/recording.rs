@@ -10,15 +10,15 @@ use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use bica_recording::{
-    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, RecordedRules, Recorder, RecorderOptions,
-    RefereeEvent, Report, RobotInfo, create,
+    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, RecorderOptions, Report, SetUp, create,
 };
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
 
-use crate::event::EventRecord;
+use crate::event;
 use crate::meter::Meter;
+use crate::replay::BALL;
 use crate::rules::{Rules, WorldKind};
 use crate::scene::GRAPH;
 
@@ -97,9 +97,9 @@ impl<'a> GameRecorder<'a> {
     ) -> Result<Self, Failure> {
         let (sender, ended) = channel();
         let open = |options: RecordOptions<'a>| {
-            let header = recording_header(rules, attacks, options.images).of_tree(robot);
+            let header = recording_header(rules, attacks, options.images).of_robot(robot);
             let recorder = open(&options, &header, rules, sender.clone())?;
-            Ok::<_, Failure>(recorder.sharing_images(move |pixels| image.owner_of(pixels)))
+            Ok::<_, Failure>(recorder.sharing_blobs(move |pixels| image.owner_of(pixels)))
         };
         let (path, recorder) = (options.map(|options| options.path), options.map(open).transpose()?);
         Ok(Self { recorder, path, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
@@ -108,15 +108,14 @@ impl<'a> GameRecorder<'a> {
     /// Records an event of the referee.
     pub(crate) fn event(&self, event: &TimedEvent) {
         if let Some(recorder) = &self.recorder {
-            let EventRecord { event: kind, detail, .. } = EventRecord::from(event);
-            recorder.event(RefereeEvent { at_ns: event.at.as_nanos() as u64, kind: kind.to_owned(), detail });
+            recorder.event(event::recorded(event));
         }
     }
 
     /// Records that the ball was placed before the next cycle, m, field frame.
     pub(crate) fn ball_placed(&mut self, at: [f32; 2]) {
         if let Some(recorder) = &mut self.recorder {
-            recorder.ball_placed(at);
+            recorder.world_changed(BALL, &at);
         }
     }
 
@@ -191,23 +190,22 @@ pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy)
         WorldKind::Mujoco => "mujoco",
     };
     let (width, height) = rules.size.size();
-    let recorded = RecordedRules {
-        world: world.to_owned(),
-        seed: rules.seed,
-        size: [width, height],
-        robots: rules.robots,
-        seconds: rules.limit.as_secs_f64(),
+    let attacks = match attacks {
+        GoalColour::Yellow => "yellow",
+        GoalColour::SkyBlue => "sky-blue",
     };
-    let robot = RobotInfo {
-        model: "nao".to_owned(),
-        profile: rules.world.profile_name().to_owned(),
-        attacks: match attacks {
-            GoalColour::Yellow => "yellow",
-            GoalColour::SkyBlue => "sky-blue",
-        }
-        .to_owned(),
-    };
-    Header::new(&GRAPH, robot, Some(recorded), images)
+    let set_up = [
+        ("attacks", attacks.into()),
+        ("model", "nao".into()),
+        ("profile", rules.world.profile_name().into()),
+        ("robots", rules.robots.into()),
+        ("seconds", rules.limit.as_secs_f64().into()),
+        ("seed", rules.seed.into()),
+        ("size", vec![width, height].into()),
+        ("world", world.into()),
+    ];
+    let set_up: SetUp = set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    Header::new(&GRAPH, set_up, images)
 }
 
 impl Probe for GameRecorder<'_> {}

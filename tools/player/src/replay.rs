@@ -1,7 +1,7 @@
 //! `player replay`: the code again, on a recording.
 
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use bica_game::{AfterGap, ReplayOptions, Replayed, replay};
+use bica_game::{AfterGap, ReplayOptions, ReplayReport, replay};
 use serde::Serialize;
 
 use crate::cli::Replay;
@@ -13,7 +13,7 @@ const SHOWN: usize = 20;
 struct Report<'a> {
     schema: &'static str,
     #[serde(flatten)]
-    replayed: &'a Replayed,
+    replayed: &'a ReplayReport,
 }
 
 /// Replays as the command line requests.
@@ -43,8 +43,8 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
     })
 }
 
-fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
-    let Replayed { source, equal, cycles, seconds, .. } = replayed;
+fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
+    let ReplayReport { source, equal, cycles, seconds, .. } = replayed;
     let source = match *source {
         "stored" => "the code on the stored sensor values and images",
         "rules" => "the code in the world, made again from the rules",
@@ -90,13 +90,13 @@ fn print(console: Console, replayed: &Replayed) -> Result<(), Failure> {
 }
 
 /// Returns what the inputs of a run with other parameters are.
-fn inputs(replayed: &Replayed) -> Option<String> {
+fn inputs(replayed: &ReplayReport) -> Option<String> {
     let is_open = !replayed.set.is_empty() && replayed.feedback == Some("open");
     let again = if replayed.simulated { "; --closed-loop runs the world again" } else { "" };
     is_open.then(|| format!("those of the recorded run, whatever the code decides (open loop){again}"))
 }
 
-fn decisions(console: Console, replayed: &Replayed) -> Result<(), Failure> {
+fn decisions(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
     let total = replayed.total_decisions;
     if total == 0 {
         return console.print_row("decisions", "all are the same");

@@ -1,10 +1,10 @@
 //! Comparison of a recorded run with a repeated one.
 
-use bica_motion::joints::Joint;
-use bica_wire::message::{Command, ImageInfo, Sensors};
+use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
 
-use crate::header::TreeInfo;
+use crate::fields::{Field, fields};
+use crate::header::{Header, Messages, TreeInfo};
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
 
@@ -35,7 +35,7 @@ pub struct Decision {
     pub cycle: u64,
     /// Time of that cycle, ms.
     pub t_ms: u64,
-    /// Number of the newest image at that time; none before the first, or if images are not stored.
+    /// Number of the newest large data, such as an image, at that time; none before the first, or if it is not stored.
     pub image: Option<u32>,
     /// Component.
     pub component: String,
@@ -49,6 +49,7 @@ pub struct Decision {
 #[derive(Clone, Debug)]
 pub struct Comparison {
     tree: TreeInfo,
+    messages: Option<Messages>,
     /// Number of compared cycles.
     pub cycles: u64,
     /// The first difference.
@@ -63,18 +64,27 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// A comparison of runs of a tree.
+    /// A comparison of runs of the robot of a recording.
     #[must_use]
-    pub fn new(tree: TreeInfo) -> Self {
+    pub fn new(header: &Header) -> Self {
+        let (tree, messages) = (header.tree.clone(), header.messages.clone());
         let differed = vec![false; tree.components.len()];
-        Self { tree, cycles: 0, first: None, decisions: Vec::new(), total_decisions: 0, differed, last_image: None }
+        Self {
+            tree,
+            messages,
+            cycles: 0,
+            first: None,
+            decisions: Vec::new(),
+            total_decisions: 0,
+            differed,
+            last_image: None,
+        }
     }
 
     /// Compares a cycle.
     pub fn add(&mut self, recorded: &RecordedCycle, repeated: &RecordedCycle) {
         self.cycles += 1;
-        let image = recorded.sensors.and_then(|sensors| sensors.image).map(|image| image.id);
-        self.last_image = image.or(self.last_image);
+        self.last_image = recorded.blobs.last().map(|blob| blob.id).or(self.last_image);
         if self.first.is_none() {
             self.first = self.difference(recorded, repeated);
         }
@@ -123,15 +133,17 @@ impl Comparison {
                 let same = encoded(&recorded.requests) == encoded(&repeated.requests);
                 (!same).then(|| Found::new("requests", (describe(&recorded.requests), describe(&repeated.requests))))
             })
-            .or_else(|| sensor_difference(recorded.sensors.as_ref()?, repeated.sensors.as_ref()?))
+            .or_else(|| {
+                let schema = self.messages.as_ref().map(|messages| &messages.sensors);
+                message("sensors", schema, [&recorded.sensors, &repeated.sensors])
+            })
             .or_else(|| digest("sensors", a.sensors, b.sensors))
-            .or_else(|| digest("image", a.image, b.image))
+            .or_else(|| digest("blobs", a.blobs, b.blobs))
             .or_else(|| self.tree_field(recorded, repeated))
             .or_else(|| digest("tree", a.tree, b.tree))
             .or_else(|| {
-                let (one, two) = recorded.command.as_ref().zip(repeated.command.as_ref())?;
-                let field = command_field(one, two).map(Found::from);
-                field.or_else(|| number("command.time_us", one.time_us, two.time_us))
+                let schema = self.messages.as_ref().map(|messages| &messages.command);
+                message("command", schema, [&recorded.command, &repeated.command])
             })
             .or_else(|| digest("command", a.command, b.command))
             .or_else(|| {
@@ -193,25 +205,18 @@ impl Found {
     }
 }
 
-impl From<(String, f32, f32)> for Found {
-    fn from((field, one, two): (String, f32, f32)) -> Self {
-        let text = |value: f32| format!("{value:?} ({:08x})", value.to_bits());
-        Self { component: None, field, values: (text(one), text(two)) }
-    }
-}
-
-/// Returns the first difference of sensor values, their time and the kind of their image.
-fn sensor_difference(one: &Sensors, two: &Sensors) -> Option<Found> {
-    let image = |sensors: &Sensors| {
-        sensors.image.map(|ImageInfo { bottom_camera, width, height, .. }| (bottom_camera, width, height))
-    };
-    let images = (image(one), image(two));
-    number("sensors.time_us", one.time_us, two.time_us).or_else(|| sensor_field(one, two).map(Found::from)).or_else(
-        || {
-            (images.0 != images.1)
-                .then(|| Found::new("sensors.image", (format!("{:?}", images.0), format!("{:?}", images.1))))
-        },
-    )
+/// Returns the first value of a message that differs.
+fn message(name: &str, schema: Option<&OwnedNamedType>, [one, two]: [&Option<Vec<u8>>; 2]) -> Option<Found> {
+    let (one, two) = one.as_ref().zip(two.as_ref()).filter(|(one, two)| one != two)?;
+    let all = |bytes: &[u8]| schema.and_then(|schema| fields(schema, bytes)).unwrap_or_default();
+    let (one, two) = (all(one), all(two));
+    let nothing = Field { path: String::new(), text: "nothing".to_owned(), number: None };
+    let count = one.len().max(two.len());
+    let pair = |index| [&one, &two].map(|fields| fields.get(index).unwrap_or(&nothing));
+    // Fields that are the same and bytes that are not: texts that are written in two ways.
+    let [one, two] = (0..count).map(pair).find(|[one, two]| (&one.path, &one.text) != (&two.path, &two.text))?;
+    let path = if one.path.is_empty() { &two.path } else { &one.path };
+    Some(Found::new(&format!("{name}{path}"), (one.text.clone(), two.text.clone())))
 }
 
 fn number(field: &str, one: u64, two: u64) -> Option<Found> {
@@ -224,40 +229,4 @@ fn digest(field: &str, one: u32, two: u32) -> Option<Found> {
 
 fn encoded(requests: &[RequestRecord]) -> Vec<u8> {
     postcard::to_stdvec(requests).unwrap_or_default()
-}
-
-/// Returns the first field of two commands whose bits differ, and both values.
-#[must_use]
-pub fn command_field(one: &Command, two: &Command) -> Option<(String, f32, f32)> {
-    let joint = |field: &'static str| move |index: usize| format!("command.{field}[{:?}]", Joint::ALL[index]);
-    let light = |index: usize| {
-        let (place, colour) = (["chest", "left_eye", "right_eye"][index / 3], ["red", "green", "blue"][index % 3]);
-        format!("command.lights.{place}.{colour}")
-    };
-    let flag = |value: bool| f32::from(u8::from(value));
-    first(&one.targets, &two.targets, joint("targets"))
-        .or_else(|| first(&one.stiffness, &two.stiffness, joint("stiffness")))
-        .or_else(|| first(&one.lights, &two.lights, light))
-        .or_else(|| {
-            first(&[flag(one.bottom_camera)], &[flag(two.bottom_camera)], |_| "command.bottom_camera".to_owned())
-        })
-}
-
-/// Returns the first field of two sets of sensor values whose bits differ, and both values; images are not compared.
-#[must_use]
-pub fn sensor_field(one: &Sensors, two: &Sensors) -> Option<(String, f32, f32)> {
-    let joint = |field: &'static str| move |index: usize| format!("sensors.{field}[{:?}]", Joint::ALL[index]);
-    let item = |field: &'static str| move |index: usize| format!("sensors.{field}[{index}]");
-    let buttons = |sensors: &Sensors| sensors.buttons.map(|pressed| f32::from(u8::from(pressed)));
-    first(&one.angles, &two.angles, joint("angles"))
-        .or_else(|| first(&one.temperatures, &two.temperatures, joint("temperatures")))
-        .or_else(|| first(&one.currents, &two.currents, joint("currents")))
-        .or_else(|| first(&one.inertial, &two.inertial, item("inertial")))
-        .or_else(|| first(&one.feet, &two.feet, item("feet")))
-        .or_else(|| first(&buttons(one), &buttons(two), item("buttons")))
-}
-
-fn first(one: &[f32], two: &[f32], name: impl Fn(usize) -> String) -> Option<(String, f32, f32)> {
-    let index = one.iter().zip(two).position(|(one, two)| one.to_bits() != two.to_bits())?;
-    Some((name(index), one[index], two[index]))
 }

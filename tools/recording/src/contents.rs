@@ -72,7 +72,7 @@ impl<R: Read> Contents<R> {
         let is_equal = match name {
             HEADER_NAME => header_of(fields, at)? == self.header,
             ENDING_NAME => {
-                let ending = ending_of(fields, self.header.format, at)?;
+                let ending = ending_of(fields, at)?;
                 *self.ending.get_or_insert_with(|| ending.clone()) == ending
             }
             _ => true,

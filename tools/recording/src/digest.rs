@@ -1,38 +1,13 @@
 //! Digests of the values of a cycle.
 
-use bica_wire::message::{Command, Sensors};
-use serde::Serialize;
-
 use crate::message::Tick;
 use crate::request::RequestRecord;
 
-/// Returns the CRC-32 of sensor values without their image.
-#[must_use]
-pub fn sensors_digest(sensors: &Sensors) -> u32 {
-    digest(&Sensors { image: None, ..*sensors })
-}
-
-/// Returns the CRC-32 of a command.
-#[must_use]
-pub fn command_digest(command: &Command) -> u32 {
-    digest(command)
-}
-
-/// Returns the CRC-32 of an image: camera, size and pixels (YUYV).
-#[must_use]
-pub fn image_digest(bottom_camera: bool, width: u16, height: u16, yuyv: &[u8]) -> u32 {
+/// Returns the CRC-32 of the large data of a cycle, one after the other; 0 without any.
+pub(crate) fn blobs_digest<'a>(blobs: impl Iterator<Item = &'a [u8]>) -> u32 {
     let mut hash = crc32fast::Hasher::new();
-    hash.update(&[u8::from(bottom_camera)]);
-    hash.update(&width.to_le_bytes());
-    hash.update(&height.to_le_bytes());
-    hash.update(yuyv);
+    blobs.for_each(|bytes| hash.update(bytes));
     hash.finalize()
-}
-
-fn digest(value: &impl Serialize) -> u32 {
-    let mut buffer = [0; 1024];
-    // The messages of a cycle are far smaller; one that is not gives the digest of nothing.
-    crc32fast::hash(postcard::to_slice(value, &mut buffer).map_or(&[], |bytes| bytes))
 }
 
 /// Hash of all requests and ticks so far.
@@ -55,7 +30,7 @@ impl RunningFingerprint {
     pub fn add_tick(&mut self, tick: &Tick) -> u64 {
         self.0.bytes(&tick.cycle.to_le_bytes());
         self.0.bytes(&tick.instant.to_le_bytes());
-        for digest in [tick.sensors, tick.image, tick.command, tick.tree] {
+        for digest in [tick.sensors, tick.blobs, tick.command, tick.tree] {
             self.0.bytes(&digest.to_le_bytes());
         }
         self.0.0

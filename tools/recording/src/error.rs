@@ -53,7 +53,7 @@ impl Error {
             Self::NotAFile | Self::NotMcap | Self::NotARecording => {
                 "name a file that `player play --record FILE` wrote"
             }
-            Self::Format(_) => "use the version of this program that wrote it; `player record info FILE` names it",
+            Self::Format(_) => "open it with the version of the program that wrote it, or record the run again",
             Self::Compression(_) => {
                 "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
             }
@@ -76,8 +76,7 @@ impl fmt::Display for Error {
                 "this MCAP file is not a recording of a robot: no metadata record `bica` precedes its messages",
             ),
             Self::Format(format) => {
-                let (oldest, newest) = (crate::header::OLDEST_FORMAT, crate::header::FORMAT);
-                write!(out, "the recording has format {format}; this program reads formats {oldest} to {newest}")
+                write!(out, "the recording has format {format}; this program reads format {}", crate::header::FORMAT)
             }
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),

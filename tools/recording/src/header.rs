@@ -11,18 +11,15 @@ use bica::info::Info as Information;
 use bica::params::{Kind, Param};
 use bica::{ComponentId, Tree};
 use bica_link::Placement;
+use bica_wire::Recordable;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::information;
 
-/// Version of the format. Version 2 added the requests to the world, 4 checksums and copies of header and ending.
-pub const FORMAT: u32 = 4;
-/// Oldest version that can be read.
-pub(crate) const OLDEST_FORMAT: u32 = 1;
-/// Version of the format of recordings that a monitor made, before version 4.
-const MONITOR_FORMAT: u32 = 3;
+/// Version of the format. Version 5 has sensor values and commands of any robot; earlier ones cannot be read.
+pub const FORMAT: u32 = 5;
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
 /// Name of the metadata record with the ending.
@@ -41,15 +38,15 @@ pub struct Header {
     pub format: u32,
     /// The program that wrote the recording.
     pub program: Program,
-    /// Where and when the recording was begun; none before format 4.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub start: Option<Start>,
+    /// Where and when the recording was begun.
+    pub start: Start,
     /// The activation tree.
     pub tree: TreeInfo,
-    /// The robot.
-    pub robot: RobotInfo,
-    /// Rules of a simulated game; none for a real robot.
-    pub rules: Option<RecordedRules>,
+    /// What the program needs to set up the same run again, by name.
+    pub set_up: SetUp,
+    /// Schemas of sensor values and command; none in a recording of a monitor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub messages: Option<Messages>,
     /// All parameters at the start.
     pub parameters: Vec<Parameter>,
     /// Whether sensor values, commands and images are stored.
@@ -146,30 +143,17 @@ pub struct ParameterInfo {
     pub variants: Vec<String>,
 }
 
-/// The robot of a recording.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct RobotInfo {
-    /// Robot model.
-    pub model: String,
-    /// Motion profile.
-    pub profile: String,
-    /// Colour of the attacked goal.
-    pub attacks: String,
-}
+/// What a program needs to set up the same run again, by name: the seed, options, and the name `world` of a simulated world. The
+/// program that records chooses the names.
+pub type SetUp = BTreeMap<String, serde_json::Value>;
 
-/// Rules of a simulated game.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RecordedRules {
-    /// World: `built-in`, `mujoco` or `firmware`.
-    pub world: String,
-    /// Seed.
-    pub seed: u64,
-    /// Width and height of the camera images, px.
-    pub size: [usize; 2],
-    /// Number of robots besides the forward and the goalkeeper.
-    pub robots: usize,
-    /// Longest duration, simulated seconds.
-    pub seconds: f64,
+/// Schemas of the messages of a robot.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Messages {
+    /// Schema of the sensor values.
+    pub sensors: OwnedNamedType,
+    /// Schema of the command.
+    pub command: OwnedNamedType,
 }
 
 /// A parameter of a component.
@@ -227,6 +211,14 @@ impl Program {
         let same_file = !self.executable.is_empty() && self.executable == other.executable;
         let same_commit = !self.git_hash.is_empty() && self.git_hash == other.git_hash;
         same_file || (same_commit && !self.git_dirty && !other.git_dirty)
+    }
+}
+
+impl Messages {
+    /// The schemas of a robot's messages.
+    #[must_use]
+    pub fn of<R: Recordable>() -> Self {
+        Self { sensors: R::SENSORS.into(), command: R::COMMAND.into() }
     }
 }
 
@@ -316,23 +308,24 @@ impl TreeInfo {
 impl Header {
     /// The header of a run of this program that starts now.
     #[must_use]
-    pub fn new(graph: &Graph, robot: RobotInfo, rules: Option<RecordedRules>, images: ImagePolicy) -> Self {
+    pub fn new(graph: &Graph, set_up: SetUp, images: ImagePolicy) -> Self {
         Self {
             format: FORMAT,
             program: Program::current(),
-            start: Some(Start::now()),
+            start: Start::now(),
             tree: TreeInfo::new(graph),
-            robot,
-            rules,
+            set_up,
+            messages: None,
             parameters: Vec::new(),
             images,
             monitor: None,
         }
     }
 
-    /// Adds what only a tree knows: the values of its parameters, and the schemas of its information.
+    /// Adds what only a robot knows: the values of its parameters, and the schemas of its information and messages.
     #[must_use]
-    pub fn of_tree<T: Tree>(mut self, tree: &T) -> Self {
+    pub fn of_robot<R: Recordable>(mut self, tree: &R) -> Self {
+        self.messages = Some(Messages::of::<R>());
         self.parameters = recorded_parameters(tree);
         for (component, info) in self.tree.components.iter_mut().enumerate() {
             for (index, information) in info.information.iter_mut().enumerate() {
@@ -340,6 +333,17 @@ impl Header {
             }
         }
         self
+    }
+
+    /// Whether the recorded world was a simulated one, which may run again.
+    #[must_use]
+    pub fn is_simulated(&self) -> bool {
+        self.set_up.contains_key("world")
+    }
+
+    /// Returns the parameters at the start as assignments, `Component.name=value`.
+    pub fn assignments(&self) -> impl Iterator<Item = String> {
+        self.parameters.iter().map(|Parameter { component, name, value, .. }| format!("{component}.{name}={value}"))
     }
 
     /// Returns the nominal time from one cycle to the next, ns.
@@ -377,15 +381,15 @@ fn from_metadata<T: for<'a> Deserialize<'a>>(fields: &BTreeMap<String, String>, 
     serde_json::from_str(text).map_err(|error| Error::damaged(at, format!("the metadata cannot be read: {error}")))
 }
 
-/// Checks that metadata of a format have a checksum.
-fn check_metadata(fields: &BTreeMap<String, String>, format: u32, at: u64) -> Result<(), Error> {
-    let has_checksum = format < FORMAT || fields.contains_key(CRC_KEY);
+/// Checks that metadata have a checksum.
+fn check_metadata(fields: &BTreeMap<String, String>, at: u64) -> Result<(), Error> {
+    let has_checksum = fields.contains_key(CRC_KEY);
     has_checksum.then_some(()).ok_or_else(|| Error::damaged(at, "the metadata have no checksum"))
 }
 
-/// Returns the ending of a metadata record of a recording of a format.
-pub(crate) fn ending_of(fields: &BTreeMap<String, String>, format: u32, at: u64) -> Result<Ending, Error> {
-    check_metadata(fields, format, at)?;
+/// Returns the ending of a metadata record.
+pub(crate) fn ending_of(fields: &BTreeMap<String, String>, at: u64) -> Result<Ending, Error> {
+    check_metadata(fields, at)?;
     from_metadata(fields, at)
 }
 
@@ -396,13 +400,9 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         format: u32,
     }
     let Format { format } = from_metadata(fields, at)?;
-    if !(OLDEST_FORMAT..=FORMAT).contains(&format) {
+    if format != FORMAT {
         return Err(Error::Format(format));
     }
-    check_metadata(fields, format, at)?;
-    let header: Header = from_metadata(fields, at)?;
-    if format < FORMAT && header.monitor.is_some() != (format == MONITOR_FORMAT) {
-        return Err(Error::damaged(at, format!("a header of format {format} that is not of this format")));
-    }
-    Ok(header)
+    check_metadata(fields, at)?;
+    from_metadata(fields, at)
 }

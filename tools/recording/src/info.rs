@@ -8,7 +8,7 @@ use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::mcap::Message;
-use crate::message::{Channel, RefereeEvent, Tick};
+use crate::message::{Channel, RunEvent, Tick};
 use crate::recording::decode;
 use crate::request::RequestRecord;
 
@@ -33,7 +33,7 @@ pub struct Info {
     pub damage: Option<String>,
     /// Channels with messages.
     pub channels: Vec<ChannelInfo>,
-    /// Events of the referee.
+    /// Events of the run.
     pub events: Vec<EventInfo>,
     /// Requests of operators.
     pub requests: Vec<RequestInfo>,
@@ -50,7 +50,7 @@ pub struct ChannelInfo {
     pub bytes: u64,
 }
 
-/// An event of the referee.
+/// An event of the run.
 #[derive(Clone, Debug, Serialize)]
 pub struct EventInfo {
     /// Time, s.
@@ -132,7 +132,7 @@ impl Reading {
                 info.cycles += 1;
             }
             Channel::Events => {
-                let RefereeEvent { kind, detail, .. } = decode(message)?;
+                let RunEvent { kind, detail, .. } = decode(message)?;
                 info.events.push(EventInfo { t, event: kind, detail });
             }
             Channel::Requests => {

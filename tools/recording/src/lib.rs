@@ -1,23 +1,25 @@
 //! Recordings of a robot's runs as MCAP files.
 //!
-//! A run is an ordered log of events: what entered the tree (sensor values, images, requests, instants), what came out of it
-//! (commands, active components, states), and what people want to read (events of the referee, log lines, costs). The
+//! A run is an ordered log of events: what entered the tree (sensor values, requests, instants), what came out of it
+//! (commands, active components, states), and what people want to read (events, log lines, costs). The
 //! page `docs/recordings.md` describes the file for other programs.
 //!
 //! - [`Recorder`] is an observer of a [`Runner`](bica::runner::Runner). It copies the values of each cycle into a bounded
 //!   queue; a thread of its own writes them.
 //! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
-//! - [`Comparison`] finds the first difference between a recorded and a repeated run.
+//! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
 //! - [`repair`] mends and cuts files, [`export`] writes standard schemas for viewers.
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 
+mod blob;
 mod compare;
 mod contents;
 mod digest;
 mod error;
 pub mod export;
+mod fields;
 mod header;
 pub mod image_codec;
 mod info;
@@ -28,21 +30,23 @@ mod monitor;
 mod recorder;
 mod recording;
 pub mod repair;
+mod replay;
 mod request;
 
-pub use compare::{Comparison, Decision, Difference, command_field, sensor_field};
-pub use digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
+pub use bica_wire::Recordable;
+pub use blob::{BlobRecord, Coding, StoredBlob};
+pub use compare::{Comparison, Decision, Difference};
+pub use digest::RunningFingerprint;
 pub use error::Error;
 pub use header::{
-    ComponentInfo, Ending, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo,
-    Program, RecordedRules, RobotInfo, Start, TreeInfo, checksum,
+    ComponentInfo, Ending, FORMAT, Header, ImagePolicy, InformationInfo, Messages, MonitorInfo, Parameter,
+    ParameterInfo, Program, SetUp, Start, TreeInfo, checksum,
 };
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
-pub use message::{
-    Channel, CommandRecord, ComponentCosts, Costs, HoldsRecord, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
-};
+pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
-pub use recording::{ImagePlace, OwnedImage, RecordedCycle, Recording, open};
+pub use recording::{BlobPlace, RecordedCycle, Recording, open};
+pub use replay::{AfterGap, Refused, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun};
 pub use request::RequestRecord;

@@ -1,10 +1,10 @@
 //! Channels of a recording and their messages.
 
-use bica_wire::message::{Command, Sensors};
 use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
+use crate::blob::BlobRecord;
 use crate::information::InformationRecord;
 use crate::mcap::ChannelRecord;
 use crate::request::RequestRecord;
@@ -17,17 +17,17 @@ pub(crate) const ENCODING: &str = "postcard";
 pub enum Channel {
     /// [`RequestRecord`]: a request was applied before the cycle.
     Requests,
-    /// [`ImageRecord`]: a camera image.
-    Images,
-    /// [`Sensors`]: the sensor values of the cycle.
+    /// [`BlobRecord`]: large data in the sensor values of a cycle.
+    Blobs,
+    /// The sensor values of the cycle without their large data, as [`bica_wire::blobs`] encodes them.
     Sensors,
-    /// [`CommandRecord`]: the command of the cycle.
+    /// The command of the cycle in postcard's format.
     Command,
     /// [`TreeRecord`]: active components and states, if they changed in the cycle.
     Tree,
     /// [`Tick`]: instant and digests of the cycle; its last message.
     Tick,
-    /// [`RefereeEvent`]: an event on the field.
+    /// [`RunEvent`]: an event of the run.
     Events,
     /// [`LogLine`]: a line of text.
     Log,
@@ -43,7 +43,7 @@ impl Channel {
     /// All channels, in the order of their numbers from 1 on.
     pub const ALL: [Self; 11] = [
         Self::Requests,
-        Self::Images,
+        Self::Blobs,
         Self::Sensors,
         Self::Command,
         Self::Tree,
@@ -78,7 +78,7 @@ impl Channel {
     pub const fn topic(self) -> &'static str {
         match self {
             Self::Requests => "requests",
-            Self::Images => "images",
+            Self::Blobs => "blobs",
             Self::Sensors => "sensors",
             Self::Command => "command",
             Self::Tree => "tree",
@@ -91,45 +91,22 @@ impl Channel {
         }
     }
 
-    /// Returns the schema of the messages.
+    /// Returns the schema of the messages; none if it is the robot's own.
     #[must_use]
-    pub const fn schema(self) -> &'static NamedType {
-        match self {
+    pub const fn schema(self) -> Option<&'static NamedType> {
+        Some(match self {
             Self::Requests => RequestRecord::SCHEMA,
-            Self::Images => ImageRecord::SCHEMA,
-            Self::Sensors => Sensors::SCHEMA,
-            Self::Command => CommandRecord::SCHEMA,
+            Self::Blobs => BlobRecord::SCHEMA,
+            Self::Sensors | Self::Command => return None,
             Self::Tree => TreeRecord::SCHEMA,
             Self::Tick => Tick::SCHEMA,
-            Self::Events => RefereeEvent::SCHEMA,
+            Self::Events => RunEvent::SCHEMA,
             Self::Log => LogLine::SCHEMA,
             Self::Costs => Costs::SCHEMA,
             Self::Information => InformationRecord::SCHEMA,
             Self::Holds => HoldsRecord::SCHEMA,
-        }
+        })
     }
-}
-
-/// A camera image.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct ImageRecord {
-    /// Number of the image, as in the sensor values.
-    pub id: u32,
-    /// Whether the bottom camera took it.
-    pub bottom_camera: bool,
-    /// Width, px; even.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
-    /// The pixels, coded by [`crate::image_codec`].
-    pub coded: Vec<u8>,
-}
-
-/// The command of a cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub struct CommandRecord {
-    /// The command.
-    pub command: Command,
 }
 
 /// Active components and states after a cycle.
@@ -157,10 +134,10 @@ pub struct Tick {
     pub cycle: u64,
     /// Instant that the tree was given, ticks.
     pub instant: u64,
-    /// CRC-32 of the message `sensors` without its image.
+    /// CRC-32 of the message `sensors`.
     pub sensors: u32,
-    /// CRC-32 of the pixels of the image; 0 without an image.
-    pub image: u32,
+    /// CRC-32 of the large data of the cycle, one after the other; 0 without any.
+    pub blobs: u32,
     /// CRC-32 of the message `command`.
     pub command: u32,
     /// CRC-32 of active components and states.
@@ -169,9 +146,9 @@ pub struct Tick {
     pub fingerprint: u64,
 }
 
-/// An event on the field.
+/// An event of the run, such as a goal or a fall.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct RefereeEvent {
+pub struct RunEvent {
     /// Time since the start of the run, ns.
     pub at_ns: u64,
     /// Kind, as `goal` or `kick`.

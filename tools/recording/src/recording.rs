@@ -1,28 +1,27 @@
 //! Reading of a recording, cycle by cycle.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{BufReader, Read, Seek as _, SeekFrom};
 use std::path::Path;
 
-use bica_wire::message::{Command, Sensors};
+use bica::Format;
 use serde::Deserialize;
 
+use crate::blob::{BlobRecord, StoredBlob};
 use crate::contents::{Contents, Part};
-use crate::digest::image_digest;
 use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
 use crate::mcap::{Item, Message, Reader};
-use crate::message::{
-    Channel, CommandRecord, Costs, HoldsRecord, ImageRecord, LogLine, RefereeEvent, Tick, TreeRecord,
-};
+use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 use crate::request::RequestRecord;
 
-/// Most images that wait for their cycle.
-const MAX_WAITING_IMAGES: usize = 64;
-/// Most bytes of messages of one cycle, and of images that wait for theirs. A loop cannot produce more, a damaged file can.
+/// Most large data that waits for its cycle.
+const MAX_WAITING_BLOBS: usize = 64;
+/// Most bytes of messages of one cycle, and of large data that waits for its own. A loop cannot produce more, a damaged file can.
 const MAX_WAITING_BYTES: usize = 64 << 20;
 
 /// Everything that is recorded of a cycle.
@@ -32,16 +31,16 @@ pub struct RecordedCycle {
     pub tick: Tick,
     /// Requests that were applied before it.
     pub requests: Vec<RequestRecord>,
-    /// Sensor values, if they are stored.
-    pub sensors: Option<Sensors>,
-    /// Image, if there was one and it is stored.
-    pub image: Option<OwnedImage>,
-    /// Command, if it is stored.
-    pub command: Option<Command>,
+    /// Sensor values, encoded without their large data, if they are stored.
+    pub sensors: Option<Vec<u8>>,
+    /// Large data of the sensor values, if it is stored.
+    pub blobs: Vec<StoredBlob>,
+    /// Command, encoded, if it is stored.
+    pub command: Option<Vec<u8>>,
     /// Active components and states.
     pub tree: TreeRecord,
     /// Events since the last cycle.
-    pub events: Vec<RefereeEvent>,
+    pub events: Vec<RunEvent>,
     /// Lines of text since the last cycle.
     pub log: Vec<LogLine>,
     /// Time of the components.
@@ -52,24 +51,21 @@ pub struct RecordedCycle {
     pub holds: Option<HoldsRecord>,
 }
 
-/// An image in memory of its own.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct OwnedImage {
-    /// Whether the bottom camera took it.
-    pub bottom_camera: bool,
-    /// Width, px.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
-    /// YUYV 4:2:2.
-    pub yuyv: Vec<u8>,
-}
-
-impl OwnedImage {
-    /// Returns its digest, as in [`Tick::image`].
+impl RecordedCycle {
+    /// Returns the large data, one after the other, as [`Recordable::decode_sensors`](bica_wire::Recordable::decode_sensors) takes it.
     #[must_use]
-    pub fn digest(&self) -> u32 {
-        image_digest(self.bottom_camera, self.width, self.height, &self.yuyv)
+    pub fn blob_bytes(&self) -> Cow<'_, [u8]> {
+        match &self.blobs[..] {
+            [] => Cow::Borrowed(&[]),
+            [blob] => Cow::Borrowed(&blob.bytes),
+            blobs => Cow::Owned(blobs.iter().flat_map(|blob| &blob.bytes).copied().collect()),
+        }
+    }
+
+    /// Returns whether the cycle had large data that was dropped while recording.
+    #[must_use]
+    pub fn is_gap(&self) -> bool {
+        self.sensors.is_some() && self.tick.blobs != 0 && self.blobs.is_empty()
     }
 }
 
@@ -77,27 +73,24 @@ impl OwnedImage {
 #[derive(Debug)]
 pub struct Recording<R> {
     contents: Contents<R>,
-    /// Images that wait for their cycle.
-    images: BTreeMap<u32, WaitingImage>,
-    /// Whether images are decoded.
+    /// Large data that waits for its cycle, by its number.
+    blobs: BTreeMap<u32, WaitingBlob>,
+    /// Whether large data is decoded.
     decodes: bool,
-    place: Option<ImagePlace>,
+    places: Vec<BlobPlace>,
     coder: ImageCoder,
     next: RecordedCycle,
     /// Number of bytes of the messages since the last cycle.
     next_bytes: usize,
 }
 
-/// An image that was read before its cycle.
+/// Large data that was read before its cycle.
 #[derive(Debug)]
-struct WaitingImage {
-    record: ImageRecord,
-    /// Number of its channel.
-    channel: u16,
-    /// Time of the image, ns.
-    time: u64,
-    /// Position of its chunk, bytes.
-    chunk_at: u64,
+struct WaitingBlob {
+    message: Message,
+    cycle: Option<u64>,
+    part: u16,
+    is_image: bool,
 }
 
 /// Opens a file for reading. A pipe or a device is refused, because opening it may wait without end.
@@ -129,24 +122,24 @@ impl<R: Read> Recording<R> {
     pub fn new(source: R) -> Result<Self, Error> {
         Ok(Self {
             contents: Contents::new(source)?,
-            images: BTreeMap::new(),
+            blobs: BTreeMap::new(),
             decodes: true,
-            place: None,
+            places: Vec::new(),
             coder: ImageCoder::default(),
             next: RecordedCycle::default(),
             next_bytes: 0,
         })
     }
 
-    /// Leaves images in the file: cycles have only their [places](Self::image_place).
+    /// Leaves large data in the file: cycles have only its [places](Self::blob_places).
     #[must_use]
-    pub fn without_images(self) -> Self {
+    pub fn without_blobs(self) -> Self {
         Self { decodes: false, ..self }
     }
 
-    /// Returns the place of the image of the last cycle, if it had one that is stored.
-    pub const fn image_place(&self) -> Option<ImagePlace> {
-        self.place
+    /// Returns the places of the large data of the last cycle.
+    pub fn blob_places(&self) -> &[BlobPlace] {
+        &self.places
     }
 
     /// Returns the header.
@@ -189,92 +182,97 @@ impl<R: Read> Recording<R> {
     /// Takes a message in; returns whether the cycle is complete.
     fn message(&mut self, channel: Channel, message: &Message) -> Result<bool, Error> {
         let next = &mut self.next;
-        // The images of up to a second precede their cycles.
-        self.next_bytes += if channel == Channel::Images { 0 } else { message.data.len() };
+        // The large data of up to a second precedes its cycles.
+        self.next_bytes += if channel == Channel::Blobs { 0 } else { message.data.len() };
         if self.next_bytes > MAX_WAITING_BYTES {
             return Err(Error::damaged(message.chunk_at, "too many messages without a cycle"));
         }
         match channel {
             Channel::Requests => next.requests.push(decode(message)?),
-            Channel::Sensors => next.sensors = Some(decode(message)?),
-            Channel::Command => next.command = Some(decode::<CommandRecord>(message)?.command),
+            Channel::Sensors => next.sensors = Some(message.data.clone()),
+            Channel::Command => next.command = Some(message.data.clone()),
             Channel::Tree => next.tree = decode(message)?,
             Channel::Events => next.events.push(decode(message)?),
             Channel::Log => next.log.push(decode(message)?),
             Channel::Costs => next.costs = Some(decode(message)?),
             Channel::Information => next.information = Some(decode(message)?),
             Channel::Holds => next.holds = Some(decode(message)?),
-            Channel::Images => {
-                let record: ImageRecord = decode(message)?;
-                let &Message { channel, time, chunk_at, .. } = message;
-                self.images.insert(record.id, WaitingImage { record, channel, time, chunk_at });
-                let mut bytes: usize = self.images.values().map(|image| image.record.coded.len()).sum();
-                while self.images.len() > MAX_WAITING_IMAGES || bytes > MAX_WAITING_BYTES {
-                    bytes -= self.images.pop_first().map_or(bytes, |(_, image)| image.record.coded.len());
-                }
-            }
+            Channel::Blobs => self.wait(message)?,
             Channel::Tick => {
                 next.tick = decode(message)?;
                 self.next_bytes = 0;
-                self.place = None;
-                if let Some(WaitingImage { record, channel, time, chunk_at }) = self.image_of_cycle() {
-                    let ImageRecord { id, bottom_camera, width, height, .. } = record;
-                    self.place = Some(ImagePlace { id, channel, time, chunk_at, bottom_camera, width, height });
-                    if self.decodes {
-                        self.next.image = Some(decode_image(&mut self.coder, &record, chunk_at)?);
-                    }
-                }
+                self.take_blobs()?;
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
-    /// Takes the image of the next cycle, which is complete: the sensor values name it. A monitor may receive an image later than its
-    /// cycle; then it comes with a later one.
-    fn image_of_cycle(&mut self) -> Option<WaitingImage> {
-        if self.contents.header.monitor.is_none() {
-            return self.images.remove(&self.next.sensors?.image?.id);
+    /// Takes in large data, which precedes its cycle.
+    fn wait(&mut self, message: &Message) -> Result<(), Error> {
+        let BlobRecord { id, cycle, part, format, .. } = decode(message)?;
+        let is_image = matches!(format, Format::Yuyv { .. });
+        self.blobs.insert(id, WaitingBlob { message: message.clone(), cycle, part, is_image });
+        let mut bytes: usize = self.blobs.values().map(|blob| blob.message.data.len()).sum();
+        while self.blobs.len() > MAX_WAITING_BLOBS || bytes > MAX_WAITING_BYTES {
+            bytes -= self.blobs.pop_first().map_or(bytes, |(_, blob)| blob.message.data.len());
         }
+        Ok(())
+    }
+
+    /// Takes the large data of the next cycle, which is complete. A monitor may receive an image later than its cycle; then it comes
+    /// with a later one.
+    fn take_blobs(&mut self) -> Result<(), Error> {
+        self.places.clear();
+        let (number, of_monitor) = (self.next.tick.cycle, self.contents.header.monitor.is_some());
         let end = self.contents.header.nanoseconds(self.next.tick.instant);
-        let first = self.images.first_entry().filter(|first| first.get().time <= end)?;
-        Some(first.remove())
+        let is_of_cycle = |blob: &WaitingBlob| match blob.cycle {
+            Some(cycle) => cycle == number,
+            None => of_monitor && blob.message.time <= end,
+        };
+        let ids: Vec<u32> = self.blobs.iter().filter(|(_, blob)| is_of_cycle(blob)).map(|(id, _)| *id).collect();
+        // Of a monitor's images one comes with each cycle.
+        let ids = if of_monitor { &ids[..ids.len().min(1)] } else { &ids[..] };
+        let mut taken: Vec<_> = ids.iter().filter_map(|id| Some((*id, self.blobs.remove(id)?))).collect();
+        taken.sort_by_key(|(_, blob)| blob.part);
+        for (id, WaitingBlob { message, is_image, .. }) in &taken {
+            let &Message { channel, time, chunk_at, .. } = message;
+            self.places.push(BlobPlace { id: *id, channel, time, chunk_at, is_image: *is_image });
+            if self.decodes {
+                self.next.blobs.push(decode_blob(&mut self.coder, message)?);
+            }
+        }
+        Ok(())
     }
 }
 
-fn decode_image(coder: &mut ImageCoder, coded: &ImageRecord, at: u64) -> Result<OwnedImage, Error> {
-    let ImageRecord { bottom_camera, width, height, .. } = *coded;
-    let mut yuyv = Vec::new();
-    let decoded = coder.decode(&coded.coded, width.into(), height.into(), &mut yuyv);
-    decoded.map_err(|_| Error::damaged(at, format!("image {} cannot be decoded", coded.id)))?;
-    Ok(OwnedImage { bottom_camera, width, height, yuyv })
+fn decode_blob(coder: &mut ImageCoder, message: &Message) -> Result<StoredBlob, Error> {
+    let record: BlobRecord<'_> = decode(message)?;
+    let unreadable = || Error::damaged(message.chunk_at, format!("image {} cannot be decoded", record.id));
+    record.decode(coder).ok_or_else(unreadable)
 }
 
-/// Place of an image in a file.
+/// Place of large data in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ImagePlace {
-    /// Number of the image, as in the sensor values.
+pub struct BlobPlace {
+    /// Number in the recording, from 1.
     pub id: u32,
-    /// Number of the channel of images in the file.
+    /// Number of the channel in the file.
     pub channel: u16,
     /// Time of the cycle that took it in, ns since the start of the run's clock.
     pub time: u64,
     /// Position of its chunk, bytes.
     pub chunk_at: u64,
-    /// Whether the bottom camera took it.
-    pub bottom_camera: bool,
-    /// Width, px.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
+    /// Whether it is an image in YUYV.
+    pub is_image: bool,
 }
 
-impl ImagePlace {
-    /// Reads the image from its file.
+impl BlobPlace {
+    /// Reads the data from its file.
     ///
     /// # Errors
-    /// If the file cannot be read, or has no such image there any more.
-    pub fn read(&self, path: &Path) -> Result<OwnedImage, Error> {
+    /// If the file cannot be read, or has no such data there any more.
+    pub fn read(&self, path: &Path) -> Result<StoredBlob, Error> {
         let mut file = open(path)?;
         file.seek(SeekFrom::Start(self.chunk_at))?;
         let mut reader = Reader::resume(file, self.chunk_at);
@@ -283,9 +281,8 @@ impl ImagePlace {
         while chunks < 2 {
             match reader.next_item()? {
                 Item::Message(message) if message.channel == self.channel => {
-                    let image: ImageRecord = decode(&message)?;
-                    if image.id == self.id {
-                        return decode_image(&mut ImageCoder::default(), &image, self.chunk_at);
+                    if decode::<BlobRecord<'_>>(&message)?.id == self.id {
+                        return decode_blob(&mut ImageCoder::default(), &message);
                     }
                 }
                 Item::Chunk { .. } => chunks += 1,

@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use std::io::{Read, Seek, SeekFrom, Write};
 
+use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ending_of, header_of};
-use crate::mcap::{Item, Message, Reader, Writer, find_intact};
+use crate::mcap::{Compression, Item, Message, Reader, Writer, find_intact};
 use crate::message::{Channel, Tick};
-use crate::recorder::{begin, compression, write_ending};
+use crate::recorder::{begin, write_ending};
 use crate::recording::decode;
 
 /// What a new file contains.
@@ -53,7 +54,7 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copie
         let position = reader.position();
         let error = match reader.next_item() {
             Ok(Item::End) => break,
-            Ok(item) => match copy.item(item, &header) {
+            Ok(item) => match copy.item(item) {
                 Ok(()) => continue,
                 Err(Error::Io(error)) => return Err(error.into()),
                 Err(error) => {
@@ -67,7 +68,7 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copie
         copy.damage(&error);
         let is_useful = |item: &Item| match item {
             Item::Chunk { .. } => true,
-            Item::Metadata(at, name, fields) => name == ENDING_NAME && ending_of(fields, header.format, *at).is_ok(),
+            Item::Metadata(at, name, fields) => name == ENDING_NAME && ending_of(fields, *at).is_ok(),
             _ => false,
         };
         let Some(next) = find_intact(&mut source, position..u64::MAX, is_useful)? else { break };
@@ -134,7 +135,7 @@ impl<W: Write> Copy<W> {
     }
 
     /// Takes over a part of a damaged file. A channel whose record is damaged has the number that this program gives it.
-    fn item(&mut self, item: Item, header: &Header) -> Result<(), Error> {
+    fn item(&mut self, item: Item) -> Result<(), Error> {
         match item {
             Item::Message(message) => {
                 let channel = self.channels.get(&message.channel).copied();
@@ -147,7 +148,7 @@ impl<W: Write> Copy<W> {
                 Ok(())
             }
             Item::Metadata(at, name, fields) if name == ENDING_NAME => {
-                self.ending = Some(ending_of(&fields, header.format, at)?);
+                self.ending = Some(ending_of(&fields, at)?);
                 Ok(())
             }
             Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(&fields, at).map(drop),
@@ -181,17 +182,21 @@ impl<W: Write> Copy<W> {
         if channel == Channel::Tick {
             // The first cycle needs the last changes before it.
             for (of, change) in std::mem::take(&mut self.last) {
-                self.write(of, message.time, &change.data);
+                self.write(of, Compression::Lz4, message.time, &change.data);
             }
             decode::<Tick>(&message)?;
             self.copied.cycles += 1;
         }
-        self.write(channel, message.time, &message.data);
+        let compression = match channel {
+            Channel::Blobs => decode::<BlobRecord<'_>>(&message)?.compression(),
+            _ => Compression::Lz4,
+        };
+        self.write(channel, compression, message.time, &message.data);
         Ok(())
     }
 
-    fn write(&mut self, channel: Channel, time: u64, data: &[u8]) {
-        self.writer.message(compression(channel), channel.id(), time, |out| out.extend_from_slice(data));
+    fn write(&mut self, channel: Channel, compression: Compression, time: u64, data: &[u8]) {
+        self.writer.message(compression, channel.id(), time, |out| out.extend_from_slice(data));
     }
 
     fn finish(mut self) -> Result<Copied, Error> {

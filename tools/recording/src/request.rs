@@ -43,12 +43,12 @@ pub enum RequestRecord {
         /// The request, as text.
         text: String,
     },
-    /// The ball of the simulated world is placed, at rest.
-    Ball {
-        /// Position along the field, to the attacked goal, m.
-        x: f32,
-        /// Position across the field, to the left, m.
-        y: f32,
+    /// The simulated world is changed.
+    World {
+        /// Name of the change, such as `ball`.
+        name: String,
+        /// Its values, in the order and units that the world defines.
+        values: Vec<f32>,
     },
 }
 
@@ -87,7 +87,7 @@ impl RequestRecord {
                 index: usize::from(*index),
                 arguments: arguments.clone(),
             },
-            Self::Unknown { .. } | Self::Ball { .. } => return None,
+            Self::Unknown { .. } | Self::World { .. } => return None,
         })
     }
 
@@ -114,7 +114,10 @@ impl RequestRecord {
                 format!("modulate {}.{called}({})", name(component), arguments.join(", "))
             }
             Self::Unknown { text } => text.clone(),
-            Self::Ball { x, y } => format!("ball at {x}, {y} m"),
+            Self::World { name, values } => {
+                let values: Vec<_> = values.iter().map(f32::to_string).collect();
+                format!("world {name}({})", values.join(", "))
+            }
         }
     }
 }

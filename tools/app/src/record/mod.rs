@@ -8,7 +8,7 @@ use std::path::Path;
 
 use bica_console::{Console, Failure, Outcome, Style};
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, Start, create, export};
+use bica_recording::{Error, Info, create, export};
 use serde::Serialize;
 
 pub(crate) use args::Record;
@@ -55,9 +55,7 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     let dirty = if program.git_dirty { ", with changes" } else { "" };
     let commit = if program.git_hash.is_empty() { "unknown commit" } else { &program.git_hash };
     console.print_row("program", &format!("{} at {commit}{dirty}, for {}", program.version, program.target))?;
-    if let Some(Start { time, host }) = &header.start {
-        console.print_row("begun", &format!("{time} on {host}"))?;
-    }
+    console.print_row("begun", &format!("{} on {}", header.start.time, header.start.host))?;
     let tree = &header.tree;
     let count = tree.components.len();
     console
@@ -65,15 +63,13 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     if let Some(monitor) = &header.monitor {
         let text = format!("what {} sent, without sensor values and commands: not for a replay", monitor.address);
         console.print_row("monitor", &text)?;
-    } else {
-        let robot = &header.robot;
-        console
-            .print_row("robot", &format!("{}, profile {}, attacks {}", robot.model, robot.profile, robot.attacks))?;
     }
-    if let Some(rules) = &header.rules {
-        let ([width, height], robots) = (rules.size, rules.robots);
-        let text = format!("{}, seed {}, images {width}x{height}, robots {robots}", rules.world, rules.seed);
-        console.print_row("world", &text)?;
+    if !header.set_up.is_empty() {
+        let one = |(name, value): (&String, &serde_json::Value)| match value.as_str() {
+            Some(text) => format!("{name} {text}"),
+            None => format!("{name} {value}"),
+        };
+        console.print_row("set-up", &header.set_up.iter().map(one).collect::<Vec<_>>().join(", "))?;
     }
     let changed = header.parameters.iter().filter(|parameter| !parameter.is_default);
     let (all, count) = (header.parameters.len(), changed.clone().count());

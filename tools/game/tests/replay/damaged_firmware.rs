@@ -82,7 +82,7 @@ fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
     robot.get_mut::<GoalDetector>().attack(attacks);
     let target = File::create(&file.0).expect("room");
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = recording_header(&rules, attacks, ImagePolicy::All).of_tree(&*robot);
+    let header = recording_header(&rules, attacks, ImagePolicy::All).of_robot(&*robot);
     let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
     let mut model = Model {
         runner: Runner::new(robot, ()).with_observer(recorder),

@@ -8,7 +8,9 @@ use std::time::Duration;
 use bica::Tree;
 use bica::runner::{RequestQueue, Runner};
 use bica_console::STACK_BYTES;
-use bica_game::{RecordOptions, ReplayOptions, Replayed, Rules, WorldKind, play_recorded, recording_header, replay};
+use bica_game::{
+    RecordOptions, ReplayOptions, ReplayReport, Rules, WorldKind, play_recorded, recording_header, replay,
+};
 use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
@@ -78,13 +80,13 @@ pub(crate) fn recorded(
     robot.get_mut::<GoalDetector>().attack(attacks);
     let target = File::create(&file.0).expect("room");
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = recording_header(rules, attacks, images).of_tree(&*robot);
+    let header = recording_header(rules, attacks, images).of_robot(&*robot);
     let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
     Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder)
 }
 
 /// Replays a file from start to end.
-pub(crate) fn replay_all(path: &Path) -> Replayed {
+pub(crate) fn replay_all(path: &Path) -> ReplayReport {
     replay(&ReplayOptions::whole(path)).expect("a recording")
 }
 
@@ -111,7 +113,7 @@ pub(crate) fn rewrite(
             Item::Message(mut found) => {
                 let channel = Channel::of_id(found.channel).expect("a channel of ours");
                 message(channel, &mut found.data);
-                let kind = if channel == Channel::Images { Compression::None } else { Compression::Lz4 };
+                let kind = if channel == Channel::Blobs { Compression::None } else { Compression::Lz4 };
                 writer.message(kind, found.channel, found.time, |out| out.extend_from_slice(&found.data));
             }
             Item::Chunk { .. } if !schemas.is_empty() => {

@@ -2,8 +2,9 @@
 
 use std::fs;
 
+use bica::Format;
 use bica_recording::image_codec::ImageCoder;
-use bica_recording::{Channel, ImagePolicy, ImageRecord, Tick};
+use bica_recording::{BlobRecord, Channel, ImagePolicy, Tick};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -20,21 +21,21 @@ struct Flip {
 /// Returns the recording with the flip, and the number of the cycle in which it is.
 fn flipped(file: &[u8], flip: Flip, images: &[u64]) -> (Vec<u8>, u64) {
     let mut count = 0;
-    let cycle = if flip.kind == Channel::Images { images[flip.message as usize] } else { flip.message };
+    let cycle = if flip.kind == Channel::Blobs { images[flip.message as usize] } else { flip.message };
     let change = |channel: Channel, data: &mut Vec<u8>| {
         if channel != flip.kind {
             return;
         }
         if count == flip.message {
             match channel {
-                Channel::Images => flip_pixel(data, flip.bit),
+                Channel::Blobs => flip_pixel(data, flip.bit),
                 Channel::Tick => {
                     let mut tick: Tick = postcard::from_bytes(data).expect("a tick");
                     tick.instant ^= 1 << (flip.bit % 40);
                     *data = postcard::to_stdvec(&tick).expect("memory");
                 }
                 _ => {
-                    // Behind the time, which has a variable length, come 25 targets, 25 stiffnesses and 9 lights.
+                    // 25 targets, 25 stiffnesses, 9 lights, and the camera.
                     let at = data.len() - 1 - 4 * 59 + (flip.bit / 8 % (4 * 59)) as usize;
                     data[at] ^= 1 << (flip.bit % 8);
                 }
@@ -46,15 +47,16 @@ fn flipped(file: &[u8], flip: Flip, images: &[u64]) -> (Vec<u8>, u64) {
 }
 
 fn flip_pixel(data: &mut Vec<u8>, bit: u64) {
-    let mut image: ImageRecord = postcard::from_bytes(data).expect("an image");
-    let (width, height) = (image.width.into(), image.height.into());
+    let record: BlobRecord<'_> = postcard::from_bytes(data).expect("an image");
+    let Format::Yuyv { width, height } = record.format else { panic!("an image: {record:?}") };
+    let (width, height) = (width.into(), height.into());
     let (mut coder, mut yuyv) = (ImageCoder::default(), Vec::new());
-    coder.decode(&image.coded, width, height, &mut yuyv).expect("coded by us");
+    coder.decode(record.stored, width, height, &mut yuyv).expect("coded by us");
     let at = (bit / 8) as usize % yuyv.len();
     yuyv[at] ^= 1 << (bit % 8);
-    image.coded.clear();
-    coder.encode(&yuyv, width, height, &mut image.coded).expect("a valid size");
-    *data = postcard::to_stdvec(&image).expect("memory");
+    let mut stored = Vec::new();
+    coder.encode(&yuyv, width, height, &mut stored).expect("a valid size");
+    *data = postcard::to_stdvec(&BlobRecord { stored: &stored, ..record }).expect("memory");
 }
 
 fn flips_are_found(trials: u32, name: &str) {
@@ -65,8 +67,8 @@ fn flips_are_found(trials: u32, name: &str) {
         let images: Vec<u64> = (0..60).filter(|cycle| *cycle == 0 || cycle * 3 / 10 != (cycle - 1) * 3 / 10).collect();
         let mut rng = Pcg64::seed_from_u64(13);
         for trial in 0..trials {
-            let kind = [Channel::Command, Channel::Images, Channel::Tick][trial as usize % 3];
-            let messages = if kind == Channel::Images { images.len() as u64 } else { 60 };
+            let kind = [Channel::Command, Channel::Blobs, Channel::Tick][trial as usize % 3];
+            let messages = if kind == Channel::Blobs { images.len() as u64 } else { 60 };
             let flip = Flip { kind, message: rng.next_u64() % messages, bit: rng.next_u64() >> 8 };
             let (changed, cycle) = flipped(&bytes, flip, &images);
             fs::write(&file.0, changed).expect("room");
@@ -74,9 +76,9 @@ fn flips_are_found(trials: u32, name: &str) {
             assert_eq!(first.cycle, cycle, "{flip:?}: {first:?}");
             let field = match kind {
                 Channel::Command => "command.",
-                Channel::Images => "image",
-                // The sensor values bear their own time: one of both is wrong.
-                _ => "sensors.time_us",
+                Channel::Blobs => "blobs",
+                // The tree runs at that instant: what differs depends on it.
+                _ => "",
             };
             assert!(first.field.starts_with(field), "{flip:?}: {first:?}");
         }

@@ -4,7 +4,7 @@ use std::fs;
 
 use bica_console::Failure;
 use bica_game::{ReplayOptions, Rules, WorldKind, replay};
-use bica_recording::{Channel, Error, ImagePolicy, ImageRecord, Recording};
+use bica_recording::{BlobRecord, Channel, Error, ImagePolicy, Recording};
 
 use crate::files::{Temporary, record, replay_all, rewrite, rules, with_stack};
 
@@ -89,8 +89,8 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     };
     let message = refused(&rewrite(&bytes, same, renamed));
     assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
-    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":4", "\"format\":5"));
-    assert!(refused(&newer).contains("format 5"));
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":5", "\"format\":6"));
+    assert!(refused(&newer).contains("format 6"));
     let mut part = Vec::new();
     bica_recording::repair::trim(&bytes[..], &mut part, 100_000_000, u64::MAX).expect("a recording");
     assert!(refused(&part).contains("begins with cycle 10"));
@@ -149,13 +149,13 @@ fn a_dropped_image_is_a_gap_in_the_replay() {
         record(&file.0, &rules(6, 0.6), ImagePolicy::All);
         let (bytes, whole) = (fs::read(&file.0).expect("recorded"), replay_all(&file.0).cycles);
         let rename = |channel: Channel, data: &mut Vec<u8>| {
-            let mut image: ImageRecord = match channel {
-                Channel::Images => postcard::from_bytes(data).expect("an image"),
+            let record: BlobRecord<'_> = match channel {
+                Channel::Blobs => postcard::from_bytes(data).expect("an image"),
                 _ => return,
             };
-            // The number that no cycle names.
-            image.id = if image.id == 8 { u32::MAX } else { image.id };
-            *data = postcard::to_stdvec(&image).expect("memory");
+            // The number of a cycle that does not come.
+            let cycle = if record.id == 8 { Some(u64::MAX) } else { record.cycle };
+            *data = postcard::to_stdvec(&BlobRecord { cycle, ..record }).expect("memory");
         };
         fs::write(&file.0, rewrite(&bytes, rename, |_| {})).expect("room");
         let replayed = replay_all(&file.0);
@@ -165,7 +165,7 @@ fn a_dropped_image_is_a_gap_in_the_replay() {
             (replayed.gaps.len(), replayed.cycles, replayed.cycles + after.cycles),
             (1, replayed.gaps[0], whole)
         );
-        assert!(after.first_difference.is_none_or(|first| !first.field.contains("image")));
+        assert!(after.first_difference.is_none_or(|first| !first.field.contains("blobs")));
     });
 }
 

@@ -23,7 +23,7 @@ fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
             // A part of the positions is refused.
             let at = [6.6, 4.4].map(|width| (f32::from(rng.next_u32() as u16) / 65_536.0 - 0.5) * width);
             if runner.world_mut().place_ball(at.into()).is_ok() {
-                runner.observer_mut().ball_placed(at);
+                runner.observer_mut().world_changed("ball", &at);
                 count += 1;
             }
         }
@@ -41,9 +41,12 @@ fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>
     let message = |channel: Channel, data: &mut Vec<u8>| match channel {
         Channel::Requests => {
             let mut request: RequestRecord = postcard::from_bytes(data).expect("a request");
-            if let RequestRecord::Ball { x, y } = request {
-                let none = RequestRecord::Hold { component: 0, hold: bica::Hold::Tree };
-                request = change([x, y]).map_or(none, |[x, y]| RequestRecord::Ball { x, y });
+            if let RequestRecord::World { values, .. } = &mut request {
+                let &mut [ref mut x, ref mut y] = &mut values[..] else { panic!("a place: {values:?}") };
+                match change([*x, *y]) {
+                    Some(at) => [*x, *y] = at,
+                    None => request = RequestRecord::Hold { component: 0, hold: bica::Hold::Tree },
+                }
             }
             fingerprint.add_request(&request);
             *data = postcard::to_stdvec(&request).expect("memory");
@@ -70,7 +73,7 @@ fn games_with_placements_replay_bit_for_bit() {
         assert_eq!(replayed.cycles, CYCLES);
         let info = Info::read(File::open(&file.0).expect("recorded")).expect("a recording");
         assert_eq!(info.requests.len(), count);
-        assert!(info.requests.iter().all(|request| request.request.starts_with("ball at ")), "{:?}", info.requests);
+        assert!(info.requests.iter().all(|request| request.request.starts_with("world ball(")), "{:?}", info.requests);
     }
 }
 
@@ -86,7 +89,7 @@ fn a_game_without_its_placements_is_another_one() {
     });
     assert!(same.equal, "{:?}", same.first_difference);
     let first = other.first_difference.expect("the ball is somewhere else");
-    assert_eq!(first.field, "image", "{first:?}");
+    assert_eq!(first.field, "blobs", "{first:?}");
 }
 
 #[test]
@@ -99,7 +102,7 @@ fn a_placement_that_the_world_refuses_is_a_difference() {
     });
     let first = replayed.first_difference.expect("there is no such place");
     assert_eq!((first.field.as_str(), first.repeated.as_str()), ("requests", ""), "{first:?}");
-    assert!(first.recorded.starts_with("ball at 9, "), "{first:?}");
+    assert!(first.recorded.starts_with("world ball(9, "), "{first:?}");
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
         assert!(recording["reason"].is_null());
         let info = run(&["record", "info", &file, "--json"]).json();
         assert_eq!((&info["schema"], &info["cycles"]), (&"bica/recording/1".into(), &100.into()));
-        assert_eq!((&info["header"]["rules"]["seed"], &info["damage"]), (&3.into(), &Value::Null));
+        assert_eq!((&info["header"]["set_up"]["seed"], &info["damage"]), (&3.into(), &Value::Null));
         assert_eq!(info["header"]["images"], images);
         assert_eq!(info["ending"]["result"], format!("fingerprint {}", plain["fingerprint"].as_str().unwrap()));
         let replayed = run(&["replay", &file, "--json"]);

@@ -2,81 +2,43 @@
 //! Foxglove, Lichtblick and Rerun show without knowledge of this program.
 
 mod information;
+mod numbers;
 mod protobuf;
 
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
 
-use bica_motion::joints::{JOINTS, Joint};
+use bica::{Blob, Format};
 
+use crate::blob::StoredBlob;
 use crate::error::Error;
-use crate::header::TreeInfo;
+use crate::header::{Header, TreeInfo};
 use crate::information::InformationRecord;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use crate::message::{Costs, TreeRecord};
-use crate::recording::{OwnedImage, RecordedCycle, Recording};
+use crate::recording::{RecordedCycle, Recording};
 use crate::repair::Copied;
 use information::InformationTopic;
+use numbers::NumbersTopic;
 use protobuf::{Field, Kind, Protobuf, descriptor_set};
-
-/// Names of the inertial readings, in the order of the sensor values.
-const INERTIAL: [&str; 8] =
-    ["gyro_x", "gyro_y", "gyro_z", "acceleration_x", "acceleration_y", "acceleration_z", "roll", "pitch"];
-/// Names of the pressure sensors, in the order of the sensor values.
-const FEET: [&str; 8] = [
-    "left_front_left",
-    "left_front_right",
-    "left_rear_left",
-    "left_rear_right",
-    "right_front_left",
-    "right_front_right",
-    "right_rear_left",
-    "right_rear_right",
-];
 
 /// Topic of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Topic {
     Camera,
     Log,
-    Angles,
-    Temperatures,
-    Currents,
-    Inertial,
-    Feet,
-    Targets,
-    Stiffness,
     Tree,
     Costs,
 }
 
 impl Topic {
-    const ALL: [Self; 11] = [
-        Self::Camera,
-        Self::Log,
-        Self::Angles,
-        Self::Temperatures,
-        Self::Currents,
-        Self::Inertial,
-        Self::Feet,
-        Self::Targets,
-        Self::Stiffness,
-        Self::Tree,
-        Self::Costs,
-    ];
+    const ALL: [Self; 4] = [Self::Camera, Self::Log, Self::Tree, Self::Costs];
 
     /// Returns topic and name of the schema.
     const fn names(self) -> (&'static str, &'static str) {
         match self {
             Self::Camera => ("/camera", "foxglove.RawImage"),
             Self::Log => ("/log", "foxglove.Log"),
-            Self::Angles => ("/sensors/angles", "bica.Joints"),
-            Self::Temperatures => ("/sensors/temperatures", "bica.Joints"),
-            Self::Currents => ("/sensors/currents", "bica.Joints"),
-            Self::Inertial => ("/sensors/inertial", "bica.Inertial"),
-            Self::Feet => ("/sensors/feet", "bica.Feet"),
-            Self::Targets => ("/command/targets", "bica.Joints"),
-            Self::Stiffness => ("/command/stiffness", "bica.Joints"),
             Self::Tree => ("/tree", "bica.Tree"),
             Self::Costs => ("/costs", "bica.Costs"),
         }
@@ -94,7 +56,6 @@ impl Topic {
         let fixed = |fields: &[(&str, u32, Kind)]| {
             fields.iter().map(|&(name, number, kind)| Field { name: name.to_owned(), number, kind }).collect()
         };
-        let texts = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
         let components = || tree.components.iter().map(|component| identifier(&component.name)).collect();
         match self {
             Self::Camera => fixed(&[
@@ -114,11 +75,6 @@ impl Topic {
                 ("file", 5, Kind::Text),
                 ("line", 6, Kind::Fixed32),
             ]),
-            Self::Angles | Self::Temperatures | Self::Currents | Self::Targets | Self::Stiffness => {
-                numbered(Joint::ALL.iter().map(|joint| format!("{joint:?}")).collect(), Kind::Float)
-            }
-            Self::Inertial => numbered(texts(&INERTIAL), Kind::Float),
-            Self::Feet => numbered(texts(&FEET), Kind::Float),
             Self::Tree => numbered(components(), Kind::Int32),
             Self::Costs => numbered(components(), Kind::Float),
         }
@@ -130,8 +86,8 @@ fn identifier(name: &str) -> String {
     name.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
 }
 
-/// Writes a recording in standard schemas: camera images (`foxglove.RawImage`), events, requests, decisions and log lines
-/// (`foxglove.Log`), one message with named numbers for sensor values, commands, tree and costs, and JSON for
+/// Writes a recording in standard schemas: images (`foxglove.RawImage`), events, requests, decisions and log lines
+/// (`foxglove.Log`), one message with named numbers for each field of sensor values and command, for tree and costs, and JSON for
 /// information. A cut or damaged file is exported up to there.
 ///
 /// # Errors
@@ -139,15 +95,23 @@ fn identifier(name: &str) -> String {
 pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
     let mut recording = Recording::new(source)?;
     let tree = recording.header().tree.clone();
-    let topics = information::topics(&tree, Topic::ALL.len() as u16 + 1);
-    let mut export =
-        Export { writer: begin(target, &tree, &topics)?, tree, topics, last: TreeRecord::default(), time: 0 };
+    let numbers = numbers::topics(recording.header(), Topic::ALL.len() as u16 + 1);
+    let topics = information::topics(&tree, (Topic::ALL.len() + numbers.len()) as u16 + 1);
+    let mut export = Export {
+        writer: begin(target, &tree, &numbers, &topics)?,
+        header: recording.header().clone(),
+        tree,
+        numbers,
+        topics,
+        last: TreeRecord::default(),
+        time: 0,
+    };
     let mut copied = Copied::default();
     loop {
         match recording.next_cycle() {
             Ok(Some(cycle)) => {
                 export.time = recording.header().nanoseconds(cycle.tick.instant);
-                export.cycle(&cycle, recording.image_place().map_or(export.time, |place| place.time))?;
+                export.cycle(&cycle, recording.blob_places().first().map_or(export.time, |place| place.time))?;
                 copied.cycles += 1;
             }
             Ok(None) => break,
@@ -163,7 +127,12 @@ pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
     Ok(Copied { bytes: export.writer.length(), ..copied })
 }
 
-fn begin<W: Write>(target: W, tree: &TreeInfo, topics: &[InformationTopic]) -> Result<Writer<W>, Error> {
+fn begin<W: Write>(
+    target: W,
+    tree: &TreeInfo,
+    numbers: &[NumbersTopic],
+    topics: &[InformationTopic],
+) -> Result<Writer<W>, Error> {
     let mut schemas = BTreeMap::new();
     for topic in Topic::ALL {
         let (_, name) = topic.names();
@@ -180,11 +149,15 @@ fn begin<W: Write>(target: W, tree: &TreeInfo, topics: &[InformationTopic]) -> R
         let encoding = "protobuf".to_owned();
         ChannelRecord { id: topic.id(), schema: schemas[schema].id, topic: name.to_owned(), encoding }
     };
-    let json = SchemaRecord { id: schemas.len() as u16 + 1, ..information::schema() };
     let mut channels = Topic::ALL.map(channel).to_vec();
+    let first = schemas.len() as u16 + 1;
+    let (named, of_numbers): (Vec<_>, Vec<_>) = (first..).zip(numbers).map(|(id, topic)| topic.declare(id)).unzip();
+    channels.extend(of_numbers);
+    let json = SchemaRecord { id: first + named.len() as u16, ..information::schema() };
     channels.extend(topics.iter().map(|topic| topic.channel(json.id)));
     let mut schemas: Vec<_> = schemas.into_values().collect();
     schemas.sort_by_key(|schema| schema.id);
+    schemas.extend(named);
     schemas.push(json);
     let mut writer = Writer::new(target, "")?;
     writer.declare(schemas, channels)?;
@@ -196,7 +169,9 @@ const CHUNK_BYTES: usize = 4 << 20;
 
 struct Export<W> {
     writer: Writer<W>,
+    header: Header,
     tree: TreeInfo,
+    numbers: Vec<NumbersTopic>,
     topics: Vec<InformationTopic>,
     last: TreeRecord,
     /// Time of the cycle, ns.
@@ -204,25 +179,15 @@ struct Export<W> {
 }
 
 impl<W: Write> Export<W> {
-    /// Writes a cycle, and its image with a time, ns.
+    /// Writes a cycle, and its images with a time, ns.
     fn cycle(&mut self, cycle: &RecordedCycle, image_time: u64) -> Result<(), Error> {
         for request in &cycle.requests {
             let text = request.describe(&self.tree);
             self.log(2, "operator", &text);
         }
-        if let Some(image) = &cycle.image {
-            self.image(image, image_time);
-        }
-        if let Some(sensors) = &cycle.sensors {
-            self.numbers(Topic::Angles, &sensors.angles);
-            self.numbers(Topic::Temperatures, &sensors.temperatures);
-            self.numbers(Topic::Currents, &sensors.currents);
-            self.numbers(Topic::Inertial, &sensors.inertial);
-            self.numbers(Topic::Feet, &sensors.feet);
-        }
-        if let Some(command) = &cycle.command {
-            self.numbers::<JOINTS>(Topic::Targets, &command.targets);
-            self.numbers::<JOINTS>(Topic::Stiffness, &command.stiffness);
+        cycle.blobs.iter().for_each(|blob| self.image(blob, image_time));
+        for (id, message) in numbers::messages(&self.header, &self.numbers, cycle) {
+            self.writer.message(Compression::Lz4, id, self.time, |out| out.extend_from_slice(&message.0));
         }
         if cycle.tree != self.last {
             self.tree(&cycle.tree);
@@ -241,7 +206,7 @@ impl<W: Write> Export<W> {
     /// Writes what a recording holds for people.
     fn words(&mut self, cycle: &RecordedCycle) {
         for event in &cycle.events {
-            self.log(2, "referee", format!("{} {}", event.kind, event.detail).trim_end());
+            self.log(2, "event", format!("{} {}", event.kind, event.detail).trim_end());
         }
         for line in &cycle.log {
             self.log(line.level, "program", &line.text);
@@ -256,14 +221,6 @@ impl<W: Write> Export<W> {
         self.writer.message(compression, topic.id(), self.time, |out| out.extend_from_slice(&message.0));
     }
 
-    fn numbers<const N: usize>(&mut self, topic: Topic, values: &[f32; N]) {
-        let mut message = Protobuf::default();
-        for (value, number) in values.iter().zip(1..) {
-            message.float(number, *value);
-        }
-        self.message(topic, &message);
-    }
-
     fn information(&mut self, information: &InformationRecord) {
         for value in &information.values {
             let topic = self.topics.iter().find(|topic| topic.is_of(value));
@@ -272,11 +229,18 @@ impl<W: Write> Export<W> {
         }
     }
 
-    fn image(&mut self, image: &OwnedImage, time: u64) {
-        let frame = if image.bottom_camera { "bottom_camera" } else { "top_camera" };
+    /// Writes large data that is an image.
+    fn image(&mut self, stored: &StoredBlob, time: u64) {
+        let Blob { bytes, format, frame } = stored.blob();
+        let (encoding, pixel, width, height) = match format {
+            Format::Yuyv { width, height } => ("yuyv", 2, width, height),
+            Format::Gray8 { width, height } => ("mono8", 1, width, height),
+            Format::Rgb8 { width, height } => ("rgb8", 3, width, height),
+            _ => return,
+        };
         let mut message = Protobuf::default();
-        message.timestamp(1, time).fixed32(2, image.width.into()).fixed32(3, image.height.into());
-        message.text(4, "yuyv").fixed32(5, 2 * u32::from(image.width)).bytes(6, &image.yuyv).text(7, frame);
+        message.timestamp(1, time).fixed32(2, width.into()).fixed32(3, height.into());
+        message.text(4, encoding).fixed32(5, pixel * u32::from(width)).bytes(6, bytes).text(7, frame);
         self.message(Topic::Camera, &message);
     }
 

@@ -3,8 +3,8 @@
 use bica_link::{Component, Description, Kind, Param, Variants};
 
 use crate::header::{
-    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program,
-    RobotInfo, Start, TreeInfo,
+    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program, SetUp,
+    Start, TreeInfo,
 };
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
@@ -15,11 +15,10 @@ impl Header {
     /// description now.
     #[must_use]
     pub fn of_monitor(address: &str, description: &Description) -> Self {
-        let unknown = || "unknown".to_owned();
         Self {
             format: FORMAT,
             program: Program::current(),
-            start: Some(Start::now()),
+            start: Start::now(),
             tree: TreeInfo {
                 name: description.name.clone(),
                 hash: description.hash.clone(),
@@ -27,8 +26,8 @@ impl Header {
                 tick_hz: TICK_HZ,
                 components: description.components.iter().map(component).collect(),
             },
-            robot: RobotInfo { model: unknown(), profile: unknown(), attacks: unknown() },
-            rules: None,
+            set_up: SetUp::new(),
+            messages: None,
             parameters: description.components.iter().flat_map(parameters).collect(),
             images: ImagePolicy::None,
             monitor: Some(MonitorInfo {

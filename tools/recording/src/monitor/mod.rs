@@ -4,9 +4,12 @@ mod header;
 
 use std::io;
 
+use bica::{Blob, Format};
+
+use crate::blob::{Place, code};
 use crate::header::Header;
 use crate::image_codec::ImageCoder;
-use crate::message::{Channel, ImageRecord, Tick, TreeRecord};
+use crate::message::{Channel, Tick, TreeRecord};
 use crate::recorder::{Output, Report, Sink};
 use crate::recording::RecordedCycle;
 
@@ -22,14 +25,8 @@ pub struct ReceivedImage<'a> {
     pub number: u32,
     /// Time of the cycle that took it in, µs.
     pub time_us: u64,
-    /// Whether the bottom camera took it.
-    pub bottom_camera: bool,
-    /// Width, px; even.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
-    /// YUYV 4:2:2.
-    pub yuyv: &'a [u8],
+    /// The pixels with their format.
+    pub blob: Blob<'a>,
 }
 
 /// Writer of what a monitor has received.
@@ -61,18 +58,20 @@ impl<S: Sink> MonitorRecorder<S> {
         self.output.length()
     }
 
-    /// Adds an image, before its cycle or after it. An image whose size is not possible is left out.
+    /// Adds an image, before its cycle or after it. An image with too few or too many pixels is left out.
     ///
     /// # Errors
     /// If a chunk cannot be written; then [`finish`](Self::finish) keeps what is complete.
     pub fn image(&mut self, image: &ReceivedImage<'_>) -> io::Result<()> {
-        let ReceivedImage { number, time_us, bottom_camera, width, height, yuyv } = *image;
-        let mut coded = Vec::with_capacity(yuyv.len() / 2);
-        if self.coder.encode(yuyv, width.into(), height.into(), &mut coded).is_err() {
+        let ReceivedImage { number, time_us, blob } = image;
+        if let Format::Yuyv { width, height } = blob.format
+            && blob.bytes.len() != 2 * usize::from(width) * usize::from(height)
+        {
             return Ok(());
         }
-        let record = ImageRecord { id: number.wrapping_add(1), bottom_camera, width, height, coded };
-        self.output.message(Channel::Images, time_us.saturating_mul(1000), &record);
+        let (output, time) = (&mut self.output, time_us.saturating_mul(1000));
+        let place = Place { id: number.wrapping_add(1), cycle: None, part: 0 };
+        code(blob, place, &mut self.coder, |compression, record| output.blob(compression, time, record));
         self.images += 1;
         if self.images >= CHUNK_IMAGES { self.flush() } else { self.output.flush_if_large() }
     }

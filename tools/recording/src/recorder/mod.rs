@@ -11,20 +11,19 @@ use std::thread::JoinHandle;
 use std::{fmt, io};
 
 use bica::refusal::Refusal;
-use bica::runner::{Cycle, Observer, Request, Robot};
+use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
-use bica_motion::robot::{self, CameraId};
-use bica_wire::message::{Command, Sensors};
+use bica_wire::Recordable;
+use crc32fast::Hasher;
 
-use crate::digest::image_digest;
 use crate::header::{Header, ImagePolicy};
 use crate::information;
-use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
+use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
 pub(crate) use output::Output;
-use queue::{CycleValues, Entry, ImageValues, Queue};
+use queue::{BlobValues, CycleValues, Data, Entry, KeptBlob, Queue};
 pub use sink::{Sink, Syncing, create};
-pub(crate) use thread::{begin, compression, encode, write_ending};
+pub(crate) use thread::{begin, encode, write_ending};
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +70,7 @@ pub struct Report {
 
 /// Observer of a loop that records it.
 ///
-/// The loop copies the values of a cycle into a queue, images without an [owner](Self::sharing_images) included, and never waits
+/// The loop encodes the values of a cycle into a queue, copies large data without an [owner](Self::sharing_blobs), and never waits
 /// for the disk, unless [`Backpressure::Wait`] says so. A thread of its own codes and writes them, at least every 0.3 s. Every
 /// 0.5 s another thread asks the operating system to bring them to the disk. If writing fails, the recording ends, the
 /// file keeps what is complete, and the loop goes on.
@@ -87,13 +86,14 @@ pub struct Recorder {
     information_every: u64,
     /// Size of the largest record of information so far.
     information_bytes: usize,
-    next_image: u32,
+    /// Size of the largest sensor values and command so far, encoded.
+    message_bytes: usize,
     requests: Vec<RequestRecord>,
-    sensing: Option<(Sensors, ImageValues)>,
+    sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
 }
 
-/// Function that returns the owner of the pixels of an image.
+/// Function that returns the owner of large data.
 struct Owner(Box<OwnerOf>);
 
 type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
@@ -130,28 +130,28 @@ impl Recorder {
             cycles: 0,
             information_every: options.information_every,
             information_bytes: 0,
-            next_image: 0,
+            message_bytes: 0,
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
         })
     }
 
-    /// Sets a function that returns the owner of the pixels of an image, if they have one that is never changed again. Then the
-    /// recorder keeps the owner, and the loop copies nothing.
+    /// Sets a function that returns the owner of large data, such as the pixels of an image, if it has one that is never changed
+    /// again. Then the recorder keeps the owner, and the loop copies nothing.
     #[must_use]
-    pub fn sharing_images(mut self, owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
+    pub fn sharing_blobs(mut self, owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
         self.owner = Owner(Box::new(owner));
         self
     }
 
-    /// Records that the ball of the simulated world was placed before the next cycle, m, field frame.
-    pub fn ball_placed(&mut self, [x, y]: [f32; 2]) {
-        self.requests.push(RequestRecord::Ball { x, y });
+    /// Records that the simulated world was changed before the next cycle.
+    pub fn world_changed(&mut self, name: &str, values: &[f32]) {
+        self.requests.push(RequestRecord::World { name: name.to_owned(), values: values.to_vec() });
     }
 
-    /// Records an event of the referee.
-    pub fn event(&self, event: RefereeEvent) {
+    /// Records an event of the run.
+    pub fn event(&self, event: RunEvent) {
         self.queue.push(Entry::Event(event));
     }
 
@@ -178,29 +178,37 @@ impl Recorder {
         report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))
     }
 
-    fn image(&self, image: &robot::Image<'_>) -> ImageValues {
-        let robot::Image { camera, width, height, yuyv } = *image;
-        let bottom = camera == CameraId::Bottom;
-        let digest = || ImageValues::Digest(image_digest(bottom, width, height, yuyv));
-        let owner = (self.owner.0)(yuyv);
-        let has_room = match (self.stores_values, &owner) {
-            (true, _) => self.queue.make_room(),
-            // The thread computes the digest.
-            (false, Some(_)) => self.queue.try_make_room(),
-            (false, None) => false,
+    /// Takes over large data at a position of the sensor values, with that of the same cycle before it.
+    fn take_blob(&self, blobs: &mut BlobValues, at: usize, bytes: &[u8]) {
+        let owner = match blobs {
+            // All large data of a cycle is kept, or none.
+            BlobValues::Digest(hash) => return hash.update(bytes),
+            _ => (self.owner.0)(bytes),
         };
-        if !has_room {
-            return digest();
+        if matches!(blobs, BlobValues::None) {
+            let has_room = match (self.stores_values, &owner) {
+                (true, _) => self.queue.make_room(),
+                // The thread computes the digest.
+                (false, Some(_)) => self.queue.try_make_room(),
+                (false, None) => false,
+            };
+            *blobs = if has_room { BlobValues::Kept(Vec::new()) } else { BlobValues::Digest(Hasher::new()) };
         }
-        owner.map_or_else(
-            || {
-                let mut pixels = self.queue.take_buffer();
-                pixels.clear();
-                pixels.extend_from_slice(yuyv);
-                ImageValues::Pixels(pixels)
-            },
-            ImageValues::Shared,
-        )
+        match blobs {
+            BlobValues::Kept(kept) => {
+                let data = owner.map_or_else(|| Data::Copy(self.copy(bytes)), Data::Shared);
+                kept.push(KeptBlob { at, data });
+            }
+            BlobValues::Digest(hash) => hash.update(bytes),
+            BlobValues::None => {}
+        }
+    }
+
+    fn copy(&self, bytes: &[u8]) -> Vec<u8> {
+        let mut copy = self.queue.take_buffer();
+        copy.clear();
+        copy.extend_from_slice(bytes);
+        copy
     }
 }
 
@@ -214,10 +222,7 @@ impl Drop for Recorder {
 
 impl Probe for Recorder {}
 
-impl<R> Observer<R> for Recorder
-where
-    R: for<'a> Robot<Sensors<'a> = robot::Sensors<'a>> + Robot<Command = robot::Command>,
-{
+impl<R: Recordable> Observer<R> for Recorder {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         self.requests.push(RequestRecord::from(request));
     }
@@ -226,21 +231,25 @@ where
         self.log(LogLine { level: 3, text: format!("request refused: {refusal}") });
     }
 
-    fn sensing(&mut self, now: Instant, sensors: &robot::Sensors<'_>) {
+    fn sensing(&mut self, _now: Instant, sensors: &R::Sensors<'_>) {
         if self.queue.has_ended() {
             return;
         }
-        if let Some((_, image)) = self.sensing.take() {
+        if let Some((_, blobs)) = self.sensing.take() {
             // The robot refused the values of the last cycle.
-            self.queue.give_back(image);
+            self.queue.give_back(blobs);
         }
-        let image = sensors.image.as_ref().map_or(ImageValues::None, |image| self.image(image));
-        self.next_image = self.next_image.wrapping_add(u32::from(sensors.image.is_some()));
-        self.sensing = Some((Sensors::new(now.as_micros(), sensors, self.next_image), image));
+        let (mut blobs, out) = (BlobValues::None, Vec::with_capacity(self.message_bytes));
+        let message = R::encode_sensors(sensors, out, |at, bytes| self.take_blob(&mut blobs, at, bytes));
+        self.sensing = message.map(|message| (message, blobs));
     }
 
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
-        let Some((sensors, image)) = self.sensing.take() else { return };
+        let Some((sensors, blobs)) = self.sensing.take() else { return };
+        let sensor_bytes = sensors.len();
+        // Every type that postcard refuses, it refuses in each cycle: such a robot has no recording.
+        let Some(message) = R::encode_command(cycle.command, sensors) else { return self.queue.give_back(blobs) };
+        self.message_bytes = self.message_bytes.max(message.len());
         read_tree(cycle.robot, &mut self.tree);
         // Half a period later: in a simulated world cycle 0 and each tenth after it have an image already.
         let every = self.information_every;
@@ -259,9 +268,9 @@ where
         self.queue.push(Entry::Cycle(CycleValues {
             instant: cycle.now.as_ticks(),
             requests: std::mem::take(&mut self.requests),
-            sensors,
-            image,
-            command: Command::new(cycle.now.as_micros(), cycle.command),
+            message,
+            sensor_bytes,
+            blobs,
             information,
             tree: changed.then(|| self.tree.clone()),
         }));

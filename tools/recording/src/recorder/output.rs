@@ -7,9 +7,10 @@ use serde::Serialize;
 
 use super::Sink;
 use super::syncer::Syncer;
-use super::thread::{begin, compression, encode, write_ending};
+use super::thread::{begin, encode, write_ending};
+use crate::blob::BlobRecord;
 use crate::header::{Ending, Header};
-use crate::mcap::Writer;
+use crate::mcap::{Compression, Writer};
 use crate::message::Channel;
 
 /// Longest time that values wait in memory.
@@ -46,12 +47,17 @@ impl<S: Sink> Output<S> {
 
     /// Adds a message.
     pub(crate) fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {
-        self.writer.message(compression(channel), channel.id(), time, |out| encode(out, value));
+        self.writer.message(Compression::Lz4, channel.id(), time, |out| encode(out, value));
     }
 
     /// Adds a message that is encoded already.
     pub(crate) fn encoded(&mut self, channel: Channel, time: u64, bytes: &[u8]) {
-        self.writer.message(compression(channel), channel.id(), time, |out| out.extend_from_slice(bytes));
+        self.writer.message(Compression::Lz4, channel.id(), time, |out| out.extend_from_slice(bytes));
+    }
+
+    /// Adds large data.
+    pub(crate) fn blob(&mut self, compression: Compression, time: u64, record: &BlobRecord<'_>) {
+        self.writer.message(compression, Channel::Blobs.id(), time, |out| encode(out, record));
     }
 
     /// Writes everything.

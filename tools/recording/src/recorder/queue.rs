@@ -5,10 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use bica_wire::message::{Command, Sensors};
+use crc32fast::Hasher;
 
 use super::{Backpressure, RecorderOptions};
-use crate::message::{Costs, LogLine, RefereeEvent, TreeRecord};
+use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
 
 /// Time after which the thread looks into the queue without being woken.
@@ -23,37 +23,54 @@ const EXTRA_ENTRIES: usize = 1000;
 pub(super) struct CycleValues {
     pub(super) instant: u64,
     pub(super) requests: Vec<RequestRecord>,
-    pub(super) sensors: Sensors,
-    pub(super) image: ImageValues,
-    pub(super) command: Command,
+    /// The sensor values without their large data, then the command.
+    pub(super) message: Vec<u8>,
+    pub(super) sensor_bytes: usize,
+    pub(super) blobs: BlobValues,
     /// In some cycles an [`InformationRecord`](crate::InformationRecord) in postcard's format.
     pub(super) information: Option<Vec<u8>>,
     /// Active components and states, if they changed.
     pub(super) tree: Option<TreeRecord>,
 }
 
-/// The image of a cycle.
+/// The large data of a cycle.
 #[derive(Debug)]
-pub(super) enum ImageValues {
+pub(super) enum BlobValues {
     /// There is none.
     None,
-    /// A copy of its pixels.
-    Pixels(Vec<u8>),
-    /// Its pixels, with their owner.
+    /// All of it.
+    Kept(Vec<KeptBlob>),
+    /// Its digest; it is not stored.
+    Digest(Hasher),
+}
+
+/// Large data, and the position in the sensor values after which its format stands.
+#[derive(Debug)]
+pub(super) struct KeptBlob {
+    pub(super) at: usize,
+    pub(super) data: Data,
+}
+
+#[derive(Debug)]
+pub(super) enum Data {
+    Copy(Vec<u8>),
     Shared(Arc<Vec<u8>>),
-    /// Its digest; its pixels are not stored.
-    Digest(u32),
+}
+
+impl KeptBlob {
+    pub(super) fn bytes(&self) -> &[u8] {
+        match &self.data {
+            Data::Copy(bytes) => bytes,
+            Data::Shared(bytes) => bytes,
+        }
+    }
 }
 
 /// An entry of the queue.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "nearly all entries are cycles, and a box would be an allocation in each"
-)]
 #[derive(Debug)]
 pub(super) enum Entry {
     Cycle(CycleValues),
-    Event(RefereeEvent),
+    Event(RunEvent),
     Log(LogLine),
     Costs(Costs),
 }
@@ -63,9 +80,9 @@ struct State {
     entries: VecDeque<Entry>,
     /// Entries taken by the thread and not yet written.
     taken: usize,
-    /// Number of images whose pixels wait.
+    /// Number of cycles whose large data waits.
     images: usize,
-    /// Buffers for copies of images that are free.
+    /// Buffers for copies of large data that are free.
     buffers: Vec<Vec<u8>>,
     dropped_images: u64,
     closing: Option<String>,
@@ -148,7 +165,7 @@ impl Queue {
         }
     }
 
-    /// Makes room for the pixels of an image; returns false if the image has to be dropped, which is counted.
+    /// Makes room for the large data of a cycle; returns false if it has to be dropped, which is counted.
     pub(super) fn make_room(&self) -> bool {
         let mut state = self.lock();
         while state.images >= self.options.images {
@@ -166,7 +183,7 @@ impl Queue {
         true
     }
 
-    /// Makes room for the pixels of an image that need not be stored, if there is any.
+    /// Makes room for large data that need not be stored, if there is any.
     pub(super) fn try_make_room(&self) -> bool {
         let mut state = self.lock();
         let is_free = state.images < self.options.images;
@@ -183,18 +200,19 @@ impl Queue {
         }
     }
 
-    /// Returns a buffer for a copy of an image.
+    /// Returns a buffer for a copy of large data.
     pub(super) fn take_buffer(&self) -> Vec<u8> {
         self.lock().buffers.pop().unwrap_or_default()
     }
 
-    /// Gives the room of an image back.
-    pub(super) fn give_back(&self, image: ImageValues) {
+    /// Gives the room of large data back.
+    pub(super) fn give_back(&self, blobs: BlobValues) {
+        let BlobValues::Kept(kept) = blobs else { return };
         let mut state = self.lock();
-        match image {
-            ImageValues::Pixels(buffer) => state.buffers.push(buffer),
-            ImageValues::Shared(_) => {}
-            ImageValues::None | ImageValues::Digest(_) => return,
+        for blob in kept {
+            if let Data::Copy(buffer) = blob.data {
+                state.buffers.push(buffer);
+            }
         }
         state.images -= 1;
         self.room.notify_one();

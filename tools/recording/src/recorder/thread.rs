@@ -2,18 +2,20 @@
 
 use std::io;
 
-use bica_wire::message::ImageInfo;
+use bica::Blob;
+use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
 
 use super::output::Output;
-use super::queue::{CycleValues, Entry, ImageValues, Queue};
+use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
-use crate::digest::{RunningFingerprint, command_digest, image_digest, sensors_digest};
+use crate::blob::{Place, code, described};
+use crate::digest::{RunningFingerprint, blobs_digest};
 use crate::error::Error;
 use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ImagePolicy, to_metadata};
 use crate::image_codec::ImageCoder;
-use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
-use crate::message::{Channel, CommandRecord, ENCODING, ImageRecord, Tick};
+use crate::mcap::{ChannelRecord, SchemaRecord, Writer};
+use crate::message::{Channel, ENCODING, Tick};
 
 /// A file that is being written.
 pub(super) struct Writing<S> {
@@ -24,28 +26,32 @@ pub(super) struct Writing<S> {
     last_time: u64,
     fingerprint: RunningFingerprint,
     coder: ImageCoder,
+    /// Number of the last large data.
+    last_blob: u32,
 }
 
-/// Returns schemas and channels of a recording.
-pub(crate) fn channels() -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
-    let schema = |channel: Channel| SchemaRecord {
-        id: channel.id(),
-        name: format!("bica.{}", channel.schema().name),
-        encoding: "postcard-schema".to_owned(),
-        data: serde_json::to_vec(channel.schema()).unwrap_or_default(),
+/// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
+fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
+    let messages = header.messages.as_ref();
+    let schema = |channel: Channel| match channel {
+        Channel::Sensors => messages.map(|messages| messages.sensors.clone()),
+        Channel::Command => messages.map(|messages| messages.command.clone()),
+        _ => channel.schema().map(OwnedNamedType::from),
     };
-    let channel = |channel: Channel| ChannelRecord {
-        id: channel.id(),
-        schema: channel.id(),
-        topic: channel.topic().to_owned(),
-        encoding: ENCODING.to_owned(),
+    let declare = |channel: Channel| {
+        let (id, schema) = (channel.id(), schema(channel)?);
+        let data = serde_json::to_vec(&schema).unwrap_or_default();
+        let record =
+            SchemaRecord { id, name: format!("bica.{}", schema.name), encoding: "postcard-schema".to_owned(), data };
+        let topic = channel.topic().to_owned();
+        Some((record, ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned() }))
     };
-    (Channel::ALL.map(schema).to_vec(), Channel::ALL.map(channel).to_vec())
+    Channel::ALL.into_iter().filter_map(declare).unzip()
 }
 
 /// Begins a file: header, schemas and channels, and the header again.
 pub(crate) fn begin<W: io::Write>(target: W, header: &Header) -> io::Result<Writer<W>> {
-    let (schemas, channels) = channels();
+    let (schemas, channels) = channels(header);
     let fields = to_metadata(header).map_err(io_error)?;
     let mut writer = Writer::new(target, "bica")?;
     writer.metadata(HEADER_NAME, &fields)?;
@@ -68,11 +74,6 @@ fn io_error(error: Error) -> io::Error {
     }
 }
 
-/// Returns the chunk in which the messages of a channel are stored: coded images cannot be compressed further.
-pub(crate) const fn compression(channel: Channel) -> Compression {
-    if matches!(channel, Channel::Images) { Compression::None } else { Compression::Lz4 }
-}
-
 impl<S: Sink> Writing<S> {
     pub(super) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
         Ok(Self {
@@ -82,6 +83,7 @@ impl<S: Sink> Writing<S> {
             last_time: 0,
             fingerprint: RunningFingerprint::default(),
             coder: ImageCoder::default(),
+            last_blob: 0,
         })
     }
 
@@ -128,7 +130,8 @@ impl<S: Sink> Writing<S> {
     }
 
     fn cycle(&mut self, values: CycleValues, queue: &Queue) {
-        let CycleValues { instant, requests, sensors, image, command, information, tree } = values;
+        let CycleValues { instant, requests, message, sensor_bytes, blobs, information, tree } = values;
+        let (sensors, command) = message.split_at(sensor_bytes);
         let time = self.header.nanoseconds(instant);
         self.last_time = time;
         for request in &requests {
@@ -136,25 +139,21 @@ impl<S: Sink> Writing<S> {
             self.output.message(Channel::Requests, time, request);
         }
         let stores_values = self.header.images == ImagePolicy::All;
-        let pixels = match &image {
-            ImageValues::Pixels(pixels) => Some(pixels),
-            ImageValues::Shared(pixels) => Some(&**pixels),
-            ImageValues::None | ImageValues::Digest(_) => None,
-        };
-        let digest = sensors.image.zip(pixels).map(|(info, pixels)| {
-            if stores_values {
-                self.image(time, &info, pixels);
+        if stores_values && let BlobValues::Kept(kept) = &blobs {
+            self.blobs(time, sensors, kept);
+        }
+        let blobs_digest = match &blobs {
+            BlobValues::None => 0,
+            BlobValues::Kept(kept) => blobs_digest(kept.iter().map(KeptBlob::bytes)),
+            BlobValues::Digest(hash) => {
+                self.last_blob = self.last_blob.wrapping_add(1);
+                hash.clone().finalize()
             }
-            image_digest(info.bottom_camera, info.width, info.height, pixels)
-        });
-        let image_digest = match &image {
-            ImageValues::Digest(digest) => *digest,
-            _ => digest.unwrap_or(0),
         };
-        queue.give_back(image);
+        queue.give_back(blobs);
         if stores_values {
-            self.output.message(Channel::Sensors, time, &sensors);
-            self.output.message(Channel::Command, time, &CommandRecord { command });
+            self.output.encoded(Channel::Sensors, time, sensors);
+            self.output.encoded(Channel::Command, time, command);
         }
         if let Some(information) = &information {
             self.output.encoded(Channel::Information, time, information);
@@ -166,9 +165,9 @@ impl<S: Sink> Writing<S> {
         let mut tick = Tick {
             cycle: self.output.cycles,
             instant,
-            sensors: sensors_digest(&sensors),
-            image: image_digest,
-            command: command_digest(&command),
+            sensors: crc32fast::hash(sensors),
+            blobs: blobs_digest,
+            command: crc32fast::hash(command),
             tree: self.tree_digest,
             fingerprint: 0,
         };
@@ -177,11 +176,16 @@ impl<S: Sink> Writing<S> {
         self.output.cycles += 1;
     }
 
-    fn image(&mut self, time: u64, info: &ImageInfo, pixels: &[u8]) {
-        let ImageInfo { id, bottom_camera, width, height } = *info;
-        let mut coded = Vec::with_capacity(pixels.len() / 2);
-        if self.coder.encode(pixels, width.into(), height.into(), &mut coded).is_ok() {
-            self.output.message(Channel::Images, time, &ImageRecord { id, bottom_camera, width, height, coded });
+    fn blobs(&mut self, time: u64, sensors: &[u8], kept: &[KeptBlob]) {
+        let cycle = Some(self.output.cycles);
+        for (part, blob) in (0..).zip(kept) {
+            let (format, frame) = described(&sensors[blob.at..]);
+            self.last_blob = self.last_blob.wrapping_add(1);
+            let place = Place { id: self.last_blob, cycle, part };
+            let output = &mut self.output;
+            code(&Blob { bytes: blob.bytes(), format, frame }, place, &mut self.coder, |compression, record| {
+                output.blob(compression, time, record);
+            });
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::io::Cursor;
 
+use bica::Format;
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
 use bica_recording::repair::recover;
-use bica_recording::{Channel, Ending, Header, ImageRecord, Info, LogLine, RecordedCycle, Recording, RefereeEvent};
+use bica_recording::{BlobRecord, Channel, Coding, Ending, Header, Info, LogLine, RecordedCycle, Recording, RunEvent};
 use proptest::prelude::*;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -233,13 +234,14 @@ fn slow_messages_without_a_cycle_take_bounded_memory() {
     let text = "a".repeat(1 << 20);
     let log =
         bomb(Channel::Log, 150, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
-    let images = bomb(Channel::Images, 170, |number| {
-        let coded = vec![0; 1 << 20];
-        let image = ImageRecord { id: number as u32, bottom_camera: false, width: 2, height: 2, coded };
+    let images = bomb(Channel::Blobs, 170, |number| {
+        let (format, frame, coding) = (Format::Yuyv { width: 2, height: 2 }, "", Coding::Yuyv);
+        let (id, stored) = (number as u32, &vec![0; 1 << 20][..]);
+        let image = BlobRecord { id, cycle: Some(0), part: 0, format, frame, coding, stored };
         postcard::to_stdvec(&image).expect("memory")
     });
     let events = bomb(Channel::Events, 150, |at_ns| {
-        postcard::to_stdvec(&RefereeEvent { at_ns, kind: "goal".to_owned(), detail: text.clone() }).expect("memory")
+        postcard::to_stdvec(&RunEvent { at_ns, kind: "goal".to_owned(), detail: text.clone() }).expect("memory")
     });
     for (file, words) in [(&log, "without a cycle"), (&events, "without a cycle")] {
         assert!(file.len() < 1 << 21, "{} bytes", file.len());

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use bica::runner::Runner;
 use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording};
 
-use crate::support::{Disk, Lamp, cycles, header, pixels, record, recorded, sensors, small_chunks};
+use crate::support::{Cart, Disk, cycles, header, pixels, record, recorded, sensors, small_chunks};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
@@ -58,10 +58,10 @@ fn a_slow_disk_loses_images_and_no_values() {
     let (found, error) = cycles(&disk.contents()[..]);
     assert_eq!((found.len(), error), (300, None));
     assert!(found.iter().all(|cycle| cycle.sensors.is_some() && cycle.command.is_some()));
-    let missing = found.iter().filter(|cycle| cycle.sensors.unwrap().image.is_some() && cycle.image.is_none());
-    assert_eq!(missing.count() as u64, report.dropped_images);
-    assert!((1..100).contains(&report.dropped_images), "{}", report.dropped_images);
-    assert!(found.iter().all(|cycle| (cycle.tick.image != 0) == cycle.sensors.unwrap().image.is_some()));
+    assert_eq!(found.iter().filter(|cycle| cycle.is_gap()).count() as u64, report.dropped_images);
+    assert!((1..150).contains(&report.dropped_images), "{}", report.dropped_images);
+    let has_blobs = |cycle: u64| cycle.is_multiple_of(3) || cycle.is_multiple_of(4);
+    assert!(found.iter().all(|cycle| (cycle.tick.blobs != 0) == has_blobs(cycle.tick.cycle)));
 }
 
 #[test]
@@ -87,15 +87,15 @@ fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
     let report = record(&disk, ImagePolicy::All, 300, options).expect("there is room");
     assert_eq!((report.cycles, report.dropped_images, report.reason), (300, 0, None));
     let (found, _) = cycles(&disk.contents()[..]);
-    assert_eq!(found.iter().filter(|cycle| cycle.image.is_some()).count(), 100);
+    assert_eq!(found.iter().filter(|cycle| !cycle.blobs.is_empty()).count(), 150);
 }
 
 #[test]
 fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
     const STEP: u64 = 15;
-    let (disk, mut lamp, mut count) = (Disk::default(), Lamp::new(), 0);
+    let (disk, mut cart, mut count) = (Disk::default(), Cart::new(), 0);
     let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), small_chunks(), |_| {}).expect("memory");
-    let mut runner = Runner::new(&mut lamp, ()).with_observer(recorder);
+    let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
     // Declared last, so that a panic opens it first.
     let gate = disk.sync.gate.lock().expect("no panic while syncing");
     // Ten seconds of cycles after the sync has begun that waits for the gate.

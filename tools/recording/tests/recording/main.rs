@@ -3,5 +3,6 @@
 mod damage;
 mod disk;
 mod monitor;
+mod replay;
 mod support;
 mod values;

@@ -10,11 +10,11 @@ use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
     Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, MonitorRecorder, ReceivedImage,
-    RecordedCycle, Recording, RefereeEvent, Report, RequestRecord, Tick, TreeRecord,
+    RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
 };
 use serde_json::json;
 
-use crate::support::{Disk, SIZE, pixels};
+use crate::support::{self, Disk, SIZE, pixels};
 
 /// Period of a cycle, µs.
 const PERIOD_US: u64 = 10_000;
@@ -55,14 +55,14 @@ fn cycle(number: u64) -> RecordedCycle {
     match number {
         3 => cycle.requests.push(RequestRecord::Unknown { text: "hold Counter Latent".to_owned() }),
         4 => cycle.log.push(LogLine { level: 3, text: "hot".to_owned() }),
-        5 => cycle.events.push(RefereeEvent { at_ns: 50_000_000, kind: "goal".to_owned(), detail: "own".to_owned() }),
+        5 => cycle.events.push(RunEvent { at_ns: 50_000_000, kind: "goal".to_owned(), detail: "own".to_owned() }),
         _ => {}
     }
     cycle
 }
 
 fn image(number: u32, time_us: u64, yuyv: &[u8]) -> ReceivedImage<'_> {
-    ReceivedImage { number, time_us, bottom_camera: false, width: SIZE.0, height: SIZE.1, yuyv }
+    ReceivedImage { number, time_us, blob: support::image(yuyv) }
 }
 
 /// Records cycles; every third one has an image, that comes some cycles late.
@@ -93,7 +93,7 @@ fn read(source: impl Read) -> Vec<(RecordedCycle, Option<(u32, u64)>)> {
     let mut recording = Recording::new(source).expect("a recording");
     let mut cycles = Vec::new();
     while let Some(cycle) = recording.next_cycle().expect("intact") {
-        cycles.push((cycle, recording.image_place().map(|place| (place.id - 1, place.time / 1000))));
+        cycles.push((cycle, recording.blob_places().first().map(|place| (place.id - 1, place.time / 1000))));
     }
     cycles
 }
@@ -103,12 +103,12 @@ fn what_was_received_is_read_again() {
     for (number, (read, place)) in (0..).zip(read(&recorded(40, 0)[..])) {
         let mut expected = cycle(number);
         expected.tick.tree = expected.tree.digest();
-        expected.image = read.image.clone();
+        expected.blobs = read.blobs.clone();
         assert_eq!(read, expected);
         let time_us = PERIOD_US * number;
         assert_eq!(place, number.is_multiple_of(3).then_some((number as u32 / 3, time_us)));
-        if let Some(image) = read.image {
-            assert!(image.yuyv == pixels(number), "{number}");
+        if let Some(image) = read.blobs.first() {
+            assert!(image.bytes == pixels(number), "{number}");
         }
     }
 }
@@ -140,7 +140,6 @@ fn many_small_images_find_their_cycles() {
 fn an_image_of_an_impossible_size_is_left_out() {
     let disk = Disk::default();
     let mut recorder = MonitorRecorder::new(disk.clone(), &header()).expect("memory");
-    recorder.image(&ReceivedImage { width: 3, ..image(0, 0, &[0; 12]) }).expect("nothing is written");
     recorder.image(&image(1, 0, &[0; 12])).expect("nothing is written");
     recorder.cycle(&cycle(0)).expect("memory");
     assert_eq!(recorder.finish(None, 0).reason, None);
@@ -214,15 +213,12 @@ fn an_export_has_the_received_information_and_images() {
 }
 
 #[test]
-fn a_header_of_the_other_format_is_damaged() {
-    for header in [Header { format: 2, ..header() }, Header { format: 3, monitor: None, ..header() }] {
+fn a_recording_of_another_format_is_refused() {
+    for format in [1, 4, 6] {
         let disk = Disk::default();
-        let recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
-        assert_eq!(recorder.finish(None, 0).cycles, 0);
-        assert!(matches!(Recording::new(&disk.contents()[..]).map(|_| ()), Err(Error::Damaged { .. })));
+        let _ = MonitorRecorder::new(disk.clone(), &Header { format, ..header() }).expect("memory");
+        let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("another format");
+        assert!(matches!(error, Error::Format(found) if found == format), "{error}");
+        assert!(error.to_string().contains(&format!("format {format}; this program reads format 5")), "{error}");
     }
-    let disk = Disk::default();
-    let _ = MonitorRecorder::new(disk.clone(), &Header { format: 5, ..header() }).expect("memory");
-    let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("a newer format");
-    assert!(error.to_string().contains("format 5"), "{error}");
 }

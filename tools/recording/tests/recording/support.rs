@@ -9,23 +9,69 @@ use std::time::Duration;
 use bica::prelude::*;
 use bica::runner::{Request, Robot, Runner};
 use bica::{Hold, Instant};
-use bica_motion::joints::Joints;
-use bica_motion::robot::{CameraId, Command, Image, Lights, Sensors};
 use bica_recording::{
-    Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, RefereeEvent, Report, RobotInfo, Sink,
-    Syncing,
+    Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, Report, RunEvent, SetUp, Sink, Syncing,
 };
-use bica_wire::message::Sensors as SensorsMessage;
+
+/// Sensor values of the cart.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sensors<'a> {
+    /// Speeds of the left and the right wheel, rad/s.
+    pub(crate) speeds: [f32; 2],
+    /// Distances to obstacles around the cart, m.
+    pub(crate) ranges: [f32; 8],
+    /// Whether the bumper is pressed.
+    pub(crate) bumper: bool,
+    /// Image of the camera.
+    pub(crate) image: Option<Blob<'a>>,
+    /// Points of the laser scanner.
+    pub(crate) scan: Option<Blob<'a>>,
+}
+
+/// Command of the cart.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Command {
+    /// Torques of the left and the right wheel, N m.
+    pub(crate) torques: [f32; 2],
+    /// The lamp.
+    pub(crate) lamp: Lamp,
+}
+
+/// A lamp.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Lamp {
+    /// It is dark.
+    Dark,
+    /// It shines.
+    Bright {
+        /// Brightness.
+        share: f32,
+    },
+}
+
+/// How strongly the cart drives.
+#[derive(Params)]
+pub(crate) struct Drive {
+    /// Torque for each run.
+    #[param(default = 1.0, range = 0.0..=2.0, unit = "N m")]
+    gain: f32,
+}
 
 /// Counts its runs.
 pub(crate) struct Counter {
     runs: u32,
+    torque: f32,
+    /// Distance ahead, m.
+    distance: f32,
 }
 
 #[component]
 impl Counter {
     pub(crate) const fn new() -> Self {
-        Self { runs: 0 }
+        Self { runs: 0, torque: 0.0, distance: 0.0 }
     }
 
     /// Number of runs so far.
@@ -40,8 +86,9 @@ impl Counter {
         (Some(self.runs.is_multiple_of(2)), f32::NAN)
     }
 
-    fn step(&mut self) {
+    fn step(&mut self, tuned: &Tuned<Drive>) {
         self.runs += 1;
+        self.torque = tuned.gain * self.runs as f32 + self.distance;
     }
 }
 
@@ -74,23 +121,25 @@ impl Blinker {
 }
 
 activation_tree! {
-    /// A lamp.
-    pub(crate) struct Lamp { root: Blinker, cycle_hz: 100, components: [Blinker, Counter] }
+    /// A cart with two wheels.
+    pub(crate) struct Cart { root: Blinker, cycle_hz: 100, tunable, components: [Blinker, Counter] }
 }
 
-impl Robot for Lamp {
+impl Robot for Cart {
     type Sensors<'a> = Sensors<'a>;
     type Command = Command;
     type Error = std::convert::Infallible;
 
-    fn sense(&mut self, _sensors: &Sensors<'_>) -> Result<(), Self::Error> {
+    fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), Self::Error> {
+        let scanned = sensors.scan.map_or(0, |scan| scan.bytes.iter().map(|byte| u32::from(*byte)).sum());
+        self.get_mut::<Counter>().distance = sensors.speeds[0] + scanned as f32;
         Ok(())
     }
 
     fn act(&mut self) -> Command {
-        let angle = self.get::<Counter>().runs as f32;
-        let (targets, stiffness) = (Joints::all(angle), Joints::all(f32::NAN));
-        Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Bottom }
+        let Counter { runs, torque, .. } = *self.get::<Counter>();
+        let lamp = if runs.is_multiple_of(2) { Lamp::Dark } else { Lamp::Bright { share: f32::NAN } };
+        Command { torques: [torque, runs as f32], lamp }
     }
 }
 
@@ -103,20 +152,24 @@ pub(crate) fn pixels(cycle: u64) -> Vec<u8> {
     (0..count).map(|i| ((i * i + cycle * 31) % 251 / 3) as u8).collect()
 }
 
-/// Returns the sensor values of a cycle; every third one has an image.
+/// Returns an image of these pixels.
+pub(crate) fn image(yuyv: &[u8]) -> Blob<'_> {
+    Blob { bytes: yuyv, format: Format::Yuyv { width: SIZE.0, height: SIZE.1 }, frame: "camera" }
+}
+
+/// Points of the laser scanner.
+const SCAN: [u8; 120 * 12] = [3; 120 * 12];
+
+/// Returns the sensor values of a cycle; every third one has an image, and every fourth one a scan.
 pub(crate) fn sensors(cycle: u64, yuyv: &[u8]) -> Sensors<'_> {
-    let message = SensorsMessage {
-        time_us: 0,
-        angles: [f32::from_bits(0x7fc0_1234 + cycle as u32); 25],
-        temperatures: [f32::NAN; 25],
-        currents: [-0.0; 25],
-        inertial: [cycle as f32; 8],
-        feet: [f32::INFINITY; 8],
-        buttons: [cycle.is_multiple_of(2), false, true],
-        image: None,
-    };
-    let image = Image { camera: CameraId::Top, width: SIZE.0, height: SIZE.1, yuyv };
-    Sensors { image: cycle.is_multiple_of(3).then_some(image), ..message.to_sensors(None) }
+    let scan = Blob { bytes: &SCAN[12 * (cycle as usize % 50)..], format: Format::Points, frame: "scanner" };
+    Sensors {
+        speeds: [cycle as f32, -0.0],
+        ranges: [f32::from_bits(0x7fc0_1234 + cycle as u32); 8],
+        bumper: cycle.is_multiple_of(2),
+        image: cycle.is_multiple_of(3).then_some(image(yuyv)),
+        scan: cycle.is_multiple_of(4).then_some(scan),
+    }
 }
 
 /// A disk in memory that may be slow or full.
@@ -179,9 +232,8 @@ impl Disk {
 
 /// Returns the header of the recordings.
 pub(crate) fn header(images: ImagePolicy) -> Header {
-    let text = str::to_owned;
-    let robot = RobotInfo { model: text("lamp"), profile: text("none"), attacks: text("nothing") };
-    Header::new(&Lamp::GRAPH, robot, None, images).of_tree(&Lamp::new())
+    let set_up = [("seed", 7.into()), ("world", "room".into())].map(|(name, value)| (name.to_owned(), value));
+    Header::new(&Cart::GRAPH, SetUp::from(set_up), images).of_robot(&Cart::new())
 }
 
 /// Runs the robot for a number of cycles; `None` as header: the disk has no room for it.
@@ -197,22 +249,22 @@ pub(crate) fn record_sharing(
     options: RecorderOptions,
     owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static,
 ) -> Option<Report> {
-    let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?.sharing_images(owner);
-    let mut lamp = Lamp::new();
-    let mut runner = Runner::new(&mut lamp, ()).with_observer(recorder);
+    let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?.sharing_blobs(owner);
+    let mut cart = Cart::new();
+    let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
     for cycle in 0..cycles {
         let now = Instant::from_millis(10 * cycle);
         if cycle == 7 {
             runner
-                .request(now, Request::Hold { component: Lamp::id::<Counter>(), hold: Hold::Active })
+                .request(now, Request::Hold { component: Cart::id::<Counter>(), hold: Hold::Active })
                 .expect("listed");
-            runner.request(now, Request::Rate { component: Lamp::id::<Counter>(), hz: None }).expect("listed");
+            runner.request(now, Request::Rate { component: Cart::id::<Counter>(), hz: None }).expect("listed");
         }
         let yuyv = pixels(cycle);
         runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");
         runner.think(now);
         if cycle == 9 {
-            runner.observer().event(RefereeEvent { at_ns: 90_000_000, kind: "goal".to_owned(), detail: String::new() });
+            runner.observer().event(RunEvent { at_ns: 90_000_000, kind: "goal".to_owned(), detail: String::new() });
         }
     }
     let (_, (), (), recorder) = runner.into_parts();

@@ -6,13 +6,23 @@ use std::sync::Arc;
 use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::trim;
 use bica_recording::{
-    Comparison, ImagePolicy, Info, RecorderOptions, Recording, RequestRecord, export::export, image_digest,
-    sensor_field,
+    Comparison, ImagePolicy, Info, Recordable, RecordedCycle, RecorderOptions, Recording, RequestRecord, export::export,
 };
-use bica_wire::message::Sensors as SensorsMessage;
 use postcard_schema::Schema;
 
-use crate::support::{Disk, SIZE, cycles, header, pixels, record, record_sharing, recorded, sensors};
+use crate::support::{
+    Cart, Command, Disk, Lamp, Sensors, cycles, header, image, pixels, record, record_sharing, recorded, sensors,
+};
+
+/// Returns the sensor values of a cycle.
+fn sensed<'a>(cycle: &'a RecordedCycle, blobs: &'a [u8]) -> Sensors<'a> {
+    Cart::decode_sensors(cycle.sensors.as_ref().expect("stored"), blobs).expect("intact")
+}
+
+/// Returns the command of a cycle.
+fn command(cycle: &RecordedCycle) -> Command {
+    postcard::from_bytes(cycle.command.as_ref().expect("stored")).expect("intact")
+}
 
 #[test]
 fn every_value_is_restored_bit_for_bit() {
@@ -21,17 +31,18 @@ fn every_value_is_restored_bit_for_bit() {
     for (number, cycle) in cycles.iter().enumerate() {
         let number = number as u64;
         assert_eq!((cycle.tick.cycle, cycle.tick.instant), (number, 10_000 * number));
-        let yuyv = pixels(number);
-        let expected = SensorsMessage::new(10_000 * number, &sensors(number, &yuyv), 0);
-        assert_eq!(sensor_field(&cycle.sensors.expect("stored"), &expected), None);
-        assert_eq!(cycle.image.is_some(), number.is_multiple_of(3));
-        if let Some(image) = &cycle.image {
-            assert_eq!((image.width, image.height, image.bottom_camera), (SIZE.0, SIZE.1, false));
-            assert!(image.yuyv == yuyv);
-            assert_eq!(image.digest(), cycle.tick.image);
+        let (yuyv, blobs) = (pixels(number), cycle.blob_bytes());
+        // As text, because a NaN is not equal to itself.
+        assert_eq!(format!("{:?}", sensed(cycle, &blobs)), format!("{:?}", sensors(number, &yuyv)));
+        assert_eq!(cycle.tick.blobs, crc32fast::hash(&blobs));
+        assert_eq!(sensed(cycle, &blobs).ranges[7].to_bits(), 0x7fc0_1234 + number as u32);
+        let count = usize::from(number.is_multiple_of(3)) + usize::from(number.is_multiple_of(4));
+        assert_eq!(cycle.blobs.len(), count);
+        if number.is_multiple_of(3) {
+            assert_eq!(cycle.blobs[0].blob(), image(&yuyv));
         }
-        let command = cycle.command.expect("stored");
-        assert!(command.stiffness.iter().all(|value| value.is_nan()) && command.bottom_camera);
+        let Command { torques, lamp } = command(cycle);
+        assert_eq!(matches!(lamp, Lamp::Bright { share } if share.is_nan()), torques[1] % 2.0 == 1.0);
     }
     assert_eq!(cycles[7].requests[0], RequestRecord::Hold { component: 1, hold: bica::Hold::Active });
     assert!(matches!(cycles[7].requests[1], RequestRecord::Rate { component: 1, hz } if hz.is_nan()));
@@ -56,7 +67,7 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
         }
         let [runs, day] = &values[..] else { panic!("{values:?}") };
         assert_eq!(((runs.component, runs.index), (day.component, day.index)), ((1, 0), (1, 1)));
-        let command = cycle.command.expect("stored").targets[0];
+        let command = command(cycle).torques[1];
         assert_eq!(postcard::from_bytes::<u32>(&runs.value).expect("a number"), command as u32);
         let (even, hour): (Option<bool>, f32) = postcard::from_bytes(&day.value).expect("a pair");
         assert!(even == Some((command as u32).is_multiple_of(2)) && hour.is_nan());
@@ -102,7 +113,7 @@ fn without_images_digests_and_decisions_are_the_same() {
     let (all, empty) = (recorded(60), recorded(0).len());
     assert!(small.len() - empty < (all.len() - empty) / 4, "{} of {} beside {empty}", small.len(), all.len());
     let (one, two) = (cycles(&all[..]).0, cycles(&small[..]).0);
-    let mut comparison = Comparison::new(header(ImagePolicy::None).tree);
+    let mut comparison = Comparison::new(&header(ImagePolicy::None));
     for (one, two) in one.iter().zip(&two) {
         assert_eq!(one.tick, two.tick);
         comparison.add(one, two);
@@ -121,11 +132,12 @@ fn shared_images_are_recorded_from_their_owner_and_others_are_copied() {
         assert_eq!((report.cycles, report.dropped_images), (60, 0));
         for (number, cycle) in (0..).zip(cycles(&disk.contents()[..]).0) {
             let own = pixels(number);
-            let expected = if number % 6 == 0 { dark(&own).to_vec() } else { own };
-            let digest = if number % 3 == 0 { image_digest(false, SIZE.0, SIZE.1, &expected) } else { 0 };
-            assert_eq!(cycle.tick.image, digest, "cycle {number}");
-            let stored = (images == ImagePolicy::All && number % 3 == 0).then_some(expected);
-            assert!(cycle.image.map(|image| image.yuyv) == stored, "cycle {number}");
+            let expected = if number % 6 == 0 { dark(&own).to_vec() } else { own.clone() };
+            let scan = sensors(number, &own).scan.map_or(&[][..], |scan| scan.bytes);
+            let both = [if number % 3 == 0 { &expected[..] } else { &[] }, scan].concat();
+            assert_eq!(cycle.tick.blobs, crc32fast::hash(&both), "cycle {number}");
+            let stored = if images == ImagePolicy::All { both } else { Vec::new() };
+            assert!(cycle.blob_bytes() == stored, "cycle {number}");
         }
     }
 }
@@ -133,8 +145,8 @@ fn shared_images_are_recorded_from_their_owner_and_others_are_copied() {
 #[test]
 fn every_changed_value_is_a_difference_of_its_field() {
     let cycles = cycles(&recorded(12)[..]).0;
-    let differs = |change: &dyn Fn(&mut bica_recording::RecordedCycle)| {
-        let mut comparison = Comparison::new(header(ImagePolicy::All).tree);
+    let differs = |change: &dyn Fn(&mut RecordedCycle)| {
+        let mut comparison = Comparison::new(&header(ImagePolicy::All));
         for (number, cycle) in cycles.iter().enumerate() {
             let mut other = cycle.clone();
             if number == 9 {
@@ -146,18 +158,34 @@ fn every_changed_value_is_a_difference_of_its_field() {
         assert_eq!(first.cycle, 9);
         (first.component, first.field)
     };
-    let field = |change: &dyn Fn(&mut bica_recording::RecordedCycle)| differs(change).1;
+    let field = |change: &dyn Fn(&mut RecordedCycle)| differs(change).1;
     assert_eq!(field(&|cycle| cycle.tick.instant ^= 1), "tick.instant");
     assert_eq!(field(&|cycle| cycle.tick.cycle ^= 1), "tick.cycle");
     assert_eq!(field(&|cycle| cycle.tick.fingerprint ^= 1), "fingerprint");
-    assert_eq!(field(&|cycle| cycle.tick.image ^= 1), "image");
+    assert_eq!(field(&|cycle| cycle.tick.blobs ^= 1), "blobs");
     assert_eq!(field(&|cycle| cycle.requests.push(RequestRecord::Rate { component: 0, hz: 1.0 })), "requests");
-    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().targets[1] = 0.5), "command.targets[HeadPitch]");
-    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().lights[4] = 1.0), "command.lights.left_eye.green");
-    assert_eq!(field(&|cycle| cycle.command.as_mut().unwrap().bottom_camera ^= true), "command.bottom_camera");
-    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().currents[0] = 0.0), "sensors.currents[HeadYaw]");
-    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().time_us ^= 1), "sensors.time_us");
-    assert_eq!(field(&|cycle| cycle.sensors.as_mut().unwrap().image.as_mut().unwrap().width ^= 2), "sensors.image");
+    let sensors = |change: fn(&mut Sensors<'_>)| {
+        field(&|cycle| {
+            let blobs = cycle.blob_bytes();
+            let mut sensors = sensed(cycle, &blobs);
+            change(&mut sensors);
+            let changed = Cart::encode_sensors(&sensors, Vec::new(), |_, _| {});
+            cycle.sensors = changed;
+        })
+    };
+    assert_eq!(sensors(|sensors| sensors.speeds[1] = 0.0), "sensors.speeds[1]");
+    assert_eq!(sensors(|sensors| sensors.ranges[7] = f32::NAN), "sensors.ranges[7]");
+    assert_eq!(sensors(|sensors| sensors.image = None), "sensors.image");
+    assert_eq!(sensors(|sensors| sensors.image.as_mut().unwrap().frame = ""), "sensors.image.frame");
+    let command = |change: fn(&mut Command)| {
+        field(&|cycle| {
+            let mut command = command(cycle);
+            change(&mut command);
+            cycle.command = Cart::encode_command(&command, Vec::new());
+        })
+    };
+    assert_eq!(command(|command| command.torques[1] = 0.5), "command.torques[1]");
+    assert_eq!(command(|command| command.lamp = Lamp::Bright { share: 0.5 }), "command.lamp");
     let active = differs(&|cycle| cycle.tree.active[0] ^= 1);
     assert_eq!(active, (Some("Blinker".to_owned()), "active".to_owned()));
     let state = differs(&|cycle| cycle.tree.states[0] ^= 1);
@@ -174,7 +202,7 @@ fn a_trimmed_file_has_the_cycles_of_its_span_and_their_tree() {
     assert_eq!(error, None);
     assert_eq!(part.len(), 10);
     for (one, two) in part.iter().zip(&all[20..]) {
-        assert_eq!((one.tick, &one.tree, &one.image), (two.tick, &two.tree, &two.image));
+        assert_eq!((one.tick, &one.tree, &one.blobs), (two.tick, &two.tree, &two.blobs));
     }
 }
 
@@ -188,7 +216,7 @@ fn the_contents_are_counted() {
     assert_eq!((ending.cycles, ending.result.as_str(), ending.reason.as_str()), (60, "lit", ""));
     let count =
         |topic: &str| info.channels.iter().find(|channel| channel.topic == topic).map(|channel| channel.messages);
-    assert_eq!((count("images"), count("tick"), count("events")), (Some(20), Some(60), Some(1)));
+    assert_eq!((count("blobs"), count("tick"), count("events")), (Some(35), Some(60), Some(1)));
 }
 
 #[test]

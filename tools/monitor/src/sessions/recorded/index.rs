@@ -31,7 +31,7 @@ type FileRecording = Recording<BufReader<File>>;
 pub(super) fn open(path: &Path, program: &Program) -> Result<FileRecording, Failed> {
     let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
     let failed = |error: Error| failed("open", path, &error, error.help());
-    let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_images();
+    let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_blobs();
     tree::describe(recording.header(), program)?;
     Ok(recording)
 }
@@ -117,7 +117,10 @@ fn batch(
     let mut ended = Ok(true);
     while cycles.len() < BATCH {
         match recording.next_cycle() {
-            Ok(Some(cycle)) => cycles.push((cycle, recording.image_place())),
+            Ok(Some(cycle)) => {
+                let image = recording.blob_places().iter().find(|place| place.is_image);
+                cycles.push((cycle, image.copied()));
+            }
             Ok(None) => {
                 ended = Ok(false);
                 break;

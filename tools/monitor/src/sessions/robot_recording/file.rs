@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use bica::{Blob, Format};
 use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, create};
 
 use crate::pages::lock;
@@ -29,10 +30,16 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
 
+/// Frame of an image of the bottom camera.
+pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
+/// Frame of an image of any other camera.
+const TOP_CAMERA: &str = "top_camera";
+
 /// An image of a session as an image of a recording.
 pub(super) fn received(image: &Image) -> ReceivedImage<'_> {
     let Image { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
-    ReceivedImage { number, time_us, bottom_camera, width, height, yuyv }
+    let frame = if bottom_camera { BOTTOM_CAMERA } else { TOP_CAMERA };
+    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame } }
 }
 
 enum Entry {

@@ -5,13 +5,13 @@ mod keep;
 mod writer;
 
 use bica_recording::{
-    HoldsRecord, InformationRecord, InformationValue, RecordedCycle, RefereeEvent, RequestRecord, Tick, TreeRecord,
+    HoldsRecord, InformationRecord, InformationValue, RecordedCycle, RequestRecord, RunEvent, Tick, TreeRecord,
 };
 use serde_json::Value;
 
 use crate::protocol::{ComponentNow, HoldKind, LogKind, LogLine};
 
-pub(super) use file::unused;
+pub(super) use file::{BOTTOM_CAMERA, unused};
 pub(super) use keep::keep;
 pub(super) use writer::RobotRecorder;
 
@@ -69,7 +69,7 @@ fn add_line(cycle: &mut RecordedCycle, line: &LogLine) {
         LogKind::Referee => {
             let (kind, detail) = text.split_once(", ").unwrap_or((text, ""));
             let at_ns = time_us.saturating_mul(1000);
-            cycle.events.push(RefereeEvent { at_ns, kind: kind.to_owned(), detail: detail.to_owned() });
+            cycle.events.push(RunEvent { at_ns, kind: kind.to_owned(), detail: detail.to_owned() });
         }
         LogKind::Request if level <= INFORMATION => {
             cycle.requests.push(RequestRecord::Unknown { text: text.clone() });

@@ -1,0 +1,169 @@
+//! Replay of a recording: the code runs again on what was recorded.
+
+mod compared;
+mod refused;
+mod rerun;
+mod run;
+mod subject;
+
+use std::fmt::Display;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use bica::runner::Robot;
+use bica_wire::Recordable;
+use serde::Serialize;
+
+use crate::compare::{Comparison, Decision, Difference};
+use crate::header::{Header, ImagePolicy, Program};
+use crate::recording::Recording;
+use compared::Compared;
+pub use refused::Refused;
+pub use rerun::rerun;
+use run::{Other, Repeated, Run};
+pub use subject::{RepeatedWorld, Subject};
+
+/// What is replayed.
+#[derive(Clone, Copy, Debug)]
+pub struct ReplayOptions<'a> {
+    /// The recording.
+    pub path: &'a Path,
+    /// Time from which on cycles are compared, s.
+    pub from: f64,
+    /// Time up to which the run is repeated, s.
+    pub until: f64,
+    /// Recording to compare with, instead of running the code.
+    pub against: Option<&'a Path>,
+    /// Parameters `Component.name=value` that are not those of the recording.
+    pub set: &'a [String],
+    /// Whether the simulated world runs again, also if the recording has sensor values.
+    pub closed_loop: bool,
+}
+
+impl<'a> ReplayOptions<'a> {
+    /// The code on a whole recording, with the recorded parameters.
+    #[must_use]
+    pub const fn whole(path: &'a Path) -> Self {
+        Self { path, from: 0.0, until: f64::INFINITY, against: None, set: &[], closed_loop: false }
+    }
+}
+
+/// Result of a replay.
+#[derive(Clone, Debug, Serialize)]
+pub struct ReplayReport {
+    /// The recording.
+    pub file: String,
+    /// Source of the repeated run: `stored` sensor values, `rules` of the simulated world, or another `recording`.
+    pub source: &'static str,
+    /// `open`: the inputs are those of the recorded run, whatever the code decides; `closed`: the world runs again. None if two
+    /// recordings are compared.
+    #[serde(rename = "loop")]
+    pub feedback: Option<&'static str>,
+    /// Whether the recording is of a simulated world, which can run again.
+    pub simulated: bool,
+    /// Whether the same build wrote the recording.
+    pub same_build: bool,
+    /// Parameters that are not those of the recording.
+    pub set: Vec<String>,
+    /// Whether all cycles before the first gap were equal, bit for bit.
+    pub equal: bool,
+    /// Number of compared cycles before the first gap.
+    pub cycles: u64,
+    /// Time of the last cycle, s.
+    pub seconds: f64,
+    /// What is wrong with the file; none if it is complete.
+    pub damage: Option<String>,
+    /// The first difference.
+    pub first_difference: Option<Difference>,
+    /// The first 1000 decisions that differ.
+    pub decisions: Vec<Decision>,
+    /// Number of all decisions that differ.
+    pub total_decisions: u64,
+    /// Cycles whose images were dropped while recording.
+    pub gaps: Vec<u64>,
+    /// What follows the first gap.
+    pub after_gap: Option<AfterGap>,
+}
+
+/// Comparison of the cycles from the first gap on: a difference may be due to the missing image.
+#[derive(Clone, Debug, Serialize)]
+pub struct AfterGap {
+    /// Number of cycles.
+    pub cycles: u64,
+    /// The first difference.
+    pub first_difference: Option<Difference>,
+    /// Number of decisions that differ.
+    pub total_decisions: u64,
+}
+
+type FileRecording = Recording<BufReader<File>>;
+
+/// Runs the code again on a recording, or compares two recordings.
+///
+/// `subject` makes the robot with the parameters of the header, and over them those of [`ReplayOptions::set`], and, if its second
+/// argument says so, the world again; it is not called if two recordings are compared. `progress` is called now and then with the
+/// number of bytes that were read; if it returns false, the replay ends there.
+///
+/// # Errors
+/// If a file cannot be read, or the recording cannot be replayed by this program.
+pub fn replay<R>(
+    options: &ReplayOptions<'_>,
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
+    mut progress: impl FnMut(u64) -> bool,
+) -> Result<ReplayReport, Refused>
+where
+    R: Recordable + 'static,
+    <R as Robot>::Error: Display,
+{
+    let mut recording = open(options.path)?;
+    let header = recording.header().clone();
+    let is_stored = header.images == ImagePolicy::All && !options.closed_loop;
+    let (mut other, source, feedback): (Box<dyn Run>, _, _) = if let Some(path) = options.against {
+        (Box::new(Other::open(path, &header)?), "recording", None)
+    } else {
+        let subject = subject::checked(&header, !is_stored, subject)?;
+        let (source, feedback) = if is_stored { ("stored", "open") } else { ("rules", "closed") };
+        (Box::new(Repeated::new(subject)), source, Some(feedback))
+    };
+    let mut compared = Compared {
+        detects_gaps: source == "stored",
+        before: Comparison::new(&header),
+        after: Comparison::new(&header),
+        gaps: Vec::new(),
+        seconds: 0.0,
+    };
+    let damage = compared.compare(options, &mut recording, &mut *other, &mut progress)?;
+    let Compared { before, after, gaps, seconds, .. } = compared;
+    let after_gap =
+        AfterGap { cycles: after.cycles, first_difference: after.first, total_decisions: after.total_decisions };
+    Ok(ReplayReport {
+        file: options.path.display().to_string(),
+        source,
+        feedback,
+        simulated: header.is_simulated(),
+        same_build: options.against.is_none() && Program::current().is_same_build(&header.program),
+        set: options.set.to_vec(),
+        equal: before.is_equal(),
+        cycles: before.cycles,
+        seconds,
+        damage,
+        first_difference: before.first,
+        decisions: before.decisions,
+        total_decisions: before.total_decisions,
+        after_gap: (!gaps.is_empty()).then_some(after_gap),
+        gaps,
+    })
+}
+
+/// Opens a recording of a run. What a monitor recorded cannot be repeated or compared.
+fn open(path: &Path) -> Result<FileRecording, Refused> {
+    let recording = FileRecording::open(path).map_err(|error| Refused::of_file(path, &error))?;
+    let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
+    let (path, address) = (path.display(), &monitor.address);
+    let what = format!(
+        "`{path}` holds what a monitor received from `{address}`, without sensor values and commands: it can be looked at, \
+         not run again or compared"
+    );
+    Err(Refused::new(what, "record where the robot runs: `player play --serve ADDRESS --record FILE`"))
+}

@@ -1,0 +1,80 @@
+//! A new recording of a run that is repeated with other parameters.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use bica::runner::Robot;
+use bica_wire::Recordable;
+
+use super::run::{Again, WorldRefusal};
+use super::{Refused, Subject, open, subject};
+use crate::error::Error;
+use crate::header::{Header, ImagePolicy, Program, Start};
+use crate::message::LogLine;
+use crate::recorder::{Backpressure, Recorder, RecorderOptions, Report, create};
+use crate::request::RequestRecord;
+
+/// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
+/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle, s; if it returns false, the run
+/// ends there.
+///
+/// # Errors
+/// If a file cannot be read or written, or the recording cannot be replayed by this program.
+pub fn rerun<R>(
+    path: &Path,
+    out: &Path,
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
+    mut progress: impl FnMut(f64) -> bool,
+) -> Result<Report, Refused>
+where
+    R: Recordable,
+    <R as Robot>::Error: Display,
+{
+    let mut recording = open(path)?;
+    let header = recording.header().clone();
+    let subject = subject::checked(&header, header.images == ImagePolicy::None, subject)?;
+    let new = Header { program: Program::current(), start: Start::now(), images: ImagePolicy::All, ..header.clone() }
+        .of_robot(&*subject.robot);
+    let mut again = Again::new(subject, start(out, &new)?);
+    loop {
+        let recorded = match recording.next_cycle() {
+            Ok(Some(recorded)) => recorded,
+            Ok(None) | Err(Error::CutOff { .. } | Error::Damaged { .. }) => break,
+            Err(error) => return Err(Refused::of_file(path, &error)),
+        };
+        let t = header.nanoseconds(recorded.tick.instant) as f64 * 1e-9;
+        if recorded.tick.cycle.is_multiple_of(100) && !progress(t) {
+            break;
+        }
+        for request in &recorded.requests {
+            let result = again.request(&recorded, request);
+            let recorder = again.runner.observer_mut();
+            match (result, request) {
+                (Ok(()), RequestRecord::World { name, values }) => recorder.world_changed(name, values),
+                (Ok(()), _) => {}
+                (Err(WorldRefusal::World(error)), _) => {
+                    recorder.log(LogLine { level: 3, text: format!("request refused: {error}") });
+                }
+                (Err(WorldRefusal::Unknown(refused)), _) => return Err(refused),
+            }
+        }
+        again.cycle(&recorded)?;
+        for event in again.events(&recorded) {
+            again.runner.observer().event(event);
+        }
+    }
+    let (_, (), (), recorder) = again.runner.into_parts();
+    Ok(recorder.finish("run again"))
+}
+
+fn start(out: &Path, header: &Header) -> Result<Recorder, Refused> {
+    let failed = |error| {
+        let what = format!("cannot write `{}`: {error}", out.display());
+        Refused::new(what, "name a file that can be made, on a disk with room")
+    };
+    let file = create(out, true).map_err(failed)?;
+    // Without a clock nothing has to be lost.
+    let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
+    // The reason of an early end is in the report.
+    Recorder::start(file, header, options, |_| {}).map_err(failed)
+}

@@ -1,0 +1,216 @@
+//! The runs that a recording is compared with.
+
+use std::fmt::Display;
+use std::path::Path;
+
+use bica::runner::{Cycle, Observer, OwnedRequest, Robot, Runner, World};
+use bica::{Instant, Probe};
+use bica_wire::Recordable;
+use crc32fast::Hasher;
+
+use super::subject::{RepeatedWorld, Subject};
+use super::{FileRecording, Refused, open};
+use crate::digest::RunningFingerprint;
+use crate::header::Header;
+use crate::message::RunEvent;
+use crate::recorder::tree_record;
+use crate::recording::RecordedCycle;
+use crate::request::RequestRecord;
+
+/// The run that a recording is compared with.
+pub(super) trait Run {
+    /// Returns the cycle that corresponds to a recorded one; none after the last.
+    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused>;
+
+    /// Returns whether there are cycles beyond those of the recording.
+    fn goes_on(&mut self) -> Result<bool, Refused> {
+        Ok(false)
+    }
+}
+
+/// Another recording.
+pub(super) struct Other<'a> {
+    path: &'a Path,
+    recording: FileRecording,
+}
+
+impl<'a> Other<'a> {
+    pub(super) fn open(path: &'a Path, header: &Header) -> Result<Self, Refused> {
+        let recording = open(path)?;
+        let other = recording.header();
+        if other.tree.components != header.tree.components || other.messages != header.messages {
+            let what = format!("`{}` is a recording of another tree", path.display());
+            return Err(Refused::new(what, "compare recordings of one tree"));
+        }
+        Ok(Self { path, recording })
+    }
+}
+
+impl Run for Other<'_> {
+    fn next(&mut self, _recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused> {
+        self.recording.next_cycle().map_err(|error| Refused::of_file(self.path, &error))
+    }
+
+    fn goes_on(&mut self) -> Result<bool, Refused> {
+        Ok(self.next(&RecordedCycle::default())?.is_some())
+    }
+}
+
+/// Robot that runs again on recorded cycles, with an observer.
+pub(super) struct Again<R: Robot, O> {
+    pub(super) runner: Runner<Box<R>, (), (), O>,
+    world: Option<Box<dyn RepeatedWorld<R>>>,
+}
+
+impl<R, O> Again<R, O>
+where
+    R: Recordable,
+    <R as Robot>::Error: Display,
+    O: Observer<R>,
+{
+    pub(super) fn new(subject: Subject<R>, observer: O) -> Self {
+        Self { runner: Runner::new(subject.robot, ()).with_observer(observer), world: subject.world }
+    }
+
+    fn now(&self, recorded: &RecordedCycle) -> Instant {
+        self.world.as_ref().map_or(Instant::from_ticks(recorded.tick.instant), |world| world.now())
+    }
+
+    /// Applies a request of the recorded run. A world of stored sensor values shows its changes already.
+    ///
+    /// # Errors
+    /// Why the world refuses a change. A tree's refusal is a difference of the run.
+    pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), WorldRefusal> {
+        if let RequestRecord::World { name, values } = request {
+            return self.world.as_mut().map_or(Ok(()), |world| world.change(name, values)).map_err(WorldRefusal::World);
+        }
+        let owned: OwnedRequest = request.to_request().ok_or_else(|| {
+            let what = format!("the recording has a request that this program does not know: {request:?}");
+            WorldRefusal::Unknown(Refused::new(what, "replay it with the program that recorded it"))
+        })?;
+        // The observer receives the refusal.
+        let _ = self.runner.request(self.now(recorded), owned.borrow());
+        Ok(())
+    }
+
+    /// Runs one cycle on recorded sensor values, or on those of the world.
+    pub(super) fn cycle(&mut self, recorded: &RecordedCycle) -> Result<(), Refused> {
+        let now = self.now(recorded);
+        let sensed = if let Some(world) = &mut self.world {
+            self.runner.sense(now, &world.sensors())
+        } else {
+            let (message, blobs) = (recorded.sensors.as_deref().unwrap_or_default(), recorded.blob_bytes());
+            let sensors = R::decode_sensors(message, &blobs).ok_or_else(|| {
+                let what = format!("cycle {} has no sensor values that can be read", recorded.tick.cycle);
+                Refused::new(what, "the file is damaged: replay it up to there with --until")
+            })?;
+            self.runner.sense(now, &sensors)
+        };
+        match sensed {
+            // A robot may refuse values whose large data was dropped while recording.
+            Err(error) if !recorded.is_gap() => {
+                let what = format!("the robot refuses the sensor values of cycle {}: {error}", recorded.tick.cycle);
+                return Err(Refused::new(what, "record with a program that accepts them"));
+            }
+            _ => {}
+        }
+        let command = self.runner.think(now);
+        if let Some(world) = &mut self.world {
+            world.act(&command);
+        }
+        Ok(())
+    }
+
+    /// Returns the events of the last cycle: those of the world, or the recorded ones.
+    pub(super) fn events(&mut self, recorded: &RecordedCycle) -> Vec<RunEvent> {
+        self.world.as_mut().map_or_else(|| recorded.events.clone(), |world| world.take_events())
+    }
+}
+
+/// Reason why a recorded request is not applied.
+pub(super) enum WorldRefusal {
+    /// The world refuses it, as text.
+    World(String),
+    /// The program does not know it.
+    Unknown(Refused),
+}
+
+/// The robot of this program.
+pub(super) struct Repeated<R: Robot> {
+    again: Again<R, Taken>,
+    fingerprint: RunningFingerprint,
+    cycle: u64,
+}
+
+impl<R> Repeated<R>
+where
+    R: Recordable,
+    <R as Robot>::Error: Display,
+{
+    pub(super) fn new(subject: Subject<R>) -> Self {
+        let again = Again::new(subject, Taken::default());
+        Self { again, fingerprint: RunningFingerprint::default(), cycle: 0 }
+    }
+}
+
+impl<R> Run for Repeated<R>
+where
+    R: Recordable,
+    <R as Robot>::Error: Display,
+{
+    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused> {
+        if self.cycle == 0 && recorded.tick.cycle > 0 {
+            let what = format!("the recording begins with cycle {}", recorded.tick.cycle);
+            return Err(Refused::new(what, "a replay needs the start of the run: give the file that was trimmed"));
+        }
+        let mut requests = Vec::with_capacity(recorded.requests.len());
+        for request in &recorded.requests {
+            match self.again.request(recorded, request) {
+                Ok(()) => {}
+                // A change that the repeated world refuses is a difference.
+                Err(WorldRefusal::World(_)) => continue,
+                Err(WorldRefusal::Unknown(refused)) => return Err(refused),
+            }
+            self.fingerprint.add_request(request);
+            requests.push(request.clone());
+        }
+        self.again.cycle(recorded)?;
+        let mut repeated = std::mem::take(&mut self.again.runner.observer_mut().0);
+        if recorded.is_gap() {
+            // The data was there, but is not in the file.
+            repeated.tick.blobs = recorded.tick.blobs;
+            repeated.tick.sensors = recorded.tick.sensors;
+            repeated.sensors.clone_from(&recorded.sensors);
+        }
+        repeated.tick.cycle = self.cycle;
+        repeated.requests = requests;
+        repeated.tick.fingerprint = self.fingerprint.add_tick(&repeated.tick);
+        self.cycle += 1;
+        Ok(Some(repeated))
+    }
+}
+
+/// Observer that keeps the cycle as it would have been recorded.
+#[derive(Default)]
+struct Taken(RecordedCycle);
+
+impl Probe for Taken {}
+
+impl<R: Recordable> Observer<R> for Taken {
+    fn sensing(&mut self, _now: Instant, sensors: &R::Sensors<'_>) {
+        let mut hash = Hasher::new();
+        let message = R::encode_sensors(sensors, Vec::new(), |_, bytes| hash.update(bytes)).unwrap_or_default();
+        self.0.tick.sensors = crc32fast::hash(&message);
+        self.0.tick.blobs = hash.finalize();
+        self.0.sensors = Some(message);
+    }
+
+    fn acted(&mut self, cycle: &Cycle<'_, R>) {
+        let command = R::encode_command(cycle.command, Vec::new()).unwrap_or_default();
+        self.0.tick.instant = cycle.now.as_ticks();
+        self.0.tick.command = crc32fast::hash(&command);
+        self.0.tree = tree_record(cycle.robot);
+        self.0.tick.tree = self.0.tree.digest();
+        self.0.command = Some(command);
+    }
+}

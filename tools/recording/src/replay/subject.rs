@@ -1,0 +1,74 @@
+//! The robot and the world that run again.
+
+use std::fmt;
+
+use bica::runner::{Robot, World};
+use bica_wire::Recordable;
+
+use super::Refused;
+use crate::header::{Header, Messages, TreeInfo};
+use crate::message::RunEvent;
+
+/// Simulated world that runs again.
+pub trait RepeatedWorld<R: Robot>: World<R> {
+    /// Changes the world as it was changed in the recorded run.
+    ///
+    /// # Errors
+    /// If the world refuses the change, because the repeated run is another one, or does not know it.
+    fn change(&mut self, name: &str, values: &[f32]) -> Result<(), String>;
+
+    /// Returns the events since the last call.
+    fn take_events(&mut self) -> Vec<RunEvent>;
+}
+
+/// Robot and world at the start of a run that is repeated.
+pub struct Subject<R> {
+    /// The robot, with its parameters.
+    pub robot: Box<R>,
+    /// The simulated world; none if the robot runs on the stored sensor values.
+    pub world: Option<Box<dyn RepeatedWorld<R>>>,
+}
+
+impl<R> fmt::Debug for Subject<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Subject").field("simulated", &self.world.is_some()).finish_non_exhaustive()
+    }
+}
+
+/// Makes the subject for a recording, if it is of this program's robot.
+pub(super) fn checked<R: Recordable>(
+    header: &Header,
+    runs_world: bool,
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
+) -> Result<Subject<R>, Refused> {
+    check_tree::<R>(header)?;
+    if runs_world && !header.is_simulated() {
+        let what = "the recording is of a world that cannot run again";
+        return Err(Refused::new(what, "replay it without --closed-loop, if it was recorded with sensor values"));
+    }
+    subject(header, runs_world)
+}
+
+/// Checks that the recording is of this program's tree and messages.
+fn check_tree<R: Recordable>(header: &Header) -> Result<(), Refused> {
+    let help = "the header of the recording names the commit that recorded it; build that to replay it";
+    let own = TreeInfo::new(&R::GRAPH);
+    if own.hash == header.tree.hash && own.tick_hz == header.tree.tick_hz {
+        if header.messages.as_ref() == Some(&Messages::of::<R>()) {
+            return Ok(());
+        }
+        let what = "the recording has sensor values or commands of another form, so it is not run again";
+        return Err(Refused::new(what, help));
+    }
+    let names = |tree: &TreeInfo| tree.components.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
+    let (recorded, present) = (names(&header.tree), names(&own));
+    let only = |one: &[String], two: &[String]| {
+        one.iter().filter(|name| !two.contains(name)).cloned().collect::<Vec<_>>().join(", ")
+    };
+    let (gone, new) = (only(&recorded, &present), only(&present, &recorded));
+    let what = match (gone.as_str(), new.as_str()) {
+        ("", "") => "rates, links, states or transitions differ".to_owned(),
+        (gone, new) => format!("components only in the recording: [{gone}], only in this program: [{new}]"),
+    };
+    Err(Refused::new(format!("the recording is of another activation tree, so it is not run again: {what}"), help))
+}

@@ -1,0 +1,137 @@
+//! A cart, which is no humanoid and plays no soccer, runs again on its recordings.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bica::runner::World;
+use bica::{Instant, Setting, Tree, Value};
+use bica_recording::{
+    Header, ImagePolicy, Info, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject, replay, rerun,
+};
+
+use crate::support::{Cart, Command, Counter, Disk, Sensors, pixels, record, recorded, sensors, small_chunks};
+
+/// File that is removed at the end of a test.
+struct Temporary(PathBuf);
+
+impl Temporary {
+    fn new(name: &str, content: &[u8]) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        fs::write(&path, content).expect("room");
+        Self(path)
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// The room of the recordings, which runs again.
+struct Room {
+    cycle: u64,
+    yuyv: Vec<u8>,
+}
+
+impl World<Cart> for Room {
+    fn now(&self) -> Instant {
+        Instant::from_millis(10 * self.cycle)
+    }
+
+    fn sensors(&mut self) -> Sensors<'_> {
+        self.yuyv = pixels(self.cycle);
+        sensors(self.cycle, &self.yuyv)
+    }
+
+    fn act(&mut self, _command: &Command) {
+        self.cycle += 1;
+    }
+}
+
+impl RepeatedWorld<Cart> for Room {
+    fn change(&mut self, name: &str, _values: &[f32]) -> Result<(), String> {
+        Err(format!("there is no `{name}`"))
+    }
+
+    fn take_events(&mut self) -> Vec<RunEvent> {
+        Vec::new()
+    }
+}
+
+/// Returns the cart at its start with another gain, and the room.
+fn subject(gain: Option<f32>) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, Refused> {
+    move |header, runs_world| {
+        assert_eq!(header.set_up["seed"], 7);
+        let mut robot = Box::new(Cart::new());
+        let setting = |gain| Setting::new(Cart::id::<Counter>(), 0, Value::F32(gain));
+        gain.map_or(Ok(()), |gain| robot.set_params(&[setting(gain)])).expect("in range");
+        let world = || -> Box<dyn RepeatedWorld<Cart>> { Box::new(Room { cycle: 0, yuyv: Vec::new() }) };
+        Ok(Subject { robot, world: runs_world.then(world) })
+    }
+}
+
+fn replayed(options: &ReplayOptions<'_>, gain: Option<f32>) -> ReplayReport {
+    replay(options, subject(gain), |_| true).expect("a recording")
+}
+
+/// Records cycles without sensor values.
+fn recorded_by_rules(cycles: u64) -> Vec<u8> {
+    let disk = Disk::default();
+    record(&disk, ImagePolicy::None, cycles, small_chunks()).expect("there is room");
+    disk.contents()
+}
+
+#[test]
+fn a_cart_replays_bit_for_bit() {
+    for (source, content) in [("stored", recorded(60)), ("rules", recorded_by_rules(60))] {
+        let file = Temporary::new(&format!("cart-{source}.mcap"), &content);
+        let report = replayed(&ReplayOptions::whole(&file.0), None);
+        assert!(report.equal, "{source}: {:?}", report.first_difference);
+        assert_eq!((report.cycles, report.source, report.gaps.len()), (60, source, 0));
+        let closed = replayed(&ReplayOptions { closed_loop: true, ..ReplayOptions::whole(&file.0) }, None);
+        assert!(closed.equal && closed.source == "rules", "{:?}", closed.first_difference);
+    }
+}
+
+#[test]
+fn the_first_difference_of_another_parameter_names_its_value() {
+    let file = Temporary::new("cart-gain.mcap", &recorded(60));
+    let report = replayed(&ReplayOptions::whole(&file.0), Some(0.5));
+    let first = report.first_difference.expect("another gain");
+    // The cart counts from the cycle on in which its lamp shines.
+    assert_eq!((first.field.as_str(), first.cycle > 0), ("command.torques[0]", true), "{first:?}");
+}
+
+#[test]
+fn a_changed_byte_of_any_message_is_found() {
+    let content = recorded(30);
+    let file = Temporary::new("cart-flipped.mcap", &content);
+    for at in (content.len() / 4..content.len() * 3 / 4).step_by(97) {
+        let mut damaged = content.clone();
+        damaged[at] ^= 1;
+        fs::write(&file.0, &damaged).expect("room");
+        let found = replay(&ReplayOptions::whole(&file.0), subject(None), |_| true);
+        assert!(found.is_err() || found.is_ok_and(|report| report.damage.is_some() || !report.equal), "byte {at}");
+    }
+}
+
+#[test]
+fn a_cart_that_runs_again_is_recorded_as_before() {
+    let (file, again) = (Temporary::new("cart-once.mcap", &recorded(60)), Temporary::new("cart-again.mcap", &[]));
+    let report = rerun(&file.0, &again.0, subject(None), |_| true).expect("a recording");
+    assert_eq!((report.cycles, report.reason), (60, None));
+    let against = ReplayOptions { against: Some(&again.0), ..ReplayOptions::whole(&file.0) };
+    let report = replay(&against, subject(None), |_| true).expect("two recordings");
+    assert!(report.equal && report.cycles == 60, "{:?}", report.first_difference);
+    let info = Info::read(&fs::read(&again.0).expect("written")[..]).expect("a recording");
+    assert_eq!((info.events.len(), info.requests.len()), (1, 2));
+}
+
+#[test]
+fn a_replay_without_cycles_is_refused() {
+    let file = Temporary::new("cart-empty.mcap", &recorded(10));
+    let beyond = ReplayOptions { from: 5.0, ..ReplayOptions::whole(&file.0) };
+    let refused = replay(&beyond, subject(None), |_| true).expect_err("no cycle is in the span");
+    assert!(refused.what.contains("no cycle was compared"), "{refused}");
+}
