@@ -46,6 +46,11 @@ impl Encoder {
     }
 }
 
+/// Encodes a value in postcard's format at the beginning of `buffer`, without a packet around it; `None` if it does not fit.
+pub fn encode<'a>(value: &impl Serialize, buffer: &'a mut [u8]) -> Option<&'a [u8]> {
+    postcard::to_slice(value, buffer).ok().map(|bytes| &*bytes)
+}
+
 /// Passes bytes on and appends their CRC.
 struct WithCrc<F> {
     inner: F,

@@ -1,6 +1,6 @@
-//! Transfer of images in chunks.
+//! Transfer of images and other large data in chunks.
 
-use crate::message::{ImageChunk, ImageInfo};
+use crate::message::{BlobsInfo, ImageChunk};
 
 /// Size of a chunk, bytes. The last chunk of an image may be shorter.
 pub const CHUNK_BYTES: usize = 1024;
@@ -51,8 +51,8 @@ impl ImageAssembler {
 
     /// Returns the number of bytes of the image at the start of the memory if it is complete: its chunks carry its number and
     /// add up to its size. Ends the image in both cases.
-    pub fn take(&mut self, info: &ImageInfo) -> Option<usize> {
-        let size = 2 * usize::from(info.width) * usize::from(info.height);
+    pub fn take(&mut self, info: &BlobsInfo) -> Option<usize> {
+        let size = info.bytes as usize;
         let complete = self.filled.take().is_some_and(|filled| filled == size && self.image_id == info.id);
         if !complete {
             self.incomplete = self.incomplete.wrapping_add(1);
@@ -89,7 +89,7 @@ impl<const N: usize> ImageBuffer<N> {
 
     /// Returns the image if it is complete: its chunks carry its number and add up to its size. Removes it from the
     /// buffer.
-    pub fn take(&mut self, info: &ImageInfo) -> Option<&[u8]> {
+    pub fn take(&mut self, info: &BlobsInfo) -> Option<&[u8]> {
         let size = self.assembler.take(info)?;
         self.bytes.get(..size)
     }

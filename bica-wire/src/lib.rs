@@ -38,12 +38,10 @@
 extern crate std;
 
 pub mod blobs;
-mod convert;
 mod crc;
 mod decoder;
 mod describe;
 mod encoder;
-mod float_array;
 mod image;
 pub mod message;
 #[cfg(feature = "std")]
@@ -54,11 +52,10 @@ mod schema;
 pub mod server;
 mod text;
 
-pub use convert::InvalidCommand;
 pub use crc::crc32;
 pub use decoder::{Decoder, Packet, UnknownMessage};
 pub use describe::{GraphItems, describe};
-pub use encoder::{Encoder, TooLarge};
+pub use encoder::{Encoder, TooLarge, encode};
 pub use image::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 pub use message::{FromMonitor, FromMonitorExtra, FromRobot, ToMonitor, ToMonitorExtra, ToRobot};
 pub use packet::MAX_PACKET;

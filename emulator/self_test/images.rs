@@ -4,14 +4,15 @@ use std::error::Error;
 use std::path::Path;
 
 use bica::{ComponentId, Tree};
-use bica_emulator::{Emulator, Transport};
+use bica_emulator::{Emulator, SensorsMessage, Transport};
 use bica_motion::pose::Pose2;
+use bica_motion::robot::{CameraId, Image, Sensors};
 use bica_player::perception::{BallDetector, FieldBoundary, FieldLines, GoalDetector, RobotDetector};
 use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup, Start};
-use bica_wire::message::{ClockMode, ImageInfo, Sensors};
+use bica_wire::message::ClockMode;
 use bica_wire::{CHUNK_BYTES, ToRobot, chunks};
 
 use crate::session::{self, expect_eq, standing, telemetry};
@@ -73,9 +74,10 @@ impl CameraImage {
         Ok(Self { yuyv: image.yuyv.to_vec(), size: (image.width, image.height) })
     }
 
-    /// Returns size and number of the image.
-    pub(crate) const fn info(&self, id: u32) -> ImageInfo {
-        ImageInfo { id, bottom_camera: false, width: self.size.0, height: self.size.1 }
+    /// Returns the message of a robot that stands still and sees the image, with a number.
+    pub(crate) fn stands(&self, time_us: u64, id: u32) -> SensorsMessage {
+        let image = Image { camera: CameraId::Top, width: self.size.0, height: self.size.1, yuyv: &self.yuyv };
+        SensorsMessage::new(time_us, &Sensors { image: Some(image), ..standing() }, id)
     }
 }
 
@@ -87,8 +89,9 @@ impl Body {
         for chunk in chunks(id, &self.camera.yuyv).skip(sent.start).take(sent.len()) {
             link.send(&ToRobot::ImageChunk(chunk))?;
         }
-        let image = with_image.then_some(self.camera.info(id));
-        link.send(&ToRobot::Sensors(Sensors { image, ..standing(10_000 * self.cycle) }))?;
+        let time_us = 10_000 * self.cycle;
+        let sensors = if with_image { self.camera.stands(time_us, id) } else { session::stands(time_us) };
+        link.send(&sensors.message())?;
         self.cycle += 1;
         let (ticks, incomplete) = link.receive(telemetry(|telemetry| {
             let ticks: Vec<u32> = telemetry.component_ticks().collect();

@@ -4,10 +4,11 @@ use std::error::Error;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use bica_emulator::{Emulator, Transport, command_bits};
+use bica_emulator::{Emulator, SensorsMessage, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
-use bica_wire::message::{ClockMode, ImageChunk, ImageInfo, LinkStats, Sensors};
-use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot, chunks};
+use bica_motion::robot::{CameraId, Image, Sensors};
+use bica_wire::message::{ClockMode, ImageChunk, LinkStats};
+use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot, blobs};
 
 use crate::random::Random;
 use crate::reference::Reference;
@@ -71,8 +72,9 @@ impl Model {
             match message {
                 ToRobot::ImageChunk(chunk) => self.image.add(&chunk),
                 ToRobot::Sensors(sensors) => {
-                    let yuyv = sensors.image.as_ref().and_then(|info| self.image.take(info));
-                    let command = self.reference.cycle(sensors.time_us, &sensors.to_sensors(yuyv));
+                    let yuyv = sensors.blobs.as_ref().and_then(|info| self.image.take(info)).unwrap_or_default();
+                    let values = blobs::decode(sensors.values, yuyv).ok_or("sensor values that cannot be read")?;
+                    let command = self.reference.cycle(sensors.time_us, &values);
                     self.commands.push((sensors.time_us, command_bits(&command).collect()));
                     self.stats = stats;
                 }
@@ -93,7 +95,8 @@ fn round(
     let mut yuyv = vec![random.next() as u8; IMAGE_BYTES];
     let noise = random.below(IMAGE_BYTES);
     yuyv[noise..].iter_mut().for_each(|byte| *byte = random.next() as u8);
-    let mut messages = messages(random, with_images.then_some(&yuyv));
+    let rounds = rounds(random, with_images.then_some(&yuyv));
+    let mut messages: Vec<_> = rounds.iter().flat_map(parts).collect();
     let tx = robot.link().halves().1;
     let mut stream = Vec::new();
     for message in &messages {
@@ -104,9 +107,9 @@ fn round(
     }
     random.damage(&mut stream);
     let last = sensors(random, None);
-    messages.push(ToRobot::Sensors(last));
+    messages.push(last.message());
     stream.push(0);
-    stream.extend(tx.encode(&ToRobot::Sensors(last))?);
+    stream.extend(tx.encode(&last.message())?);
     model.receive(&stream, &messages)?;
     robot.link().write(&stream)?;
     let expected = std::mem::take(&mut model.commands);
@@ -124,7 +127,7 @@ fn compare(
     let mut commands = Vec::new();
     let reported = robot.link().receive(|message| match message {
         FromRobot::Command(command) => {
-            let bits = command.to_command().map(|command| command_bits(&command).collect());
+            let bits = decode_command(&command).map(|command| command_bits(&command).collect());
             commands.push((command.time_us, bits.unwrap_or_default()));
             None
         }
@@ -141,27 +144,41 @@ fn compare(
     session::expect_eq(&reported, &counts)
 }
 
-fn messages<'a>(random: &mut Random, image: Option<&'a Vec<u8>>) -> Vec<ToRobot<'a>> {
-    let mut messages = Vec::new();
+/// Returns the messages of a round.
+fn parts<'a>((stray, sensors): &'a Round<'a>) -> Vec<ToRobot<'a>> {
+    stray.map(ToRobot::ImageChunk).into_iter().chain(sensors.chunks()).chain([sensors.message()]).collect()
+}
+
+/// Sensor values, with their image, or a part of another image before them.
+type Round<'a> = (Option<ImageChunk<'a>>, SensorsMessage);
+
+fn rounds<'a>(random: &mut Random, image: Option<&'a Vec<u8>>) -> Vec<Round<'a>> {
+    let mut rounds = Vec::new();
     for _ in 0..=random.below(3) {
-        let info = ImageInfo { id: random.next() as u32, bottom_camera: false, width: 160, height: 120 };
+        let id = random.next() as u32;
         if let Some(yuyv) = image.filter(|_| random.below(3) == 0) {
-            messages.extend(chunks(info.id, yuyv).map(ToRobot::ImageChunk));
-            messages.push(ToRobot::Sensors(sensors(random, Some(info))));
+            let image = Image { camera: CameraId::Top, width: 160, height: 120, yuyv };
+            rounds.push((None, sensors(random, Some(image)).numbered(id)));
         } else {
             let bytes: &[u8] = image.map_or(&[7; 20], |yuyv| &yuyv[..random.below(1025)]);
             let offset = random.below(IMAGE_BYTES) as u32;
-            messages.push(ToRobot::ImageChunk(ImageChunk { image_id: info.id, offset, bytes }));
-            messages.push(ToRobot::Sensors(sensors(random, None)));
+            rounds.push((Some(ImageChunk { image_id: id, offset, bytes }), sensors(random, None)));
         }
     }
-    messages
+    rounds
 }
 
 /// Returns sensor values similar to a standing robot's, at a random time, which identifies them.
-fn sensors(random: &mut Random, image: Option<ImageInfo>) -> Sensors {
-    let mut sensors = Sensors { image, ..standing(random.next() >> 24) };
-    sensors.angles.iter_mut().for_each(|angle| *angle += random.within(0.3));
-    sensors.inertial.iter_mut().for_each(|value| *value += random.within(1.0));
-    sensors
+fn sensors(random: &mut Random, image: Option<Image<'_>>) -> SensorsMessage {
+    let time_us = random.next() >> 24;
+    let mut sensors = Sensors { image, ..standing() };
+    sensors.angles.0.iter_mut().for_each(|angle| *angle += random.within(0.3));
+    let inertial = &mut sensors.inertial;
+    for axis in 0..3 {
+        inertial.gyro[axis] += random.within(1.0);
+        inertial.acceleration[axis] += random.within(1.0);
+    }
+    inertial.roll += random.within(1.0);
+    inertial.pitch += random.within(1.0);
+    SensorsMessage::new(time_us, &sensors, 0)
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::thread;
 
 use bica::{ComponentId, Tree};
-use bica_emulator::{Transport, Tx};
+use bica_emulator::{SensorsMessage, Transport, Tx};
 use bica_motion::model::RobotModel;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::stiffness::Stiffness;
@@ -14,8 +14,8 @@ use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
-use bica_wire::message::{ClockMode, FaultInjection, Sensors, Telemetry};
-use bica_wire::{ToRobot, chunks};
+use bica_wire::ToRobot;
+use bica_wire::message::{ClockMode, FaultInjection, Telemetry};
 
 use crate::session::{expect_eq, log_path, start_with_log, telemetry};
 
@@ -33,9 +33,6 @@ const DELAY_TICKS: u32 = 625_000;
 const NO_TIME: u64 = 0;
 /// Minimum number of cycles without delay at the end.
 const RECOVERED_CYCLES: usize = 50;
-
-/// Sensor values with an image, and its pixels.
-type Sample = (Sensors, Vec<u8>);
 
 /// Checked parts of a cycle's report.
 struct Cycle {
@@ -129,36 +126,30 @@ fn ball_detector() -> ComponentId {
 }
 
 /// Returns the sensor values of a standing robot in the first second of a game.
-fn samples() -> Result<Vec<Sample>, Box<dyn Error>> {
+fn samples() -> Result<Vec<SensorsMessage>, Box<dyn Error>> {
     let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
     let (targets, stiffness) = (Model::STAND, Stiffness::Stand.joints::<Model>());
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
     let mut samples = Vec::new();
     while samples.len() < 30 {
         let sensors = world.sensors();
-        if let Some(image) = &sensors.image {
-            samples.push((Sensors::new(NO_TIME, &sensors, 0), image.yuyv.to_vec()));
+        if sensors.image.is_some() {
+            samples.push(SensorsMessage::new(NO_TIME, &sensors, 0));
         }
         world.act(&stand);
     }
     Ok(samples)
 }
 
-fn stream(tx: &mut Tx<impl std::io::Write>, samples: &[Sample]) -> Result<(), bica_emulator::Error> {
-    for (number, (sensors, yuyv)) in (0..IMAGES).zip(samples.iter().cycle()) {
+fn stream(tx: &mut Tx<impl std::io::Write>, samples: &[SensorsMessage]) -> Result<(), bica_emulator::Error> {
+    for (number, sample) in (0..IMAGES).zip(samples.iter().cycle()) {
         if number == DELAY_START || number == DELAY_END {
             let ticks = if number == DELAY_START { DELAY_TICKS } else { 0 };
             let component = ball_detector().index() as u8;
             tx.send(&ToRobot::FaultInjection(FaultInjection::Delay { component, ticks }))?;
         }
-        for chunk in chunks(number, yuyv) {
-            tx.send(&ToRobot::ImageChunk(chunk))?;
-        }
-        let mut sensors = *sensors;
-        if let Some(info) = &mut sensors.image {
-            info.id = number;
-        }
-        tx.send(&ToRobot::Sensors(sensors))?;
+        let sensors = sample.clone().numbered(number);
+        sensors.chunks().chain([sensors.message()]).try_for_each(|part| tx.send(&part))?;
     }
     Ok(())
 }

@@ -4,17 +4,18 @@ use std::error::Error;
 use std::path::Path;
 
 use bica::Tree;
-use bica_emulator::Transport;
-use bica_motion::joints::JOINTS;
+use bica_emulator::{SensorsMessage, Transport};
+use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::{CameraId, Command, Image, Sensors};
 use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
 use bica_player::motion::Head;
-use bica_wire::message::{ClockMode, Command, FaultInjection, GraphItem, ImageChunk, ImageInfo, LinkStats, Sensors};
+use bica_wire::message::{ClockMode, FaultInjection, GraphItem, ImageChunk, LinkStats};
 use bica_wire::{FromRobot, ToRobot};
 
 use crate::overload;
-use crate::session::{self, command, expect_eq, log_path, standing, telemetry};
+use crate::session::{self, command, expect_eq, log_path, standing, stands, telemetry};
 
 type Outcome = Result<(), Box<dyn Error>>;
 /// A scenario: the property that it checks, the transport, the check.
@@ -61,16 +62,17 @@ fn damage(image: &Path, transport: Transport) -> Outcome {
     let link = robot.link();
     link.send(&ToRobot::ImageChunk(ImageChunk { image_id: 1, offset: 0, bytes: &[128; 1000] }))?;
     link.write(&[7, 1, 2, 3, 4, 5, 6, 0, 200, 9, 9, 0])?;
-    let info = Some(ImageInfo { id: 1, bottom_camera: false, width: 160, height: 120 });
-    link.send(&ToRobot::Sensors(Sensors { image: info, ..standing(0) }))?;
+    let image = Image { camera: CameraId::Top, width: 160, height: 120, yuyv: &[128; 2 * 160 * 120] };
+    let sensors = SensorsMessage::new(0, &Sensors { image: Some(image), ..standing() }, 1);
+    link.send(&sensors.message())?;
     let (incomplete, stats) = link.receive(telemetry(|telemetry| (telemetry.incomplete_images, telemetry.link)))?;
     expect_eq(&(incomplete, stats.damaged, stats.missing), &(1, 2, 0))?;
     for _ in 0..3 {
         link.skip();
     }
-    link.send(&ToRobot::Sensors(standing(10_000)))?;
+    link.send(&stands(10_000).message())?;
     link.receive(telemetry(|_| ()))?;
-    link.send(&ToRobot::Sensors(standing(20_000)))?;
+    link.send(&stands(20_000).message())?;
     let stats: LinkStats = link.receive(telemetry(|telemetry| telemetry.link))?;
     expect_eq(&(stats.damaged, stats.missing), &(2, 3))
 }
@@ -89,7 +91,7 @@ fn flood(image: &Path, transport: Transport) -> Outcome {
     for _ in 0..FLOOD {
         rx.receive(|message| matches!(message, FromRobot::StackUsage(_)).then_some(()))?;
     }
-    tx.send(&ToRobot::Sensors(standing(0)))?;
+    tx.send(&stands(0).message())?;
     let stats: LinkStats = rx.receive(telemetry(|telemetry| telemetry.link))?;
     expect_eq(&(stats.damaged, stats.missing), &(0, 0))
 }
@@ -99,16 +101,16 @@ fn panic(image: &Path, transport: Transport) -> Outcome {
     let mut robot = session::start_with_log(image, transport, ClockMode::Lockstep, Some(&log))?;
     let link = robot.link();
     link.send(&ToRobot::FaultInjection(FaultInjection::Panic { component: head() }))?;
-    link.send(&ToRobot::Sensors(standing(0)))?;
+    link.send(&stands(0).message())?;
     let last: Command = link.receive(command())?;
-    expect_eq(&last.stiffness, &[0.0; JOINTS])?;
+    expect_eq(&last.stiffness, &Joints::all(0.0))?;
     let (restarts, last_panic) = link.receive(|message| match message {
         FromRobot::Identity(identity) => Some((identity.restarts, identity.last_panic.to_owned())),
         _ => None,
     })?;
     expect_eq(&(restarts, last_panic.contains("injected: Head panics")), &(1, true))?;
     session::start_game(&mut robot, ClockMode::Lockstep)?;
-    robot.link().send(&ToRobot::Sensors(standing(0)))?;
+    robot.link().send(&stands(0).message())?;
     robot.link().receive(command())?;
     drop(robot);
     let lines = crate::log::decode(image, &log)?;
@@ -136,10 +138,10 @@ fn silence(image: &Path, transport: Transport) -> Outcome {
         return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
     }
     let stop = link.receive(command())?;
-    expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND.0, Stiffness::Stand.joints::<Nao>().0))?;
+    expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND, Stiffness::Stand.joints::<Nao>()))?;
     link.send(&ToRobot::Monitor(&[0]))?;
     expect_eq(&link.receive(telemetry(|telemetry| telemetry.safe_stop))?, &true)?;
-    link.send(&ToRobot::Sensors(standing(0)))?;
+    link.send(&stands(0).message())?;
     while link.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
     Ok(())
 }

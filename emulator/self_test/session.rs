@@ -3,12 +3,12 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use bica_emulator::{Emulator, Transport};
-use bica_field::GoalColour;
-use bica_motion::joints::JOINTS;
+use bica_emulator::{Emulator, MESSAGES, SensorsMessage, Transport, decode_command};
+use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
+use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
 use bica_sim::setup::Frame;
-use bica_wire::message::{ClockMode, Command, Hello, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Hello, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot};
 
 use crate::limits;
@@ -55,7 +55,8 @@ pub(crate) fn log_path(image: &Path, scenario: &str, transport: Transport) -> Pa
 
 /// Returns the message that starts a game.
 pub(crate) const fn hello(clock_mode: ClockMode) -> ToRobot<'static> {
-    ToRobot::Hello(Hello { schema: SCHEMA, clock_mode, attacks: GoalColour::Yellow })
+    // The goal to attack is the yellow one.
+    ToRobot::Hello(Hello { schema: SCHEMA, messages: MESSAGES, clock_mode, set_up: &[0] })
 }
 
 /// Selects the robot's identity.
@@ -65,7 +66,7 @@ fn identity() -> impl FnMut(FromRobot<'_>) -> Option<()> {
 
 /// Selects a command.
 pub(crate) fn command() -> impl FnMut(FromRobot<'_>) -> Option<Command> {
-    |message| if let FromRobot::Command(command) = message { Some(command) } else { None }
+    |message| if let FromRobot::Command(command) = message { decode_command(&command).ok() } else { None }
 }
 
 /// Selects a value from the report of a cycle.
@@ -74,10 +75,23 @@ pub(crate) fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(From
 }
 
 /// Returns the sensor values of a robot that stands still.
-pub(crate) fn standing(time_us: u64) -> Sensors {
-    let (inertial, feet) = ([0.0, 0.0, 0.0, 0.0, 0.0, 9.81, 0.0, 0.0], [6.5; 8]);
-    let (temperatures, currents) = ([30.0; JOINTS], [0.2; JOINTS]);
-    Sensors { time_us, angles: Nao::STAND.0, temperatures, currents, inertial, feet, buttons: [false; 3], image: None }
+pub(crate) fn standing() -> Sensors<'static> {
+    let foot = FootPressure { front_left: 6.5, front_right: 6.5, rear_left: 6.5, rear_right: 6.5 };
+    Sensors {
+        angles: Nao::STAND,
+        temperatures: Joints::all(30.0),
+        currents: Joints::all(0.2),
+        inertial: Inertial { acceleration: [0.0, 0.0, 9.81].into(), ..Inertial::default() },
+        left_foot: foot,
+        right_foot: foot,
+        buttons: Buttons::default(),
+        image: None,
+    }
+}
+
+/// Returns the message of a robot that stands still.
+pub(crate) fn stands(time_us: u64) -> SensorsMessage {
+    SensorsMessage::new(time_us, &standing(), 0)
 }
 
 /// Requires that a value equals the expected one.

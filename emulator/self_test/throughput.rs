@@ -5,12 +5,12 @@ use std::path::Path;
 
 use bica_emulator::{Emulator, Transport};
 use bica_sim::setup::Frame;
-use bica_wire::message::{ClockMode, Sensors};
+use bica_wire::message::ClockMode;
 use bica_wire::{ToRobot, chunks};
 
 use crate::game::Played;
 use crate::images::CameraImage;
-use crate::session::{self, standing, telemetry};
+use crate::session::{self, telemetry};
 
 /// Number of images sent.
 const IMAGES: u32 = 20;
@@ -63,6 +63,6 @@ fn reception(image: &Path, frame: Frame) -> Result<u64, Box<dyn Error>> {
 
 /// Causes a log entry: announces an image that was not sent.
 fn cause_entry(robot: &mut Emulator, camera: &CameraImage, time_us: u64) -> Result<(), Box<dyn Error>> {
-    robot.link().send(&ToRobot::Sensors(Sensors { image: Some(camera.info(0)), ..standing(time_us) }))?;
+    robot.link().send(&camera.stands(time_us, 0).message())?;
     Ok(robot.link().receive(telemetry(|_| ()))?)
 }

@@ -5,12 +5,13 @@ use std::path::Path;
 use bica_field::GoalColour;
 use bica_motion::robot::{self, Light, Lights};
 use bica_wire::message::{
-    AnswerResult, Change, ClockMode, Hello, Identity, LeaseAction, Request, Sensors, StackUsage, Telemetry,
+    AnswerResult, Change, ClockMode, Hello, Identity, LeaseAction, Request, StackUsage, Telemetry,
 };
-use bica_wire::{FromMonitor, FromRobot, SCHEMA, ToMonitor, ToRobot, chunks};
+use bica_wire::{FromMonitor, FromRobot, SCHEMA, ToMonitor, ToRobot, encode};
 
 use crate::emulator::{Emulator, Transport};
 use crate::error::Error;
+use crate::messages::{MESSAGES, SensorsMessage, decode_command};
 
 /// A robot controller on an emulated microcontroller.
 #[derive(Debug)]
@@ -61,9 +62,15 @@ impl Controller {
         if schema != SCHEMA {
             return Err(Error::SchemaMismatch(schema));
         }
-        link.send(&ToRobot::Hello(Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks }))?;
-        let (counter_hz, image_bytes) =
-            link.receive(identity(|identity| (identity.counter_hz, identity.image_bytes as usize)))?;
+        let mut set_up = [0; 8];
+        let set_up = encode(&attacks, &mut set_up).unwrap_or_default();
+        let clock_mode = ClockMode::Lockstep;
+        link.send(&ToRobot::Hello(Hello { schema: SCHEMA, messages: MESSAGES, clock_mode, set_up }))?;
+        let (messages, counter_hz, image_bytes) =
+            link.receive(identity(|identity| (identity.messages, identity.counter_hz, identity.image_bytes as usize)))?;
+        if messages != MESSAGES {
+            return Err(Error::MessagesMismatch(messages));
+        }
         let instructions_per_tick = 1_000_000_000 / u64::from(counter_hz.max(1));
         Ok(Self { emulator, last_image_id: 0, instructions_per_tick, image_bytes, lease: None, last_request: 0 })
     }
@@ -85,21 +92,19 @@ impl Controller {
     /// [`Error::Disconnected`], or [`Error::UnexpectedMessage`] if the robot's command is invalid.
     pub fn cycle(&mut self, time_us: u64, sensors: &robot::Sensors<'_>) -> Result<CycleReport, Error> {
         let link = self.emulator.link();
-        if let Some(image) = sensors.image {
-            self.last_image_id = self.last_image_id.wrapping_add(1);
-            for chunk in chunks(self.last_image_id, image.yuyv) {
-                link.send(&ToRobot::ImageChunk(chunk))?;
-            }
+        self.last_image_id = self.last_image_id.wrapping_add(u32::from(sensors.image.is_some()));
+        let message = SensorsMessage::new(time_us, sensors, self.last_image_id);
+        for part in message.chunks().chain([message.message()]) {
+            link.send(&part)?;
         }
-        link.send(&ToRobot::Sensors(Sensors::new(time_us, sensors, self.last_image_id)))?;
-        let command = link.receive(|message| match message {
-            FromRobot::Command(command) => Some(command),
+        let (of_us, command) = link.receive(|message| match message {
+            FromRobot::Command(command) => Some((command.time_us, decode_command(&command))),
             _ => None,
         })?;
-        if command.time_us != time_us {
-            return Err(Error::UnexpectedMessage(format!("a command for {} µs at {time_us} µs", command.time_us)));
+        if of_us != time_us {
+            return Err(Error::UnexpectedMessage(format!("a command for {of_us} µs at {time_us} µs")));
         }
-        let command = command.to_command().map_err(|error| Error::UnexpectedMessage(error.to_string()))?;
+        let command = command?;
         let instructions_per_tick = self.instructions_per_tick;
         link.receive(|message| match message {
             FromRobot::Telemetry(telemetry) => Some(CycleReport::new(command, &telemetry, instructions_per_tick)),

@@ -14,6 +14,8 @@ pub enum Error {
     Disconnected(io::Error),
     /// The image was built with another schema, whose hash is this.
     SchemaMismatch(u64),
+    /// The image was built with other sensor values or commands, the hash of whose schemas is this.
+    MessagesMismatch(u64),
     /// The robot sent an unexpected message, or none.
     UnexpectedMessage(String),
 }
@@ -34,6 +36,12 @@ impl fmt::Display for Error {
                 f,
                 "the image has schema {schema:016x}, this program {:016x}: rebuild it with `cargo xtask firmware --build`",
                 bica_wire::SCHEMA
+            ),
+            Self::MessagesMismatch(messages) => write!(
+                f,
+                "the image has other sensor values or commands ({messages:016x}, this program {:016x}): rebuild it with \
+                 `cargo xtask firmware --build`",
+                crate::MESSAGES
             ),
             Self::UnexpectedMessage(message) => write!(f, "unexpected message from the robot: {message}"),
         }

@@ -8,8 +8,10 @@ mod controller;
 mod emulator;
 mod error;
 mod link;
+mod messages;
 
 pub use controller::{Controller, CycleReport, command_bits};
 pub use emulator::{Emulator, Transport};
 pub use error::Error;
 pub use link::{Link, Rx, Tx};
+pub use messages::{MESSAGES, SensorsMessage, decode_command};

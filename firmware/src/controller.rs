@@ -3,17 +3,17 @@
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
 use bica_motion::model::RobotModel;
-use bica_motion::robot;
+use bica_motion::robot::{self, Command};
 use bica_motion::stiffness::Stiffness;
 use bica_player::Model;
 use bica_player::input::{CameraInput, IMAGE_BYTES, RobotState};
 use bica_player::perception::{BallDetector, GoalDetector};
 #[cfg(not(feature = "monitor"))]
 use bica_wire::describe;
-use bica_wire::message::{ClockMode, Command, Hello, Identity, LinkStats, Sensors, Telemetry};
+use bica_wire::message::{ClockMode, Hello, Identity, LinkStats, Sensors, Telemetry};
 #[cfg(feature = "monitor")]
 use bica_wire::{Encoder, MAX_PACKET};
-use bica_wire::{FromRobot, SCHEMA, ToRobot};
+use bica_wire::{FromRobot, SCHEMA, ToRobot, blobs, messages_hash};
 use embassy_time::Duration;
 use embedded_io_async::Write;
 
@@ -31,6 +31,9 @@ use crate::tree::GRAPH;
 
 /// Silence of the body after which the robot stops safely: the latency budget of the tree.
 const SILENCE: Duration = Duration::from_millis(200);
+
+/// Hash of the schemas of sensor values and command.
+const MESSAGES: u64 = messages_hash::<robot::Sensors<'static>, Command>();
 
 /// The robot's controller on board `B`.
 pub(crate) struct Controller<B> {
@@ -95,6 +98,7 @@ impl<B: Board> Controller<B> {
     pub(crate) fn identity(&self) -> FromRobot<'_> {
         FromRobot::Identity(Identity {
             schema: SCHEMA,
+            messages: MESSAGES,
             name: Forward::GRAPH.name,
             cycle_hz: Forward::GRAPH.cycle_hz,
             components: Forward::COUNT as u8,
@@ -143,8 +147,10 @@ impl<B: Board> Controller<B> {
                 if self.clock_mode == Some(ClockMode::Lockstep) {
                     self.monitor.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
                 }
-                B::align_counter();
-                self.sense(sensors);
+                if !self.sense(sensors) {
+                    defmt::warn!("sensor values cannot be read");
+                    return;
+                }
                 if self.clock_mode == Some(ClockMode::Lockstep) {
                     self.cycle(Instant::from_micros(sensors.time_us), link, tx).await;
                 }
@@ -152,18 +158,19 @@ impl<B: Board> Controller<B> {
         }
     }
 
-    async fn start_game(&mut self, hello: &Hello, tx: &mut MessageTx<impl Write>) {
-        if hello.schema != SCHEMA {
-            defmt::warn!("the host has another schema: {=u64:x}", hello.schema);
+    async fn start_game(&mut self, hello: &Hello<'_>, tx: &mut MessageTx<impl Write>) {
+        let attacks = blobs::decode(hello.set_up, &[]);
+        let Some(attacks) = attacks.filter(|_| (hello.schema, hello.messages) == (SCHEMA, MESSAGES)) else {
+            defmt::warn!("the host has another schema: {=u64:x} {=u64:x}", hello.schema, hello.messages);
             tx.send(&self.identity()).await;
             return;
-        }
+        };
         if self.clock_mode.is_some() {
             defmt::info!("restart for a new game");
             B::reset();
         }
         defmt::info!("game started; lockstep: {=bool}", hello.clock_mode == ClockMode::Lockstep);
-        self.runner.robot_mut().get_mut::<GoalDetector>().attack(hello.attacks);
+        self.runner.robot_mut().get_mut::<GoalDetector>().attack(attacks);
         self.clock_mode = Some(hello.clock_mode);
         #[cfg(feature = "monitor")]
         self.monitor.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
@@ -189,20 +196,26 @@ impl<B: Board> Controller<B> {
     }
 
     /// Writes sensor values into the tree at once, because chunks of the next image may be received before the cycle.
-    fn sense(&mut self, sensors: &Sensors) {
+    /// Returns whether they can be read.
+    fn sense(&mut self, message: &Sensors<'_>) -> bool {
+        let pixels = message.blobs.as_ref().map_or(&[][..], |info| self.image.take(info));
+        let Some(mut sensors) = blobs::decode::<robot::Sensors<'_>>(message.values, pixels) else { return false };
+        let image = sensors.image.take().map(|image| (image.camera, (image.width, image.height)));
+        B::align_counter();
         let start = B::counter();
         // The pixels are in the tree's memory already, and values without an image are always accepted.
-        let _ = self.runner.sense(Instant::from_micros(sensors.time_us), &sensors.to_sensors(None));
+        let _ = self.runner.sense(Instant::from_micros(message.time_us), &sensors);
         let robot = self.runner.robot_mut();
-        let angles = *robot.get::<RobotState>().angles();
-        let input = robot.get_mut::<CameraInput>();
-        let has_image = sensors.image.as_ref().is_some_and(|info| self.image.finish(info, &angles, input));
-        if sensors.image.is_some() && !has_image {
+        if let Some((camera, size)) = image {
+            let angles = *robot.get::<RobotState>().angles();
+            self.image.finish(camera, size, &angles, robot.get_mut::<CameraInput>());
+        } else if message.blobs.is_some() {
             defmt::warn!("an image is incomplete, or does not fit");
         }
-        self.sensed = Some(Sensed { time_us: sensors.time_us, ticks: B::counter().wrapping_sub(start) });
+        self.sensed = Some(Sensed { time_us: message.time_us, ticks: B::counter().wrapping_sub(start) });
         #[cfg(feature = "monitor")]
-        self.monitor.sensed(has_image);
+        self.monitor.sensed(image.is_some());
+        true
     }
 
     /// Ticks the tree, sends the command and the report.
@@ -213,7 +226,7 @@ impl<B: Board> Controller<B> {
         let command = if self.safe_stop { stand() } else { command };
         let chain_ticks = B::counter().wrapping_sub(start).wrapping_add(sensed.ticks);
         self.log_visible();
-        tx.send(&FromRobot::Command(Command::new(sensed.time_us, &command))).await;
+        tx.send_command(sensed.time_us, &command).await;
         self.report(sensed.time_us, chain_ticks, link, tx).await;
         #[cfg(feature = "monitor")]
         {
@@ -300,8 +313,8 @@ impl<B: Board> Controller<B> {
 }
 
 /// Command of the safe stop: the robot stands with the stiffness for standing.
-fn stand() -> robot::Command {
-    robot::Command {
+fn stand() -> Command {
+    Command {
         targets: Model::STAND,
         stiffness: Stiffness::Stand.joints::<Model>(),
         lights: robot::Lights::default(),

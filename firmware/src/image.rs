@@ -1,9 +1,10 @@
 //! Reception of images, in the memory in which the tree processes them.
 
 use bica_motion::joints::Joints;
+use bica_motion::robot::CameraId;
 use bica_player::input::{CameraInput, IMAGE_BYTES};
 use bica_wire::ImageAssembler;
-use bica_wire::message::{ImageChunk, ImageInfo};
+use bica_wire::message::{BlobsInfo, ImageChunk};
 use static_cell::ConstStaticCell;
 
 static MEMORY: ConstStaticCell<[u8; IMAGE_BYTES]> = ConstStaticCell::new([0; IMAGE_BYTES]);
@@ -48,17 +49,18 @@ impl ImageReceiver {
         self.assembler.add(chunk, self.memory);
     }
 
-    /// Passes an image to the tree if it is complete, with the joint angles (rad) at which it was taken; returns
-    /// whether it is complete.
-    pub(crate) fn finish(&mut self, info: &ImageInfo, angles: &Joints<f32>, input: &mut CameraInput) -> bool {
-        let is_complete = self.assembler.take(info).is_some();
-        if is_complete {
-            let memory = core::mem::take(&mut self.memory);
-            self.memory = input.set_image(memory, info.camera(), (info.width, info.height), angles);
-            if self.memory.is_empty() {
-                self.memory = core::mem::take(&mut self.spare);
-            }
+    /// Ends an image; returns its bytes if it is complete.
+    pub(crate) fn take(&mut self, info: &BlobsInfo) -> &[u8] {
+        let size = self.assembler.take(info).unwrap_or(0);
+        self.memory.get(..size).unwrap_or_default()
+    }
+
+    /// Passes the complete image to the tree, with the joint angles (rad) at which it was taken.
+    pub(crate) fn finish(&mut self, camera: CameraId, size: (u16, u16), angles: &Joints<f32>, input: &mut CameraInput) {
+        let memory = core::mem::take(&mut self.memory);
+        self.memory = input.set_image(memory, camera, size, angles);
+        if self.memory.is_empty() {
+            self.memory = core::mem::take(&mut self.spare);
         }
-        is_complete
     }
 }

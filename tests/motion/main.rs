@@ -10,6 +10,7 @@ mod health;
 mod joints;
 mod kick;
 mod kinematics;
+mod messages;
 mod model;
 mod nao;
 mod odometry;

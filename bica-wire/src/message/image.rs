@@ -1,28 +1,24 @@
-//! Images.
+//! Images and other large data.
 
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-/// A part of an image.
+/// A part of an image, or of other large data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct ImageChunk<'a> {
-    /// Number of the image.
+    /// Number of the data.
     pub image_id: u32,
-    /// Position of the first byte in the image, bytes. Chunks are sent in order; offset 0 starts an image.
+    /// Position of the first byte in the data, bytes. Chunks are sent in order; offset 0 starts new data.
     pub offset: u32,
     /// The bytes.
     pub bytes: &'a [u8],
 }
 
-/// Size and source of the image whose chunks were sent before.
+/// Large data whose chunks were sent before: all of one message, one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct ImageInfo {
-    /// Number of the image.
+pub struct BlobsInfo {
+    /// Number in the chunks.
     pub id: u32,
-    /// Whether the bottom camera took the image.
-    pub bottom_camera: bool,
-    /// Width, px.
-    pub width: u16,
-    /// Height, px.
-    pub height: u16,
+    /// Number of bytes.
+    pub bytes: u32,
 }

@@ -1,7 +1,7 @@
 //! The messages.
 //!
-//! Units and frames are those of [`bica_motion::robot`]: radians, newtons, m/s², the torso frame. Times are microseconds
-//! since the start of the world's clock.
+//! Sensor values and commands are of the robot's own types: a program decodes them only if the hash of their schemas is its own
+//! ([`messages_hash`](crate::messages_hash)). Times are microseconds since the start of the world's clock.
 
 mod diagnostics;
 mod extra;
@@ -24,7 +24,7 @@ pub use extra::{
     WorldChange, WorldRequest, WorldState,
 };
 pub use graph::GraphItem;
-pub use image::{ImageChunk, ImageInfo};
+pub use image::{BlobsInfo, ImageChunk};
 pub use monitor::{
     Attached, ComponentState, ComponentStates, CycleInfo, InfoSchema, InfoValue, LogLine, MAX_INFO_BYTES, MAX_STATES,
     MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
@@ -36,18 +36,19 @@ pub use robot::{Command, Sensors};
 pub use session::{ClockMode, Hello, Identity};
 
 /// A message from the host.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box the sensors in")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum ToRobot<'a> {
     /// Starts a game: the tree starts from its initial state, and the robot answers with its identity.
-    Hello(Hello),
+    #[serde(borrow)]
+    Hello(Hello<'a>),
     /// Requests the graph of the robot's tree.
     Describe,
-    /// A part of the next image.
+    /// A part of the large data of the next sensor values, such as an image.
     #[serde(borrow)]
     ImageChunk(ImageChunk<'a>),
-    /// The current sensor values; sent after the chunks of the image, if there is a new one.
-    Sensors(Sensors),
+    /// The current sensor values; sent after the chunks of their large data, if there is any.
+    #[serde(borrow)]
+    Sensors(Sensors<'a>),
     /// Injects a fault, for tests.
     FaultInjection(FaultInjection),
     /// Requests the stack usage.
@@ -76,8 +77,9 @@ pub enum FromRobot<'a> {
     /// A part of the answer to [`ToRobot::Describe`].
     #[serde(borrow)]
     GraphItem(GraphItem<'a>),
-    /// The command for joints, lights and cameras.
-    Command(Command),
+    /// The command for the actuators.
+    #[serde(borrow)]
+    Command(Command<'a>),
     /// The report of a cycle.
     #[serde(borrow)]
     Telemetry(Telemetry<'a>),

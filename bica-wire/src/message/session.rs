@@ -1,18 +1,19 @@
 //! Start of a game, and identity of the robot.
 
-use bica_field::GoalColour;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
 /// Start of a game.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct Hello {
+pub struct Hello<'a> {
     /// The host's [`SCHEMA`](crate::SCHEMA). The robot starts no game with a host of another schema.
     pub schema: u64,
+    /// The host's [`messages_hash`](crate::messages_hash), which has to be the robot's, too.
+    pub messages: u64,
     /// The clock that ticks the tree.
     pub clock_mode: ClockMode,
-    /// Colour of the goal to score in.
-    pub attacks: GoalColour,
+    /// What the robot's program has to know before the start, in a form of its own.
+    pub set_up: &'a [u8],
 }
 
 /// The clock that ticks the tree.
@@ -30,6 +31,8 @@ pub struct Identity<'a> {
     /// The robot's [`SCHEMA`](crate::SCHEMA): the first field in every version
     /// ([`Packet::identity_schema`](crate::Packet::identity_schema)).
     pub schema: u64,
+    /// The robot's [`messages_hash`](crate::messages_hash).
+    pub messages: u64,
     /// Name of the tree.
     pub name: &'a str,
     /// Nominal tick rate of the tree, Hz.
@@ -38,7 +41,7 @@ pub struct Identity<'a> {
     pub components: u8,
     /// Rate of the counter that measures costs, Hz.
     pub counter_hz: u32,
-    /// Size of the largest image that the robot takes, bytes. A larger one counts as incomplete.
+    /// Size of the most large data of a message that the robot takes, bytes. More counts as incomplete.
     pub image_bytes: u32,
     /// Number of restarts after a panic since power-on.
     pub restarts: u32,

@@ -1,45 +1,29 @@
 //! Strategies for arbitrary messages, and encoding and decoding of sequences of them.
 
-use bica_field::GoalColour;
-use bica_wire::message::{ClockMode, FaultInjection, Hello, ImageChunk, ImageInfo, Sensors};
+use bica_wire::message::{BlobsInfo, ClockMode, FaultInjection, Hello, ImageChunk, Sensors};
 use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, ToRobot};
 use proptest::prelude::*;
 
 /// Any message of the host; `bytes` are the content of an image chunk.
 pub(crate) fn to_robot(bytes: &'static [u8]) -> BoxedStrategy<ToRobot<'static>> {
-    let hello = (any::<u64>(), any::<bool>(), any::<bool>()).prop_map(|(schema, free_running, yellow)| {
+    let hello = (any::<u64>(), any::<u64>(), any::<bool>()).prop_map(move |(schema, messages, free_running)| {
         let clock_mode = if free_running { ClockMode::FreeRunning } else { ClockMode::Lockstep };
-        let attacks = if yellow { GoalColour::Yellow } else { GoalColour::SkyBlue };
-        ToRobot::Hello(Hello { schema, clock_mode, attacks })
+        ToRobot::Hello(Hello { schema, messages, clock_mode, set_up: &bytes[..bytes.len().min(8)] })
     });
     let chunk = (any::<u32>(), any::<u32>())
         .prop_map(move |(image_id, offset)| ToRobot::ImageChunk(ImageChunk { image_id, offset, bytes }));
     let delay = (any::<u8>(), any::<u32>()).prop_map(|(component, ticks)| FaultInjection::Delay { component, ticks });
     let panic = any::<u8>().prop_map(|component| FaultInjection::Panic { component });
     let fault = prop_oneof![delay, panic].prop_map(ToRobot::FaultInjection);
-    let sensors = sensors().prop_map(ToRobot::Sensors);
+    let sensors = sensors(bytes).prop_map(ToRobot::Sensors);
     let monitor = [ToRobot::Monitor(bytes), ToRobot::MonitorExtra(bytes)];
     let empty = prop::sample::select([[ToRobot::Describe, ToRobot::StackUsage], monitor].concat());
     prop_oneof![empty, hello, chunk, fault, sensors].boxed()
 }
 
-fn sensors() -> impl Strategy<Value = Sensors> {
-    let image = (any::<u32>(), any::<bool>(), any::<u16>(), any::<u16>())
-        .prop_map(|(id, bottom_camera, width, height)| ImageInfo { id, bottom_camera, width, height });
-    let floats = || prop::array::uniform25(-1e6_f32..1e6);
-    let joints = [floats(), floats(), floats()];
-    (any::<u64>(), joints, prop::array::uniform8(any::<i16>()), any::<[bool; 3]>(), prop::option::of(image)).prop_map(
-        |(time_us, [angles, temperatures, currents], small, buttons, image)| Sensors {
-            time_us,
-            angles,
-            temperatures,
-            currents,
-            inertial: small.map(f32::from),
-            feet: small.map(f32::from),
-            buttons,
-            image,
-        },
-    )
+fn sensors(values: &'static [u8]) -> impl Strategy<Value = Sensors<'static>> {
+    let blobs = (any::<u32>(), any::<u32>()).prop_map(|(id, bytes)| BlobsInfo { id, bytes });
+    (any::<u64>(), prop::option::of(blobs)).prop_map(move |(time_us, blobs)| Sensors { time_us, blobs, values })
 }
 
 /// Encodes messages as packets with consecutive sequence numbers.

@@ -6,19 +6,18 @@
 //! their frames.
 
 use bica_core::ComponentId;
-use bica_field::GoalColour;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
-    ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello, Hold, Identity, ImageChunk,
-    ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request, Setting, StackUsage, Truth,
-    Value, Watch, WatchInfo, WorldChange, WorldRequest, WorldState,
+    Answer, AnswerResult, Attached, BlobsInfo, Change, ClockMode, Command, ComponentCost, ComponentCosts,
+    ComponentState, ComponentStates, ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello,
+    Hold, Identity, ImageChunk, ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request,
+    Sensors, Setting, StackUsage, Truth, Value, Watch, WatchInfo, WorldChange, WorldRequest, WorldState,
 };
 use bica_wire::{
     Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x3a9c_a027_a804_9160;
+const GOLDEN_SCHEMA: u64 = 0xa7fb_ad4a_18ae_24a3;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -31,16 +30,20 @@ fn schema_hash_is_the_committed_one() {
 
 #[test]
 fn packets_have_the_committed_bytes() {
-    let hello = Hello { schema: 0x0123_4567_89ab_cdef, clock_mode: ClockMode::Lockstep, attacks: GoalColour::SkyBlue };
+    let hello = Hello { schema: 0x0123_4567_89ab_cdef, messages: 1, clock_mode: ClockMode::Lockstep, set_up: &[1] };
     assert_eq!(bytes(&ToRobot::Describe), [1, 1, 6, 1, 132, 233, 70, 136, 0]);
     assert_eq!(
         bytes(&ToRobot::Hello(hello)),
-        [1, 1, 1, 16, 239, 155, 175, 205, 248, 172, 209, 145, 1, 1, 1, 128, 92, 123, 97, 0]
+        [1, 1, 1, 18, 239, 155, 175, 205, 248, 172, 209, 145, 1, 1, 1, 1, 1, 199, 247, 155, 118, 0]
     );
     assert_eq!(
         bytes(&ToRobot::ImageChunk(ImageChunk { image_id: 1, offset: 1024, bytes: &[0, 1, 255] })),
         [1, 1, 6, 2, 1, 128, 8, 3, 7, 1, 255, 132, 74, 180, 15, 0]
     );
+    let sensors = Sensors { time_us: 300, blobs: Some(BlobsInfo { id: 1, bytes: 1027 }), values: &[7, 8] };
+    assert_eq!(postcard::to_stdvec(&ToRobot::Sensors(sensors)), Ok(vec![3, 172, 2, 1, 1, 131, 8, 2, 7, 8]));
+    let command = Command { time_us: 300, values: &[7, 8] };
+    assert_eq!(postcard::to_stdvec(&FromRobot::Command(command)), Ok(vec![2, 172, 2, 2, 7, 8]));
     assert_eq!(
         bytes(&ToRobot::FaultInjection(FaultInjection::Delay { component: 7, ticks: 300 })),
         [1, 1, 2, 4, 8, 7, 172, 2, 242, 253, 31, 129, 0]
@@ -63,6 +66,7 @@ fn the_schema_of_an_identity_of_another_version_can_be_read() {
     assert_eq!(schema(&bytes(&0_u8)), None, "no schema");
     let identity = Identity {
         schema: 300,
+        messages: 400,
         name: "Forward",
         cycle_hz: 100.0,
         components: 34,

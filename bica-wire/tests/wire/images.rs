@@ -1,15 +1,15 @@
 //! Transfer of images in chunks.
 
-use bica_wire::message::{ImageChunk, ImageInfo};
+use bica_wire::message::{BlobsInfo, ImageChunk};
 use bica_wire::{CHUNK_BYTES, ImageAssembler, ImageBuffer, chunks};
 use proptest::prelude::*;
 
 proptest! {
     #[test]
     fn image_is_returned_only_if_every_chunk_was_received(
-        (width, height) in (1..64_u16, 1..64_u16), missing in prop::option::of(0..8_usize), number in any::<u32>(),
+        size in 1..8192_u32, missing in prop::option::of(0..8_usize), number in any::<u32>(),
     ) {
-        let bytes: Vec<u8> = (0..2 * usize::from(width) * usize::from(height)).map(|i| (i % 251) as u8).collect();
+        let bytes: Vec<u8> = (0..size).map(|i| (i % 251) as u8).collect();
         let sent: Vec<_> = chunks(number, &bytes).collect();
         prop_assert_eq!(sent.len(), bytes.len().div_ceil(CHUNK_BYTES));
         let mut buffer = ImageBuffer::<8192>::new();
@@ -18,7 +18,7 @@ proptest! {
                 buffer.add(chunk);
             }
         }
-        let info = ImageInfo { id: number, bottom_camera: false, width, height };
+        let info = BlobsInfo { id: number, bytes: size };
         let complete = missing.is_none_or(|index| index >= sent.len());
         prop_assert_eq!(buffer.take(&info), complete.then_some(bytes.as_slice()));
         prop_assert_eq!(buffer.incomplete(), u32::from(!complete));
@@ -31,7 +31,7 @@ proptest! {
         for (image_id, offset, length) in sent {
             buffer.add(&ImageChunk { image_id, offset, bytes: &vec![1; length] });
         }
-        buffer.take(&ImageInfo { id: 1, bottom_camera: true, width: u16::MAX, height: u16::MAX });
+        buffer.take(&BlobsInfo { id: 1, bytes: u32::MAX });
     }
 }
 
@@ -41,7 +41,7 @@ fn chunks_of_two_images_are_not_combined() {
     let mut buffer = ImageBuffer::<4096>::new();
     buffer.add(&chunks(1, &old).next().expect("a chunk"));
     buffer.add(&chunks(2, &new).nth(1).expect("a chunk"));
-    assert_eq!(buffer.take(&ImageInfo { id: 1, bottom_camera: false, width: 32, height: 32 }), None);
+    assert_eq!(buffer.take(&BlobsInfo { id: 1, bytes: 2048 }), None);
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn only_chunks_of_the_current_image_are_written_into_the_memory() {
 #[test]
 fn a_complete_image_is_at_the_start_of_the_memory() {
     let (mut assembler, mut memory) = (ImageAssembler::new(), [7; 16]);
-    let info = ImageInfo { id: 1, bottom_camera: false, width: 2, height: 3 };
+    let info = BlobsInfo { id: 1, bytes: 12 };
     chunks(1, &[1; 12]).for_each(|chunk| assembler.add(&chunk, &mut memory));
     assert_eq!(assembler.take(&info), Some(12));
     assert_eq!(memory, [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 7, 7, 7, 7]);

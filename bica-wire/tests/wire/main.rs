@@ -2,7 +2,6 @@
 
 mod arbitrary;
 mod blobs;
-mod conversions;
 mod damage;
 mod describe;
 mod golden;

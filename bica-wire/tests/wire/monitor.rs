@@ -1,7 +1,6 @@
 //! Messages between a robot and its monitors.
 
 use bica_core::ComponentId;
-use bica_field::GoalColour;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
     ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, MAX_ARGUMENTS,
@@ -95,7 +94,7 @@ fn a_batch_that_is_longer_than_the_largest_is_no_message() {
 
 #[test]
 fn only_messages_of_the_body_show_that_sensor_values_arrive() {
-    let hello = Hello { schema: 0, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Yellow };
+    let hello = Hello { schema: 0, messages: 0, clock_mode: ClockMode::Lockstep, set_up: &[] };
     assert!(ToRobot::Hello(hello).is_from_body());
     let monitor = [ToRobot::Monitor(&[0]), ToRobot::MonitorExtra(&[0]), ToRobot::Describe, ToRobot::StackUsage];
     assert!(!monitor.iter().any(ToRobot::is_from_body));

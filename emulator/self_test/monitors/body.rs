@@ -11,14 +11,14 @@ use std::time::Duration;
 
 use bica::runner::Runner;
 use bica::{Instant, Tree};
-use bica_emulator::{Emulator, Transport, command_bits};
+use bica_emulator::{Emulator, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_wire::message::{AnswerResult, Change, ClockMode, LeaseState};
 use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 
-use crate::session::{self, standing};
+use crate::session::{self, standing, stands};
 
 /// Time of a cycle, µs of the robot's time. The body also waits this long, so that the robot's time is close to a clock's.
 pub(super) const CYCLE_US: u64 = 10_000;
@@ -117,11 +117,11 @@ fn run(
             let mut bytes = [0; 512];
             robot.link().send(&ToRobot::Monitor(postcard::to_slice(&message, &mut bytes)?))?;
         }
-        robot.link().send(&ToRobot::Sensors(standing(time_us)))?;
+        robot.link().send(&stands(time_us).message())?;
         let mut command = Vec::new();
         let active = robot.link().receive(|message| match message {
             FromRobot::Command(sent) if sent.time_us == time_us => {
-                command = sent.to_command().map(|command| command_bits(&command).collect()).unwrap_or_default();
+                command = decode_command(&sent).map(|command| command_bits(&command).collect()).unwrap_or_default();
                 None
             }
             FromRobot::Telemetry(telemetry) if telemetry.time_us == time_us => Some(telemetry.active),
@@ -167,7 +167,7 @@ pub(super) fn first_difference(cycles: &[Cycle], changes: &[(u64, Change)]) -> R
         for (_, change) in changes.iter().filter(|(cycle, _)| *cycle == index as u64) {
             runner.request(now, change.request())?;
         }
-        runner.sense(now, &standing(time_us).to_sensors(None)).map_err(|_| "an image does not fit")?;
+        runner.sense(now, &standing()).map_err(|_| "an image does not fit")?;
         let command = runner.think(now);
         let active = runner.robot().active().fold(0, |set, id| set | 1 << id.index());
         if !command_bits(&command).eq(cycle.command.iter().copied()) || active != cycle.active {

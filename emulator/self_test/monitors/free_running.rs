@@ -15,7 +15,7 @@ use bica_wire::{FromMonitor, FromRobot, ToRobot};
 
 use super::{Outcome, PATIENCE, expect};
 use crate::random::Random;
-use crate::session::{self, command, expect_eq, standing, telemetry};
+use crate::session::{self, command, expect_eq, telemetry};
 
 /// Number of cycles with sensor values.
 const SEEING: usize = 100;
@@ -77,7 +77,7 @@ fn send(tx: &mut Tx<impl Write>, noise: &mut TcpStream, sends: &AtomicU8) -> Out
     let acquire = ToRobot::Monitor(postcard::to_slice(&FromMonitor::Lease(LeaseAction::Acquire), &mut buffer)?);
     for number in 0_u32.. {
         match sends.load(Ordering::Relaxed) {
-            SENSORS => tx.send(&ToRobot::Sensors(standing(0)))?,
+            SENSORS => tx.send(&session::stands(0).message())?,
             HEARTBEATS => tx.write(&[0; 64])?,
             _ => break,
         }
@@ -99,6 +99,6 @@ fn stands(image: &Path) -> Outcome {
         scope.spawn(|| (0..360).try_for_each(|_| tx.write(&[0; 1000])));
         while !rx.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
         let stand = rx.receive(command())?;
-        expect_eq(&(stand.targets, stand.stiffness), &(Nao::STAND.0, Stiffness::Stand.joints::<Nao>().0))
+        expect_eq(&(stand.targets, stand.stiffness), &(Nao::STAND, Stiffness::Stand.joints::<Nao>()))
     })
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bica::runner::Runner;
 use bica::{Instant, Tree};
-use bica_emulator::{Emulator, Transport, command_bits};
+use bica_emulator::{Emulator, MESSAGES, SensorsMessage, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
 use bica_game::{FirmwareImage, recording_header};
 use bica_motion::robot::Command;
@@ -18,8 +18,8 @@ use bica_recording::{Backpressure, ImagePolicy, Recorder, RecorderOptions};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
-use bica_wire::message::{ClockMode, Hello, Sensors};
-use bica_wire::{Decoder, FromRobot, ImageBuffer, MAX_PACKET, SCHEMA, ToRobot, chunks};
+use bica_wire::message::{ClockMode, Hello};
+use bica_wire::{Decoder, FromRobot, ImageBuffer, MAX_PACKET, SCHEMA, ToRobot, blobs, encode};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -47,9 +47,10 @@ impl Model {
             match packet.message().expect("nothing is accepted that was not sent") {
                 ToRobot::ImageChunk(chunk) => self.image.add(&chunk),
                 ToRobot::Sensors(sensors) => {
-                    let yuyv = sensors.image.as_ref().and_then(|info| self.image.take(info));
+                    let yuyv = sensors.blobs.as_ref().and_then(|info| self.image.take(info)).unwrap_or_default();
                     let now = Instant::from_micros(sensors.time_us);
-                    self.runner.sense(now, &sensors.to_sensors(yuyv)).expect("the image fits");
+                    let values = blobs::decode(sensors.values, yuyv).expect("nothing is accepted that was not sent");
+                    self.runner.sense(now, &values).expect("the image fits");
                     command = Some((sensors.time_us, self.runner.think(now)));
                     self.cycles += 1;
                 }
@@ -96,8 +97,8 @@ fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
         let (rx, tx) = emulator.link().halves();
         let mut bytes = Vec::new();
         id += u32::from(sensors.image.is_some());
-        let parts = sensors.image.iter().flat_map(|image| chunks(id, image.yuyv)).map(ToRobot::ImageChunk);
-        for message in parts.chain([ToRobot::Sensors(Sensors::new(time_us, &sensors, id))]) {
+        let sensors = SensorsMessage::new(time_us, &sensors, id);
+        for message in sensors.chunks().chain([sensors.message()]) {
             let mut packet = tx.encode(&message).expect("it fits");
             if rng.next_u32().is_multiple_of(DAMAGE) {
                 damage(&mut packet, &mut rng);
@@ -107,12 +108,12 @@ fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
         tx.write(&bytes).expect("the emulator runs");
         if let Some((time_us, command)) = model.receive(&bytes) {
             let sent = rx.receive(|message| match message {
-                FromRobot::Command(sent) => Some(sent),
+                FromRobot::Command(sent) => Some((sent.time_us, decode_command(&sent))),
                 _ => None,
             });
-            let sent = sent.expect("a command");
-            assert_eq!(sent.time_us, time_us);
-            let sent = sent.to_command().expect("valid");
+            let (of_us, sent) = sent.expect("a command");
+            assert_eq!(of_us, time_us);
+            let sent = sent.expect("valid");
             assert!(command_bits(&sent).eq(command_bits(&command)), "seed {seed}: they deviate at {time_us} µs");
             last = Some(sent);
         } else {
@@ -131,7 +132,9 @@ fn start(image: &Path, attacks: GoalColour) -> Emulator {
     let mut emulator = Emulator::start(image, Transport::Pipe, None).expect("an image");
     let identity = |message: FromRobot<'_>| matches!(message, FromRobot::Identity(_)).then_some(());
     emulator.link().receive(identity).expect("its identity");
-    let hello = Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks };
+    let mut set_up = [0; 8];
+    let set_up = encode(&attacks, &mut set_up).expect("a byte");
+    let hello = Hello { schema: SCHEMA, messages: MESSAGES, clock_mode: ClockMode::Lockstep, set_up };
     // The model's decoder begins after this packet, so a missing first packet is counted by the robot only.
     emulator.link().send(&ToRobot::Hello(hello)).expect("the emulator runs");
     emulator.link().receive(identity).expect("its identity");

@@ -7,7 +7,6 @@ use std::thread;
 use std::time::Duration;
 
 use bica::ComponentId;
-use bica_field::GoalColour;
 use bica_link::{Client, ClientOptions, Error, Event};
 use bica_wire::message::{Change, ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
 use bica_wire::{Encoder, FromMonitor, MAX_PACKET, SCHEMA, ToRobot};
@@ -132,7 +131,7 @@ fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
     // A packet without an end, longer than any.
     link.write_all(&vec![7; 1 << 16]).unwrap();
     link.write_all(&[0]).unwrap();
-    let hello = Hello { schema: SCHEMA, clock_mode: ClockMode::Lockstep, attacks: GoalColour::Yellow };
+    let hello = Hello { schema: SCHEMA, messages: 0, clock_mode: ClockMode::Lockstep, set_up: &[] };
     link.write_all(&packet(&mut encoder, &ToRobot::Hello(hello))).unwrap();
     session.until_stats("garbage is counted", |stats| stats.damaged > 500 && stats.unknown == 1);
     // The same connection still works.

@@ -16,6 +16,7 @@ use serde_json::json;
 
 use super::commands::Commands;
 use super::common::Common;
+use super::robot_recording::BOTTOM_CAMERA;
 use super::session::Session;
 use super::storage::MCAP;
 use super::value::unknown;
@@ -55,7 +56,7 @@ pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, BlobP
     if image.bytes.len() != 2 * usize::from(width) * usize::from(height) {
         return Err(Failed::new(format!("image {number} does not have the pixels of its size"), "record it again"));
     }
-    let bottom_camera = frame == super::robot_recording::BOTTOM_CAMERA;
+    let bottom_camera = frame == BOTTOM_CAMERA;
     Ok(Image { number, time_us, bottom_camera, width, height, yuyv: image.bytes.into() })
 }
 

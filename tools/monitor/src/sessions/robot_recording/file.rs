@@ -15,10 +15,6 @@ use bica_recording::{Header, MonitorRecorder, ReceivedImage, RecordedCycle, crea
 use crate::pages::lock;
 use crate::program::Image;
 
-/// Frames of the images of the two cameras that the link's messages distinguish.
-pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
-const TOP_CAMERA: &str = "top_camera";
-
 /// Largest number of cycles and images that wait for the disk: 40 s at 100 Hz.
 const QUEUE: usize = 4096;
 /// Largest number of images that wait for the disk.
@@ -33,6 +29,11 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     let numbered = |number: u32| path.with_file_name(format!("{stem}-{number}.{ending}"));
     std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
+
+/// Frame of an image of the bottom camera.
+pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
+/// Frame of an image of any other camera.
+const TOP_CAMERA: &str = "top_camera";
 
 /// An image of a session as an image of a recording.
 pub(super) fn received(image: &Image) -> ReceivedImage<'_> {
