@@ -109,7 +109,7 @@ pub mod realtime;
 pub use observer::{Cycle, Observer};
 #[cfg(feature = "std")]
 pub use queue::{OwnedRequest, RequestQueue};
-pub use request::{Request, Requests};
+pub use request::{Change, Request, Requests};
 pub use robot::Robot;
 pub use runner::Runner;
 pub use schedule::{Overrun, OverrunPolicy, RunError, Schedule};

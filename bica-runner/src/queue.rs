@@ -3,65 +3,23 @@
 use std::collections::VecDeque;
 use std::vec::Vec;
 
+use bica_core::Instant;
 use bica_core::params::{Setting, Value};
 use bica_core::refusal::Refusal;
-use bica_core::{ComponentId, Hold, Instant};
 
-use crate::request::{Request, Requests};
+use crate::request::{Change, Request, Requests};
 
 /// Request that owns its values.
-#[derive(Clone, Debug, PartialEq)]
-pub enum OwnedRequest {
-    /// [`Request::Hold`].
-    Hold {
-        /// Component.
-        component: ComponentId,
-        /// Hold from the next tick on.
-        hold: Hold,
-    },
-    /// [`Request::Rate`].
-    Rate {
-        /// Component.
-        component: ComponentId,
-        /// Runs per second; `None` is the declared rate.
-        hz: Option<f32>,
-    },
-    /// [`Request::Params`].
-    Params(Vec<Setting>),
-    /// [`Request::Modulate`].
-    Modulate {
-        /// Component.
-        component: ComponentId,
-        /// Index in [`Node::modulations`](bica_core::graph::Node::modulations).
-        index: usize,
-        /// One value for each argument.
-        arguments: Vec<Value>,
-    },
-}
-
-impl OwnedRequest {
-    /// Returns the request with borrowed values.
-    #[must_use]
-    pub fn borrow(&self) -> Request<'_> {
-        match self {
-            &Self::Hold { component, hold } => Request::Hold { component, hold },
-            &Self::Rate { component, hz } => Request::Rate { component, hz },
-            Self::Params(batch) => Request::Params(batch),
-            Self::Modulate { component, index, arguments } => {
-                Request::Modulate { component: *component, index: *index, arguments }
-            }
-        }
-    }
-}
+pub type OwnedRequest = Change<Vec<Setting>, Vec<Value>>;
 
 impl From<Request<'_>> for OwnedRequest {
     fn from(request: Request<'_>) -> Self {
         match request {
             Request::Hold { component, hold } => Self::Hold { component, hold },
             Request::Rate { component, hz } => Self::Rate { component, hz },
-            Request::Params(batch) => Self::Params(batch.to_vec()),
-            Request::Modulate { component, index, arguments } => {
-                Self::Modulate { component, index, arguments: arguments.to_vec() }
+            Request::Params(settings) => Self::Params(settings.to_vec()),
+            Request::Modulate { component, modulation, arguments } => {
+                Self::Modulate { component, modulation, arguments: arguments.to_vec() }
             }
         }
     }

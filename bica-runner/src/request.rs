@@ -4,12 +4,13 @@ use bica_core::params::{Setting, Value};
 use bica_core::refusal::{Reason, Refusal};
 use bica_core::{ComponentId, Hold, Instant, Key, Tree};
 
-/// Change of the tree from outside, applied between two cycles.
+/// Change of the tree from outside, applied between two cycles. `S` contains settings, and `V` values: borrowed in the loop
+/// ([`Request`]), on the heap in a tool (`OwnedRequest`), of bounded size in a message.
 ///
 /// All changes except the sensor values are requests, so a recording of requests and sensor values is complete.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Request<'a> {
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
+pub enum Change<S, V> {
     /// Holds a component active or latent, or releases it.
     Hold {
         /// Component.
@@ -25,16 +26,48 @@ pub enum Request<'a> {
         hz: Option<f32>,
     },
     /// Sets parameters, of any number of components: all of them or, if one is refused, none.
-    Params(&'a [Setting]),
+    Params(S),
     /// Calls a modulation of a component.
     Modulate {
         /// Component.
         component: ComponentId,
         /// Index in [`Node::modulations`](bica_core::graph::Node::modulations).
-        index: usize,
+        modulation: u16,
         /// One value for each argument.
-        arguments: &'a [Value],
+        arguments: V,
     },
+}
+
+/// A change with borrowed values.
+pub type Request<'a> = Change<&'a [Setting], &'a [Value]>;
+
+impl<S: AsRef<[Setting]>, V: AsRef<[Value]>> Change<S, V> {
+    /// Returns the change with borrowed values.
+    #[must_use]
+    pub fn borrow(&self) -> Request<'_> {
+        match self {
+            &Self::Hold { component, hold } => Change::Hold { component, hold },
+            &Self::Rate { component, hz } => Change::Rate { component, hz },
+            Self::Params(settings) => Change::Params(settings.as_ref()),
+            &Self::Modulate { component, modulation, ref arguments } => {
+                Change::Modulate { component, modulation, arguments: arguments.as_ref() }
+            }
+        }
+    }
+}
+
+impl<'a> Request<'a> {
+    /// Returns the change with its values in containers of another type; `None` if one is too small.
+    pub fn store<S: TryFrom<&'a [Setting]>, V: TryFrom<&'a [Value]>>(self) -> Option<Change<S, V>> {
+        Some(match self {
+            Self::Hold { component, hold } => Change::Hold { component, hold },
+            Self::Rate { component, hz } => Change::Rate { component, hz },
+            Self::Params(settings) => Change::Params(settings.try_into().ok()?),
+            Self::Modulate { component, modulation, arguments } => {
+                Change::Modulate { component, modulation, arguments: arguments.try_into().ok()? }
+            }
+        })
+    }
 }
 
 impl<'a> Request<'a> {
@@ -48,7 +81,7 @@ impl<'a> Request<'a> {
         arguments: &'a [Value],
     ) -> Result<Self, Refusal> {
         let (component, index) = T::find_modulation(component, modulation)?;
-        Ok(Self::Modulate { component, index, arguments })
+        Ok(Self::Modulate { component, modulation: index as u16, arguments })
     }
 
     /// Applies the request to a tree.
@@ -63,7 +96,9 @@ impl<'a> Request<'a> {
                 tree.set_rate_at(component, hz)
             }
             Self::Params(batch) => tree.set_params(batch),
-            Self::Modulate { component, index, arguments } => tree.modulate(component, index, arguments),
+            Self::Modulate { component, modulation, arguments } => {
+                tree.modulate(component, usize::from(modulation), arguments)
+            }
         }
     }
 }

@@ -115,8 +115,8 @@ fn restart(count: i32) -> OwnedRequest {
     Request::modulate::<Counting>("Counter", "restart", &[Value::I32(count)]).unwrap().into()
 }
 
-fn modulate(component: ComponentId, index: usize, count: i32) -> OwnedRequest {
-    OwnedRequest::Modulate { component, index, arguments: vec![Value::I32(count)] }
+fn modulate(component: ComponentId, modulation: u16, count: i32) -> OwnedRequest {
+    OwnedRequest::Modulate { component, modulation, arguments: vec![Value::I32(count)] }
 }
 
 fn runner() -> Runner<Box<Counting>, Clock, RequestQueue, Log> {

@@ -1,10 +1,6 @@
 //! Random graphs.
 
-use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
-use bica_core::info::Info;
-use bica_core::modulation::Modulation;
-use bica_core::params::{Kind, Param, ParamGroup, Value, Variant};
-use bica_core::visual::Placement;
+use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use proptest::prelude::*;
 
 use crate::build;
@@ -101,57 +97,16 @@ pub(crate) fn every_character() -> Graph {
     Graph { name: text, doc: text, ..build::graph(vec![node, build::node("Other")].leak()) }
 }
 
-/// Groups of parameters of every kind with arbitrary texts and numbers.
-fn special_groups() -> impl Strategy<Value = &'static [ParamGroup]> {
-    let number = any::<f32>;
-    let f32s = (number(), number(), prop::option::of(number()), number())
-        .prop_map(|(min, max, step, value)| (Kind::F32 { min, max, step }, Value::F32(value)));
-    let i32s = any::<(i32, i32, Option<i32>, i32)>()
-        .prop_map(|(min, max, step, value)| (Kind::I32 { min, max, step }, Value::I32(value)));
-    let u32s = any::<(u32, u32, Option<u32>, u32)>()
-        .prop_map(|(min, max, step, value)| (Kind::U32 { min, max, step }, Value::U32(value)));
-    let bools = any::<bool>().prop_map(|value| (Kind::Bool, Value::Bool(value)));
-    let choices =
-        (prop::collection::vec((special_text(), special_text()), 0..3), 0..3_u32).prop_map(|(variants, value)| {
-            let variants: Vec<_> = variants.into_iter().map(|(name, doc)| Variant { name, doc }).collect();
-            let variants: &[Variant] = variants.leak();
-            (Kind::Choice { variants }, Value::Choice(value))
-        });
-    let kind = prop_oneof![f32s, i32s, u32s, bools, choices];
-    let param = (special_text(), special_text(), prop::option::of(special_text()), kind)
-        .prop_map(|(name, doc, unit, (kind, default))| Param { name, doc: Doc::new(doc), unit, kind, default });
-    let group = (special_text(), special_text(), prop::collection::vec(param, 0..3))
-        .prop_map(|(name, doc, params)| ParamGroup { name, doc, params: params.leak() });
-    prop::collection::vec(group, 0..3).prop_map(|groups| &*groups.leak())
-}
-
 /// Graphs with arbitrary names, docs and numbers.
 pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
     let texts = prop::collection::vec(special_text(), 16);
     let figures = prop::collection::vec(any::<f32>(), 8);
-    let groups = prop::collection::vec(special_groups(), max);
-    (any_graph(max), texts, figures, any::<u32>(), groups).prop_map(|(graph, texts, figures, after_ms, groups)| {
+    (any_graph(max), texts, figures, any::<u32>()).prop_map(|(graph, texts, figures, after_ms)| {
         let mut text = texts.into_iter().cycle();
         let mut text = move || text.next().unwrap_or_default();
         let mut figure = figures.into_iter().cycle();
         let mut nodes = graph.nodes.to_vec();
-        for (node, groups) in nodes.iter_mut().zip(groups.into_iter().cycle()) {
-            node.params = groups;
-            let info = |group: &ParamGroup| {
-                let (name, doc) = (group.name, group.doc);
-                let placement = &*Box::leak(Box::new(Placement { shape: name, frame: doc, child: Some(name) }));
-                Info {
-                    name,
-                    doc: Doc::new(doc),
-                    unit: Some(doc),
-                    ty: name,
-                    placement: (!doc.is_empty()).then_some(placement),
-                }
-            };
-            node.info = groups.iter().map(info).collect::<Vec<_>>().leak();
-            let modulation =
-                |group: &ParamGroup| Modulation { name: group.doc, doc: group.name, arguments: group.params };
-            node.modulations = groups.iter().map(modulation).collect::<Vec<_>>().leak();
+        for node in &mut nodes {
             (node.name, node.doc, node.resume) = (text(), text(), text().is_empty());
             node.hz = node.hz.and_then(|_| figure.next());
             node.budget_us = node.budget_us.and_then(|_| figure.next());

@@ -5,7 +5,6 @@ mod constant;
 mod dot;
 mod drawn;
 mod generate;
-mod json;
 mod mermaid;
 mod messages;
 mod naive;

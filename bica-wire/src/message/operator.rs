@@ -1,7 +1,6 @@
 //! Requests of an operator.
 
 use bica_core::params::{Setting, Value};
-use bica_core::{ComponentId, Hold};
 use heapless::Vec;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
@@ -57,58 +56,8 @@ pub struct Request {
     pub change: Change,
 }
 
-/// A change between two cycles.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box the values in")]
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
-pub enum Change {
-    /// Holds a component active or latent, or releases it.
-    Hold {
-        /// Index of the component.
-        component: u16,
-        /// The hold.
-        hold: Hold,
-    },
-    /// Changes the rate of a component.
-    Rate {
-        /// Index of the component.
-        component: u16,
-        /// Runs per second; NaN: the declared rate; 0: rest.
-        hz: f32,
-    },
-    /// Sets parameters: all, or none if one is refused.
-    Params(Vec<Setting, MAX_BATCH>),
-    /// Calls a modulation.
-    Modulate {
-        /// Index of the component.
-        component: u16,
-        /// Index of the modulation.
-        modulation: u16,
-        /// The arguments.
-        arguments: Vec<Value, MAX_ARGUMENTS>,
-    },
-}
-
-impl Change {
-    /// Returns the request of the loop that performs the change.
-    #[must_use]
-    pub fn request(&self) -> bica_runner::Request<'_> {
-        match self {
-            Self::Hold { component, hold } => bica_runner::Request::Hold { component: id(*component), hold: *hold },
-            Self::Rate { component, hz } => {
-                bica_runner::Request::Rate { component: id(*component), hz: (!hz.is_nan()).then_some(*hz) }
-            }
-            Self::Params(batch) => bica_runner::Request::Params(batch),
-            Self::Modulate { component, modulation, arguments } => {
-                let (component, index) = (id(*component), usize::from(*modulation));
-                bica_runner::Request::Modulate { component, index, arguments }
-            }
-        }
-    }
-}
-
-const fn id(component: u16) -> ComponentId {
-    ComponentId::new(component as usize)
-}
+/// A change between two cycles. It has its place in the message: there is no heap.
+pub type Change = bica_runner::Change<Vec<Setting, MAX_BATCH>, Vec<Value, MAX_ARGUMENTS>>;
 
 /// The answer to a [`Request`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]

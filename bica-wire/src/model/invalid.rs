@@ -10,11 +10,19 @@ pub struct Invalid {
     pub what: String,
     /// Remedy.
     pub help: String,
+    /// Index of the setting or argument that it is about.
+    pub entry: Option<usize>,
 }
 
 impl Invalid {
-    pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { what: what.into(), help: help.into() }
+    /// An error with its remedy.
+    #[must_use]
+    pub fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { what: what.into(), help: help.into(), entry: None }
+    }
+
+    pub(super) fn at(self, entry: usize) -> Self {
+        Self { entry: Some(entry), ..self }
     }
 }
 

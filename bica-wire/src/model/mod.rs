@@ -10,6 +10,7 @@ mod graph;
 mod invalid;
 mod param;
 mod plain;
+mod request;
 
 use std::borrow::ToOwned;
 use std::string::String;
@@ -21,6 +22,7 @@ pub use builder::Builder;
 pub use invalid::Invalid;
 pub use param::{Kind, Param, Variant, Variants};
 pub use plain::Plain;
+pub use request::{NamedRequest, NamedSetting};
 use serde::{Deserialize, Serialize};
 
 /// Description of a robot's tree.

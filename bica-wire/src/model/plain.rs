@@ -19,7 +19,7 @@ pub enum Plain {
     Integer(i64),
     /// A number.
     Number(f64),
-    /// The name of a variant.
+    /// The name of a variant, or any value as text.
     Name(String),
 }
 
@@ -35,26 +35,18 @@ impl Plain {
         }
     }
 
-    /// Returns the value of a kind, without a check of its range.
+    /// Returns the value of a kind, without a check of a number's range. A text is read as [`Kind::parse`] reads it.
     ///
     /// # Errors
     /// If it is no value of this kind.
     pub fn value<V: Variants>(&self, kind: &Kind<V>) -> Result<Value, Reason> {
-        let value = match kind {
-            Kind::F32 { .. } => self.float().map(Value::F32),
-            Kind::I32 { .. } => self.integer().map(Value::I32),
-            Kind::U32 { .. } => self.integer().map(Value::U32),
-            Kind::Bool => {
-                if let Self::Bool(is_on) = self {
-                    Some(Value::Bool(*is_on))
-                } else {
-                    None
-                }
-            }
-            Kind::Choice { .. } => match self {
-                Self::Name(name) => return kind.parse(name),
-                _ => None,
-            },
+        let value = match (kind, self) {
+            (_, Self::Name(text)) => return kind.parse(text),
+            (Kind::F32 { .. }, _) => self.float().map(Value::F32),
+            (Kind::I32 { .. }, _) => self.integer().map(Value::I32),
+            (Kind::U32 { .. }, _) => self.integer().map(Value::U32),
+            (Kind::Bool, &Self::Bool(is_on)) => Some(Value::Bool(is_on)),
+            (Kind::Bool | Kind::Choice { .. }, _) => None,
         };
         value.ok_or(Reason::WrongKind { expected: kind.name(), found: self.name() })
     }

@@ -1,5 +1,6 @@
 //! A set of components.
 
+use bica_core::ComponentId;
 use bica_core::check::CAPACITY;
 
 const BITS: usize = u32::BITS as usize;
@@ -14,8 +15,8 @@ impl ComponentSet {
     pub(super) const EMPTY: Self = Self { words: [0; CAPACITY.div_ceil(BITS)] };
 
     /// Adds or removes a component. An index that no tree has is left out.
-    pub(super) fn set(&mut self, component: u16, is_member: bool) {
-        let index = usize::from(component);
+    pub(super) fn set(&mut self, component: ComponentId, is_member: bool) {
+        let index = component.index();
         let Some(word) = self.words.get_mut(index / BITS) else { return };
         let bit = 1 << (index % BITS);
         *word = if is_member { *word | bit } else { *word & !bit };
@@ -29,10 +30,10 @@ impl ComponentSet {
     }
 
     /// Removes and returns the component with the smallest index.
-    pub(super) fn pop(&mut self) -> Option<u16> {
+    pub(super) fn pop(&mut self) -> Option<ComponentId> {
         let (index, word) = self.words.iter_mut().enumerate().find(|(_, word)| **word != 0)?;
         let bit = word.trailing_zeros();
         *word &= *word - 1;
-        Some((index * BITS) as u16 + bit as u16)
+        Some(ComponentId::new(index * BITS + bit as usize))
     }
 }

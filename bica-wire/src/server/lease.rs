@@ -155,7 +155,7 @@ impl Lease {
     pub fn record(&mut self, change: &Change) {
         match change {
             Change::Hold { component, hold } => self.holds.set(*component, *hold != Hold::Tree),
-            Change::Rate { component, hz } => self.rates.set(*component, !hz.is_nan()),
+            Change::Rate { component, hz } => self.rates.set(*component, hz.is_some()),
             Change::Params(_) | Change::Modulate { .. } => {}
         }
     }
@@ -163,7 +163,7 @@ impl Lease {
     /// Takes the next change that ends what was requested under a lease: holds first, each in the order of the tree's list.
     pub fn next_ending(&mut self) -> Option<Change> {
         let hold = self.ending_holds.pop().map(|component| Change::Hold { component, hold: Hold::Tree });
-        hold.or_else(|| self.ending_rates.pop().map(|component| Change::Rate { component, hz: f32::NAN }))
+        hold.or_else(|| self.ending_rates.pop().map(|component| Change::Rate { component, hz: None }))
     }
 
     /// Returns the lease as a connection may see it: only the owner learns the number.

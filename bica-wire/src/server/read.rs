@@ -15,7 +15,7 @@ pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
             batch.iter().filter_map(value).collect()
         }
         Change::Rate { component, .. } => {
-            let hz = tree.status(usize::from(*component)).and_then(|status| status.hz);
+            let hz = tree.status(*component).and_then(|status| status.hz);
             hz.into_iter().map(Value::F32).collect()
         }
         Change::Hold { .. } | Change::Modulate { .. } => Vec::new(),

@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use bica_core::Instant;
+use bica_core::{ComponentId, Instant};
 use bica_wire::message::{Change, Hold, LeaseAction, LeaseState, RefusalCode, Request};
 use bica_wire::server::Lease;
 
@@ -17,7 +17,7 @@ fn request(lease: u64) -> Request {
 }
 
 fn hold(component: u16, hold: Hold) -> Change {
-    Change::Hold { component, hold }
+    Change::Hold { component: ComponentId::new(component.into()), hold }
 }
 
 fn admits(lease: &mut Lease, connection: u64, number: u64, at: Duration) -> bool {
@@ -50,9 +50,9 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
         lease.record(&hold(component, Hold::Latent));
     }
     lease.record(&hold(5, Hold::Tree));
-    lease.record(&Change::Rate { component: 6, hz: 10.0 });
-    lease.record(&Change::Rate { component: 7, hz: 10.0 });
-    lease.record(&Change::Rate { component: 7, hz: f32::NAN });
+    lease.record(&Change::Rate { component: ComponentId::new(6), hz: Some(10.0) });
+    lease.record(&Change::Rate { component: ComponentId::new(7), hz: Some(10.0) });
+    lease.record(&Change::Rate { component: ComponentId::new(7), hz: None });
     assert!(!lease.check_silence(ms(4000)));
     lease.act(1, LeaseAction::Keep { lease: 1 }, ms(4000), 0);
     assert!(!lease.check_silence(ms(7000)));
@@ -61,7 +61,7 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
     for component in [4, 31, 32, 255] {
         assert_eq!(lease.next_ending(), Some(hold(component, Hold::Tree)));
     }
-    assert!(matches!(lease.next_ending(), Some(Change::Rate { component: 6, hz }) if hz.is_nan()));
+    assert_eq!(lease.next_ending(), Some(Change::Rate { component: ComponentId::new(6), hz: None }));
     assert_eq!(lease.next_ending(), None);
     assert!(!lease.act(1, LeaseAction::Keep { lease: 1 }, ms(7001), 0) && !admits(&mut lease, 1, 1, ms(7001)));
 }

@@ -47,10 +47,10 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
         let packet = Encoder::new().encode(&FromRobot::MonitorExtra(&bytes), &mut [0; MAX_PACKET]).map(<[u8]>::len);
         assert!(packet.is_ok(), "{message:?}");
     }
-    let setting = Setting::new(ComponentId::new(component.into()), u16::MAX, VALUE);
+    let setting = Setting::new(ComponentId::new(usize::MAX), u16::MAX, VALUE);
     let batch = Change::Params([setting; MAX_BATCH].into_iter().collect());
     let arguments = [VALUE; MAX_ARGUMENTS].into_iter().collect();
-    let call = Change::Modulate { component, modulation: u16::MAX, arguments };
+    let call = Change::Modulate { component: ComponentId::new(usize::MAX), modulation: u16::MAX, arguments };
     for change in [batch, call] {
         assert_from_fits(&FromMonitor::Request(Request {
             number: u32::MAX,
@@ -141,14 +141,15 @@ fn requests() -> impl Strategy<Value = FromMonitor> {
         any::<u32>().prop_map(Value::Choice),
     ];
     let holds = prop::sample::select(vec![Hold::Tree, Hold::Active, Hold::Latent]);
-    let hold = (any::<u16>(), holds).prop_map(|(component, hold)| Change::Hold { component, hold });
-    let rate = (any::<u16>(), 0.0_f32..1e6).prop_map(|(component, hz)| Change::Rate { component, hz });
+    let component = || any::<u16>().prop_map(|index| ComponentId::new(index.into()));
+    let hold = (component(), holds).prop_map(|(component, hold)| Change::Hold { component, hold });
+    let rate = (component(), prop::option::of(0.0_f32..1e6)).prop_map(|(component, hz)| Change::Rate { component, hz });
     let setting = (any::<u16>(), any::<u16>(), value.clone())
         .prop_map(|(component, index, value)| Setting::new(ComponentId::new(component.into()), index, value));
     let params =
         prop::collection::vec(setting, 0..=MAX_BATCH).prop_map(|batch| Change::Params(batch.into_iter().collect()));
     let arguments = prop::collection::vec(value, 0..=MAX_ARGUMENTS);
-    let modulate = (any::<u16>(), any::<u16>(), arguments).prop_map(|(component, modulation, arguments)| {
+    let modulate = (component(), any::<u16>(), arguments).prop_map(|(component, modulation, arguments)| {
         Change::Modulate { component, modulation, arguments: arguments.into_iter().collect() }
     });
     let change = prop_oneof![hold, rate, params, modulate];

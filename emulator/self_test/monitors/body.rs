@@ -165,7 +165,7 @@ pub(super) fn first_difference(cycles: &[Cycle], changes: &[(u64, Change)]) -> R
         let time_us = index as u64 * CYCLE_US;
         let now = Instant::from_micros(time_us);
         for (_, change) in changes.iter().filter(|(cycle, _)| *cycle == index as u64) {
-            runner.request(now, change.request())?;
+            runner.request(now, change.borrow())?;
         }
         runner.sense(now, &standing()).map_err(|_| "an image does not fit")?;
         let command = runner.think(now);

@@ -25,8 +25,8 @@ fn set(client: &Client, path: &str, value: Value) -> Result<Change, Box<dyn std:
     Ok(Change::Params([setting].into_iter().collect()))
 }
 
-fn head() -> u16 {
-    Forward::id::<Head>().index() as u16
+fn head() -> ComponentId {
+    Forward::id::<Head>()
 }
 
 /// Number of cycles after which a body that does not move is a fault, so that the tree does not activate the head.
@@ -34,7 +34,7 @@ const GUARDED: usize = 110;
 
 /// Returns the first cycle in which the head is not held active any more.
 fn released(cycles: &[Cycle]) -> Result<u64, Box<dyn std::error::Error>> {
-    let is_latent = |cycle: &usize| cycles[*cycle].active >> head() & 1 == 0;
+    let is_latent = |cycle: &usize| cycles[*cycle].active >> head().index() & 1 == 0;
     let released = (GUARDED..cycles.len()).find(is_latent);
     Ok(released.ok_or("the hold did not end")? as u64)
 }
@@ -48,23 +48,24 @@ pub(super) fn requests(image: &Path) -> Outcome {
     let look = client.description().modulation("Head.look_at")?;
     let count = client.description().components[look.0].modulations[look.1].arguments.len();
     let arguments = (0..count).map(|_| Value::F32(0.2)).collect();
-    let rate = Change::Rate { component: client.description().component("LookAround")? as u16, hz: 20.0 };
+    let rate =
+        Change::Rate { component: ComponentId::new(client.description().component("LookAround")?), hz: Some(20.0) };
     let hold = Change::Hold { component: head(), hold: Hold::Active };
-    let modulate = Change::Modulate { component: look.0 as u16, modulation: look.1 as u16, arguments };
+    let modulate = Change::Modulate { component: ComponentId::new(look.0), modulation: look.1 as u16, arguments };
     let mut changes = Vec::new();
     for change in [stiffness, orange, rate.clone(), modulate, hold] {
-        let Answered { cycle, arrived, values, .. } = client.request(change.clone())?;
+        let Answered { cycle, arrived, values, .. } = client.request(change.borrow())?;
         match &change {
             Change::Params(batch) => expect_eq(&values, &vec![batch[0].value])?,
-            Change::Rate { hz, .. } => expect_eq(&values, &vec![Value::F32(*hz)])?,
+            Change::Rate { hz: Some(hz), .. } => expect_eq(&values, &vec![Value::F32(*hz)])?,
             _ => expect(values.is_empty(), "no values")?,
         }
         expect(arrived <= cycle && cycle <= arrived + 1, "in force at most two cycles after its arrival")?;
         changes.push((cycle, change));
     }
     expect_eq(&tuned_colours(&mut client)?, &true)?;
-    let last = client.request(Change::Rate { component: head(), hz: f32::NAN })?.cycle;
-    changes.push((last, Change::Rate { component: head(), hz: f32::NAN }));
+    let last = client.request(bica::runner::Request::Rate { component: head(), hz: None })?.cycle;
+    changes.push((last, Change::Rate { component: head(), hz: None }));
     // From here on the operator is silent.
     body.wait_for((last + SILENCE + 2 * LATE) as usize)?;
     let cycles = body.stop()?;
@@ -77,7 +78,7 @@ pub(super) fn requests(image: &Path) -> Outcome {
     let lasting = changes.clone();
     changes.push((ended, Change::Hold { component: head(), hold: Hold::Tree }));
     let Change::Rate { component, .. } = rate else { return Err("no rate".into()) };
-    changes.push((ended, Change::Rate { component, hz: f32::NAN }));
+    changes.push((ended, Change::Rate { component, hz: None }));
     expect(first_difference(&cycles, &[])? == Some(changes[0].0 as usize), "the first parameter acts in its cycle")?;
     expect(first_difference(&cycles, &lasting)? == Some(ended as usize), "the hold's end acts in its cycle")?;
     compare_with_host(&cycles, &changes)
@@ -102,25 +103,29 @@ pub(super) fn refusals(image: &Path) -> Outcome {
     let body = Body::start(image)?;
     let mut client = attach(body.monitors)?;
     let change = set(&client, "Head.stiffness", Value::F32(0.4))?;
-    expect_refused(&client.request(change.clone()), RefusalCode::NoLease, "lease")?;
+    expect_refused(&client.request(change.borrow()), RefusalCode::NoLease, "lease")?;
     client.acquire(false)?;
     let lease = client.lease().lease;
-    let stale = client.send_request_with(change.clone(), lease.wrapping_sub(1), u64::MAX)?;
+    let stale = client.send_request_with(change.borrow(), lease.wrapping_sub(1), u64::MAX)?;
     expect_refused(&client.answer(stale), RefusalCode::NoLease, "lease")?;
-    let expired = client.send_request_with(change.clone(), lease, 0)?;
+    let expired = client.send_request_with(change.borrow(), lease, 0)?;
     expect_refused(&client.answer(expired), RefusalCode::Expired, "expiry")?;
     let outside = set(&client, "Head.stiffness", Value::F32(7.0))?;
-    expect_refused(&client.request(outside), RefusalCode::Tree, "`Head.stiffness`: the value is outside its range")?;
+    expect_refused(
+        &client.request(outside.borrow()),
+        RefusalCode::Tree,
+        "`Head.stiffness`: the value is outside its range",
+    )?;
     let kind = set(&client, "Head.stiffness", Value::Bool(true))?;
-    expect_refused(&client.request(kind), RefusalCode::Tree, "another kind")?;
+    expect_refused(&client.request(kind.borrow()), RefusalCode::Tree, "another kind")?;
     let Change::Params(mut batch) = change else { return Err("no batch".into()) };
     let _ = batch.push(Setting::new(ComponentId::new(999), 0, Value::F32(0.0)));
-    expect_refused(&client.request(Change::Params(batch)), RefusalCode::Tree, "no such component")?;
-    let hold = Change::Hold { component: 999, hold: Hold::Active };
-    expect_refused(&client.request(hold), RefusalCode::Tree, "no such component")?;
+    expect_refused(&client.request(bica::runner::Request::Params(&batch)), RefusalCode::Tree, "no such component")?;
+    let hold = Change::Hold { component: ComponentId::new(999), hold: Hold::Active };
+    expect_refused(&client.request(hold.borrow()), RefusalCode::Tree, "no such component")?;
     // A storm: each request is answered.
     let modulate = Change::Modulate { component: head(), modulation: 0, arguments: [].into_iter().collect() };
-    let numbers: Vec<_> = (0..100).map(|_| client.send_request(modulate.clone())).collect::<Result<_, _>>()?;
+    let numbers: Vec<_> = (0..100).map(|_| client.send_request(modulate.borrow())).collect::<Result<_, _>>()?;
     for number in numbers {
         expect_refused(&client.answer(number), RefusalCode::Tree, "arguments")?;
     }
@@ -149,7 +154,7 @@ pub(super) fn two(image: &Path) -> Outcome {
     client.acquire(false)?;
     let first = client.lease().lease;
     let hold = Change::Hold { component: head(), hold: Hold::Active };
-    let held = client.request(hold.clone())?.cycle;
+    let held = client.request(hold.borrow())?.cycle;
     body.send(FromMonitor::Attach)?;
     expect_eq(&lease(&body, LeaseAction::Acquire, false)?, &0)?;
     let request = |number, lease| {
@@ -169,7 +174,7 @@ pub(super) fn two(image: &Path) -> Outcome {
     while client.lease().yours {
         client.poll(Duration::from_millis(100))?;
     }
-    expect_refused(&client.request(hold.clone()), RefusalCode::NoLease, "lease")?;
+    expect_refused(&client.request(hold.borrow()), RefusalCode::NoLease, "lease")?;
     expect(client.acquire(false).is_err(), "the lease is owned")?;
     body.wait_for(GUARDED + 5)?;
     let before = body.count() as u64;

@@ -11,7 +11,7 @@ mod line;
 mod packets;
 
 use bica::runner::{Observer, Runner};
-use bica::{Instant, Refusal};
+use bica::{ComponentId, Instant, Refusal};
 use bica_wire::message::{Change, CycleInfo, LeaseAction, RefusalCode, Request};
 use bica_wire::server::{Lease, read};
 use bica_wire::{Encoder, FromMonitor};
@@ -155,7 +155,7 @@ impl Monitor {
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Instant,
     ) -> Result<(), Refusal> {
-        runner.request(now, change.request())?;
+        runner.request(now, change.borrow())?;
         self.lease.record(change);
         if let Change::Params(batch) = change {
             let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component.index() & 63));
@@ -176,7 +176,7 @@ impl Monitor {
         }
         while let Some(change) = self.lease.next_ending() {
             // A change that was accepted under the lease can always be undone.
-            let _ = runner.request(now, change.request());
+            let _ = runner.request(now, change.borrow());
         }
     }
 
@@ -232,12 +232,13 @@ const fn since_start(now: Instant) -> Duration {
 
 /// Returns the component of a change, and a line of the log for it if it is applied and if it is refused.
 fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str) {
+    let number = |component: &ComponentId| Some(component.index() as u16);
     match change {
-        Change::Hold { component, .. } => (Some(*component), "operator: hold", "operator: refused: hold"),
-        Change::Rate { component, .. } => (Some(*component), "operator: rate", "operator: refused: rate"),
+        Change::Hold { component, .. } => (number(component), "operator: hold", "operator: refused: hold"),
+        Change::Rate { component, .. } => (number(component), "operator: rate", "operator: refused: rate"),
         Change::Params(batch) => {
             (batch.first().map(|setting| setting.component.index() as u16), "operator: set", "operator: refused: set")
         }
-        Change::Modulate { component, .. } => (Some(*component), "operator: call", "operator: refused: call"),
+        Change::Modulate { component, .. } => (number(component), "operator: call", "operator: refused: call"),
     }
 }

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use bica::Graph;
 use bica_console::{Failure, Outcome};
 use bica_drawing::svg;
+use bica_wire::model::Description;
 use clap::{Args, ValueEnum};
 
 /// Arguments of `graph`.
@@ -32,7 +33,7 @@ pub(crate) fn run(args: &GraphArgs, graph: &Graph) -> Result<Outcome, Failure> {
         Format::Svg => svg(graph),
         Format::Dot => graph.dot().to_string(),
         Format::Mermaid => graph.mermaid().to_string(),
-        Format::Json => graph.json().to_string(),
+        Format::Json => serde_json::to_string_pretty(&Description::of(graph)).map_err(io::Error::from)?,
     };
     let mut out = io::stdout().lock();
     writeln!(out, "{}", text.trim_end())?;

@@ -22,7 +22,7 @@ use bica_player::input::RobotProfile;
 use bica_player::tunable::Forward;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
-use bica_wire::message::{Change, Setting, Value};
+use bica_wire::message::{Setting, Value};
 
 /// Time of a cycle.
 const CYCLE: Duration = Duration::from_millis(10);
@@ -126,7 +126,7 @@ fn operate(client: &mut Client, stop: &AtomicBool) -> Vec<u64> {
     while !stop.load(Ordering::Relaxed) {
         let value = Value::F32(0.5 + 0.001 * (delays.len() % 100) as f32);
         let setting = Setting::new(bica::ComponentId::new(component), index as u16, value);
-        let answer = client.request(Change::Params([setting].into_iter().collect())).expect("accepted");
+        let answer = client.request(Request::Params(&[setting])).expect("accepted");
         delays.push(answer.cycle - answer.arrived);
         thread::sleep(Duration::from_millis(100));
     }

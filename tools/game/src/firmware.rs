@@ -146,7 +146,7 @@ impl Probe for FirmwareCheck {}
 impl Observer<Forward> for FirmwareCheck {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         if self.controller.is_some() {
-            self.changes.push(change_of(request));
+            self.changes.push(request.store());
         }
     }
 
@@ -178,23 +178,6 @@ fn cycle(
     }
     controller.keep()?;
     controller.cycle(time_us, sensors)
-}
-
-/// Returns the message of a request; `None` if there is none.
-fn change_of(request: &Request<'_>) -> Option<Change> {
-    let number = |index: usize| u16::try_from(index).ok();
-    Some(match *request {
-        Request::Hold { component, hold } => Change::Hold { component: number(component.index())?, hold },
-        Request::Rate { component, hz } => {
-            Change::Rate { component: number(component.index())?, hz: hz.unwrap_or(f32::NAN) }
-        }
-        Request::Params(batch) => Change::Params(batch.try_into().ok()?),
-        Request::Modulate { component, index, arguments } => {
-            let (component, modulation) = (number(component.index())?, number(index)?);
-            Change::Modulate { component, modulation, arguments: arguments.try_into().ok()? }
-        }
-        _ => return None,
-    })
 }
 
 /// Instructions of a game, by the clock of the emulated microcontroller (one tick for 40 instructions).

@@ -28,8 +28,8 @@ mod waker;
 
 pub use address::Address;
 pub use bica_wire::model::{
-    Component, Description, Info, Invalid, Kind, Link, Modulation, Param, Placement, Plain, State, Transition, Variant,
-    Variants,
+    Component, Description, Info, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Param, Placement, Plain,
+    State, Transition, Variant, Variants,
 };
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
 pub use error::Error;

@@ -54,24 +54,19 @@ pub enum RequestRecord {
 
 impl From<&Request<'_>> for RequestRecord {
     fn from(request: &Request<'_>) -> Self {
-        Self::of(request).unwrap_or_else(|| Self::Unknown { text: format!("{request:?}") })
+        let number = |component: ComponentId| component.index() as u16;
+        match *request {
+            Request::Hold { component, hold } => Self::Hold { component: number(component), hold },
+            Request::Rate { component, hz } => Self::Rate { component: number(component), hz: hz.unwrap_or(f32::NAN) },
+            Request::Params(batch) => Self::Params { settings: batch.to_vec() },
+            Request::Modulate { component, modulation: index, arguments } => {
+                Self::Modulate { component: number(component), index, arguments: arguments.to_vec() }
+            }
+        }
     }
 }
 
 impl RequestRecord {
-    fn of(request: &Request<'_>) -> Option<Self> {
-        let number = |component: ComponentId| component.index() as u16;
-        Some(match *request {
-            Request::Hold { component, hold } => Self::Hold { component: number(component), hold },
-            Request::Rate { component, hz } => Self::Rate { component: number(component), hz: hz.unwrap_or(f32::NAN) },
-            Request::Params(batch) => Self::Params { settings: batch.to_vec() },
-            Request::Modulate { component, index, arguments } => {
-                Self::Modulate { component: number(component), index: index as u16, arguments: arguments.to_vec() }
-            }
-            _ => return None,
-        })
-    }
-
     /// Returns the request for a tree; none if it is one to the world, or if this program does not know it.
     #[must_use]
     pub fn to_request(&self) -> Option<OwnedRequest> {
@@ -84,7 +79,7 @@ impl RequestRecord {
             Self::Params { settings } => OwnedRequest::Params(settings.clone()),
             Self::Modulate { component: owner, index, arguments } => OwnedRequest::Modulate {
                 component: component(*owner),
-                index: usize::from(*index),
+                modulation: *index,
                 arguments: arguments.clone(),
             },
             Self::Unknown { .. } | Self::World { .. } => return None,

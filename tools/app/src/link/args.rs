@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
+use bica::Hold;
 use bica_link::Address;
-use clap::{Args, Subcommand, ValueEnum};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Subcommand};
 
 use crate::run::seconds;
 
@@ -74,7 +76,8 @@ pub(super) enum LinkAction {
         /// Component
         component: String,
         /// How it is held
-        hold: HoldKind,
+        #[arg(value_parser = hold())]
+        hold: Hold,
         /// End after this time, s
         #[arg(long, value_name = "S", value_parser = seconds)]
         seconds: Option<f64>,
@@ -123,14 +126,13 @@ pub(super) struct WatchExtras {
     pub(super) images: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum HoldKind {
-    /// Held active
-    Active,
-    /// Held latent
-    Latent,
-    /// Left to the tree
-    Tree,
+/// Reads how a component is held.
+fn hold() -> impl TypedValueParser<Value = Hold> {
+    PossibleValuesParser::new(["active", "latent", "tree"]).map(|text| match &*text {
+        "active" => Hold::Active,
+        "latent" => Hold::Latent,
+        _ => Hold::Tree,
+    })
 }
 
 pub(super) fn address(text: &str) -> Result<Address, String> {

@@ -20,7 +20,7 @@ impl Monitor {
     pub(super) fn watch_extras(&mut self, extras: &WatchExtras, every: u16) -> Result<(), Failure> {
         let mut kinds = Vec::new();
         for name in &extras.conditions {
-            kinds.push(ExtraKind::Conditions { component: self.component(name)? });
+            kinds.push(ExtraKind::Conditions { component: self.component(name)? as u16 });
         }
         kinds.extend(extras.costs.then_some(ExtraKind::Costs));
         kinds.extend(extras.truth.then_some(ExtraKind::Truth));

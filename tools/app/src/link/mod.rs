@@ -3,10 +3,12 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use bica::ComponentId;
+use bica::Hold;
+use bica::runner::OwnedRequest;
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use bica_link::{Client, ClientOptions, Component, Error, Event, Invalid, Param, Plain, Snapshot};
-use bica_wire::message::{Change, Hold, Setting, Value, WorldChange};
+use bica_wire::message::WorldChange;
+use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
 use serde_json::json;
 
@@ -15,7 +17,7 @@ mod extras;
 mod serve;
 
 pub(crate) use args::Link;
-use args::{HoldKind, LinkAction};
+use args::LinkAction;
 pub use serve::ServeArgs;
 
 /// Time between two looks for Ctrl-C.
@@ -39,17 +41,10 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         LinkAction::Ball { x, y } => monitor.place_ball([*x, *y]),
         LinkAction::Set { settings } => monitor.set(settings),
         LinkAction::Hold { component, hold, seconds } => {
-            let component = monitor.component(component)?;
-            let hold = match hold {
-                HoldKind::Active => Hold::Active,
-                HoldKind::Latent => Hold::Latent,
-                HoldKind::Tree => Hold::Tree,
-            };
-            monitor.keep(Change::Hold { component, hold }, *seconds)
+            monitor.keep(&NamedRequest::Hold { component: component.clone(), hold: *hold }, *seconds)
         }
         LinkAction::Rate { component, hz, seconds } => {
-            let component = monitor.component(component)?;
-            monitor.keep(Change::Rate { component, hz: *hz }, *seconds)
+            monitor.keep(&NamedRequest::Rate { component: component.clone(), hz: Some(*hz) }, *seconds)
         }
         LinkAction::Modulate { modulation, arguments } => monitor.modulate(modulation, arguments),
         LinkAction::Log { count } => monitor.log(*count),
@@ -60,7 +55,7 @@ fn failure(error: &Error) -> Failure {
     Failure::new(error.to_string(), error.help())
 }
 
-fn invalid(Invalid { what, help }: Invalid) -> Failure {
+fn invalid(Invalid { what, help, .. }: Invalid) -> Failure {
     Failure::new(what, help)
 }
 
@@ -79,9 +74,13 @@ struct Monitor {
 }
 
 impl Monitor {
-    fn component(&self, name: &str) -> Result<u16, Failure> {
-        let found = self.client.description().component(name);
-        found.map(|index| index as u16).map_err(invalid)
+    fn component(&self, name: &str) -> Result<usize, Failure> {
+        self.client.description().component(name).map_err(invalid)
+    }
+
+    /// Finds what a request names in the robot's tree.
+    fn find(&self, request: &NamedRequest) -> Result<OwnedRequest, Failure> {
+        self.client.description().request(request).map_err(invalid)
     }
 
     fn line(&self, schema: &'static str, content: impl Serialize) -> Result<(), Failure> {
@@ -158,14 +157,10 @@ impl Monitor {
         let mut rows = Vec::new();
         for (component, state) in components.iter().zip(&snapshot.states) {
             let name = state.state.and_then(|state| component.states.get(usize::from(state))).map(|state| &*state.name);
-            let held = match state.held {
-                Hold::Tree => "tree",
-                Hold::Active => "active",
-                Hold::Latent => "latent",
-            };
+            let held = state.held;
             if state.active {
                 let state = name.map(|name| format!(":{name}")).unwrap_or_default();
-                let mark = if held == "tree" { "" } else { " (held)" };
+                let mark = if held == Hold::Tree { "" } else { " (held)" };
                 active.push(format!("{}{state}{mark}", component.name));
             }
             let (is_active, hz) = (state.active, state.hz);
@@ -211,39 +206,21 @@ impl Monitor {
         outcome.and_then(|outcome| released.map(|()| outcome))
     }
 
-    fn request(&mut self, change: Change) -> Result<bica_link::Answered, Failure> {
-        self.client.request(change).map_err(|error| failure(&error))
+    fn request(&mut self, request: &OwnedRequest) -> Result<bica_link::Answered, Failure> {
+        self.client.request(request.borrow()).map_err(|error| failure(&error))
     }
 
     fn set(&mut self, settings: &[String]) -> Result<Outcome, Failure> {
-        let mut batch = Vec::new();
-        for text in settings {
-            let Some((path, value)) = text.split_once('=') else {
-                return Err(Failure::new(format!("`{text}` sets nothing"), "write COMPONENT.NAME=VALUE"));
-            };
-            let description = self.client.description();
-            let (component, index) = description.param(path).map_err(invalid)?;
-            let param = &description.components[component].params[index];
-            let value = param.parse(value).map_err(invalid)?;
-            batch.push((
-                path.to_owned(),
-                Setting::new(ComponentId::new(component), index as u16, value),
-                param.clone(),
-            ));
-        }
-        let settings = batch.iter().map(|(_, setting, _)| *setting);
-        let most = bica_wire::message::MAX_BATCH;
-        if batch.len() > most {
-            let what = format!("{} parameters are too many for one batch", batch.len());
-            return Err(Failure::new(what, format!("set at most {most} at a time")));
-        }
-        let change = Change::Params(settings.collect());
+        let parsed = settings.iter().map(|text| NamedSetting::parse(text));
+        let settings = parsed.collect::<Result<Vec<_>, _>>().map_err(invalid)?;
+        let request = self.find(&NamedRequest::Set { settings: settings.clone() })?;
         self.operate(|monitor| {
-            let answer = monitor.request(change)?;
-            for ((path, _, param), &value) in batch.iter().zip(&answer.values) {
-                let text = param.kind.text(value);
-                monitor.console.print_row(&format!("cycle {}", answer.cycle), &format!("{path} = {text}"))?;
-                let line = json!({ "cycle": answer.cycle, "name": path, "value": param.plain(value) });
+            let answer = monitor.request(&request)?;
+            let values = monitor.client.description().plain_values(request.borrow(), &answer.values);
+            for (NamedSetting { component, param, .. }, value) in settings.iter().zip(values) {
+                let name = format!("{component}.{param}");
+                monitor.console.print_row(&format!("cycle {}", answer.cycle), &format!("{name} = {value}"))?;
+                let line = json!({ "cycle": answer.cycle, "name": name, "value": value });
                 monitor.line("bica/link-set/1", line)?;
             }
             Ok(Outcome::Success)
@@ -251,10 +228,11 @@ impl Monitor {
     }
 
     /// Requests a change that ends with the lease, and keeps the lease.
-    fn keep(&mut self, change: Change, seconds: Option<f64>) -> Result<Outcome, Failure> {
+    fn keep(&mut self, request: &NamedRequest, seconds: Option<f64>) -> Result<Outcome, Failure> {
+        let request = self.find(request)?;
         let until = seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds));
         self.operate(|monitor| {
-            let answer = monitor.request(change)?;
+            let answer = monitor.request(&request)?;
             monitor.console.print_row(&format!("cycle {}", answer.cycle), "in force until this command ends")?;
             let values: Vec<_> = answer.values.iter().map(|&value| Plain::from(value)).collect();
             monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": values }))?;
@@ -272,20 +250,19 @@ impl Monitor {
     }
 
     fn modulate(&mut self, path: &str, arguments: &[String]) -> Result<Outcome, Failure> {
-        let description = self.client.description();
-        let (component, modulation) = description.modulation(path).map_err(invalid)?;
-        let declared = &description.components[component].modulations[modulation].arguments;
-        if declared.len() != arguments.len() {
-            let names: Vec<_> = declared.iter().map(|argument| argument.name.as_str()).collect();
-            let what = format!("`{path}` takes {} arguments, found {}", declared.len(), arguments.len());
-            return Err(Failure::new(what, format!("give these: {}", names.join(", "))));
-        }
-        let parse = |(argument, text): (&Param, &String)| argument.parse(text).map_err(invalid);
-        let arguments: Vec<Value> = declared.iter().zip(arguments).map(parse).collect::<Result<_, _>>()?;
-        let arguments = arguments.into_iter().take(bica_wire::message::MAX_ARGUMENTS).collect();
-        let change = Change::Modulate { component: component as u16, modulation: modulation as u16, arguments };
+        let Some((component, modulation)) = path.split_once('.') else {
+            return Err(Failure::new(
+                format!("`{path}` is not the name of a modulation"),
+                "write it as `Component.name`",
+            ));
+        };
+        let request = self.find(&NamedRequest::Modulate {
+            component: component.to_owned(),
+            modulation: modulation.to_owned(),
+            arguments: arguments.iter().cloned().map(Plain::Name).collect(),
+        })?;
         self.operate(|monitor| {
-            let answer = monitor.request(change)?;
+            let answer = monitor.request(&request)?;
             monitor.console.print_row(&format!("cycle {}", answer.cycle), "called")?;
             monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))?;
             Ok(Outcome::Success)

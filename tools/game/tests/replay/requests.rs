@@ -52,7 +52,7 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
             let modulations: Vec<_> = modulations.collect();
             let (component, index, modulation) = modulations[rng.next_u32() as usize % modulations.len()];
             let arguments = modulation.arguments.iter().map(|argument| random_value(&argument.kind, rng)).collect();
-            OwnedRequest::Modulate { component: ComponentId::new(component), index, arguments }
+            OwnedRequest::Modulate { component: ComponentId::new(component), modulation: index as u16, arguments }
         }
     }
 }

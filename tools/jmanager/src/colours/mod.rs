@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bica_evaluation::profile::{self, CLASSES, Notes};
-use bica_link::{Description, Plain};
+use bica_link::{Description, NamedSetting, Plain};
 use bica_vision::colour::{Classify, Colour, Filters};
 use bica_vision::frame::{Frame, Pixel};
 use bica_vision::profile::BUILT_IN;
@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 
 use bica_monitor::files;
 use bica_monitor::program::{Asked, Extension, Image, Reply};
-use bica_monitor::protocol::{Failed, Setting};
+use bica_monitor::protocol::Failed;
 use limits::Limits;
 
 /// Colour of each class on the page.
@@ -113,10 +113,9 @@ impl Edit {
     }
 
     /// The settings of the robot's parameters.
-    fn settings(&self, description: &Description) -> Result<Vec<Setting>, Failed> {
+    fn settings(&self, description: &Description) -> Result<Vec<NamedSetting>, Failed> {
         let none = || Failed::new("this robot has no parameters of colours", "save the profile instead");
-        let position = description.components.iter().position(|one| one.name == COMPONENT).ok_or_else(none)?;
-        let params = &description.components[position].params;
+        let component = description.components.iter().find(|one| one.name == COMPONENT).ok_or_else(none)?;
         let value = |name: &str| {
             let (class, what) = name.split_once('_')?;
             let limits = &self.limits[CLASSES.iter().position(|one| *one == class)?];
@@ -131,14 +130,11 @@ impl Edit {
                 _ => return None,
             })
         };
-        let setting = |(param, described): (usize, &bica_link::Param)| {
-            value(&described.name).map(|value| Setting {
-                component: position,
-                param,
-                value: Plain::Integer(value as i64),
-            })
+        let setting = |param: &bica_link::Param| {
+            let value = Plain::Integer(value(&param.name)? as i64);
+            Some(NamedSetting { component: COMPONENT.to_owned(), param: param.name.clone(), value })
         };
-        Ok(params.iter().enumerate().filter_map(setting).collect())
+        Ok(component.params.iter().filter_map(setting).collect())
     }
 }
 

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use bica_game::{ReplayOptions, replay};
-use bica_monitor::protocol::{Open, Request, Setting, Watch};
+use bica_link::Plain;
+use bica_monitor::protocol::{Open, Request, Watch};
 use serde_json::json;
 
 use crate::page::Page;
-use crate::world::{find, running};
+use crate::world::{running, set_gain};
 
 const fn ball(x: f32, y: f32) -> Request {
     Request::PlaceBall { x, y }
@@ -46,11 +47,9 @@ fn the_operator_places_the_ball_of_a_running_and_of_a_paused_world() {
 
 #[test]
 fn a_kept_recording_of_a_world_with_requests_replays() {
-    let (page, description) = running();
+    let (page, _) = running();
     page.ask(Request::Acquire {}).unwrap();
-    let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
-    page.ask(Request::Set { settings }).unwrap();
+    page.ask(set_gain(Plain::Number(0.9))).unwrap();
     page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
     let mut placed = 0;
     for step in 0..20_u8 {

@@ -5,9 +5,11 @@ use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
 
+use bica::Hold;
 use bica_console::Failure;
 use bica_game::{ReplayOptions, replay};
-use bica_monitor::protocol::{HoldKind, Open, Request, Setting, Watch, WatchImages};
+use bica_link::Plain;
+use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
 use bica_recording::{Info, Recording};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};
@@ -15,7 +17,7 @@ use serde_json::{Value, json};
 use crate::page::{Bench, Folder, Got, Page};
 use crate::recorded::opened;
 use crate::robot::{Robot, attached};
-use crate::world::find;
+use crate::world::{find, hold, set_gain};
 
 /// Opens a robot with one page, and waits until it has sent some cycles.
 fn running(robot: &Robot) -> (Page, Value) {
@@ -55,9 +57,8 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     page.ask(Request::Watch { watch }).unwrap();
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
-    page.ask(Request::Set { settings }).unwrap();
-    page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
+    page.ask(set_gain(Plain::Number(0.9))).unwrap();
+    page.ask(hold("FaceBall", Hold::Active)).unwrap();
     page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
     let until = page.message("update", |update| {
         let held = update["components"][component][1] == "active";

@@ -6,14 +6,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use bica::Hold;
 use bica::prelude::*;
 use bica::runner::{Runner, World};
 use bica_link::{Address, LinkServer, ServerOptions};
-use bica_monitor::protocol::{Breakpoint, HoldKind, Request};
+use bica_monitor::protocol::{Breakpoint, Request};
 use serde_json::json;
 
 use crate::robot::{Robot, attached};
-use crate::world::find;
+use crate::world::{find, hold};
 
 /// A lamp, with two transitions between the same states and one from a state to itself.
 struct Lamp {
@@ -160,7 +161,7 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     let (page, description) = attached(&address);
     page.session(|one| one["connection"] == "connected");
     page.ask(Request::Acquire {}).unwrap();
-    page.ask(Request::Hold { component: 0, hold: HoldKind::Latent }).unwrap();
+    page.ask(hold("LookAround", Hold::Latent)).unwrap();
     let place = Breakpoint { component: 0, state: Some(0), transition: None };
     page.ask(Request::Breakpoints { list: vec![place] }).unwrap();
     drop(robot);
@@ -173,7 +174,7 @@ fn another_robot_at_the_address_is_shown_as_such_and_nothing_of_the_first_is_in_
     page.session(|one| one["connection"] == "connected" && one["control"] == "free");
     let held = page.message("update", |update| Some(update["components"].clone()));
     assert_eq!((held.as_array().unwrap().len(), &held[0][1]), (1, &json!("tree")));
-    let error = page.ask(Request::Hold { component: 0, hold: HoldKind::Latent }).unwrap_err();
+    let error = page.ask(hold("Lamp", Hold::Latent)).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     let request = Request::Timeline { from_us: 0, until_us: u64::MAX, resolution_us: 0 };
     assert_eq!(page.ask(request).unwrap().as_array().unwrap().len(), 1, "rows of the new tree only");

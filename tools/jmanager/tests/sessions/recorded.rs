@@ -5,7 +5,8 @@ use std::process::Command;
 use std::time::Duration;
 
 use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
-use bica_monitor::protocol::{Open, Request, Setting};
+use bica_link::{NamedSetting, Plain};
+use bica_monitor::protocol::{Open, Request};
 use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use serde_json::Value;
@@ -98,8 +99,8 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
     let page = Page::new(&Bench::with(folder, |options| options));
     opened(&page, "one");
     let late = Page::new(&page.bench);
-    let described = late.message("described", |message| Some(message["description"].clone()));
-    let again = |settings: Vec<Setting>| {
+    late.message("described", |_| Some(()));
+    let again = |settings: Vec<NamedSetting>| {
         let answer = page.ask(Request::RunAgain { settings }).unwrap();
         let again = answer["session"].as_u64().unwrap() as u32;
         // A busy machine may have repeated it already.
@@ -111,8 +112,8 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
     };
     assert_eq!(again(Vec::new())["equal"], true);
     // The ball is not seen any more.
-    let (component, param) = find(&described, "Colours", "params", "orange_luma_min");
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Integer(230) }];
+    let (component, param) = ("Colours".to_owned(), "orange_luma_min".to_owned());
+    let settings = vec![NamedSetting { component, param, value: Plain::Integer(230) }];
     let difference = again(settings);
     assert_eq!(difference["equal"], false, "{difference}");
     assert!(difference["cycle"].as_u64().unwrap() > 0);

@@ -6,15 +6,16 @@ use std::sync::mpsc::channel;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use bica::Hold;
 use bica_game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
-use bica_link::{Address, Client, ClientOptions};
-use bica_monitor::protocol::{Breakpoint, HoldKind, Open, Request, Setting, Watch, WatchImages};
+use bica_link::{Address, Client, ClientOptions, Plain};
+use bica_monitor::protocol::{Breakpoint, Open, Request, Watch, WatchImages};
 use bica_monitor::sessions::Options;
 use bica_sim::setup::Frame;
 use serde_json::{Value, json};
 
 use crate::page::{Bench, Folder, Got, Page};
-use crate::world::find;
+use crate::world::{find, hold, set_gain};
 
 /// A robot: a game that is served by a thread.
 pub(crate) struct Robot {
@@ -90,11 +91,10 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     page.session(|one| one["connection"] == "connected");
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap();
+    page.ask(hold("FaceBall", Hold::Active)).unwrap();
     drop(robot);
     page.session(|one| one["connection"] == "lost");
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
-    let error = page.ask(Request::Set { settings }).unwrap_err();
+    let error = page.ask(set_gain(Plain::Number(0.9))).unwrap_err();
     assert!(!error["text"].as_str().unwrap().is_empty(), "{error}");
 
     let robot = Robot::start(&address);
@@ -103,7 +103,7 @@ fn a_lost_robot_is_found_again_and_nothing_old_is_executed() {
     assert_eq!(description["components"][component]["params"][param]["value"], json!(0.7), "nothing was kept");
     let held = page.message("update", |update| Some(update["components"][component][1].clone()));
     assert_eq!(held, "tree");
-    let error = page.ask(Request::Hold { component, hold: HoldKind::Active }).unwrap_err();
+    let error = page.ask(hold("FaceBall", Hold::Active)).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     drop(robot);
 }
@@ -144,14 +144,12 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
 #[test]
 fn a_world_behind_a_link_is_paused_stepped_and_continued() {
     let robot = Robot::start("127.0.0.1:0");
-    let (page, description) = attached(&robot.address);
+    let (page, _) = attached(&robot.address);
     page.cycle(6);
     page.send(Request::Pause {});
     page.session(|one| one["paused"] == true && one["control"] == "free");
     page.ask(Request::Acquire {}).unwrap();
-    let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
-    let next = page.ask(Request::Set { settings }).unwrap()["cycle"].as_u64().unwrap();
+    let next = page.ask(set_gain(Plain::Number(0.9))).unwrap()["cycle"].as_u64().unwrap();
     page.ask(Request::Step { cycles: 3 }).unwrap();
     let last = page.message("update", |update| update["cycle"].as_u64().filter(|&cycle| cycle >= next + 2));
     assert_eq!(last, next + 2, "three cycles");
@@ -204,7 +202,7 @@ fn a_read_only_server_refuses_every_change() {
         let error = page.ask(request.clone()).unwrap_err();
         assert!(error["text"].as_str().unwrap().contains("only watch"), "{request:?}: {error}");
     }
-    let component = description["components"].as_array().unwrap().iter().position(|one| one["root"] == true).unwrap();
+    let component = description["root"].as_u64().unwrap() as usize;
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list = (0..states).map(|state| Breakpoint { component, state: Some(state), transition: None }).collect();
     page.ask(Request::Breakpoints { list }).unwrap();
@@ -216,8 +214,7 @@ fn changed_values_are_saved_to_a_tune_file_and_are_in_force_in_the_next_world() 
     let (page, description) = crate::world::running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
     page.ask(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component, param, value: bica_link::Plain::Number(0.9) }];
-    page.ask(Request::Set { settings }).unwrap();
+    page.ask(set_gain(Plain::Number(0.9))).unwrap();
     let save = |name: &str| Request::SaveTune { params: vec![(component, param)], name: name.to_owned() };
     assert!(page.ask(save("../built-in")).is_err());
     let saved = page.ask(save("built-in")).unwrap();

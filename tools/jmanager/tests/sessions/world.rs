@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use bica_link::Plain;
-use bica_monitor::protocol::{HoldKind, Open, Request, Setting};
+use bica::Hold;
+use bica_link::{NamedRequest, NamedSetting, Plain};
+use bica_monitor::protocol::{Open, Request};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
@@ -12,6 +13,17 @@ use crate::page::{Bench, Folder, Got, Page};
 
 fn built_in() -> Open {
     Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::from([(ROBOTS.to_owned(), 1)]) }
+}
+
+/// A value for the gain of the forward's component `FaceBall`.
+pub(crate) fn set_gain(value: Plain) -> Request {
+    let (component, param) = ("FaceBall".to_owned(), "gain".to_owned());
+    Request::Operate { request: NamedRequest::Set { settings: vec![NamedSetting { component, param, value }] } }
+}
+
+/// A hold of a component.
+pub(crate) fn hold(component: &str, hold: Hold) -> Request {
+    Request::Operate { request: NamedRequest::Hold { component: component.to_owned(), hold } }
 }
 
 /// Index of a component and of one of its members.
@@ -66,18 +78,19 @@ fn other_users_cannot_read_what_is_recorded() {
 fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     let (page, description) = running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
-    let set = |value: Plain| Request::Set { settings: vec![Setting { component, param, value }] };
-    let error = page.ask(set(Plain::Number(0.9))).unwrap_err();
+    let error = page.ask(set_gain(Plain::Number(0.9))).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("does not control"), "{error}");
     page.ask(Request::Acquire {}).unwrap();
-    let answer = page.ask(set(Plain::Number(0.9))).unwrap();
+    let answer = page.ask(set_gain(Plain::Number(0.9))).unwrap();
     assert_eq!(answer["values"], json!([0.9]));
-    let error = page.ask(set(Plain::Number(1000.0))).unwrap_err();
+    let error = page.ask(set_gain(Plain::Number(1000.0))).unwrap_err();
     assert_eq!(error["entry"], 0, "{error}");
-    let error = page.ask(set(Plain::Name("text".to_owned()))).unwrap_err();
+    let error = page.ask(set_gain(Plain::Name("text".to_owned()))).unwrap_err();
     assert_eq!(error["entry"], 0, "{error}");
     for hz in [-1e30, 0.0, 1e6, f32::NAN, f32::INFINITY] {
-        let error = page.ask(Request::Rate { component, hz: Some(hz) }).unwrap_err();
+        let error = page
+            .ask(Request::Operate { request: NamedRequest::Rate { component: "FaceBall".to_owned(), hz: Some(hz) } })
+            .unwrap_err();
         assert!(error["help"].as_str().unwrap().contains("at most"), "{hz}: {error}");
     }
 
@@ -89,8 +102,8 @@ fn one_page_operates_and_values_are_answered_as_they_are_in_force() {
     assert_eq!(other.ask(Request::Acquire {}).unwrap_err()["text"], "another page controls the robot");
     other.ask(Request::Take {}).unwrap();
     page.session(|session| session["control"] == "other_page");
-    assert!(page.ask(set(Plain::Number(0.8))).is_err());
-    assert_eq!(other.ask(set(Plain::Number(0.8))).unwrap()["values"], json!([0.8]));
+    assert!(page.ask(set_gain(Plain::Number(0.8))).is_err());
+    assert_eq!(other.ask(set_gain(Plain::Number(0.8))).unwrap()["values"], json!([0.8]));
     drop(other);
     page.message("log", |log| {
         log["lines"][0]["text"].as_str()?.contains("was closed: control has ended").then_some(())
@@ -104,7 +117,7 @@ fn slow_a_hold_ends_when_the_page_is_silent() {
     let (page, description) = running();
     let component = description["root"].as_u64().unwrap() as usize;
     page.ask(Request::Acquire {}).unwrap();
-    page.ask(Request::Hold { component, hold: HoldKind::Latent }).unwrap();
+    page.ask(hold(description["components"][component]["name"].as_str().unwrap(), Hold::Latent)).unwrap();
     let is = |hold: &'static str| move |update: &Value| (update["components"][component][1] == hold).then_some(());
     page.message("update", is("latent"));
     page.message("update", is("tree"));

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use bica_link::Plain;
-use bica_monitor::protocol::{Open, Request, Setting};
+use bica_link::{NamedRequest, NamedSetting, Plain};
+use bica_monitor::protocol::{Open, Request};
 use serde_json::Value;
 
 use crate::view::{Sources, View, text_of};
@@ -31,8 +31,9 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { component, param });
     let gain = find(&description, "FaceBall", "gain");
     view.request(Request::Acquire {}).unwrap();
-    let settings = vec![Setting { component: gain.0, param: gain.1, value: Plain::Number(1.0) }];
-    view.request(Request::Set { settings }).unwrap();
+    let (component, param) = ("FaceBall".to_owned(), "gain".to_owned());
+    let request = NamedRequest::Set { settings: vec![NamedSetting { component, param, value: Plain::Number(1.0) }] };
+    view.request(Request::Operate { request }).unwrap();
     let saved = save(gain).unwrap();
     assert_eq!(saved["path"], "face_ball.rs");
     assert!(

@@ -13,7 +13,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    Change, ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, Offers, Request, Watch, WatchInfo,
+    ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, Offers, Request, Watch, WatchInfo,
 };
 use bica_wire::{FromMonitor, SCHEMA};
 
@@ -21,7 +21,7 @@ use crate::address::Address;
 use crate::error::Error;
 use crate::frame::{Packets, Receiver};
 use crate::stream::{Reading, Stream};
-use bica_wire::model::Description;
+use bica_wire::model::{Description, Invalid};
 use inbox::Inbox;
 
 pub use event::{Answered, Costs, Event, Image, Snapshot};
@@ -262,10 +262,10 @@ impl Client {
     /// Sends a request and returns its number; the answer follows as [`Event::Answer`].
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send_request(&mut self, change: Change) -> Result<u32, Error> {
+    /// [`Error::Unknown`] if it has too many values, [`Error::Disconnected`].
+    pub fn send_request(&mut self, request: bica::runner::Request<'_>) -> Result<u32, Error> {
         let (lease, expires_us) = (self.lease().lease, self.expires_us());
-        self.send_request_with(change, lease, expires_us)
+        self.send_request_with(request, lease, expires_us)
     }
 
     /// Returns the robot's time after which a request that is sent now is refused, µs.
@@ -277,8 +277,17 @@ impl Client {
     /// Sends a request with the number of a lease and an expiry in the robot's time, µs; returns its number.
     ///
     /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send_request_with(&mut self, change: Change, lease: u64, expires_us: u64) -> Result<u32, Error> {
+    /// [`Error::Unknown`] if it has too many values, [`Error::Disconnected`].
+    pub fn send_request_with(
+        &mut self,
+        request: bica::runner::Request<'_>,
+        lease: u64,
+        expires_us: u64,
+    ) -> Result<u32, Error> {
+        let change = request.store().ok_or_else(|| {
+            let help = format!("set at most {MAX_BATCH} at a time, and call with at most {MAX_ARGUMENTS} arguments");
+            Invalid::new("these are too many values for one request", help)
+        })?;
         self.last_number = self.last_number.wrapping_add(1);
         let number = self.last_number;
         self.send(&FromMonitor::Request(Request { number, lease, expires_us, change }))?;
@@ -289,8 +298,8 @@ impl Client {
     ///
     /// # Errors
     /// [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
-    pub fn request(&mut self, change: Change) -> Result<Answered, Error> {
-        let number = self.send_request(change)?;
+    pub fn request(&mut self, request: bica::runner::Request<'_>) -> Result<Answered, Error> {
+        let number = self.send_request(request)?;
         self.answer(number)
     }
 

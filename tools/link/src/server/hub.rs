@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use bica::Graph;
 use bica_wire::SCHEMA;
 use bica_wire::message::{Attached, LeaseAction, Offers, Request, Stop, Watch, WorldRequest};
+use bica_wire::model::Description;
 
 use super::connection::Connection;
 use super::exchange::Exchange;
@@ -64,6 +65,8 @@ pub(super) enum Command {
 #[derive(Debug)]
 pub(super) struct Hub {
     pub(super) graph: &'static Graph,
+    /// Description of the same tree, for texts.
+    pub(super) description: Description,
     tree_hash: u64,
     options: ServerOptions,
     /// For messages that only watch, and for the others.
@@ -97,6 +100,7 @@ impl Hub {
         let (watches, watch_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
         let hub = Self {
             graph,
+            description: Description::of(graph),
             tree_hash,
             options: *options,
             watches,

@@ -1,12 +1,11 @@
 //! The source of requests in the loop.
 
-use std::fmt::Write;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bica::runner::{Request, Requests};
-use bica::{Graph, Instant, Refusal};
+use bica::{Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode, WorldChange};
 
 use super::control::{Applied, Control, Placement};
@@ -114,15 +113,15 @@ impl Requests for LinkRequests {
             return None;
         };
         Some(match current {
-            Current::Ending(change) => change.request(),
-            Current::Operator(applied) => applied.change.request(),
+            Current::Ending(change) => change.borrow(),
+            Current::Operator(applied) => applied.change.borrow(),
         })
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
         let Some(Current::Operator(applied)) = self.current.take() else { return };
         let mut control = lock(&self.control);
-        let text = describe(control.hub.graph, &applied.change);
+        let text = control.hub.description.named(applied.change.borrow()).to_string();
         match result {
             Ok(()) => {
                 control.lease.record(&applied.change);
@@ -138,34 +137,6 @@ impl Requests for LinkRequests {
                 control.log(now, 3, &format!("operator: {text} refused: {reason}"));
                 control.refuse(connection, number, arrived, RefusalCode::Tree, entry, reason);
             }
-        }
-    }
-}
-
-/// Returns a line for people.
-fn describe(graph: &'static Graph, change: &Change) -> String {
-    let node = |component: usize| graph.nodes.get(component);
-    let name = |component: u16| node(component.into()).map_or("?", |node| node.name);
-    match change {
-        Change::Hold { component, hold } => format!("hold {} {hold:?}", name(*component)),
-        Change::Rate { component, hz } => format!("rate {} {hz} Hz", name(*component)),
-        Change::Params(batch) => {
-            let mut text = "set".to_owned();
-            for setting in batch {
-                let node = node(setting.component.index());
-                let param = node.and_then(|node| node.find_param(usize::from(setting.index)));
-                let (component, param) =
-                    (node.map_or("?", |node| node.name), param.map_or("?", |(_, param)| param.name));
-                // Writing to a String cannot fail.
-                let _ = write!(text, " {component}.{param}={}", setting.value);
-            }
-            text
-        }
-        Change::Modulate { component, modulation, arguments } => {
-            let found = node((*component).into()).and_then(|node| node.modulations.get(usize::from(*modulation)));
-            let arguments: Vec<_> = arguments.iter().map(ToString::to_string).collect();
-            let name = name(*component);
-            format!("call {name}.{}({})", found.map_or("?", |found| found.name), arguments.join(", "))
         }
     }
 }

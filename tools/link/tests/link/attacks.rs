@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
+use bica::runner::Request;
 use bica::runner::{Runner, World};
 use bica_link::{Client, ClientOptions, Error, Event, LinkServer, MAX_MONITORS, ServerOptions};
-use bica_wire::message::{Change, Hold, LeaseAction};
+use bica_wire::message::{Hold, LeaseAction};
 use bica_wire::{Encoder, FromMonitor};
 
 use crate::faults::{assert_served, monitor_packet, raw};
@@ -16,7 +17,7 @@ use crate::proxy::Proxy;
 use crate::robot::{CART, OtherTree};
 use crate::session::{CYCLE_US, LIMIT, Session, event, snapshot};
 
-const HOLD: Change = Change::Hold { component: CART, hold: Hold::Latent };
+const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 
 /// Attacks 1 and 3: a web page makes a browser send packets to the link. What it chooses comes behind a head.
 #[test]

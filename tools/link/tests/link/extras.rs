@@ -6,12 +6,13 @@ use std::net::TcpListener;
 use std::thread;
 use std::time::Duration;
 
+use bica::runner::Request;
 use bica::runner::{Observer, Runner};
 use bica::{ComponentId, Instant, Probe};
 use bica_link::{Client, ClientOptions, Costs, Error, Event, Image};
 use bica_wire::message::{
-    COSTS_CYCLES, Change, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Truth,
-    Value, WorldChange, WorldState,
+    COSTS_CYCLES, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Truth, Value,
+    WorldChange, WorldState,
 };
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 
@@ -19,7 +20,7 @@ use crate::robot::{CART, CartTree};
 use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, snapshot};
 
 const PAUSE: WorldChange = WorldChange::Pause;
-const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: CART };
+const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: 0 };
 
 #[track_caller]
 fn world(client: &mut Client, expected: &str, condition: impl Fn(&WorldState) -> bool) -> WorldState {
@@ -48,8 +49,8 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     operator.acquire(false).unwrap();
     let paused_at = operator.change_world(PAUSE).unwrap().cycle;
     world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
-    let set = Setting::new(ComponentId::new(CART.into()), 0, Value::F32(1.5));
-    let answer = operator.request(Change::Params([set].into_iter().collect())).unwrap();
+    let set = Setting::new(CART, 0, Value::F32(1.5));
+    let answer = operator.request(Request::Params(&[set])).unwrap();
     assert_eq!((answer.values, answer.cycle), (vec![Value::F32(1.5)], paused_at + 1));
     thread::sleep(Duration::from_millis(50));
     assert_eq!(session.cycles(), paused_at + 1, "time stands still");
@@ -168,7 +169,7 @@ impl Probe for Oracle {
     }
 
     fn start(&mut self, component: ComponentId) {
-        if component.index() == usize::from(CART) {
+        if component == CART {
             self.conditions = [None; 2];
         }
     }
@@ -181,7 +182,7 @@ impl Probe for Oracle {
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, _to: usize) {
-        if component.index() == usize::from(CART) {
+        if component == CART {
             // The transition from state 0 is transition 0, that from state 1 is transition 1.
             self.conditions = [None; 2];
             self.conditions[from] = Some(ConditionState { holds: true, since_us: self.now });
@@ -202,7 +203,7 @@ fn conditions_and_the_true_state_are_those_of_their_cycle() {
     while conditions.len() < 300 || truths.len() < 200 {
         event(&mut client, "conditions or the true state", |event| match event {
             Event::Conditions { time_us, component, conditions: values } => {
-                assert_eq!(component, usize::from(CART));
+                assert_eq!(component, CART.index());
                 conditions.push((time_us / CYCLE_US, values));
                 Some(())
             }
@@ -344,14 +345,14 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
             _ => None,
         })
     };
-    let stop = |at| Stop { component: CART, at, pauses: true };
+    let stop = |at| Stop { component: 0, at, pauses: true };
     for at in [StopAt::Transition(0), StopAt::State(1)] {
         watcher.watch_extra(ExtraKind::Stop(stop(at)), 1).unwrap();
         watcher.acquire(false).unwrap();
         watcher.place_ball(near).unwrap();
         let (Reached { time_us, stop: found, paused }, taken) = reached(&mut watcher);
         assert_eq!((found, paused), (stop(at), true));
-        assert_eq!(taken, Some(Taken { time_us, component: CART, transition: 0 }));
+        assert_eq!(taken, Some(Taken { time_us, component: 0, transition: 0 }));
         thread::sleep(Duration::from_millis(50));
         assert_eq!(session.cycles(), time_us / CYCLE_US + 1, "{at:?}");
         watcher.watch_extra(ExtraKind::Stop(stop(at)), 0).unwrap();

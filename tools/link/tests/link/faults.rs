@@ -7,8 +7,9 @@ use std::thread;
 use std::time::Duration;
 
 use bica::ComponentId;
+use bica::runner::Request;
 use bica_link::{Client, ClientOptions, Error, Event};
-use bica_wire::message::{Change, ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
+use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
 use bica_wire::{Encoder, FromMonitor, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
@@ -72,13 +73,14 @@ fn a_storm_of_requests_is_limited_in_each_cycle() {
     let lease = operator.lease().lease;
     for count in 0..STORM {
         let value = Value::F32((count % 100) as f32 * 0.01);
-        let settings = [Setting::new(ComponentId::new(CART.into()), 0, value)].into_iter().collect();
-        operator.send_request_with(Change::Params(settings), lease, u64::MAX).unwrap();
+        let settings = &[Setting::new(CART, 0, value)];
+        operator.send_request_with(Request::Params(settings), lease, u64::MAX).unwrap();
         if count % 50 == 49 {
             while operator.poll(Duration::from_millis(1)).unwrap().is_some() {}
         }
     }
-    let last = operator.send_request_with(Change::Hold { component: CART, hold: Hold::Tree }, lease, u64::MAX).unwrap();
+    let last =
+        operator.send_request_with(Request::Hold { component: CART, hold: Hold::Tree }, lease, u64::MAX).unwrap();
     operator.answer(last).unwrap();
     assert_eq!(session.requests(), STORM + 1);
     assert!(session.most_requests() <= 64, "{}", session.most_requests());
@@ -95,7 +97,7 @@ fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() 
     for client in &mut clients {
         for _ in 0..EACH {
             // Nobody owns the lease, so each is refused in the cycle in which it is handled.
-            client.send_request_with(Change::Hold { component: CART, hold: Hold::Tree }, 1, u64::MAX).unwrap();
+            client.send_request_with(Request::Hold { component: CART, hold: Hold::Tree }, 1, u64::MAX).unwrap();
         }
     }
     // Until all have arrived; if not, less is seen.
@@ -162,7 +164,7 @@ fn a_client_connects_again_and_continues_watching_and_its_lease() {
     let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
     client.watch(1).unwrap();
     client.acquire(false).unwrap();
-    client.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
+    client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
     let lease = client.lease().lease;
     proxy.cut();
     let error = loop {
@@ -176,5 +178,5 @@ fn a_client_connects_again_and_continues_watching_and_its_lease() {
     let now = session.cycles();
     let after = snapshot(&mut client, "a new snapshot", |snapshot| snapshot.info.cycle >= now);
     assert_eq!(after.states[0].held, Hold::Latent);
-    client.request(Change::Hold { component: CART, hold: Hold::Tree }).unwrap();
+    client.request(Request::Hold { component: CART, hold: Hold::Tree }).unwrap();
 }

@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use bica::runner::Runner;
-use bica::{ComponentId, Tree};
+use bica::Tree;
+use bica::runner::{Request, Runner};
 use bica_link::{Error, Event, Kind, MAX_MONITORS};
-use bica_wire::message::{Change, Hold, Setting, Value};
+use bica_wire::message::{Hold, Setting, Value};
 
 use crate::robot::{CART, CartTree, DRIVE};
 use crate::session::{CYCLE_US, Session, Wall, event, snapshot};
@@ -110,8 +110,8 @@ fn every_monitor_receives_changed_parameters_and_log_lines() {
     let session = Session::start();
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
-    let setting = Setting::new(ComponentId::new(CART.into()), 0, Value::F32(0.75));
-    operator.request(Change::Params([setting].into_iter().collect())).unwrap();
+    let setting = Setting::new(CART, 0, Value::F32(0.75));
+    operator.request(Request::Params(&[setting])).unwrap();
     session.server.log(2, "the referee whistles");
     let (mut changed, mut asked, mut whistled) = (false, false, false);
     while !(changed && asked && whistled) {
@@ -160,10 +160,10 @@ fn a_modulation_is_called_before_the_next_cycle() {
     let session = Session::start();
     let mut operator = session.client();
     operator.acquire(false).unwrap();
-    operator.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
-    operator.request(Change::Hold { component: DRIVE, hold: Hold::Active }).unwrap();
-    let arguments = [Value::F32(-0.25)].into_iter().collect();
-    let answer = operator.request(Change::Modulate { component: DRIVE, modulation: 0, arguments }).unwrap();
+    operator.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
+    operator.request(Request::Hold { component: DRIVE, hold: Hold::Active }).unwrap();
+    let arguments = &[Value::F32(-0.25)];
+    let answer = operator.request(Request::Modulate { component: DRIVE, modulation: 0, arguments }).unwrap();
     session.run(20);
     drop(operator);
     let commands = session.finish();

@@ -3,22 +3,23 @@
 use std::time::Duration;
 
 use bica::ComponentId;
+use bica::runner::Request;
 use bica_link::{Client, Error, Event};
-use bica_wire::message::{Change, Hold, LeaseAction, RefusalCode, Setting, Value};
+use bica_wire::message::{Hold, LeaseAction, RefusalCode, Setting, Value};
 
 use crate::robot::{CART, DRIVE};
 use crate::session::{CYCLE_US, Session, event, snapshot};
 
 fn set(index: u16, value: f32) -> Setting {
-    Setting::new(ComponentId::new(CART.into()), index, Value::F32(value))
+    Setting::new(CART, index, Value::F32(value))
 }
 
-fn batch(settings: &[Setting]) -> Change {
-    Change::Params(settings.iter().copied().collect())
+fn batch(settings: &[Setting]) -> Request<'_> {
+    Request::Params(settings)
 }
 
-const HOLD: Change = Change::Hold { component: CART, hold: Hold::Latent };
-const SLOW: Change = Change::Rate { component: DRIVE, hz: 5.0 };
+const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
+const SLOW: Request<'static> = Request::Rate { component: DRIVE, hz: Some(5.0) };
 
 #[track_caller]
 fn refusal(result: Result<bica_link::Answered, Error>) -> (RefusalCode, usize, String) {
@@ -53,10 +54,10 @@ fn a_batch_is_applied_whole_or_refused_whole() {
     assert_eq!((code, entry, &*text), (RefusalCode::Tree, 1, "`Cart.wanted`: 7 is outside 0.1..=2"));
     let (code, _, text) = refusal(operator.request(batch(&[set(0, 1.0), set(2, 1.6)])));
     assert_eq!((code, &*text), (RefusalCode::Tree, "`Cart`: `nearest` must not be above `wanted`"));
-    let (_, _, text) = refusal(operator.request(Change::Hold { component: 99, hold: Hold::Active }));
+    let (_, _, text) = refusal(operator.request(Request::Hold { component: ComponentId::new(99), hold: Hold::Active }));
     assert!(text.contains("no such component"), "{text}");
     for hz in [-1e30, 0.0, 1e6, f32::INFINITY] {
-        let (code, _, text) = refusal(operator.request(Change::Rate { component: DRIVE, hz }));
+        let (code, _, text) = refusal(operator.request(Request::Rate { component: DRIVE, hz: Some(hz) }));
         assert!(code == RefusalCode::Tree && text.contains("above 0 Hz"), "{hz}: {text}");
     }
     let watcher = session.client();

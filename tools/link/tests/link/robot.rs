@@ -136,8 +136,8 @@ impl Robot for OtherTree {
 }
 
 /// Indices of the components.
-pub(crate) const CART: u16 = 0;
-pub(crate) const DRIVE: u16 = 2;
+pub(crate) const CART: ComponentId = ComponentId::new(0);
+pub(crate) const DRIVE: ComponentId = ComponentId::new(2);
 
 impl Robot for CartTree {
     type Sensors<'a> = f32;

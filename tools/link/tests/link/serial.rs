@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;
 
+use bica::runner::Request;
 use bica_link::{Address, Client, ClientOptions, Error, Memory};
-use bica_wire::message::{Change, Hold};
+use bica_wire::message::Hold;
 use nix::pty::openpty;
 use nix::unistd::ttyname;
 
@@ -57,7 +58,7 @@ fn carries_the_link(robot: &Address, monitor: &Address) {
     let mut client = Client::connect(monitor, options).unwrap();
     assert_eq!(client.description().components.len(), 3);
     client.acquire(false).unwrap();
-    client.request(Change::Hold { component: CART, hold: Hold::Latent }).unwrap();
+    client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
     client.watch(10).unwrap();
     let held = snapshot(&mut client, "a snapshot", |_| true);
     assert_eq!(held.states[0].held, Hold::Latent);

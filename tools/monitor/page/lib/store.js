@@ -47,6 +47,18 @@ export function dismiss(id) {
 /** Sessions whose control this page has asked to end. */
 const leaving = new Set();
 
+/** Requests that change the tree. */
+const REQUESTS = new Set(['hold', 'rate', 'set', 'modulate']);
+
+/** A request by name: panels use indices, the server takes names. */
+function named(description, type, { component, modulation, settings, ...rest }) {
+  const of = (index) => description.components[index];
+  const setting = (one) => ({ component: of(one.component).name, param: of(one.component).params[one.param].name, value: one.value });
+  if (type === 'set') return { type, settings: settings.map(setting) };
+  const { name, modulations } = of(component);
+  return { type, component: name, ...(type === 'modulate' && { modulation: modulations[modulation].name }), ...rest };
+}
+
 /** Sends a request of the current session; an error becomes a notice. Resolves to undefined after an error. */
 export async function act(type, fields = {}, done = '') {
   const shown = session.value;
@@ -54,6 +66,7 @@ export async function act(type, fields = {}, done = '') {
     notify('error', 'no session is open', 'open a world, a robot or a recording first');
     return undefined;
   }
+  if (REQUESTS.has(type)) return ask('operate', { session: shown.id, request: named(shown.description.value, type, fields) }, done);
   if ((type === 'release' || type === 'restart') && shown.info.value.control === 'yours') leaving.add(shown.id);
   return ask(type, { session: shown.id, ...fields }, done);
 }

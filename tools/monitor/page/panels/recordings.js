@@ -63,13 +63,11 @@ function Replay({ shown, info }) {
   const settings = useSignal([]);
   const path = useSignal('');
   const value = useSignal('');
-  const all = description?.components.flatMap((component, at) => component.params.map((param, number) => ({ name: `${component.name}.${param.name}`, component: at, param: number, kind: param.kind }))) ?? [];
+  const all = description?.components.flatMap((component) => component.params.map((param) => ({ name: `${component.name}.${param.name}`, component: component.name, param: param.name }))) ?? [];
   const add = () => {
     const chosen = all.find((one) => one.name === path.value);
     if (!chosen) return;
-    const typed = value.value.trim();
-    const parsed = ['f32', 'i32', 'u32'].includes(chosen.kind) ? Number(typed) : chosen.kind === 'bool' ? typed === 'true' : typed;
-    settings.value = [...settings.value.filter((one) => one.name !== chosen.name), { ...chosen, value: parsed }];
+    settings.value = [...settings.value.filter((one) => one.name !== chosen.name), { ...chosen, value: value.value.trim() }];
     [path.value, value.value] = ['', ''];
   };
   const again = async () => {

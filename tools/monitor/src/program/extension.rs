@@ -9,9 +9,10 @@ use serde_json::Value;
 use super::Image;
 use crate::pages::PageId;
 use crate::protocol::binary::{ImageHead, PixelKind};
-use crate::protocol::{Failed, Request, Setting};
+use crate::protocol::{Failed, Request};
 use crate::sessions::commands::Command;
 use crate::sessions::session::Session;
+use bica_wire::model::{NamedRequest, NamedSetting};
 
 /// Panels that a program adds to the page, and what answers their messages.
 ///
@@ -98,8 +99,8 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// If the session has ended.
-    pub fn set_params(&self, settings: Vec<Setting>) -> Result<Reply, Failed> {
-        let request = Request::Set { settings };
+    pub fn set_params(&self, settings: Vec<NamedSetting>) -> Result<Reply, Failed> {
+        let request = Request::Operate { request: NamedRequest::Set { settings } };
         self.session.command(Command::Operate { page: self.page, id: self.id, request }).map(|()| Reply::Later)
     }
 

@@ -1,6 +1,6 @@
 //! Messages from the page.
 
-use bica_link::Plain;
+use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::{Deserialize, Serialize};
 
 use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
@@ -84,33 +84,10 @@ pub enum Request {
     Release {},
     /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
     Keep {},
-    /// Sets parameters, all or none. [`{"cycle": number, "values": list}`: first cycle with the effective values]
-    Set {
-        /// Settings.
-        settings: Vec<Setting>,
-    },
-    /// Holds a component, or releases it.
-    Hold {
-        /// Component.
-        component: usize,
-        /// How.
-        hold: HoldKind,
-    },
-    /// Changes a rate, Hz; `null` is the declared rate.
-    Rate {
-        /// Component.
-        component: usize,
-        /// Rate, Hz.
-        hz: Option<f32>,
-    },
-    /// Calls a modulation.
-    Modulate {
-        /// Component.
-        component: usize,
-        /// Modulation.
-        modulation: usize,
-        /// Arguments: numbers, booleans, or names of variants.
-        arguments: Vec<Plain>,
+    /// Requests a change of the tree. [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
+    Operate {
+        /// The request, with names.
+        request: NamedRequest,
     },
     /// Pauses a simulated world between two cycles.
     Pause {},
@@ -192,7 +169,7 @@ pub enum Request {
     /// Runs a recording again with other parameters, as a new session. [`{"session": number}`]
     RunAgain {
         /// Settings.
-        settings: Vec<Setting>,
+        settings: Vec<NamedSetting>,
     },
     /// Sends a message to an [extension](crate::program::Extension). [its answer]
     Extension {
@@ -201,28 +178,4 @@ pub enum Request {
         /// The message.
         message: serde_json::Value,
     },
-}
-
-/// A parameter and its new value.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Setting {
-    /// Component.
-    pub component: usize,
-    /// Parameter.
-    pub param: usize,
-    /// Number, boolean, or name of a variant.
-    pub value: Plain,
-}
-
-/// How a component is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum HoldKind {
-    /// By the tree.
-    Tree,
-    /// Active.
-    Active,
-    /// Latent.
-    Latent,
 }

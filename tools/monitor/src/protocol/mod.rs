@@ -24,7 +24,7 @@ mod watch;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use drawing::{Drawing, DrawnBox, DrawnLink};
-pub use from_page::{FromPage, HoldKind, Request, Setting};
+pub use from_page::{FromPage, Request};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
 pub use source_file::{

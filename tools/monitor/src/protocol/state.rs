@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::HoldKind;
+use bica::Hold;
 
 /// State of a component, in JSON a list.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -10,7 +10,7 @@ pub struct ComponentNow(
     /// Whether it was visited in the last cycle.
     pub bool,
     /// How it is held.
-    pub HoldKind,
+    pub Hold,
     /// Index of its state, also of a latent one.
     pub Option<u16>,
     /// Requested rate, Hz; none: every cycle.

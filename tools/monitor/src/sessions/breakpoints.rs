@@ -216,8 +216,8 @@ mod tests {
     use bica_link::{State, Transition};
 
     use super::*;
-    use crate::protocol::HoldKind;
     use crate::sessions::history::Limits;
+    use bica::Hold;
 
     fn place(reach: Reach) -> Place {
         Place { breakpoint: Breakpoint { component: 0, state: None, transition: None }, reach, text: String::new() }
@@ -263,7 +263,7 @@ mod tests {
     fn the_next_time_is_found_after_the_cursor() {
         let mut states = States::new(1);
         for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
-            states.push(time, time / 10, std::iter::once((true, HoldKind::Tree, Some(state), None)));
+            states.push(time, time / 10, std::iter::once((true, Hold::Tree, Some(state), None)));
         }
         let at = |from_us| next_seen(&states, &[&place(Reach::State(1))], from_us).map(|reached| reached.time_us);
         assert_eq!([at(0), at(9), at(10), at(29), at(30)], [Some(10), Some(10), Some(30), Some(30), None]);

@@ -12,6 +12,7 @@ use std::thread;
 use bica::{Blob, Format};
 use bica_link::Description;
 use bica_recording::BlobPlace;
+use bica_wire::model::NamedSetting;
 use serde_json::json;
 
 use super::commands::Commands;
@@ -19,11 +20,10 @@ use super::common::Common;
 use super::robot_recording::BOTTOM_CAMERA;
 use super::session::Session;
 use super::storage::MCAP;
-use super::value::unknown;
 use crate::files;
 use crate::pages::PageId;
 use crate::program::{Compared, Image, Replay};
-use crate::protocol::{Connection, Failed, SessionId, SessionKind, Setting};
+use crate::protocol::{Connection, Failed, SessionId, SessionKind};
 
 /// Images of a recording: they stay in its file.
 #[derive(Debug, Default)]
@@ -81,7 +81,7 @@ pub(super) fn open(id: SessionId, common: &Common, name: &str) -> Result<Arc<Ses
 }
 
 /// Runs a recording again with other parameters; the new course is a session of its own.
-pub(super) fn run_again(id: SessionId, original: &Session, settings: &[Setting]) -> Result<Arc<Session>, Failed> {
+pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSetting]) -> Result<Arc<Session>, Failed> {
     let path = original.shared().recorded.path.clone();
     if path.as_os_str().is_empty() || !original.shared().can.run_again {
         return Err(Failed::new("this session cannot be run again", "keep a recording, open it, and run that again"));
@@ -125,14 +125,8 @@ fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed>
 }
 
 /// Returns the settings as assignments of the command line.
-fn assignments(description: &Description, settings: &[Setting]) -> Result<Vec<String>, Failed> {
-    let one = |Setting { component, param, value }: &Setting| {
-        let owner = description.components.get(*component).ok_or_else(|| unknown("component", *component))?;
-        let param = owner.params.get(*param).ok_or_else(|| unknown("parameter", *param))?;
-        let value = param.value_of(value)?;
-        Ok(format!("{}.{}={}", owner.name, param.name, param.kind.text(value)))
-    };
-    settings.iter().map(one).collect()
+fn assignments(description: &Description, settings: &[NamedSetting]) -> Result<Vec<String>, Failed> {
+    settings.iter().map(|setting| Ok(description.setting(setting).map(|_| setting.to_string())?)).collect()
 }
 
 /// Compares two recordings in a thread of its own, and answers with the first difference.

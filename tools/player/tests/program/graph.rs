@@ -11,14 +11,14 @@ fn printed(args: &[&str]) -> String {
 #[test]
 fn every_format_names_every_component() {
     let graph: serde_json::Value = serde_json::from_str(&printed(&["--json"])).unwrap();
-    let nodes = graph["nodes"].as_array().unwrap();
+    let components = graph["components"].as_array().unwrap();
     assert_eq!(graph["name"], "Forward");
-    assert!(nodes.len() > 15);
+    assert!(components.len() > 15);
     for (format, start) in [("svg", "<svg "), ("dot", "digraph"), ("mermaid", "flowchart"), ("json", "{")] {
         let text = printed(&["--format", format]);
         assert!(text.starts_with(start), "{format}: {}", &text[..40]);
-        for node in nodes {
-            let name = node["name"].as_str().unwrap();
+        for component in components {
+            let name = component["name"].as_str().unwrap();
             assert!(text.contains(name), "{format} lacks {name}");
         }
     }

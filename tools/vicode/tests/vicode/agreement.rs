@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use bica::Tree;
 use bica_vicode::model::{Component, Function, Graph, LinkKind, ParameterGroup};
+use bica_wire::model::Description;
 use serde_json::{Value, json};
 
 use crate::sources;
@@ -38,11 +39,12 @@ fn model(component: &Component) -> Value {
     })
 }
 
-/// A component of a tree's `GRAPH` without its parameters.
+/// A component of a tree's description without its parameters.
 fn node(node: &Value, tree: &Value) -> Value {
     let each = |key: &str, one: &dyn Fn(&Value) -> Value| list(node[key].as_array().unwrap(), one);
     let named = |one: &Value| json!([one["name"], one["doc"]]);
-    let child = |link: &Value| tree["nodes"][usize::try_from(link["to"].as_u64().unwrap()).unwrap()]["name"].clone();
+    let child =
+        |link: &Value| tree["components"][usize::try_from(link["to"].as_u64().unwrap()).unwrap()]["name"].clone();
     let links = node["links"].as_array().unwrap().iter();
     let links: BTreeSet<_> = links.map(|one| json!([one["state"], child(one), one["kind"]]).to_string()).collect();
     json!({
@@ -59,16 +61,16 @@ fn node(node: &Value, tree: &Value) -> Value {
     })
 }
 
-/// Compares a component with its node in the `GRAPH` of a tree.
+/// Compares a component with its description in that of a tree.
 pub(crate) fn agrees(component: &Component, tree: &Value) {
-    let mut nodes = tree["nodes"].as_array().unwrap().iter();
+    let mut nodes = tree["components"].as_array().unwrap().iter();
     let found = nodes.find(|node| node["name"] == component.name.text.as_str()).expect("a component of the tree");
     assert_eq!(model(component), node(found, tree));
 }
 
 #[test]
 fn models_of_the_forward_are_its_graph() {
-    let tree: Value = serde_json::from_str(&bica_player::Forward::GRAPH.json().to_string()).unwrap();
+    let tree: Value = serde_json::to_value(Description::of(&bica_player::Forward::GRAPH)).unwrap();
     let mut seen = 0;
     for (_, text) in sources::components("player/src") {
         let model = bica_vicode::read(&text);
@@ -78,22 +80,18 @@ fn models_of_the_forward_are_its_graph() {
             seen += 1;
         }
     }
-    assert_eq!(seen, tree["nodes"].as_array().unwrap().len());
+    assert_eq!(seen, tree["components"].as_array().unwrap().len());
     let texts = sources::files(&sources::root().join("player/src")).into_iter().map(std::fs::read_to_string);
     let groups: Vec<ParameterGroup> = texts.flat_map(|text| bica_vicode::read(&text.unwrap()).parameters).collect();
     let mut compared = 0;
-    for expected in tree["nodes"].as_array().unwrap().iter().flat_map(|node| node["params"].as_array().unwrap()) {
-        let group = groups.iter().find(|group| expected["name"] == group.name.text).expect("a struct of parameters");
-        assert_eq!(expected["doc"], group.docs.text);
-        let fields = list(&group.parameters, |one| json!([one.name.text, one.docs.text]));
-        let params = expected["params"].as_array().unwrap();
-        assert_eq!(fields, list(params, |one| json!([one["name"], one["doc"]])));
-        for (parameter, of) in group.parameters.iter().zip(params) {
-            let default = &parameter.value("default").expect("a default").text;
-            if let (Ok(number), Some(value)) = (default.parse::<f64>(), of["default"].as_f64()) {
-                assert_eq!(number.to_bits(), value.to_bits(), "{of}");
-                compared += 1;
-            }
+    for param in tree["components"].as_array().unwrap().iter().flat_map(|one| one["params"].as_array().unwrap()) {
+        let group = groups.iter().find(|group| param["group"] == group.name.text).expect("a struct of parameters");
+        let field = group.parameters.iter().find(|one| param["name"] == one.name.text).expect("a field");
+        assert_eq!(param["doc"], field.docs.text);
+        let default = &field.value("default").expect("a default").text;
+        if let (Ok(number), Some(value)) = (default.parse::<f64>(), param["default"].as_f64()) {
+            assert_eq!(number.to_bits(), value.to_bits(), "{param}");
+            compared += 1;
         }
     }
     assert!(compared > 20, "{compared}");

@@ -37,7 +37,8 @@ fn write_package(folder: &Path, documents: &[Document]) {
     fs::create_dir_all(folder.join("src")).unwrap();
     let root = sources::root().canonicalize().unwrap();
     let manifest = format!(
-        "[workspace]\n[package]\nname = \"edited\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nbica = {{ path = \"{}\" }}\n",
+        "[workspace]\n[package]\nname = \"edited\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[dependencies]\nbica = {{ path = \"{0}\" }}\n\
+         bica-wire = {{ path = \"{0}/bica-wire\", features = [\"std\"] }}\nserde_json = \"1\"\n",
         root.display()
     );
     fs::write(folder.join("Cargo.toml"), manifest).unwrap();
@@ -56,7 +57,7 @@ fn write_package(folder: &Path, documents: &[Document]) {
         .unwrap();
         writeln!(
             print,
-            "    println!(\"{{}}\", <t{index}::Tree as bica::Tree>::GRAPH.json());\n    println!(\"\\x01\");"
+            "    println!(\"{{}}\", serde_json::to_string(&bica_wire::model::Description::of(&<t{index}::Tree as bica::Tree>::GRAPH)).unwrap());\n    println!(\"\\x01\");"
         )
         .unwrap();
     }

@@ -57,14 +57,15 @@ mod tests {
 
     use super::super::Limits;
     use super::*;
-    use crate::protocol::{HoldKind, LogKind};
+    use crate::protocol::LogKind;
+    use bica::Hold;
 
     /// History of 20 cycles of one component, that is active in every fourth.
     fn history() -> History {
         let mut history = History::new(Limits { ring_us: None, info_bytes: 1000, image_bytes: 1000 }, 1);
         for cycle in 0..20 {
             let time_us = cycle * 1000;
-            history.states.push(time_us, cycle, [(cycle % 4 == 0, HoldKind::Tree, None, None)].into_iter());
+            history.states.push(time_us, cycle, [(cycle % 4 == 0, Hold::Tree, None, None)].into_iter());
             // It changes in cycle 10.
             history.info.push(0, 1, time_us, &json!(cycle / 10));
             if cycle % 5 == 2 {

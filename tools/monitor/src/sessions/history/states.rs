@@ -2,7 +2,8 @@
 
 use std::collections::VecDeque;
 
-use crate::protocol::{ComponentNow, HoldKind};
+use crate::protocol::ComponentNow;
+use bica::Hold;
 
 /// A change of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +36,7 @@ pub(crate) struct States {
 /// Largest number of gaps.
 const MAX_GAPS: usize = 1000;
 
-const UNKNOWN: ComponentNow = ComponentNow(false, HoldKind::Tree, None, None, 0);
+const UNKNOWN: ComponentNow = ComponentNow(false, Hold::Tree, None, None, 0);
 
 impl States {
     pub(crate) fn new(components: usize) -> Self {
@@ -64,7 +65,7 @@ impl States {
         &mut self,
         time_us: u64,
         cycle: u64,
-        components: impl Iterator<Item = (bool, HoldKind, Option<u16>, Option<f32>)>,
+        components: impl Iterator<Item = (bool, Hold, Option<u16>, Option<f32>)>,
     ) -> Vec<Change> {
         let is_first = self.ticks.is_empty();
         let before = self.last().filter(|(last, _)| *last < time_us);

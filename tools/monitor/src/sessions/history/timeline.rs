@@ -101,13 +101,13 @@ impl History {
 mod tests {
     use super::super::Limits;
     use super::*;
-    use crate::protocol::HoldKind;
+    use bica::Hold;
 
     /// History of one component, from `(active, state)` in each ms.
     fn history(states: &[(bool, u16)], ring_us: Option<u64>) -> History {
         let mut history = History::new(Limits { ring_us, info_bytes: 1000, image_bytes: 1000 }, 1);
         for (index, &(active, state)) in states.iter().enumerate() {
-            let one = (active, HoldKind::Tree, Some(state), None);
+            let one = (active, Hold::Tree, Some(state), None);
             history.states.push(index as u64 * 1000, index as u64, std::iter::once(one));
             history.evict();
         }
@@ -140,7 +140,7 @@ mod tests {
         let mut history = history(&[(true, 0); 3], None);
         history.interrupt();
         for (time_us, active) in [(7000, true), (8000, true), (9000, false)] {
-            history.states.push(time_us, time_us / 1000, std::iter::once((active, HoldKind::Tree, Some(0), None)));
+            history.states.push(time_us, time_us / 1000, std::iter::once((active, Hold::Tree, Some(0), None)));
         }
         assert_eq!(history.states.gaps().collect::<Vec<_>>(), [&(2000, 7000)]);
         let bars = |from, until| history.rows(from, until, 0)[0].bars.clone();
@@ -159,8 +159,8 @@ mod tests {
     fn a_state_that_changed_in_a_gap_begins_after_it() {
         let mut history = history(&[(true, 0); 3], None);
         history.interrupt();
-        history.states.push(7000, 7, std::iter::once((true, HoldKind::Tree, Some(1), None)));
-        history.states.push(8000, 8, std::iter::once((true, HoldKind::Tree, Some(1), None)));
+        history.states.push(7000, 7, std::iter::once((true, Hold::Tree, Some(1), None)));
+        history.states.push(8000, 8, std::iter::once((true, Hold::Tree, Some(1), None)));
         assert_eq!(history.rows(0, 99_000, 0)[0].bars, [Bar(0, 2000, Some(0)), Bar(7000, 8000, Some(1))]);
     }
 

@@ -17,7 +17,6 @@ use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached,
 use crate::sessions::breakpoints::{self, Activity};
 use crate::sessions::commands::Command;
 use crate::sessions::session::Session;
-use crate::sessions::value::page_hold;
 use crate::sessions::watching::UPDATE;
 use crate::sessions::world::World;
 
@@ -228,7 +227,7 @@ impl<'a> Attached<'a> {
     fn snapshot(&mut self, snapshot: &Snapshot) {
         self.session.record_robot(|recorder| recorder.snapshot(snapshot));
         let Snapshot { info, states } = snapshot;
-        let states = states.iter().map(|state| (state.active, page_hold(state.held), state.state, state.hz));
+        let states = states.iter().map(|state| (state.active, state.held, state.state, state.hz));
         let mut shared = self.session.shared();
         (shared.images_taken, shared.overruns) = (info.images, info.overruns);
         shared.received = Some(Instant::now());

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use bica_link::{Answered, Plain};
-use bica_wire::message::{Change, LeaseAction, LeaseState};
+use bica::runner::OwnedRequest;
+use bica_link::Answered;
+use bica_wire::message::{LeaseAction, LeaseState};
 use serde_json::{Value, json};
 
 use super::attached::Attached;
@@ -14,7 +15,6 @@ use super::pace::world_change;
 use crate::pages::PageId;
 use crate::protocol::{Failed, LogKind, Request};
 use crate::sessions::session::Operator;
-use crate::sessions::value::change;
 
 /// Silence of the operating page after which its control ends.
 const SILENCE: Duration = Duration::from_secs(3);
@@ -28,7 +28,7 @@ struct Pending {
     page: PageId,
     id: u32,
     /// None for a placement of the ball.
-    change: Option<Change>,
+    request: Option<OwnedRequest>,
 }
 
 /// A page that waits for the lease.
@@ -99,22 +99,21 @@ impl Attached<'_> {
             }
             Request::PlaceBall { x, y, .. } if self.session.shared().can.ball => {
                 let number = self.client.send_ball([x, y])?;
-                self.expect_answer(number, Pending { page, id, change: None });
+                self.expect_answer(number, Pending { page, id, request: None });
             }
             Request::PlaceBall { .. } => {
                 let help = "only the ball of a simulated world can be placed";
                 answer(Err(Failed::new("the ball cannot be placed there", help)));
             }
-            request => match change(self.client.description(), &request) {
-                Some(Ok(change)) => {
-                    let number = self.client.send_request(change.clone())?;
-                    self.expect_answer(number, Pending { page, id, change: Some(change) });
-                }
-                Some(Err(failed)) => answer(Err(failed)),
-                None => {
-                    answer(Err(Failed::new("a live session cannot do this", "choose another session")));
-                }
+            Request::Operate { request } => match self.client.description().request(&request) {
+                Ok(request) => match self.client.send_request(request.borrow()) {
+                    Ok(number) => self.expect_answer(number, Pending { page, id, request: Some(request) }),
+                    Err(bica_link::Error::Unknown(invalid)) => answer(Err(invalid.into())),
+                    Err(error) => return Err(error),
+                },
+                Err(invalid) => answer(Err(invalid.into())),
             },
+            _ => answer(Err(Failed::new("a live session cannot do this", "choose another session"))),
         }
         Ok(())
     }
@@ -233,17 +232,18 @@ impl Attached<'_> {
 
     /// Hands the robot's answer to the page that asked.
     pub(super) fn answered(&mut self, answer: Answered) {
-        let Some(Pending { page, id, change }) = self.operation.pending.remove(&answer.number) else { return };
+        let Some(Pending { page, id, request }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
-        let result = match (refused, change) {
+        let result = match (refused, request) {
             (Some((_, entry, text)), Some(_)) => {
                 let help = "values must be in their ranges, and requests come from the page in control".to_owned();
                 Err(Failed { entry: Some(entry), ..Failed::new(text, help) })
             }
             (Some((.., text)), None) => Err(Failed::new(text, "place it where it is in play and nothing stands")),
-            (None, Some(change)) => {
-                self.remember(&change, &values);
-                Ok(json!({ "cycle": cycle, "values": self.plain(&change, &values) }))
+            (None, Some(request)) => {
+                self.remember(&request, &values);
+                let values = self.client.description().plain_values(request.borrow(), &values);
+                Ok(json!({ "cycle": cycle, "values": values }))
             }
             (None, None) => Ok(json!({ "cycle": cycle })),
         };
@@ -251,8 +251,8 @@ impl Attached<'_> {
     }
 
     /// Takes over values before the robot reports them: whoever reads them after the answer gets the new ones.
-    fn remember(&self, change: &Change, values: &[bica::Value]) {
-        let Change::Params(batch) = change else { return };
+    fn remember(&self, request: &OwnedRequest, values: &[bica::Value]) {
+        let OwnedRequest::Params(batch) = request else { return };
         let mut shared = self.session.shared();
         let Some(description) = &mut shared.description else { return };
         let components = &mut Arc::make_mut(description).components;
@@ -262,18 +262,6 @@ impl Attached<'_> {
                 param.value = Some(*value);
             }
         }
-    }
-
-    /// Returns the values of an answer as the page gets them.
-    fn plain(&self, change: &Change, values: &[bica::Value]) -> Vec<Plain> {
-        let components = &self.client.description().components;
-        let param = |entry: usize| {
-            let Change::Params(batch) = change else { return None };
-            let setting = batch.get(entry)?;
-            components.get(setting.component.index())?.params.get(usize::from(setting.index))
-        };
-        let one = |(entry, &value)| param(entry).map_or_else(|| Plain::from(value), |param| param.plain(value));
-        values.iter().enumerate().map(one).collect()
     }
 
     /// Answers what the robot will not answer any more.

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::Path;
 
+use bica::Hold;
 use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
 use serde_json::Value;
 
@@ -11,10 +12,9 @@ use super::tree;
 use crate::files;
 use crate::files::failed;
 use crate::program::Program;
-use crate::protocol::{Capabilities, Connection, Failed, HoldKind, LogKind, LogLine};
+use crate::protocol::{Capabilities, Connection, Failed, LogKind, LogLine};
 use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
-use crate::sessions::value::page_hold;
 
 /// What a page says of a recording that a monitor made.
 const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
@@ -38,7 +38,7 @@ pub(super) fn open(path: &Path, program: &Program) -> Result<FileRecording, Fail
 
 /// Holds and rates, as requests changed them.
 struct Requested {
-    holds: Vec<HoldKind>,
+    holds: Vec<Hold>,
     rates: Vec<Option<f32>>,
 }
 
@@ -53,7 +53,7 @@ impl Requested {
         match *request {
             RequestRecord::Hold { component, hold } => {
                 if let Some(held) = self.holds.get_mut(usize::from(component)) {
-                    *held = page_hold(hold);
+                    *held = hold;
                 }
             }
             RequestRecord::Rate { component, hz } => {
@@ -76,7 +76,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
     let is_own = session.program.replay.is_some() && session.program.has_tree(&description.hash);
     let can = Capabilities { images: true, run_again: is_own && header.monitor.is_none(), ..Capabilities::default() };
     let mut requested = Requested {
-        holds: vec![HoldKind::Tree; description.components.len()],
+        holds: vec![Hold::Tree; description.components.len()],
         rates: description.components.iter().map(|component| component.hz).collect(),
     };
     session.describe(description, can);

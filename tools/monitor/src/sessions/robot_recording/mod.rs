@@ -9,7 +9,8 @@ use bica_recording::{
 };
 use serde_json::Value;
 
-use crate::protocol::{ComponentNow, HoldKind, LogKind, LogLine};
+use crate::protocol::{ComponentNow, LogKind, LogLine};
+use bica::Hold;
 
 pub(super) use file::{BOTTOM_CAMERA, unused};
 pub(super) use keep::keep;
@@ -42,9 +43,9 @@ impl Cycles {
             tree.active[index / 8] |= u8::from(active) << (index % 8);
             tree.states.push(state.and_then(|state| u8::try_from(state).ok()).unwrap_or(u8::MAX));
             holds.holds.push(match held {
-                HoldKind::Tree => 0,
-                HoldKind::Active => 1,
-                HoldKind::Latent => 2,
+                Hold::Tree => 0,
+                Hold::Active => 1,
+                Hold::Latent => 2,
             });
             holds.rates.push(hz);
         }
@@ -89,8 +90,8 @@ pub(super) fn line_of(text: &str) -> (LogKind, &str) {
 }
 
 /// Holds and rates of components.
-pub(super) fn holds_of(record: &HoldsRecord) -> impl Iterator<Item = (HoldKind, Option<f32>)> {
-    let hold = |hold: &u8| [HoldKind::Tree, HoldKind::Active, HoldKind::Latent][usize::from(*hold).min(2)];
+pub(super) fn holds_of(record: &HoldsRecord) -> impl Iterator<Item = (Hold, Option<f32>)> {
+    let hold = |hold: &u8| [Hold::Tree, Hold::Active, Hold::Latent][usize::from(*hold).min(2)];
     record.holds.iter().map(hold).zip(record.rates.iter().copied())
 }
 

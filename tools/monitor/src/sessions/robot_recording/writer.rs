@@ -10,7 +10,6 @@ use super::file::{WrittenFile, unused};
 use super::{Cycles, add_line, add_value};
 use crate::program::Image;
 use crate::protocol::{ComponentNow, LogLine};
-use crate::sessions::value::page_hold;
 
 /// Largest number of lines before the first cycle of a connection.
 const MAX_EARLY: usize = 1000;
@@ -56,7 +55,7 @@ impl RobotRecorder {
             return;
         }
         self.hand_over();
-        let states = states.iter().map(|one| ComponentNow(one.active, page_hold(one.held), one.state, one.hz, 0));
+        let states = states.iter().map(|one| ComponentNow(one.active, one.held, one.state, one.hz, 0));
         let mut cycle = self.cycles.cycle(info.time_us, info.cycle, states);
         self.early.drain(..).for_each(|line| add_line(&mut cycle, &line));
         self.last = Some(cycle);
