@@ -26,6 +26,9 @@ pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 pub use crate::visual::{Frame, Placement, Visual};
 
 #[cfg(any(feature = "info", feature = "wire"))]
+#[path = "long_array.rs"]
+pub mod long_array;
+#[cfg(any(feature = "info", feature = "wire"))]
 pub use {postcard_schema, serde};
 
 /// Returns a doc comment; nothing with the feature `terse`.

@@ -13,8 +13,10 @@ pub(crate) fn output(options: TokenStream, item: &TokenStream) -> TokenStream {
 
 /// Expands `#[message(options)] item`.
 pub(crate) fn message(options: TokenStream, item: &TokenStream) -> TokenStream {
-    let borrowing = plain_item::borrowing(item);
-    deriving("message", options, item, &quote!({ #borrowing } { #item }))
+    // Mistakes in the options are reported below.
+    let krate = plain_item::framework("message", options.clone(), item, &mut Report::default());
+    let marked = plain_item::message(item, &krate);
+    deriving("message", options, item, &quote!({ #marked } { #item }))
 }
 
 /// Passes `content` to the framework's macro `attribute`, which derives what an item with this attribute needs.

@@ -2,10 +2,13 @@
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Data, DeriveInput, Field, Path, Token, parse_quote};
+use syn::{Data, DeriveInput, Expr, ExprLit, Field, Lit, Path, Token, Type, parse_quote};
 
 use crate::report::Report;
 use crate::{text, wording};
+
+/// Largest number of elements for which arrays implement serde's traits.
+const MAX_ARRAY: usize = 32;
 
 /// The crate that `#[attribute(crate = path)]` names, with mistakes reported. The attribute is `output` or `message`.
 pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
@@ -25,13 +28,18 @@ pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, repo
     report.take(krate).unwrap_or_else(|| parse_quote!(::bica))
 }
 
-/// The item with `#[message]`, in which serde's attribute `borrow` precedes each field that borrows.
+/// The item with `#[message]`, in which serde's attribute `borrow` precedes each field that borrows, and `with` each array that may
+/// have more than [`MAX_ARRAY`] elements. `krate` is the framework.
 #[must_use]
-pub fn borrowing(item: &TokenStream) -> TokenStream {
+pub fn message(item: &TokenStream, krate: &Path) -> TokenStream {
     let Ok(mut input) = syn::parse2::<DeriveInput>(item.clone()) else { return item.clone() };
     let mark = |field: &mut Field| {
         if borrows(field.ty.to_token_stream()) {
             field.attrs.push(parse_quote!(#[serde(borrow)]));
+        }
+        if may_be_long(&field.ty) {
+            let with = format!("{}::__private::long_array", krate.to_token_stream()).replace(' ', "");
+            field.attrs.push(parse_quote!(#[serde(with = #with)]));
         }
     };
     match &mut input.data {
@@ -40,6 +48,13 @@ pub fn borrowing(item: &TokenStream) -> TokenStream {
         Data::Union(_) => {}
     }
     input.into_token_stream()
+}
+
+/// Whether a type is an array whose length is no literal up to [`MAX_ARRAY`].
+fn may_be_long(ty: &Type) -> bool {
+    let Type::Array(array) = ty else { return false };
+    let Expr::Lit(ExprLit { lit: Lit::Int(length), .. }) = &array.len else { return true };
+    length.base10_parse::<usize>().is_ok_and(|length| length > MAX_ARRAY)
 }
 
 /// Whether a type names a lifetime other than `'static`.

@@ -14,6 +14,7 @@ pub(crate) const RAYS: usize = 72;
 pub(crate) const TRACK_WIDTH: f32 = 0.3;
 
 /// Sensor values of a cycle.
+#[message]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sensors {
     /// Distances of the lidar rays, m.
@@ -23,6 +24,7 @@ pub(crate) struct Sensors {
 }
 
 /// Speeds of the left and the right wheel, m/s.
+#[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WheelSpeeds(pub(crate) [f32; 2]);
 

@@ -5,14 +5,17 @@ use std::marker::PhantomData;
 use std::process::ExitCode;
 
 use bica::runner::{Robot, World};
+
 use bica_console::{Failure, Outcome};
+use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
 use crate::params::Layer;
+use crate::replay;
 use crate::run::{self, RunArgs};
 use crate::start::start;
-use crate::tool::Tool;
+use crate::tool::{Replay, Tool};
 use crate::world::{RegisteredWorld, WorldOptions};
 
 /// Program of the robot `R`: its worlds and commands. `L` is the program's own layer of parameters.
@@ -23,6 +26,7 @@ pub struct App<R: Robot, L: Layer = ()> {
     is_done: Option<fn(&R) -> bool>,
     own: Vec<Commands>,
     default: Option<Commands>,
+    replay: Option<Replay>,
     layer: PhantomData<fn() -> L>,
 }
 
@@ -38,7 +42,7 @@ struct Commands {
 
 impl<R, L> App<R, L>
 where
-    R: Robot<Error: fmt::Display> + Default + 'static,
+    R: Robot + Default + 'static,
     L: Layer,
 {
     /// Creates the program with a name. Its help begins with the doc comment of the tree.
@@ -52,6 +56,7 @@ where
             is_done: None,
             own: Vec::new(),
             default: None,
+            replay: None,
             layer: PhantomData,
         }
     }
@@ -94,7 +99,7 @@ where
         self
     }
 
-    /// Sets the aim of a run: it ends when this holds after a cycle. A run that ends earlier has exit code 1.
+    /// Sets the aim of a run: it ends when this holds, unless it is served to monitors. A run that ends earlier has exit code 1.
     #[must_use]
     pub fn until(self, is_done: fn(&R) -> bool) -> Self {
         Self { is_done: Some(is_done), ..self }
@@ -117,6 +122,15 @@ where
     #[must_use]
     pub fn default_command<A: Args>(self, run: impl FnOnce(A) -> Result<Outcome, Failure> + Send + 'static) -> Self {
         Self { default: Some(Commands { augment: A::augment_args, has: |_| false, run: parsed(run) }), ..self }
+    }
+
+    /// Sets how a recording is run again; by default in the world and with the options of its set-up.
+    #[must_use]
+    pub fn replay(
+        self,
+        replay: impl FnOnce(&ReplayOptions<'_>) -> Result<ReplayReport, Failure> + Send + 'static,
+    ) -> Self {
+        Self { replay: Some(Box::new(replay)), ..self }
     }
 
     /// Returns the command line, for example for a test of documented commands.
@@ -148,13 +162,19 @@ where
 
     /// Runs the command of the command line; returns the exit code.
     #[must_use]
-    pub fn run(self) -> ExitCode {
+    pub fn run(self) -> ExitCode
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
         let matches = self.command().get_matches();
         start(move || self.dispatch(&matches))
     }
 
-    fn dispatch(self, matches: &ArgMatches) -> Result<Outcome, Failure> {
-        let Self { kind, worlds, is_done, own, default, .. } = self;
+    fn dispatch(self, matches: &ArgMatches) -> Result<Outcome, Failure>
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        let Self { kind, worlds, is_done, own, default, replay, .. } = self;
         let first = worlds.first().map(|world| world.name);
         match (matches.subcommand(), default) {
             (None, Some(default)) => (default.run)(matches),
@@ -162,7 +182,10 @@ where
             (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
             (Some((name, _)), _) => match own.into_iter().find(|own| (own.has)(name)) {
                 Some(own) => (own.run)(matches),
-                None => parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name)),
+                None => {
+                    let again = replay.unwrap_or_else(|| Box::new(move |options| replay::replay(&worlds, options)));
+                    parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name), again)
+                }
             },
         }
     }

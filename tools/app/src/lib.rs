@@ -38,6 +38,8 @@
 //! | `cart run` | runs the robot in a world: as fast as possible or in real time, with parameters, served to monitors |
 //! | `cart graph` | prints the activation tree as a drawing, for Graphviz or Mermaid, or as JSON |
 //! | `cart params` | lists the parameters and writes tune files |
+//! | `cart run --record FILE` | records the run |
+//! | `cart replay` | runs the code again on a recording and compares, bit for bit |
 //! | `cart record` | prints what a recording contains; mends, cuts and exports it |
 //! | `cart link` | attaches to a running robot: watches it, sets parameters, holds components, calls modulations |
 //!
@@ -48,6 +50,7 @@ mod graph;
 mod link;
 mod params;
 mod record;
+mod replay;
 mod run;
 mod start;
 mod tool;
@@ -58,5 +61,6 @@ pub use bica_console::{Console, Failure, Outcome};
 pub use clap;
 pub use link::ServeArgs;
 pub use params::{Layer, TuningArgs};
+pub use record::{Images, RecordArgs};
 pub use run::seconds;
 pub use world::WorldOptions;

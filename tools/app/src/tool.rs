@@ -2,12 +2,17 @@
 
 use bica::Tree;
 use bica_console::{Failure, Outcome};
+use bica_recording::{ReplayOptions, ReplayReport};
 use clap::Subcommand;
 
 use crate::graph::{self, GraphArgs};
 use crate::link::{self, Link};
 use crate::params::{self, Layer, Params};
 use crate::record::{self, Record};
+use crate::replay::{self, ReplayArgs};
+
+/// Function that runs a recording again.
+pub(crate) type Replay = Box<dyn FnOnce(&ReplayOptions<'_>) -> Result<ReplayReport, Failure> + Send>;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Tool<L: Layer> {
@@ -17,17 +22,20 @@ pub(crate) enum Tool<L: Layer> {
     Params(Params<L>),
     /// Print what a recording contains; mend, cut or export it
     Record(Record),
+    /// Run the code again on a recording and compare, bit for bit; or compare two recordings
+    Replay(ReplayArgs),
     /// Attach to a running robot: describe, watch, set, hold, rate, modulate, log
     Link(Link),
 }
 
 impl<L: Layer> Tool<L> {
-    /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read.
-    pub(crate) fn run<T: Tree + Default>(&self, kind: &str) -> Result<Outcome, Failure> {
+    /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read, `replay` runs a recording again.
+    pub(crate) fn run<T: Tree + Default>(&self, kind: &str, replay: Replay) -> Result<Outcome, Failure> {
         match self {
             Self::Graph(args) => graph::run(args, const { &T::GRAPH }),
             Self::Params(args) => params::run::<T, L>(args, kind),
             Self::Record(args) => record::run(args),
+            Self::Replay(args) => replay::run(args, replay),
             Self::Link(args) => link::run(args),
         }
     }

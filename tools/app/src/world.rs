@@ -7,6 +7,10 @@ use std::str::FromStr;
 
 use bica::runner::{Robot, World};
 use bica_console::Failure;
+use bica_recording::SetUp;
+
+/// Remedy for a recording whose world cannot be made again.
+pub(crate) const REPLAY_HELP: &str = "replay it with the program that recorded it";
 
 /// What the command line requests of a world.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +37,21 @@ impl WorldOptions {
             }
         }
         Ok(Self { seed, values: RefCell::new(values) })
+    }
+
+    /// Returns the options as the set-up in the header of a recording.
+    pub(crate) fn set_up(&self, world: &str) -> SetUp {
+        let options: Vec<_> = self.values.borrow().iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let set_up = [("world", world.into()), ("seed", self.seed.into()), ("options", options.into())];
+        set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    }
+
+    /// Returns the options of a set-up.
+    pub(crate) fn of_set_up(set_up: &SetUp) -> Result<Self, Failure> {
+        let value = |name| set_up.get(name).cloned().unwrap_or_default();
+        let invalid = |error| Failure::new(format!("the set-up in the recording is invalid: {error}"), REPLAY_HELP);
+        let seed = serde_json::from_value(value("seed")).map_err(invalid)?;
+        Self::new(seed, &serde_json::from_value::<Vec<String>>(value("options")).map_err(invalid)?)
     }
 
     /// Returns the value of `--option NAME=VALUE`, or `default` without one.

@@ -6,7 +6,6 @@ mod calibrate;
 mod cli;
 mod colour_profile;
 mod play;
-mod replay;
 mod see;
 mod trial;
 mod watch;
@@ -23,11 +22,11 @@ pub fn app() -> App<Forward, ColourProfile> {
     App::new("player")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(cli::ABOUT).after_help(cli::AFTER))
         .kind("built-in")
+        .replay(bica_game::replay)
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),
             Command::Watch(args) => watch::run(&args),
-            Command::Replay(args) => replay::run(&args),
             Command::See(args) => see::run(&args),
             Command::Calibrate(args) => calibrate::run(&args),
             Command::Trial(args) => trial::run(&args),

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use bica::Setting;
+use bica_app::RecordArgs;
 use bica_console::{Console, Failure, Outcome};
 use bica_game::{
     FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
@@ -33,8 +34,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {
         None => {
-            let images = args.images.into();
-            let record = args.record.as_deref().map(|path| RecordOptions { path, images, force: args.force });
+            let RecordArgs { record, images, force } = &args.record;
+            let (images, force) = ((*images).into(), *force);
+            let record = record.as_deref().map(|path| RecordOptions { path, images, force });
             let started = |address: &str| console.print_row("link", &format!("monitors attach at {address}"));
             let serve = args.link.serve.as_ref();
             let serve =

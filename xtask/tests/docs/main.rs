@@ -25,7 +25,8 @@ fn relative_links_have_targets() {
 fn commands_are_accepted_by_their_program() {
     let workspace = cargo::Workspace::read();
     let (mut refused, mut checked) = (Vec::new(), 0);
-    for page in Page::read_all("md") {
+    // A test of `bica-app` runs the commands of a robot's own program.
+    for page in Page::read_all("md").iter().filter(|page| page.name != "docs/your-robot.md") {
         for command in commands::of(&page.text) {
             checked += 1;
             if let Err(error) = commands::check(&command, &workspace) {

@@ -60,7 +60,8 @@ pub(super) struct Trim {
     pub(super) until: Option<f64>,
 }
 
-fn time(text: &str) -> Result<f64, String> {
+/// Parses a time in a recording, s.
+pub(crate) fn time(text: &str) -> Result<f64, String> {
     let fits = text.parse().ok().filter(|time: &f64| (0.0..=1e9).contains(time));
     fits.ok_or_else(|| "give a time in seconds, 0 or more".to_owned())
 }

@@ -1,6 +1,7 @@
 //! `record`: what a recording contains; mended, cut and exported files.
 
 mod args;
+mod file;
 
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
@@ -11,8 +12,10 @@ use bica_recording::repair::{self, Copied};
 use bica_recording::{Error, Info, create, export};
 use serde::Serialize;
 
-pub(crate) use args::Record;
 use args::{InfoArgs, RecordAction, Recover, Trim};
+pub(crate) use args::{Record, time};
+pub(crate) use file::RecordedFile;
+pub use file::{Images, RecordArgs};
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {

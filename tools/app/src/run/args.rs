@@ -4,6 +4,7 @@ use clap::Args;
 
 use crate::link::ServeArgs;
 use crate::params::{Layer, TuningArgs};
+use crate::record::RecordArgs;
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct RunArgs<L: Layer> {
@@ -22,6 +23,8 @@ pub(crate) struct RunArgs<L: Layer> {
     /// Longest duration of the run, in seconds of the world [default: until the run is over, or Ctrl-C]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     pub(super) seconds: Option<f64>,
+    #[command(flatten)]
+    pub(super) record: RecordArgs,
     #[command(flatten)]
     pub(super) link: ServeArgs,
     #[command(flatten)]

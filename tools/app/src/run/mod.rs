@@ -13,9 +13,11 @@ use bica::runner::realtime::Clock;
 use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
 use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
+use bica_recording::{Header, Recordable, Recorder};
 use bica_wire::message::Offers;
 
 use crate::params::Layer;
+use crate::record::RecordedFile;
 use crate::world::{RegisteredWorld, WorldOptions};
 pub(crate) use args::RunArgs;
 pub use args::seconds;
@@ -37,29 +39,39 @@ pub(crate) fn run<R, L>(
     args: &RunArgs<L>,
 ) -> Result<Outcome, Failure>
 where
-    R: Robot<Error: fmt::Display> + Default + 'static,
+    R: Recordable<Error: fmt::Display> + Default + 'static,
     L: Layer,
 {
     let unknown = || Failure::new(format!("there is no world `{}`", args.world), "--help lists the worlds");
     let registered = worlds.iter().find(|world| world.name == args.world).ok_or_else(unknown)?;
-    let world = registered.open(&WorldOptions::new(args.seed, &args.option)?)?;
+    let options = WorldOptions::new(args.seed, &args.option)?;
+    let set_up = options.set_up(registered.name);
+    let world = registered.open(&options)?;
     let mut robot = Box::<R>::default();
     args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
     let console = Console::new(args.json);
     let is_paced = args.realtime || registered.is_device || (args.link.serve.is_some() && !args.link.unpaced);
     let (server, requests, view) = serve::<R>(args, registered.is_device, is_paced, console)?;
-    let observers = (Story::new(const { &R::GRAPH }), view);
+    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).of_robot(&*robot);
+    let (file, recorder) = args.record.start(header, is_paced)?.unzip();
+    let observers = (Story::new(const { &R::GRAPH }), (view, recorder));
     let mut running = Running {
         start: world.now(),
         runner: Runner::new(robot, world).with_requests(requests).with_observer(observers),
         pace: is_paced.then(|| Pace::new(R::GRAPH.cycle_hz)),
         cycles: 0,
+        file,
     };
-    let end = running.run(is_done, args.seconds, console)?;
+    // Monitors may look at a robot that has reached its aim.
+    let aim = is_done.filter(|_| args.link.serve.is_none());
+    let end = running.run(aim, args.seconds, console)?;
     // Monitors get the last values before the result is printed.
     drop(server);
-    let Running { runner, start, pace, cycles } = running;
-    let (_, world, _, (story, _)) = runner.into_parts();
+    let Running { runner, start, pace, cycles, file } = running;
+    let (_, world, _, (story, (_, recorder))) = runner.into_parts();
+    if let Some((file, recorder)) = file.zip(recorder) {
+        file.finish(recorder, end.text(), console)?;
+    }
     let mut text = String::new();
     world.report(&mut text).map_err(|fmt::Error| Failure::new("the world cannot write its report", "correct it"))?;
     let seconds = world.now().saturating_duration_since(start).as_micros() as f64 * 1e-6;
@@ -109,7 +121,9 @@ impl Pace {
     }
 }
 
-type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, (Story, Option<LinkObserver<R>>)>;
+type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers<R>>;
+
+type Observers<R> = (Story, (Option<LinkObserver<R>>, Option<Recorder>));
 
 struct Running<R: Robot> {
     runner: Loop<R>,
@@ -118,9 +132,10 @@ struct Running<R: Robot> {
     /// None: as fast as possible.
     pace: Option<Pace>,
     cycles: u64,
+    file: Option<RecordedFile>,
 }
 
-impl<R: Robot<Error: fmt::Display>> Running<R> {
+impl<R: Recordable<Error: fmt::Display>> Running<R> {
     /// Runs until the aim is reached, the world is over, the time is up, or Ctrl-C.
     fn run(&mut self, is_done: Option<fn(&R) -> bool>, seconds: Option<f64>, console: Console) -> Result<End, Failure> {
         let limit = seconds.map(|seconds| bica::Duration::from_micros((seconds * 1e6) as u64));
@@ -139,6 +154,7 @@ impl<R: Robot<Error: fmt::Display>> Running<R> {
             if self.begins_cycle() {
                 self.cycle()?;
                 self.runner.observer_mut().0.print(console)?;
+                self.file.iter().for_each(RecordedFile::warn);
             }
         }
     }

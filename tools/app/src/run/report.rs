@@ -22,7 +22,7 @@ pub(super) enum End {
 }
 
 impl End {
-    const fn text(self) -> &'static str {
+    pub(super) const fn text(self) -> &'static str {
         match self {
             Self::Done => "done",
             Self::Over => "the world ended",

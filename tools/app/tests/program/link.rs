@@ -3,11 +3,17 @@
 use std::io::Read;
 use std::process::Command;
 
-use crate::process::Served;
+use crate::process::{Served, example};
+
+fn start() -> Served {
+    let mut program = example("wall_follower");
+    program.args(["run", "--serve", "127.0.0.1:0"]);
+    Served::start(program)
+}
 
 #[test]
 fn operator_watches_tunes_and_drives_a_paused_robot() {
-    let served = Served::start();
+    let served = start();
     served.link(&["pause"]);
     let description = &served.link(&["describe", "Drive"])[0];
     assert_eq!(
@@ -25,7 +31,7 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
 #[cfg(unix)]
 #[test]
 fn interrupt_ends_a_served_run_with_its_report() {
-    let mut served = Served::start();
+    let mut served = start();
     let id = served.child.id().to_string();
     assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill runs").success());
     let mut rest = String::new();

@@ -1,7 +1,9 @@
 //! The program of a robot that is neither a humanoid nor plays soccer: the wall follower.
 
 mod link;
+mod page;
 mod process;
+mod recordings;
 mod runs;
 #[expect(dead_code, reason = "`main` is called in the example only")]
 #[path = "../../../../examples/wall_follower/main.rs"]

@@ -1,4 +1,4 @@
-//! Processes of the wall follower.
+//! Processes of the examples.
 
 use std::env;
 use std::fs;
@@ -8,14 +8,14 @@ use std::process::{Child, ChildStdout, Command, Output, Stdio};
 
 use serde_json::Value;
 
-/// Returns the program, which `cargo test -p bica-app` builds with the other examples.
-pub(crate) fn wall_follower(args: &[&str]) -> Command {
+/// Returns the program of an example, which `cargo test -p bica-app` builds.
+pub(crate) fn example(name: &str) -> Command {
     let test = env::current_exe().expect("the path of this test");
     let built = test.parent().and_then(Path::parent).expect("the folder of the profile").join("examples");
-    let program = built.join("wall_follower").with_extension(env::consts::EXE_EXTENSION);
+    let program = built.join(name).with_extension(env::consts::EXE_EXTENSION);
     assert!(program.exists(), "{} is missing: run `cargo build -p bica-app --examples`", program.display());
     let mut command = Command::new(program);
-    command.args(args).stdin(Stdio::null());
+    command.stdin(Stdio::null());
     command
 }
 
@@ -26,14 +26,21 @@ pub(crate) struct Ran {
     pub(crate) stderr: String,
 }
 
-/// Runs the program to its end.
-pub(crate) fn run(args: &[&str]) -> Ran {
-    let Output { status, stdout, stderr } = wall_follower(args).output().expect("the program starts");
+/// Runs a program to its end.
+pub(crate) fn finish(mut program: Command) -> Ran {
+    let Output { status, stdout, stderr } = program.output().expect("the program starts");
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     Ran { code: status.code(), stdout: text(stdout), stderr: text(stderr) }
 }
 
-/// Runs the program, which must end with exit code 2 and these words on stderr.
+/// Runs the wall follower to its end.
+pub(crate) fn run(args: &[&str]) -> Ran {
+    let mut program = example("wall_follower");
+    program.args(args);
+    finish(program)
+}
+
+/// Runs the wall follower, which must end with exit code 2 and these words on stderr.
 pub(crate) fn refused(args: &[&str], words: &[&str]) {
     let ran = run(args);
     assert_eq!((ran.code, &*ran.stdout), (Some(2), ""), "{args:?}: {}", ran.stderr);
@@ -53,13 +60,13 @@ impl Ran {
 pub(crate) struct Served {
     pub(crate) child: Child,
     pub(crate) stdout: BufReader<ChildStdout>,
-    address: String,
+    pub(crate) address: String,
 }
 
 impl Served {
-    pub(crate) fn start() -> Self {
-        let mut command = wall_follower(&["run", "--serve", "127.0.0.1:0"]);
-        let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
+    /// Starts a program that serves monitors.
+    pub(crate) fn start(mut program: Command) -> Self {
+        let mut child = program.stdout(Stdio::piped()).spawn().expect("the program starts");
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
         let mut line = String::new();
         stdout.read_line(&mut line).expect("UTF-8");
@@ -67,7 +74,7 @@ impl Served {
         Self { child, stdout, address: address.trim().to_owned() }
     }
 
-    /// Runs a monitor to its end, which must be a success; returns the lines of its output.
+    /// Runs a monitor of the wall follower to its end, which must be a success; returns the lines of its output.
     pub(crate) fn link(&self, args: &[&str]) -> Vec<Value> {
         let ran = run(&[&["link", &self.address, "--json"][..], args].concat());
         assert_eq!(ran.code, Some(0), "{args:?}: {}", ran.stderr);
@@ -91,6 +98,10 @@ impl Folder {
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).expect("a folder");
         Self(path)
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
     }
 
     /// Returns the path of a file in it.

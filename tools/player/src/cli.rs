@@ -1,10 +1,8 @@
 //! The command line.
 
-mod recording;
-
 use std::path::PathBuf;
 
-use bica_app::{ServeArgs, TuningArgs, seconds};
+use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
 use bica_evaluation::detection;
 use bica_evaluation::trial_kind::Kind;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
@@ -12,7 +10,6 @@ use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
-pub(crate) use recording::{Images, Replay};
 
 pub(crate) const AFTER: &str = "\
 Examples:
@@ -56,8 +53,6 @@ pub(crate) enum Command {
     Watch(Watch),
     /// Detect in a folder of images; print one line for each image, and a score against labels
     See(See),
-    /// Run the code again on a recording and compare, bit for bit; or compare two recordings
-    Replay(Replay),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(Calibrate),
 }
@@ -93,19 +88,12 @@ pub(crate) struct Play {
     /// Write a film (animated GIF): the world from outside and the robot's camera image
     #[arg(long, value_name = "FILE", conflicts_with = "games")]
     pub(crate) film: Option<PathBuf>,
-    /// Record the game to an MCAP file, for `player replay` and `player record`
-    #[arg(long, value_name = "FILE", conflicts_with = "games")]
-    pub(crate) record: Option<PathBuf>,
-    /// What the recording stores of each cycle
-    #[arg(long, value_name = "WHICH", default_value = "all", requires = "record")]
-    pub(crate) images: Images,
-    /// Replace the file of --record if it exists
-    #[arg(long, requires = "record")]
-    pub(crate) force: bool,
+    #[command(flatten)]
+    pub(crate) record: RecordArgs,
     #[command(flatten)]
     pub(crate) link: ServeArgs,
     /// Play a series of N games with consecutive seeds from --seed on, and print a summary
-    #[arg(long, value_name = "N", conflicts_with = "serve", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", conflicts_with_all = ["record", "serve"], value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) games: Option<u32>,
     /// Number of threads [default: one for each core]; the results do not depend on it
     #[arg(long, value_name = "N", requires = "games", value_parser = clap::value_parser!(u32).range(1..=1024))]

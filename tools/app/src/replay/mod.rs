@@ -1,10 +1,14 @@
-//! `player replay`: the code again, on a recording.
+//! `replay`: the code again, on a recording.
+
+mod args;
+mod subject;
 
 use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use bica_game::{AfterGap, ReplayOptions, ReplayReport, replay};
+use bica_recording::{AfterGap, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
-use crate::cli::Replay;
+pub(crate) use args::ReplayArgs;
+pub(crate) use subject::replay;
 
 /// Number of decisions that are printed.
 const SHOWN: usize = 20;
@@ -16,8 +20,11 @@ struct Report<'a> {
     replayed: &'a ReplayReport,
 }
 
-/// Replays as the command line requests.
-pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
+/// Replays with a function as the command line requests.
+pub(crate) fn run(
+    args: &ReplayArgs,
+    replay: impl FnOnce(&ReplayOptions<'_>) -> Result<ReplayReport, Failure>,
+) -> Result<Outcome, Failure> {
     let console = Console::new(args.json);
     let until = args.until.unwrap_or(f64::INFINITY);
     if until < args.from {
@@ -46,8 +53,8 @@ pub(crate) fn run(args: &Replay) -> Result<Outcome, Failure> {
 fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
     let ReplayReport { source, equal, cycles, seconds, .. } = replayed;
     let source = match *source {
-        "stored" => "the code on the stored sensor values and images",
-        "rules" => "the code in the world, made again from the rules",
+        "stored" => "the code on the stored sensor values",
+        "rules" => "the code in the world, which runs again",
         _ => "the other recording",
     };
     console.print_row("compared", &format!("{cycles} cycles up to {seconds:.2} s with {source}"))?;

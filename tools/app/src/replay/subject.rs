@@ -1,0 +1,84 @@
+//! Robot and world of a replay.
+
+use std::fmt;
+
+use bica::Instant;
+use bica::runner::{Robot, World};
+use bica_console::{Failure, interrupt};
+use bica_recording::{Header, Recordable, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject};
+use bica_tuning::Layers;
+
+use crate::world::{REPLAY_HELP, RegisteredWorld, WorldOptions};
+
+/// Runs the code again on a recording of a robot in one of these worlds, or compares two recordings.
+pub(crate) fn replay<R>(worlds: &[RegisteredWorld<R>], options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure>
+where
+    R: Recordable<Error: fmt::Display> + Default + 'static,
+{
+    let subject = |header: &Header, runs_world: bool| {
+        let robot = robot(header, options.set).map_err(refused)?;
+        let world = runs_world.then(|| world(worlds, header)).transpose().map_err(refused)?;
+        Ok(Subject { robot, world })
+    };
+    let replayed = bica_recording::replay(options, subject, |_| !interrupt::requested());
+    replayed.map_err(|Refused { what, help }| Failure::new(what, help))
+}
+
+/// Returns the robot as it was at the start of the recording, with other parameters.
+fn robot<R: Robot + Default>(header: &Header, set: &[String]) -> Result<Box<R>, Failure> {
+    let mut layers = Layers::new(const { &R::GRAPH });
+    // The parameters of other trees are constants.
+    if R::GRAPH.tunable {
+        header.assignments().try_for_each(|assignment| layers.assign(&assignment, "the recording"))?;
+    }
+    set.iter().try_for_each(|assignment| layers.assign(assignment, "--set"))?;
+    let mut robot = Box::<R>::default();
+    layers.apply(&mut *robot)?;
+    Ok(robot)
+}
+
+fn world<R: Robot + 'static>(
+    worlds: &[RegisteredWorld<R>],
+    header: &Header,
+) -> Result<Box<dyn RepeatedWorld<R>>, Failure> {
+    let name = header.set_up.get("world").and_then(|name| name.as_str()).unwrap_or_default();
+    let world = worlds.iter().find(|world| world.name == name).ok_or_else(|| {
+        let what = format!("the recording is of the world `{name}`, which this program does not have");
+        Failure::new(what, REPLAY_HELP)
+    })?;
+    Ok(Box::new(Again(world.open(&WorldOptions::of_set_up(&header.set_up)?)?)))
+}
+
+fn refused(failure: Failure) -> Refused {
+    match failure {
+        Failure::Error { what, help } => Refused::new(what, help),
+        Failure::BrokenPipe => Refused::new("stdout is closed", "keep its reader open"),
+    }
+}
+
+/// World that runs again.
+struct Again<R: Robot>(Box<dyn World<R>>);
+
+impl<R: Robot> World<R> for Again<R> {
+    fn now(&self) -> Instant {
+        self.0.now()
+    }
+
+    fn sensors(&mut self) -> R::Sensors<'_> {
+        self.0.sensors()
+    }
+
+    fn act(&mut self, command: &R::Command) {
+        self.0.act(command);
+    }
+}
+
+impl<R: Robot> RepeatedWorld<R> for Again<R> {
+    fn change(&mut self, name: &str, _values: &[f32]) -> Result<(), String> {
+        Err(format!("the world has no change `{name}`"))
+    }
+
+    fn take_events(&mut self) -> Vec<RunEvent> {
+        Vec::new()
+    }
+}
