@@ -204,7 +204,7 @@ fn a_read_only_server_refuses_every_change() {
         let error = page.ask(request.clone()).unwrap_err();
         assert!(error["text"].as_str().unwrap().contains("only watch"), "{request:?}: {error}");
     }
-    let component = description["components"].as_array().unwrap().iter().position(|one| one["root"] == true).unwrap();
+    let component = description["root"].as_u64().unwrap() as usize;
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list = (0..states).map(|state| Breakpoint { component, state: Some(state), transition: None }).collect();
     page.ask(Request::Breakpoints { list }).unwrap();
