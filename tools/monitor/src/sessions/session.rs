@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 
 use bica_link::Description;
 
-use super::breakpoints::{self, Place};
 use super::common::Common;
 use super::history::{History, Limits};
-use super::recorded::{Recorded, read_image};
+use super::places::{self, Place};
+use super::recorded_images::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
-use super::watching::Watching;
+use super::watches::Watching;
 use super::{commands, drawing};
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
@@ -220,7 +220,7 @@ impl Session {
         }
         let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
         if let Some((tree, places)) = shared.inherited.take().or(own) {
-            shared.breakpoints = breakpoints::moved(&places, &tree, &description, can.conditions);
+            shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
         }
         shared.description = Some(Arc::new(description));
         shared.drawing = drawing;
