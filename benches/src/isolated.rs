@@ -20,6 +20,9 @@ pub struct IsolatedComponent {
 
 impl IsolatedComponent {
     /// Isolates the component with this identifier; images have this size.
+    ///
+    /// # Panics
+    /// If the tree lists no such component.
     #[must_use]
     pub fn new(component: ComponentId, frame: Frame) -> Self {
         let (recording, mut robot) = Recording::of_game::<Forward>(frame, 55, 5);

@@ -58,6 +58,7 @@ impl<S: AsRef<[Setting]>, V: AsRef<[Value]>> Change<S, V> {
 
 impl<'a> Request<'a> {
     /// Returns the change with its values in containers of another type; `None` if one is too small.
+    #[must_use]
     pub fn store<S: TryFrom<&'a [Setting]>, V: TryFrom<&'a [Value]>>(self) -> Option<Change<S, V>> {
         Some(match self {
             Self::Hold { component, hold } => Change::Hold { component, hold },
@@ -68,9 +69,7 @@ impl<'a> Request<'a> {
             }
         })
     }
-}
 
-impl<'a> Request<'a> {
     /// Requests a call of a modulation of tree `T` by names.
     ///
     /// # Errors
