@@ -68,7 +68,7 @@ pub(super) fn prefix(text: &str) -> usize {
 fn kind(kind: TokenKind) -> Kind {
     match kind {
         TokenKind::Whitespace => Kind::Space,
-        TokenKind::LineComment { .. } | TokenKind::BlockComment { .. } => Kind::Comment,
+        TokenKind::LineComment { .. } | TokenKind::BlockComment { terminated: true, .. } => Kind::Comment,
         TokenKind::Ident | TokenKind::RawIdent => Kind::Word,
         TokenKind::Literal { kind, .. } => match kind {
             Int { .. } | Float { .. } | Char { .. } | Byte { .. } => Kind::Literal,
