@@ -17,7 +17,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xb3b6_ffb0_e201_3653;
+const GOLDEN_SCHEMA: u64 = 0x2ed1_f2dd_52ab_8390;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -90,7 +90,10 @@ fn messages_of_monitors_have_the_documented_bytes() {
     assert_eq!(from(&FromMonitor::Lease(LeaseAction::Keep { lease: 128 })), [4, 2, 128, 1]);
     let request = |change| from(&FromMonitor::Request(Request { number: 1, lease: 2, expires_us: 3, change }));
     assert_eq!(request(Change::Hold { component: ComponentId::new(4), hold: Hold::Latent }), [5, 1, 2, 3, 0, 4, 2]);
-    assert_eq!(request(Change::Rate { component: ComponentId::new(4), hz: Some(1.0) }), [5, 1, 2, 3, 1, 4, 1, 0, 0, 128, 63]);
+    assert_eq!(
+        request(Change::Rate { component: ComponentId::new(4), hz: Some(1.0) }),
+        [5, 1, 2, 3, 1, 4, 1, 0, 0, 128, 63]
+    );
     let setting = Setting::new(ComponentId::new(4), 5, Value::Bool(true));
     assert_eq!(request(Change::Params([setting].into_iter().collect())), [5, 1, 2, 3, 2, 1, 4, 5, 3, 1]);
     let arguments = [Value::I32(-1), Value::Choice(6)].into_iter().collect();

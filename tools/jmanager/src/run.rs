@@ -46,7 +46,7 @@ fn serve(cli: Cli) -> Result<Outcome, Failure> {
         return Err(Failure::new("this program was built without MuJoCo", help));
     }
     if robots > 0 {
-        arguments.option.push((ROBOTS.to_owned(), robots));
+        arguments.option.push((ROBOTS.to_owned(), robots.to_string()));
     }
     let options = Options { run: RUN.to_owned(), ..Options::default() };
     let soccer = SoccerOptions { firmware: image, size, images, ..SoccerOptions::default() };

@@ -1,6 +1,7 @@
 //! The worlds in which the forward plays.
 
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -61,7 +62,7 @@ impl LocalWorld for SoccerWorld {
             world: self.kind,
             seed: setup.seed,
             size,
-            robots: setup.options.get(ROBOTS).copied().unwrap_or(0) as usize,
+            robots: robots(&setup.options)?,
             limit: Duration::MAX,
             realtime: true,
             firmware: firmware.transpose()?,
@@ -69,6 +70,19 @@ impl LocalWorld for SoccerWorld {
         };
         Ok(Box::new(move |run| play(&rules, run)))
     }
+}
+
+/// Reads the only option.
+fn robots(options: &BTreeMap<String, String>) -> Result<usize, Failure> {
+    if let Some(name) = options.keys().find(|name| *name != ROBOTS) {
+        return Err(Failure::new(
+            format!("no world has an option `{name}`"),
+            format!("leave it out; known is `{ROBOTS}`"),
+        ));
+    }
+    let number = options.get(ROBOTS).map_or(Some(0), |text| text.parse().ok().filter(|robots| *robots <= MAX_ROBOTS));
+    let help = format!("choose 0 to {MAX_ROBOTS}");
+    number.ok_or_else(|| Failure::new(format!("`{}` is no number of robots", options[ROBOTS]), help))
 }
 
 /// Plays a game until its run ends.

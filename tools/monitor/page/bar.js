@@ -48,7 +48,7 @@ function Add() {
       <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
         ${worlds.map(({ name }) => html`<option selected=${name === chosen?.name}>${name}</option>`)}</select></label>
       <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
-      ${chosen?.options.map(({ name, doc, max }) => html`<label title=${doc}>${name} <input class="short" type="number" min="0" max=${max} value=${options.value[name] ?? 0} onInput=${(event) => { options.value = { ...options.value, [name]: Number(event.target.value) || 0 }; }} aria-label=${doc} /></label>`)}
+      ${chosen?.options.map(({ name, doc, max }) => html`<label title=${doc}>${name} <input class="short" type="number" min="0" max=${max} value=${options.value[name] ?? 0} onInput=${(event) => { options.value = { ...options.value, [name]: event.target.value }; }} aria-label=${doc} /></label>`)}
       <button disabled=${!chosen}>Start</button></form>
     <button class="item" onClick=${() => dock.open('recordings')}>Recordings…</button>
   <//>`;

@@ -38,7 +38,7 @@ impl Extension for Panel {
         true
     }
 
-    fn handle(&self, asked: Asked<'_>, message: Value) -> Result<Reply, Failed> {
+    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed> {
         let message = serde_json::from_value(message);
         let Message { image } = message.map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
         let filters = super::edit_of(asked).filters();

@@ -164,8 +164,8 @@ enum Request {
 }
 
 /// The profile under edit of a session. Until something is changed, the limits that are in force are those of the robot.
-fn edit_of(asked: Asked<'_>) -> Edit {
-    let edit = asked.state(|edited: &mut Edited| edited.clone());
+fn edit_of(asked: &dyn Asked) -> Edit {
+    let edit = asked.memory().of::<Edited>().clone();
     edit.unwrap_or_else(|| Edit::of_robot(asked.description().as_deref()))
 }
 
@@ -190,7 +190,7 @@ impl Extension for Tuner {
         ["read", "classify", "score"].iter().any(|kind| message["type"] == *kind)
     }
 
-    fn handle(&self, asked: Asked<'_>, message: Value) -> Result<Reply, Failed> {
+    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed> {
         let request =
             serde_json::from_value(message).map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
         let tree = asked.description();
@@ -230,7 +230,7 @@ impl Extension for Tuner {
             }
         }
         let answer = edit.to_json();
-        asked.state(|edited: &mut Edited| *edited = Some(edit));
+        *asked.memory().of::<Edited>() = Some(edit);
         Ok(Reply::Done(answer))
     }
 }
@@ -265,7 +265,7 @@ fn pixels_of(image: &Image, places: &[(u16, u16)]) -> Result<Vec<Pixel>, Failed>
 }
 
 /// Sends the class of each pixel, by the table that the robot uses.
-fn classify(asked: Asked<'_>, image: &Image, edit: &Edit) -> Result<Reply, Failed> {
+fn classify(asked: &dyn Asked, image: &Image, edit: &Edit) -> Result<Reply, Failed> {
     let table = Box::new(CompactTable::compile(&edit.filters()));
     let frame = Frame::new(image.width, image.height, &image.yuyv);
     frame.map_err(|error| Failed::new(error.to_string(), "choose another image"))?;

@@ -18,10 +18,10 @@ use bica_monitor::protocol::Failed;
 const RADIUS: f32 = 0.0325;
 
 /// Scores a profile in a thread of its own; the answer follows.
-pub(super) fn start(asked: Asked<'_>, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
+pub(super) fn start(asked: &dyn Asked, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
     let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
     let (folder, filters) = (folder.ok_or_else(none)?.to_owned(), *filters);
-    asked.later(move || score(&folder, &filters).map_err(Failed::from))
+    asked.later(Box::new(move || score(&folder, &filters).map_err(Failed::from)))
 }
 
 struct Counter(Score);

@@ -15,7 +15,7 @@ use bica_monitor::web::{Web, WebOptions};
 use serde_json::json;
 use tungstenite::Message;
 
-use target::{TOKEN, message, target};
+use target::{TOKEN, message, target, target_of};
 
 #[test]
 fn a_page_with_key_and_origin_is_served() {
@@ -90,6 +90,22 @@ fn plain_http_changes_nothing_and_other_sites_get_nothing() {
         let site = format!("Sec-Fetch-Site: {site}");
         assert_eq!(target.send("GET /", &[&host, &site], "").status, 403, "{site}");
         assert_eq!(target.upgrade(&[&host, &target.origin(), &site]), 403, "{site}");
+    }
+}
+
+#[test]
+fn the_modules_of_extensions_are_served_and_no_others() {
+    let target = target_of(None, Options::default(), jmanager::program(jmanager::SoccerOptions::default()));
+    let get = |path: &str| target.send(&format!("GET /{path}"), &[&target.host()], "");
+    let all = get("extensions.js");
+    assert_eq!((all.status, all.header("content-type")), (200, Some("text/javascript; charset=utf-8")));
+    for name in ["tuner", "boundary"] {
+        assert!(all.body.contains(&format!("import {name} from './extensions/{name}.js'")), "{}", all.body);
+        let module = get(&format!("extensions/{name}.js"));
+        assert!(module.status == 200 && module.body.contains("export default"), "{name}: {}", module.status);
+    }
+    for path in ["extensions/tuner", "extensions/other.js", "extensions/..%2fapp.js", "extensions/"] {
+        assert_eq!(get(path).status, 404, "{path}");
     }
 }
 

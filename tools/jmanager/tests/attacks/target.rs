@@ -29,9 +29,14 @@ pub(crate) fn target(token: Option<&str>) -> Target {
 
 /// Starts a server with options.
 pub(crate) fn target_with(token: Option<&str>, own: Options) -> Target {
+    target_of(token, own, Program::default())
+}
+
+/// Starts the server of a program.
+pub(crate) fn target_of(token: Option<&str>, own: Options, program: Program) -> Target {
     let listener = TcpListener::bind("127.0.0.1:0").unwrap();
     let options = WebOptions { token: token.map(str::to_owned), ..WebOptions::default() };
-    let web = Web::start(listener, options, Arc::new(Manager::new(own, Program::default()))).unwrap();
+    let web = Web::start(listener, options, Arc::new(Manager::new(own, program))).unwrap();
     let address = web.address();
     Target { web, address }
 }

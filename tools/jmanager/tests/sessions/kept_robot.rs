@@ -236,8 +236,11 @@ fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
     let bench = Bench::new();
     let folder = Arc::clone(&bench.folder);
     let (file, next) = (folder.0.join("game.mcap"), folder.0.join("game-2.mcap"));
-    let world =
-        Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::from([(ROBOTS.to_owned(), 1)]) };
+    let world = Open::World {
+        world: "built-in".to_owned(),
+        seed: 1,
+        options: BTreeMap::from([(ROBOTS.to_owned(), "1".to_owned())]),
+    };
     bench.manager.open_recorded(world, &file).unwrap();
     let page = Page::new(&bench);
     page.cycle(51);

@@ -12,7 +12,11 @@ use serde_json::{Value, json};
 use crate::page::{Bench, Folder, Got, Page};
 
 fn built_in() -> Open {
-    Open::World { world: "built-in".to_owned(), seed: 1, options: BTreeMap::from([(ROBOTS.to_owned(), 1)]) }
+    Open::World {
+        world: "built-in".to_owned(),
+        seed: 1,
+        options: BTreeMap::from([(ROBOTS.to_owned(), "1".to_owned())]),
+    }
 }
 
 /// A value for the gain of the forward's component `FaceBall`.
@@ -63,6 +67,16 @@ pub(crate) fn running_on(bench: &Arc<Bench>) -> (Page, Value) {
     assert_eq!(boxes, described["description"]["components"].as_array().unwrap().len());
     page.cycle(6);
     (page, described["description"].clone())
+}
+
+#[test]
+fn unknown_worlds_and_options_are_refused() {
+    let bench = Bench::new();
+    for (world, name, value) in [("hall", ROBOTS, "1"), ("built-in", "walls", "1"), ("built-in", ROBOTS, "99")] {
+        let options = BTreeMap::from([(name.to_owned(), value.to_owned())]);
+        let failed = bench.manager.open(Open::World { world: world.to_owned(), seed: 1, options }).unwrap_err();
+        assert!(!failed.help.is_empty(), "{failed:?}");
+    }
 }
 
 /// Attack 4: files of a running world in the folder of temporary files.

@@ -18,7 +18,6 @@ mod picture;
 mod requests;
 mod snapshot;
 mod stops;
-mod union;
 mod watcher;
 mod watchers;
 

@@ -79,7 +79,7 @@ impl<R: Robot> LinkObserver<R> {
         let Some(cycle) = control.next.cycle.checked_sub(1) else { return };
         let watchers = if control.stands {
             control.watchers.take_owed_truth()
-        } else if control.watchers.due(cycle).any(|key| key == Key::Truth) {
+        } else if control.watchers.is_due(Key::Truth, cycle) {
             control.watchers.shared()
         } else {
             return;

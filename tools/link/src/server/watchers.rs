@@ -4,14 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::key::Key;
-use super::union::Union;
 use super::watcher::{MAX_WATCHED, Watcher};
 
 /// All monitors, and what at least one of them watches.
 #[derive(Debug, Default)]
 pub(super) struct Watchers {
     list: Vec<Watcher>,
-    union: Union,
     /// Copy of the list for the distributor, if nothing changed since.
     shared: Option<Arc<[Watcher]>>,
     /// What monitors have not got since they watch it. It is sent when it is due, or when the world is paused.
@@ -70,13 +68,7 @@ impl Watchers {
         }
         let watched = Arc::make_mut(&mut watcher.watched);
         let last = if every == 0 { watched.remove(&key) } else { watched.insert(key, every) };
-        if let Some(last) = last {
-            self.union.remove((key, last));
-        }
         let owed = &mut self.owed.entry(connection).or_default().keys;
-        if every > 0 {
-            self.union.add((key, every));
-        }
         // Costs are those of a window, not a state.
         if every == 0 || key == Key::Costs {
             owed.remove(&key);
@@ -147,9 +139,6 @@ impl Watchers {
         }
         self.shared = None;
         let closed: Vec<_> = self.list.extract_if(.., |watcher| watcher.connection.is_closed()).collect();
-        for (&key, &every) in closed.iter().flat_map(|watcher| watcher.watched.iter()) {
-            self.union.remove((key, every));
-        }
         let forget = |watcher: Watcher| {
             self.owed.remove(&watcher.connection.id);
             watcher.connection.id
@@ -163,13 +152,19 @@ impl Watchers {
     }
 
     /// What is due for anybody, each once, sorted.
-    pub(super) fn due(&self, cycle: u64) -> impl Iterator<Item = Key> {
-        self.union.due(cycle)
+    pub(super) fn due(&self, cycle: u64) -> BTreeSet<Key> {
+        let watched = self.list.iter().flat_map(|watcher| watcher.watched.iter());
+        watched.filter(|(_, every)| cycle.is_multiple_of(u64::from(**every))).map(|(key, _)| *key).collect()
+    }
+
+    /// Whether something is due for anybody.
+    pub(super) fn is_due(&self, key: Key, cycle: u64) -> bool {
+        self.list.iter().any(|watcher| watcher.is_key_due(key, cycle))
     }
 
     /// Whether anybody watches it.
     pub(super) fn has(&self, key: Key) -> bool {
-        self.union.has(key)
+        self.list.iter().any(|watcher| watcher.watched.contains_key(&key))
     }
 
     /// Those that get the image with a number, in a world that `stands` still or does not.

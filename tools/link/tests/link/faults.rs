@@ -6,7 +6,6 @@ use std::net::TcpStream;
 use std::thread;
 use std::time::Duration;
 
-use bica::ComponentId;
 use bica::runner::Request;
 use bica_link::{Client, ClientOptions, Error, Event};
 use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};

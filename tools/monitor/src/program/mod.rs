@@ -5,7 +5,7 @@ mod images;
 mod replay;
 mod world;
 
-pub use extension::{Asked, Extension, Reply};
+pub use extension::{Asked, Extension, Remembered, Reply, Work};
 pub use images::{Image, ImageFiles};
 pub use replay::{Compared, Replay};
 pub use world::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};

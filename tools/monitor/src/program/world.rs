@@ -17,7 +17,7 @@ pub trait LocalWorld: Send + Sync {
     /// Name by which it is opened, such as `built-in`.
     fn name(&self) -> &str;
 
-    /// Options besides the seed.
+    /// Options besides the seed that the page offers; there may be more.
     fn options(&self) -> Vec<WorldOption> {
         Vec::new()
     }
@@ -33,7 +33,7 @@ pub trait LocalWorld: Send + Sync {
 /// [`PAUSE`](bica_wire::message::Offers::PAUSE), until [`WorldRun::is_ended`]. Its time follows the clock.
 pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Failure> + Send>;
 
-/// An option of a world: a whole number from 0 on.
+/// An option of a world that the page offers: a whole number from 0 on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct WorldOption {
     /// Name.
@@ -49,8 +49,8 @@ pub struct WorldOption {
 pub struct WorldSetup {
     /// Seed.
     pub seed: u64,
-    /// Values of options; those that are missing are 0.
-    pub options: BTreeMap<String, u64>,
+    /// Texts of options. The world checks them.
+    pub options: BTreeMap<String, String>,
     /// File with parameters of this world, if there is one.
     pub tune: Option<PathBuf>,
 }

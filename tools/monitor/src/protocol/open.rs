@@ -14,9 +14,9 @@ pub enum Open {
         world: String,
         /// Seed.
         seed: u64,
-        /// Values of its options; those that are missing are 0.
+        /// Texts of its options.
         #[serde(default)]
-        options: BTreeMap<String, u64>,
+        options: BTreeMap<String, String>,
     },
     /// A robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
     Robot {

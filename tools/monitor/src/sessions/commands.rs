@@ -9,7 +9,7 @@ use crate::protocol::Request;
 
 /// What the manager asks of a session's thread.
 #[derive(Debug)]
-pub(crate) enum Command {
+pub(super) enum Command {
     /// A request of a page.
     Operate { page: PageId, id: u32, request: Request },
     /// A person notes something: after what was asked before, such as the begin of another game.
@@ -23,24 +23,24 @@ pub(crate) enum Command {
 }
 
 /// Hands commands to a session's thread.
-pub(crate) struct Commands {
+pub(super) struct Commands {
     commands: Sender<Command>,
     /// Ends the thread's wait for the robot.
     waker: Option<Waker>,
 }
 
 impl Commands {
-    pub(crate) const fn new(commands: Sender<Command>, waker: Waker) -> Self {
+    pub(super) const fn new(commands: Sender<Command>, waker: Waker) -> Self {
         Self { commands, waker: Some(waker) }
     }
 
     /// Commands that nobody receives.
-    pub(crate) fn of_nobody() -> Self {
+    pub(super) fn of_nobody() -> Self {
         Self { commands: channel().0, waker: None }
     }
 
     /// Hands over a command; returns whether the thread still works.
-    pub(crate) fn send(&self, command: Command) -> bool {
+    pub(super) fn send(&self, command: Command) -> bool {
         let is_sent = self.commands.send(command).is_ok();
         if let Some(waker) = &self.waker {
             waker.wake();

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex};
 
 use serde_json::{Value, json};
 
+use super::asked::Message;
 use super::commands;
 use super::common::Common;
 use super::registry::Registry;
@@ -14,7 +15,7 @@ use super::{recorded, storage, tune};
 use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
-use crate::program::{Asked, Extension, Program, Reply};
+use crate::program::{Extension, Program, Reply};
 use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 
@@ -179,7 +180,7 @@ impl Manager {
             }
             Request::Extension { name, message } => {
                 let extension = self.common.program.extension(&name).ok_or_else(|| unknown_extension(&name))?;
-                match extension.handle(Asked::new(&session, page, id), message)? {
+                match extension.handle(&Message { session: &session, page, id }, message)? {
                     Reply::Done(value) => Ok(Some(value)),
                     Reply::Later => Ok(None),
                 }

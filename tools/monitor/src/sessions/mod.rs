@@ -4,23 +4,28 @@
 //! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
 //! sends to a page goes into the page's [`Outbox`].
 
+mod asked;
 mod breakpoints;
-pub(crate) mod commands;
+mod commands;
 mod common;
 mod drawing;
 mod folder;
 mod history;
+mod keep_robot;
 mod live;
 mod manager;
+mod places;
 mod query;
 mod recorded;
+mod recorded_images;
 mod registry;
 mod result;
 mod robot_recording;
-pub(crate) mod session;
+mod session;
 mod storage;
 mod tune;
 mod value;
+mod watches;
 mod watching;
 mod world;
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::recorded::read_image;
+use super::recorded_images::read_image;
 use super::session::Session;
 use crate::pages::PageId;
 use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};

@@ -1,7 +1,6 @@
 //! A session: what the manager and the session's thread share.
 
-use std::any::{Any, TypeId};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -9,17 +8,17 @@ use std::time::{Duration, Instant};
 
 use bica_link::Description;
 
-use super::breakpoints::{self, Place};
 use super::common::Common;
 use super::history::{History, Limits};
-use super::recorded::{Recorded, read_image};
+use super::places::{self, Place};
+use super::recorded_images::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
-use super::watching::Watching;
+use super::watches::Watching;
 use super::{commands, drawing};
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
 use crate::pages::{PageId, Pages, lock};
-use crate::program::{Image, Program};
+use crate::program::{Image, Program, Remembered};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
     Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
@@ -43,7 +42,7 @@ pub(super) enum Operator {
 
 /// Part of a session that its thread and the manager change.
 #[derive(Default)]
-pub(crate) struct Shared {
+pub(super) struct Shared {
     pub(super) connection: Connection,
     pub(super) note: String,
     /// How the run ended; empty before.
@@ -59,13 +58,11 @@ pub(crate) struct Shared {
     pub(super) paused: bool,
     /// Whether the rules of a world of this process have ended its run.
     pub(super) is_over: bool,
-    pub(crate) description: Option<Arc<Description>>,
+    pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
     pub(super) history: History,
     /// File and images of a recording.
     pub(super) recorded: Recorded,
-    /// What extensions remember.
-    pub(crate) extensions: BTreeMap<TypeId, Box<dyn Any + Send>>,
     pub(super) watching: Watching,
     pub(super) breakpoints: Vec<Place>,
     /// Breakpoints of the session before this one, and its tree.
@@ -79,13 +76,15 @@ pub(crate) struct Shared {
 }
 
 /// A session.
-pub(crate) struct Session {
-    pub(crate) id: SessionId,
+pub(super) struct Session {
+    pub(super) id: SessionId,
     pub(super) kind: SessionKind,
     pub(super) name: String,
     pub(super) options: Arc<Options>,
-    pub(crate) pages: Arc<Pages>,
+    pub(super) pages: Arc<Pages>,
     pub(super) program: Arc<Program>,
+    /// What extensions remember.
+    pub(super) remembered: Mutex<Remembered>,
     /// File in which the session is recorded from its beginning, if it is the one of the command line.
     pub(super) record: Option<PathBuf>,
     /// Writer of that file, for a robot.
@@ -113,6 +112,7 @@ impl Session {
             options,
             pages,
             program,
+            remembered: Mutex::default(),
             record,
             recorder: Mutex::new(recorder),
             closed: AtomicBool::new(false),
@@ -122,12 +122,12 @@ impl Session {
         }
     }
 
-    pub(crate) fn shared(&self) -> MutexGuard<'_, Shared> {
+    pub(super) fn shared(&self) -> MutexGuard<'_, Shared> {
         lock(&self.shared)
     }
 
     /// Hands a command to the session's thread.
-    pub(crate) fn command(&self, command: commands::Command) -> Result<(), Failed> {
+    pub(super) fn command(&self, command: commands::Command) -> Result<(), Failed> {
         let ended = || Failed::new("the session has ended", "open it again");
         self.commands.send(command).then_some(()).ok_or_else(ended)
     }
@@ -220,7 +220,7 @@ impl Session {
         }
         let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
         if let Some((tree, places)) = shared.inherited.take().or(own) {
-            shared.breakpoints = breakpoints::moved(&places, &tree, &description, can.conditions);
+            shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
         }
         shared.description = Some(Arc::new(description));
         shared.drawing = drawing;
@@ -328,7 +328,7 @@ fn limits(options: &Options, kind: SessionKind) -> Limits {
 
 impl Session {
     /// The image with a number, from memory or from the file of a recording.
-    pub(crate) fn image(&self, number: u32) -> Result<Image, Failed> {
+    pub(super) fn image(&self, number: u32) -> Result<Image, Failed> {
         let (image, place) = {
             let shared = self.shared();
             (shared.history.images.get(number).cloned(), shared.recorded.get(number))

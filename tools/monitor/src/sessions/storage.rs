@@ -10,7 +10,7 @@ use std::time::Duration;
 use bica_recording::repair::recover;
 use serde_json::{Map, Value, json};
 
-use super::robot_recording;
+use super::keep_robot;
 use super::session::Session;
 use crate::files::{self, failed, replace};
 use crate::options::Options;
@@ -57,7 +57,7 @@ pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) ->
                 thread::sleep(WRITTEN);
                 copy(source, &target)
             }
-            None => robot_recording::keep(&session, &target),
+            None => keep_robot::keep(&session, &target),
         };
         match &result {
             Ok(_) => session.log(2, LogKind::Server, format!("the recording was kept: {}", target.display())),

@@ -10,6 +10,7 @@ use bica_link::Transition;
 
 use super::history;
 use super::session::{Session, Shared};
+use super::watches::Watching;
 use crate::pages::PageId;
 use crate::pages::{DataKind, Frame};
 use crate::program::Image;
@@ -21,31 +22,6 @@ use crate::protocol::{
 pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Age above which a value is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
 const OLD: u64 = 500_000;
-
-/// What pages watch of a session.
-#[derive(Default)]
-pub(super) struct Watching {
-    watches: BTreeMap<PageId, Watch>,
-    /// Number of the last image that a page was sent, and when.
-    images: BTreeMap<PageId, (u32, Instant)>,
-}
-
-impl Watching {
-    /// Everything that a page watches.
-    pub(super) fn watches(&self) -> impl Iterator<Item = &Watch> {
-        self.watches.values()
-    }
-
-    fn pages(&self, watches: impl Fn(&Watch) -> bool) -> Vec<PageId> {
-        self.watches.iter().filter(|(_, watch)| watches(watch)).map(|(&page, _)| page).collect()
-    }
-
-    /// Forgets a page that has gone.
-    pub(super) fn remove(&mut self, page: PageId) {
-        self.watches.remove(&page);
-        self.images.remove(&page);
-    }
-}
 
 impl Shared {
     fn is_recent(&self, time_us: u64) -> bool {
@@ -80,7 +56,7 @@ impl Shared {
 
     /// What is known at a time of the conditions that a page watches; `states` are those of all components then.
     pub(super) fn conditions_at(&self, page: PageId, time_us: u64, states: &[ComponentNow]) -> Vec<Conditions> {
-        let watched = self.watching.watches.get(&page).into_iter().flat_map(|watch| &watch.conditions);
+        let watched = self.watching.by_page.get(&page).into_iter().flat_map(|watch| &watch.conditions);
         watched.filter_map(|&component| self.conditions(component, time_us, states.get(component))).collect()
     }
 }
@@ -89,14 +65,14 @@ impl Session {
     /// Replaces what a page watches, and sends it the newest of what it begins to watch.
     pub(super) fn watch(&self, page: PageId, watch: Watch) {
         let mut shared = self.shared();
-        let before = shared.watching.watches.remove(&page).unwrap_or_default();
+        let before = shared.watching.by_page.remove(&page).unwrap_or_default();
         if self.kind != SessionKind::Recording {
             self.send_newest(&shared, page, &before, &watch);
         }
         if before.images.is_none() {
             shared.watching.images.remove(&page);
         }
-        shared.watching.watches.insert(page, watch);
+        shared.watching.by_page.insert(page, watch);
         self.send_image(&mut shared);
     }
 
@@ -149,7 +125,7 @@ impl Session {
             return;
         };
         let mut frame = None;
-        let Watching { watches, images, .. } = &mut shared.watching;
+        let Watching { by_page: watches, images } = &mut shared.watching;
         for (&page, watch) in watches.iter() {
             let Some(WatchImages { max_hz }) = watch.images else { continue };
             let period = Duration::from_secs_f32(1.0 / max_hz.clamp(0.1, 1000.0));
@@ -191,7 +167,7 @@ impl Session {
 
     /// Sends samples, each with its cycle, to the pages for which they are due.
     pub(super) fn show_samples(&self, samples: &[(u64, InfoSample)]) {
-        for (&page, watch) in &self.shared().watching.watches {
+        for (&page, watch) in &self.shared().watching.by_page {
             let wanted: BTreeMap<_, _> =
                 watch.info.iter().map(|one| ((one.component, one.info), u64::from(one.every.max(1)))).collect();
             let is_wanted = |(cycle, InfoSample(component, info, ..)): &&(u64, InfoSample)| {

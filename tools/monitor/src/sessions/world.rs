@@ -22,7 +22,7 @@ const POLL: Duration = Duration::from_millis(50);
 pub(super) struct Setup {
     pub(super) world: String,
     pub(super) seed: u64,
-    pub(super) options: BTreeMap<String, u64>,
+    pub(super) options: BTreeMap<String, String>,
 }
 
 /// A world that is run by a thread of its own.
@@ -37,14 +37,6 @@ impl Setup {
     /// Checks the set-up, and returns what runs it.
     pub(super) fn prepare(&self, program: &Program, options: &Options) -> Result<Game, Failed> {
         let world = program.world(&self.world)?;
-        let known = world.options();
-        for (name, value) in &self.options {
-            let known = known.iter().find(|one| one.name == *name);
-            if known.is_none_or(|known| *value > known.max) {
-                let help = known.map_or_else(|| "leave it out".to_owned(), |known| format!("at most {}", known.max));
-                return Err(Failed::new(format!("the world `{}` cannot have {value} {name}", self.world), help));
-            }
-        }
         let tune = options.tune.join(format!("{}.toml", self.world));
         let tune = tune.exists().then_some(tune);
         if let Some(tune) = &tune {

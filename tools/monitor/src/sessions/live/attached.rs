@@ -6,16 +6,15 @@ use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
 use bica_link::{Client, Event, Snapshot};
-use bica_wire::message::{Offers, WorldChange};
+use bica_wire::message::{ExtraKind, Offers, WorldChange};
 use serde_json::Value;
 
-use super::extras::Extras;
-use super::operate::Operation;
+use super::inbox::{Exit, Inbox};
+use super::operation::Operation;
 use super::returned::is_same_run;
-use super::{Inbox, capabilities};
-use crate::protocol::{Connection, Failed, InfoSample, LogKind, LogLine, Reached, Request, ToPage};
-use crate::sessions::breakpoints::{self, Activity};
+use crate::protocol::{Capabilities, Connection, InfoSample, LogKind, LogLine, Reached, Request, ToPage};
 use crate::sessions::commands::Command;
+use crate::sessions::places::{self, Activity};
 use crate::sessions::session::Session;
 use crate::sessions::watching::UPDATE;
 use crate::sessions::world::World;
@@ -33,18 +32,6 @@ const EVENTS: usize = 256;
 /// Largest number of samples for one message.
 const MAX_SAMPLES: usize = 4096;
 
-/// Why a connection ended.
-pub(super) enum Exit {
-    /// The session is closed.
-    Close,
-    /// A world begins again.
-    Restart(Option<u64>),
-    /// The connection was lost.
-    Lost(Failed),
-    /// The time of waiting is over.
-    Retry,
-}
-
 /// A connected session.
 pub(super) struct Attached<'a> {
     pub(super) session: &'a Arc<Session>,
@@ -56,7 +43,8 @@ pub(super) struct Attached<'a> {
     changes: Vec<(usize, u64, bool, Option<u16>)>,
     /// Samples since the last update, with their cycles.
     samples: Vec<(u64, InfoSample)>,
-    pub(super) extras: Extras,
+    /// What is watched besides states and outputs, with n for every n-th cycle or image.
+    pub(super) watched_extras: BTreeMap<ExtraKind, u16>,
     updated: Instant,
     slow: Instant,
     received: Instant,
@@ -85,7 +73,7 @@ impl<'a> Attached<'a> {
             watched: BTreeMap::new(),
             changes: Vec::new(),
             samples: Vec::new(),
-            extras: Extras::default(),
+            watched_extras: BTreeMap::new(),
             updated: now,
             slow: now,
             received: now,
@@ -236,7 +224,7 @@ impl<'a> Attached<'a> {
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
         // A program on a computer looks for stops itself.
         let places = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
-        let reached = breakpoints::reached(places, &before, &changed);
+        let reached = places::reached(places, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -316,6 +304,20 @@ impl<'a> Attached<'a> {
         };
         self.look_at_recording();
         session.set_connection(Connection::Connected, note);
+    }
+}
+
+/// What can be done with a session that is connected.
+fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
+    Capabilities {
+        operate: offers.contains(Offers::OPERATE) && !read_only,
+        pause: offers.contains(Offers::PAUSE.with(Offers::OPERATE)) && !read_only,
+        ball: offers.contains(Offers::BALL) && !read_only,
+        truth: offers.contains(Offers::TRUTH),
+        images: offers.contains(Offers::IMAGES),
+        costs: offers.contains(Offers::COSTS),
+        conditions: offers.contains(Offers::CONDITIONS),
+        run_again: false,
     }
 }
 

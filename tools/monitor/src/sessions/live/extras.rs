@@ -14,13 +14,6 @@ use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth
 /// Number of cycles between two looks at conditions and the true state, while time goes on.
 const EVERY: u16 = 5;
 
-/// What is watched besides states and information.
-#[derive(Debug, Default)]
-pub(super) struct Extras {
-    /// Over the link, with n for every n-th cycle or image.
-    watched: BTreeMap<ExtraKind, u16>,
-}
-
 impl Attached<'_> {
     /// Watches over the link what the pages watch, and for the history the true state and costs, which are small; of a world of this
     /// process everything.
@@ -51,7 +44,7 @@ impl Attached<'_> {
             want(Offers::CONDITIONS, ExtraKind::Stop(place.stop(shared.can.pause)), 1);
         }
         drop(shared);
-        for &kind in self.extras.watched.keys().filter(|kind| !wanted.contains_key(kind)) {
+        for &kind in self.watched_extras.keys().filter(|kind| !wanted.contains_key(kind)) {
             self.client.watch_extra(kind, 0)?;
             if let ExtraKind::Conditions { component } = kind {
                 let mut shared = self.session.shared();
@@ -60,11 +53,11 @@ impl Attached<'_> {
             }
         }
         for (&kind, &every) in &wanted {
-            if self.extras.watched.get(&kind) != Some(&every) {
+            if self.watched_extras.get(&kind) != Some(&every) {
                 self.client.watch_extra(kind, every)?;
             }
         }
-        self.extras.watched = wanted;
+        self.watched_extras = wanted;
         Ok(())
     }
 

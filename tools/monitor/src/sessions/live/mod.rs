@@ -2,35 +2,32 @@
 
 mod attached;
 mod extras;
+mod inbox;
 mod operate;
+mod operation;
 mod pace;
 mod recording;
 mod returned;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use bica_link::{Address, Client, ClientOptions, Wakeups, waker};
-use bica_wire::message::Offers;
+use bica_link::{Address, Client, ClientOptions, waker};
 
 use super::commands::{Command, Commands};
 use super::common::Common;
 use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Setup, World};
-use crate::protocol::{Capabilities, Connection, Failed, LogKind, Request, SessionId, SessionKind};
-use attached::{Attached, Exit};
+use crate::protocol::{Connection, Failed, LogKind, Request, SessionId, SessionKind};
+use attached::Attached;
+use inbox::{Exit, Inbox};
+use operation::not_connected;
 
 /// Time between two attempts to connect.
 const RETRY: Duration = Duration::from_millis(300);
-
-/// Commands that have come, and the end of waits for the robot.
-struct Inbox {
-    commands: Receiver<Command>,
-    wakeups: Wakeups,
-}
 
 /// What a live session is connected to.
 enum Source {
@@ -171,23 +168,5 @@ fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
             Ok(Command::Close) | Err(RecvTimeoutError::Disconnected) => return Exit::Close,
             Err(RecvTimeoutError::Timeout) => return Exit::Retry,
         }
-    }
-}
-
-fn not_connected() -> Failed {
-    Failed::new("there is no connection, so the request was not sent", "ask again when the connection is restored")
-}
-
-/// What can be done with a session that is connected.
-fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
-    Capabilities {
-        operate: offers.contains(Offers::OPERATE) && !read_only,
-        pause: offers.contains(Offers::PAUSE.with(Offers::OPERATE)) && !read_only,
-        ball: offers.contains(Offers::BALL) && !read_only,
-        truth: offers.contains(Offers::TRUTH),
-        images: offers.contains(Offers::IMAGES),
-        costs: offers.contains(Offers::COSTS),
-        conditions: offers.contains(Offers::CONDITIONS),
-        run_again: false,
     }
 }

@@ -1,6 +1,5 @@
 //! The operator of a live session: one page at a time, by the robot's lease.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -10,7 +9,7 @@ use bica_wire::message::{LeaseAction, LeaseState};
 use serde_json::{Value, json};
 
 use super::attached::Attached;
-use super::not_connected;
+use super::operation::{Pending, Waiting, not_connected};
 use super::pace::world_change;
 use crate::pages::PageId;
 use crate::protocol::{Failed, LogKind, Request};
@@ -22,32 +21,6 @@ const SILENCE: Duration = Duration::from_secs(3);
 const LEASE: Duration = Duration::from_secs(5);
 /// Largest number of requests without an answer.
 const MAX_PENDING: usize = 64;
-
-/// A request that the robot has not answered.
-struct Pending {
-    page: PageId,
-    id: u32,
-    /// None for a placement of the ball.
-    request: Option<OwnedRequest>,
-}
-
-/// A page that waits for the lease.
-struct Waiting {
-    page: PageId,
-    id: u32,
-    /// Number of the lease that the last operator had; 0 for none.
-    old: u64,
-    since: Instant,
-}
-
-/// What the operator has asked for.
-#[derive(Default)]
-pub(super) struct Operation {
-    pending: BTreeMap<u32, Pending>,
-    waiting: Option<Waiting>,
-    /// Last sign of life of the operating page.
-    kept: Option<Instant>,
-}
 
 type LinkResult = Result<(), bica_link::Error>;
 

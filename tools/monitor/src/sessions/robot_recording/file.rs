@@ -36,7 +36,7 @@ pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
 const TOP_CAMERA: &str = "top_camera";
 
 /// An image of a session as an image of a recording.
-pub(super) fn received(image: &Image) -> ReceivedImage<'_> {
+pub(in crate::sessions) fn received(image: &Image) -> ReceivedImage<'_> {
     let Image { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
     let frame = if bottom_camera { BOTTOM_CAMERA } else { TOP_CAMERA };
     ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame } }

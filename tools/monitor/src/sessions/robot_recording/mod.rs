@@ -1,7 +1,6 @@
 //! Recordings of a robot behind a link: what this server has received of it.
 
 mod file;
-mod keep;
 mod writer;
 
 use bica_recording::{
@@ -12,8 +11,7 @@ use serde_json::Value;
 use crate::protocol::{ComponentNow, LogKind, LogLine};
 use bica::Hold;
 
-pub(super) use file::{BOTTOM_CAMERA, unused};
-pub(super) use keep::keep;
+pub(super) use file::{BOTTOM_CAMERA, received, unused};
 pub(super) use writer::RobotRecorder;
 
 /// Level of a log line that is no warning.
@@ -28,13 +26,18 @@ pub(super) const SERVER: &str = "server: ";
 
 /// Makes the cycles of a recording.
 #[derive(Debug, Default)]
-struct Cycles {
+pub(super) struct Cycles {
     holds: HoldsRecord,
 }
 
 impl Cycles {
     /// A cycle with the states of all components.
-    fn cycle(&mut self, time_us: u64, number: u64, states: impl Iterator<Item = ComponentNow>) -> RecordedCycle {
+    pub(super) fn cycle(
+        &mut self,
+        time_us: u64,
+        number: u64,
+        states: impl Iterator<Item = ComponentNow>,
+    ) -> RecordedCycle {
         let (mut tree, mut holds) = (TreeRecord::default(), HoldsRecord::default());
         for (index, ComponentNow(active, held, state, hz, _)) in states.enumerate() {
             if index % 8 == 0 {
@@ -57,13 +60,13 @@ impl Cycles {
 }
 
 /// Adds the value of an output, as JSON text.
-fn add_info(cycle: &mut RecordedCycle, component: usize, info: usize, text: &str) {
+pub(super) fn add_info(cycle: &mut RecordedCycle, component: usize, info: usize, text: &str) {
     let record = cycle.information.get_or_insert_with(InformationRecord::default);
     record.values.push(InformationValue::in_json(component, info, text));
 }
 
 /// Adds a line of the log as what it is.
-fn add_line(cycle: &mut RecordedCycle, line: &LogLine) {
+pub(super) fn add_line(cycle: &mut RecordedCycle, line: &LogLine) {
     let LogLine { time_us, level, kind, ref text, .. } = *line;
     let log = |text: String| bica_recording::LogLine { level, text };
     match kind {

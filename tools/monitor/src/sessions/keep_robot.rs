@@ -8,16 +8,16 @@ use std::sync::Arc;
 use bica_recording::{Header, MonitorRecorder, Report, create};
 use serde_json::{Value, json};
 
-use super::{Cycles, add_info, add_line, file::received};
+use super::robot_recording::{Cycles, add_info, add_line, received};
+use super::session::Session;
 use crate::files::failed;
 use crate::protocol::Failed;
-use crate::sessions::session::Session;
 
 /// Number of cycles that are taken out of the memory under one lock.
 const BATCH: usize = 256;
 
 /// Writes what is remembered of a robot to a new file. A file that could not be written is removed.
-pub(in crate::sessions) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
+pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
     let help = "is the disk full, or the folder write-protected?";
     if let Some(folder) = target.parent() {
         fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
