@@ -17,7 +17,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xb3b6_ffb0_e201_3653;
+const GOLDEN_SCHEMA: u64 = 0x2ed1_f2dd_52ab_8390;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
