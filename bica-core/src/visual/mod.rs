@@ -45,7 +45,7 @@ mod space;
 
 pub use image::{CameraCalibration, ImageCircle, ImagePoint, ImagePolyline, ImageSegment};
 pub use list::List;
-pub use plane::{Ellipse, Point2, Polyline, Pose2, Segment};
+pub use plane::{Circle, Ellipse, Point2, Polyline, Pose2, Rectangle, Segment};
 pub use scan::Scan;
 pub use space::{Point3, Pose3, Quaternion};
 
@@ -112,5 +112,5 @@ macro_rules! visual {
     };
 }
 
-visual!(Point2, Pose2, Ellipse, Segment, Polyline<N>, Scan<N>, Point3, Pose3);
+visual!(Point2, Pose2, Ellipse, Circle, Rectangle, Segment, Polyline<N>, Scan<N>, Point3, Pose3);
 visual!(ImagePoint, ImageCircle, ImageSegment, ImagePolyline<N>, CameraCalibration);

@@ -40,6 +40,34 @@ pub struct Ellipse {
     pub yy: f32,
 }
 
+/// Circle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Circle {
+    /// Position of the centre along x, m.
+    pub x: f32,
+    /// Position of the centre along y, m.
+    pub y: f32,
+    /// Radius, m.
+    pub radius: f32,
+}
+
+/// Rectangle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct Rectangle {
+    /// Position of the centre along x, m.
+    pub x: f32,
+    /// Position of the centre along y, m.
+    pub y: f32,
+    /// Direction of the length, rad, counter-clockwise from x.
+    pub heading: f32,
+    /// Length, m.
+    pub length: f32,
+    /// Width, m.
+    pub width: f32,
+}
+
 /// Line segment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]

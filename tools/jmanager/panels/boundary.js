@@ -91,4 +91,4 @@ function drawColumns(context, at, columns, height) {
   }
 }
 
-export default { panels: { boundary: { title: 'End of field', view: Boundary } } };
+export default { panels: { boundary: { title: 'End of field', view: Boundary, offered: (shown) => shown.find('FieldBoundary') >= 0 && shown.info.value.can.images } } };

@@ -5,7 +5,7 @@ import { Canvas } from '../lib/canvas.js';
 import { request } from '../lib/connection.js';
 import { FITTED, Picture, pixel, placed, usePicture } from '../lib/image.js';
 import { act, ask, command, classified, session, watch } from '../lib/store.js';
-import { below, narrow, right, within } from '../lib/places.js';
+import { below, right, within } from '../lib/places.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 
@@ -309,19 +309,17 @@ style.replaceSync(`
 document.adoptedStyleSheets.push(style);
 
 export default {
-  panels: { tuner: { title: 'Colours', view: Tuner } },
+  panels: { tuner: { title: 'Colours', view: Tuner, offered: (shown) => shown.find('Colours') >= 0 && shown.info.value.can.images } },
   presets: {
     colours: {
       title: 'Tuning colours',
-      panels: (width, height) => (width < 900
-        ? narrow('tuner', ['camera', 'boundary'], ['component:Colours', 'log'])
-        : [
-          ['tuner', {}],
-          ['camera', right('tuner', width * 0.36)],
-          ['boundary', within('camera')],
-          ['component:Colours', below('camera', height * 0.45)],
-          ['component:BallDetector', within('component:Colours')],
-        ]),
+      panels: (width, height) => [
+        ['tuner', {}],
+        ['camera', right('tuner', width * 0.36)],
+        ['boundary', within('camera')],
+        ['component:Colours', below('camera', height * 0.45)],
+        ['component:BallDetector', within('component:Colours')],
+      ],
     },
   },
 };

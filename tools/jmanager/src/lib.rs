@@ -2,6 +2,7 @@
 
 mod cli;
 mod colours;
+mod field;
 mod images;
 mod replay;
 mod run;
@@ -49,6 +50,7 @@ pub fn program(options: SoccerOptions) -> Program {
         worlds: worlds.collect(),
         replay: Some(Box::new(replay::GameReplay)),
         images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
+        scene: Some(Box::new(field::Field)),
         extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],
     }
 }

@@ -48,7 +48,19 @@ function startDock(element) {
   started = true;
   dock.start(element);
   if (PRESETS[wanted.layout]) dock.preset(wanted.layout);
-  else if (!dock.restore()) dock.preset('overview');
+  else if (!dock.restore()) first();
+}
+
+/** The layout of a first visit: for the tree that is shown first. */
+function first() {
+  dock.preset('overview');
+  const end = effect(() => {
+    if (!store.session.value?.description.value) return;
+    setTimeout(() => {
+      end();
+      if (dock.layoutName.value === 'overview') dock.refit('overview');
+    });
+  });
 }
 
 // ---- keys

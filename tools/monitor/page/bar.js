@@ -140,7 +140,7 @@ function View() {
   const load = async () => { saved.value = (await store.ask('layouts')) ?? {}; };
   return html`<${Menu} label="View" title="View: layouts and panels" onOpen=${load}>
     <h3>Layouts</h3>
-    ${Object.entries(PRESETS).map(([name, { title }], index) => html`<button class="item" onClick=${() => dock.preset(name)}>${title}<kbd>${index + 1}</kbd></button>`)}
+    ${dock.presets().map(([name, { title }, key]) => html`<button class="item" onClick=${() => dock.preset(name)}>${title}<kbd>${key}</kbd></button>`)}
     ${Object.entries(saved.value).map(([name, layout]) => html`<button class="item" onClick=${() => dock.applyLayout(layout, name)}>${name}</button>`)}
     <button class="item" onClick=${shareLayout}>Save layout as…</button>
     <button class="item" onClick=${() => download('jmanager-layout.json', new Blob([JSON.stringify(dock.layout(), null, 1)], { type: 'application/json' }))}>Layout to a file</button>

@@ -3,8 +3,9 @@
 import { createDockview } from '../vendor/dockview.js';
 import { Fragment, html, render, signal } from './dom.js';
 import { PANELS } from './panels.js';
+import { fitted, narrowed } from './places.js';
 import { PRESETS } from './presets.js';
-import { hello, selected } from './store.js';
+import { hello, notify, selected, session } from './store.js';
 import { theme } from './theme.js';
 
 let api = null;
@@ -116,11 +117,39 @@ export function focusNext(by) {
   (inside.querySelector('button, input, select, [tabindex="0"]') ?? inside).focus?.();
 }
 
+/** Whether the shown session has something for a panel of a layout; all of them before its tree is known. */
+function isOffered(id) {
+  const [shown, [kind, component]] = [session.peek(), id.split(':')];
+  if (!shown?.description.peek()) return true;
+  return kind === 'component' && component ? shown.find(component) >= 0 : PANELS[kind].offered?.(shown) ?? true;
+}
+
+/** The panels of a preset: all, and those that are offered. */
+function panelsOf(name) {
+  const { clientWidth: width, clientHeight: height } = document.documentElement;
+  const all = PRESETS[name].panels(width, height, { hasSource: hello.peek()?.source ?? true, shown: session.peek() });
+  const offered = fitted(all, isOffered);
+  return [all, width < 900 && offered.length > 0 ? narrowed(offered) : offered];
+}
+
+/** The presets whose main panel is offered: [name, preset, number of its key]. */
+export const presets = () => Object.entries(PRESETS).map(([name, one], index) => [name, one, index + 1]).filter(([name]) => isOffered(panelsOf(name)[0][0][0]));
+
+/** Applies a preset again if the shown session lacks something for it. */
+export function refit(name) {
+  const [all, offered] = panelsOf(name);
+  if (offered.length < all.length) preset(name);
+}
+
 /** Applies a preset by name. */
 export function preset(name) {
-  const { clientWidth: width, clientHeight: height } = document.documentElement;
+  const [, offered] = panelsOf(name);
+  if (!presets().some(([known]) => known === name)) {
+    notify('error', `this session has nothing for the layout “${PRESETS[name].title}”`, 'choose another one in the menu “View”');
+    return;
+  }
   api.clear();
-  for (const [id, where] of PRESETS[name].panels(width, height, hello.peek()?.source ?? true)) {
+  for (const [id, where] of offered) {
     const [kind, argument] = id.split(':');
     const params = kind === 'component' && argument ? { component: argument } : where.params;
     const title = kind === 'component' && argument ? argument : where.title ?? PANELS[kind].title;

@@ -1,19 +1,18 @@
-// What components found in an image: information with the unit px, drawn on the picture.
+// What components found in an image: outputs of the image's visual types, drawn on the picture.
 
+import { colourOf, flat, visuals } from './frames.js';
 import { css, curveColour } from './theme.js';
 
-/** Lists the information of a tree that can be drawn: [{component, info, name, place}] by component. */
+/** The outputs of a tree that can be drawn on an image, by component: [{component, place, infos, colour}]. */
 export function drawable(description) {
-  const found = [];
-  description?.components.forEach((component, place) => {
-    const infos = component.info.map((info, index) => ({ ...info, index })).filter(({ unit, name, type }) => unit === 'px' && !/u16|size/.test(type + name));
-    const extra = component.info.map((info, index) => ({ ...info, index })).filter(({ name }) => name === 'sighting_confidence');
-    if (infos.length > 0) found.push({ component: component.name, place, infos, extra });
-  });
-  return found;
+  const found = new Map();
+  for (const { component, name, info, index } of visuals(description, true)) {
+    if (!SHAPES[info.shape]) continue;
+    if (!found.has(component)) found.set(component, { component: name, place: component, infos: [], colour: curveColour(colourOf(description, component)) });
+    found.get(component).infos.push({ ...info, index });
+  }
+  return [...found.values()];
 }
-
-const isPoint = (value) => value !== null && typeof value === 'object' && typeof value.x === 'number' && typeof value.y === 'number';
 
 /** Longest time from the cycle that takes an image in to the last component that has used it, µs. */
 const USED = 33e3;
@@ -24,25 +23,34 @@ function valueAt(shown, place, index, time, live) {
   return live ? information.at(time) : information.now.value?.value;
 }
 
-/** Draws one component's findings. `at` maps columns and rows to the panel. */
-export function drawOverlay(context, shown, overlay, number, image, at, live) {
-  const colour = overlayColour(number);
-  const read = ({ index }) => valueAt(shown, overlay.place, index, image.findings_us ?? image.time_us + USED, live);
-  const values = overlay.infos.map((info) => ({ info, value: read(info) }));
-  const radius = values.find(({ info }) => info.name.startsWith('radius'))?.value;
-  const confidence = overlay.extra.length > 0 ? read(overlay.extra[0]) : null;
-  context.strokeStyle = colour;
-  context.fillStyle = colour;
-  context.lineWidth = 2;
-  context.font = `12px ${css('--font')}`;
-  for (const { info, value } of values) {
-    if (isPoint(value)) drawPoint(context, at, value, radius, `${overlay.component}${confidence ? ` ${confidence.toFixed(2)}` : ''}`, colour);
-    else if (Array.isArray(value)) drawPoints(context, at, value, info, overlay.component, image);
-    else if (typeof value === 'number' && !info.name.startsWith('radius')) drawLine(context, at, value, info.name, image);
-  }
-}
+/** Each shape as its lines, [{x, y}], and its circles; `label` is where its name stands, none without one. */
+const SHAPES = {
+  ImagePoint: (at) => ({ dots: [at], label: at }),
+  ImageCircle: (at) => ({ circles: [at], label: at }),
+  ImageSegment: ({ start, end }) => ({ line: [start, end], dots: [start], label: start }),
+  ImagePolyline: ({ points }) => ({ line: points, label: points.at(0) }),
+};
 
-export const overlayColour = (number) => curveColour(number + 3);
+/** Draws one component's findings. `at` maps columns and rows to the panel. */
+export function drawOverlay(context, shown, overlay, image, at, live) {
+  const { colour } = overlay;
+  [context.strokeStyle, context.fillStyle, context.lineWidth] = [colour, colour, 2];
+  context.font = `12px ${css('--font')}`;
+  const values = overlay.infos.flatMap(({ shape, index }) => flat(valueAt(shown, overlay.place, index, image.findings_us ?? image.time_us + USED, live)).map((value) => SHAPES[shape](value)));
+  for (const { line = [], dots = [], circles = [] } of values) {
+    context.beginPath();
+    for (const { x, y } of line) context.lineTo(at.x(x), at.y(y));
+    context.stroke();
+    for (const { x, y, radius } of [...dots, ...circles]) {
+      context.beginPath();
+      context.arc(at.x(x), at.y(y), radius === undefined ? 4 : Math.max(radius * at.scale, 4) + 2, 0, 2 * Math.PI);
+      if (radius === undefined) context.fill();
+      else context.stroke();
+    }
+  }
+  const first = values.find(({ label }) => label)?.label;
+  if (first) label(context, overlay.component, at.x(first.x) + Math.max((first.radius ?? 0) * at.scale, 4) + 7, at.y(first.y), colour);
+}
 
 function label(context, text, x, y, colour) {
   const width = context.measureText(text).width;
@@ -53,47 +61,4 @@ function label(context, text, x, y, colour) {
   context.fillStyle = colour;
   context.textBaseline = 'middle';
   context.fillText(text, x + 5, y);
-}
-
-function drawPoint(context, at, { x, y }, radius, text, colour) {
-  const size = Math.max((radius ?? 3) * at.scale, 4) + 2;
-  context.beginPath();
-  context.arc(at.x(x), at.y(y), size, 0, 2 * Math.PI);
-  context.stroke();
-  label(context, text, at.x(x) + size + 5, at.y(y), colour);
-}
-
-function drawPoints(context, at, points, info, component, image) {
-  const known = points.filter(isPoint);
-  if (known.length === 2 && info.name === 'ends') {
-    context.beginPath();
-    context.moveTo(at.x(known[0].x), at.y(known[0].y));
-    context.lineTo(at.x(known[1].x), at.y(known[1].y));
-    context.stroke();
-    return;
-  }
-  for (const point of known) {
-    context.beginPath();
-    context.moveTo(at.x(point.x), at.y(Math.max(0, point.y - image.height / 4)));
-    context.lineTo(at.x(point.x), at.y(point.y));
-    context.stroke();
-    context.beginPath();
-    context.arc(at.x(point.x), at.y(point.y), 4, 0, 2 * Math.PI);
-    context.fill();
-  }
-  if (known.length > 0) label(context, component, at.x(known[0].x) + 8, at.y(known[0].y), context.strokeStyle);
-}
-
-function drawLine(context, at, row, name, image) {
-  if (row < -image.height || row > 2 * image.height) return;
-  context.save();
-  context.setLineDash([6, 5]);
-  context.lineWidth = 1;
-  context.beginPath();
-  context.moveTo(at.x(0), at.y(row));
-  context.lineTo(at.x(image.width), at.y(row));
-  context.stroke();
-  context.restore();
-  context.textBaseline = 'bottom';
-  context.fillText(name, at.x(0) + 6, at.y(row) - 2);
 }

@@ -1,14 +1,15 @@
-// All panels, those of the program's extensions too: the name in a layout, the title, and the component that shows it.
+// All panels, those of the program's extensions too: the name in a layout, the title, the component that shows it, and
+// whether a session has something for it.
 
 import { Tree } from '../panels/tree.js';
 import { Timeline } from '../panels/timeline.js';
 import { ComponentTab } from '../panels/component.js';
 import { Camera } from '../panels/camera.js';
-import { FieldMap } from '../panels/field.js';
+import { GroundMap, hasMap } from '../panels/map.js';
 import { Plot } from '../panels/plot.js';
 import { Latency } from '../panels/latency.js';
 import { Log } from '../panels/log.js';
-import { Drive } from '../panels/drive.js';
+import { Drive, canDrive } from '../panels/drive.js';
 import { Recordings } from '../panels/recordings.js';
 import { Designer } from '../panels/vicode.js';
 import { Code } from '../panels/code.js';
@@ -20,12 +21,12 @@ export const PANELS = {
   tree: { title: 'Activation tree', view: Tree },
   timeline: { title: 'Timeline', view: Timeline },
   component: { title: 'Component', view: ComponentTab },
-  camera: { title: 'Camera', view: Camera },
-  field: { title: 'Field', view: FieldMap },
+  camera: { title: 'Camera', view: Camera, offered: (shown) => shown.info.value.can.images },
+  map: { title: 'Map', view: GroundMap, offered: hasMap },
   plot: { title: 'Plot', view: Plot, many: true },
-  latency: { title: 'Latency', view: Latency },
+  latency: { title: 'Latency', view: Latency, offered: (shown) => shown.info.value.can.costs },
   log: { title: 'Log', view: Log },
-  drive: { title: 'Drive', view: Drive },
+  drive: { title: 'Drive', view: Drive, offered: canDrive },
   recordings: { title: 'Recordings', view: Recordings },
   vicode: { title: 'Designer', view: Designer },
   code: { title: 'Code', view: Code },

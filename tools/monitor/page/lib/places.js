@@ -4,12 +4,26 @@ export const right = (beside, size) => ({ beside, direction: 'right', size });
 export const below = (beside, size) => ({ beside, direction: 'below', size });
 export const within = (beside, inactive = true) => ({ beside, direction: 'within', inactive });
 
-/** On a narrow window all panels share two groups. */
-export function narrow(first, rest, bottom) {
-  return [
-    [first, {}],
-    ...rest.map((name) => [name, within(first)]),
-    [bottom[0], below(first, 300)],
-    ...bottom.slice(1).map((name) => [name, within(bottom[0])]),
-  ];
+const LOWER = /^(timeline|plot|log|latency|code|inspector)/;
+
+/** The panels of a layout on a narrow window, where they share two groups. */
+export function narrowed(panels) {
+  const [upper, lower] = [false, true].map((isLower) => panels.filter(([id]) => LOWER.test(id) === isLower));
+  const group = (all, where) => all.map(([id, { params }], index) => [id, { ...(index === 0 ? where : within(all[0][0])), params }]);
+  return [...group(upper, {}), ...group(lower, below(upper[0][0], 300))];
+}
+
+/** The panels that are offered; the first one beside a missing panel takes the place of that panel. */
+export function fitted(panels, isOffered) {
+  const missing = new Map();
+  return panels.flatMap(([id, where]) => {
+    const gap = missing.get(where.beside);
+    const place = !gap ? where : gap.by ? { ...where, beside: gap.by } : { ...gap.where, params: where.params };
+    if (!isOffered(id)) {
+      missing.set(id, { where: place });
+      return [];
+    }
+    if (gap) gap.by ??= id;
+    return [[id, place]];
+  });
 }

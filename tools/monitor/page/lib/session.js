@@ -69,6 +69,8 @@ export class Session {
     this.info = signal(info);
     this.description = signal(null);
     this.drawing = signal(null);
+    /** What the map shows under everything else. */
+    this.scenery = [];
     /** State at the cursor, or the newest: {time_us, cycle, components}. */
     this.moment = signal(null);
     /** The newest state, whatever the cursor shows. */
@@ -96,7 +98,8 @@ export class Session {
     this.incoming = [];
   }
 
-  describe(description, drawing) {
+  describe(description, drawing, scenery) {
+    this.scenery = scenery;
     const components = description.components;
     this.incoming = components.map(() => []);
     components.forEach((component, from) => {

@@ -364,7 +364,7 @@ const HANDLERS = {
     });
   },
   described(message, of) {
-    of.describe(message.description, message.drawing);
+    of.describe(message.description, message.drawing, message.scenery);
     readLines(of);
     if (of === session.value) {
       lastWatch = '';

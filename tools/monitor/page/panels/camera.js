@@ -5,16 +5,16 @@ import { Canvas } from '../lib/canvas.js';
 import { number, time } from '../lib/format.js';
 import { ground, groundInfo } from '../lib/ground.js';
 import { FITTED, Picture, pixel, placed, rgb, usePicture } from '../lib/image.js';
-import { drawOverlay, drawable, overlayColour } from '../lib/overlays.js';
+import { drawOverlay, drawable } from '../lib/overlays.js';
 import { bind } from '../lib/keys.js';
 import { classified, cursor, seek, session, watch } from '../lib/store.js';
-import { css } from '../lib/theme.js';
+import { css, theme } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle, download } from '../lib/ui.js';
 
 export function Camera({ visible }) {
   const shown = session.value;
   const description = shown?.description.value;
-  const overlays = useMemo(() => drawable(description), [description]);
+  const overlays = useMemo(() => drawable(description), [description, theme.value]);
   const findings = useMemo(() => overlays.flatMap(({ place, infos }) => infos.map(({ index }) => [place, index])), [overlays]);
   const hidden = useSignal(new Set());
   const frozen = useSignal(null);
@@ -25,7 +25,7 @@ export function Camera({ visible }) {
   const last = useRef(null);
   useEffect(() => {
     if (!visible.value || !shown || !description) return undefined;
-    const info = overlays.flatMap(({ place, infos, extra }) => [...infos, ...extra].map(({ index }) => [place, index, 1]));
+    const info = findings.map((one) => [...one, 1]);
     return watch({ images: true, info: [...info, ...groundInfo(shown)] });
   }, [visible.value, shown, description]);
   const freeze = () => { frozen.value = isFrozen() ? null : session.value?.image.value ?? null; };
@@ -65,9 +65,9 @@ export function Camera({ visible }) {
     context.beginPath();
     context.rect(at.left, at.top, one.width * at.scale, one.height * at.scale);
     context.clip();
-    overlays.forEach((overlay, index) => {
+    overlays.forEach((overlay) => {
       const active = shown.moment.value?.components?.[overlay.place]?.[0];
-      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, index, one, at, cursor.value === null);
+      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, one, at, cursor.value === null);
     });
     context.restore();
     if (pointer.value) drawPixel(context, shown, one, at, pointer.value, width, height);
@@ -79,7 +79,7 @@ export function Camera({ visible }) {
   };
   const one = image();
   const which = one?.bottom ? 'bottom' : 'top';
-  const toggles = () => overlays.map(({ component }, index) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${overlayColour(index)} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
+  const toggles = () => overlays.map(({ component, colour }) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${colour} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
       <span class="dim place" title=${one && `camera ${which}, image ${one.number}, ${one.width}×${one.height} px, at ${time(one.time_us)}`}>${one ? `${which} ${one.number} · ${time(one.time_us)}` : 'no image yet'}</span>
       <span class="grow"></span>
@@ -115,7 +115,7 @@ function drawPixel(context, shown, image, at, { x, y }, width, height) {
   const lines = [`${column}, ${row}   Y ${luma}  Cb ${cb}  Cr ${cr}`];
   const found = classOf(shown, image, column, row);
   if (found !== null) lines.push(found === 255 ? 'no class' : `class ${found}`);
-  const ray = ground(shown, image, column, row);
+  const ray = ground(shown, column, row);
   if (ray) lines.push(ray.x === null ? 'above the horizon' : `ground about ${number(ray.x)} m ahead, ${number(Math.abs(ray.y))} m ${ray.y >= 0 ? 'left' : 'right'}`);
   context.font = `12px ${css('--font')}`;
   const wide = Math.max(...lines.map((line) => context.measureText(line).width)) + 42;

@@ -1,4 +1,4 @@
-// Driving by hand: the forward is taken over, its body and head are moved, and it is given back.
+// Driving by hand: the robot is taken over, its body and head are moved by modulations, and it is given back.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { number, words } from '../lib/format.js';
@@ -16,13 +16,30 @@ const KEYS = { forward: ['KeyW', 'KeyS'], left: ['KeyQ', 'KeyE'], turn: ['KeyA',
 const AXES = { forward: [1, -1], turn: [0, -1], left: [-1, 0], pan: [2, -1], tilt: [3, 1] };
 const SHOULDERS = [4, 5];
 
-/** Finds the modulation with exactly these arguments. */
-function find(description, wanted) {
-  for (const [component, { name, modulations }] of description.components.entries()) {
-    const number = modulations.findIndex((one) => one.arguments.length === wanted.length && one.arguments.every((argument, index) => argument.name === wanted[index]));
-    if (number >= 0) return { component, number, name, arguments: modulations[number].arguments, stop: modulations.findIndex((one) => one.name === 'stand' && one.arguments.length === 0) };
-  }
-  return null;
+/** Arguments of the modulation that moves the body, of which it has the first two, and of the one that moves the head. */
+const BODY = ['forward', 'turn', 'left'];
+const HEAD = ['pan', 'tilt'];
+
+/** Finds the modulation with the most of these arguments, among them the first `least`, and with no other ones. */
+function find(description, known, least) {
+  const all = description.components.flatMap(({ name, modulations }, component) => modulations.map((one, number) => ({
+    component, number, name, arguments: one.arguments, stop: modulations.findIndex((other) => /^(stand|stop)$/.test(other.name) && other.arguments.length === 0),
+  })));
+  const fits = ({ arguments: given }) => known.slice(0, least).every((name) => given.some((one) => one.name === name)) && given.every((one) => known.includes(one.name) && typeof one.min === 'number');
+  return all.filter(fits).sort((one, other) => other.arguments.length - one.arguments.length)[0] ?? null;
+}
+
+/** What moves the robot: {body, head}; each is null if there is no such modulation. */
+export const driven = (description) => ({ body: find(description, BODY, 2), head: find(description, HEAD, 1) });
+
+/** Whether an operator can drive the robot of a session. */
+export const canDrive = (shown) => shown.info.value.can.operate && Object.values(driven(shown.description.value)).some(Boolean);
+
+/** Components that move the head but not the body: they can be held active while the body is driven. */
+function leaders(description, { body, head }) {
+  if (!head) return [];
+  const moves = ({ links }, part) => part !== null && links.some(({ to, kind }) => kind === 'modulation' && to === part.component);
+  return description.components.flatMap((one, component) => (component !== description.root && moves(one, head) && !moves(one, body) ? [component] : []));
 }
 
 export function Drive({ visible }) {
@@ -30,9 +47,8 @@ export function Drive({ visible }) {
   const description = shown?.description.value;
   if (!description) return html`<${Empty} what="Nothing to drive" help="Open a world or a robot first." />`;
   if (!shown.info.value.can.operate) return html`<${Empty} what="This session can only be watched" help=${shown.info.value.kind === 'recording' ? 'A recording is what happened. Open a world or a robot to drive.' : 'The robot, or this program, allows no operator.'} />`;
-  const body = find(description, ['forward', 'left', 'turn']);
-  const head = find(description, ['pan', 'tilt']);
-  if (!body && !head) return html`<${Empty} what="This tree cannot be driven here" help="The panel needs a modulation with the arguments forward, left and turn, or pan and tilt. Other modulations are in the component tabs." />`;
+  const { body, head } = driven(description);
+  if (!body && !head) return html`<${Empty} what="This tree cannot be driven here" help="The panel needs a modulation with numbers called forward and turn, and perhaps left, or pan and tilt. Other modulations are in the component tabs." />`;
   return html`<${Controls} key=${description.hash} ...${{ shown, description, body, head, visible }} />`;
 }
 
@@ -42,8 +58,10 @@ function Controls({ shown, description, body, head, visible }) {
   const now = shown.live.value?.components;
   const held = (part) => now?.[part?.component]?.[1] === 'active';
   const taken = shown.info.value.control === 'yours' && now?.[root]?.[1] === 'latent';
-  const face = shown.find('FaceBall');
-  const faces = face >= 0 && now?.[face]?.[1] === 'active';
+  const followers = leaders(description, { body, head });
+  const leader = followers.find((component) => now?.[component]?.[1] === 'active') ?? -1;
+  const follows = leader >= 0;
+  const has = (argument) => body?.arguments.some(({ name }) => name === argument);
   const moving = useSignal(false);
   const values = useSignal({ forward: 0, left: 0, turn: 0, pan: 0, tilt: 0 });
   const keys = useRef(new Set());
@@ -54,10 +72,13 @@ function Controls({ shown, description, body, head, visible }) {
     if (!(await operate())) return;
     await hold(root, 'latent');
     for (const part of [body, head]) if (part) await hold(part.component, 'active');
-    notify('done', 'the forward is taken over', 'hold Shift, or the button, to move');
+    notify('done', `${description.name} is taken over`, 'hold Shift, or the button, to move');
   };
-  const give = () => act('release', {}, 'the forward was given back');
-  const followBall = (on) => command('hold', { component: face, hold: on ? 'active' : 'tree' });
+  const give = () => act('release', {}, `${description.name} was given back`);
+  const lead = async (chosen) => {
+    if (follows) await command('hold', { component: leader, hold: 'tree' });
+    if (chosen >= 0) await command('hold', { component: chosen, hold: 'active' });
+  };
   const send = (part) => act('modulate', { component: part.component, modulation: part.number, arguments: part.arguments.map(({ name }) => values.value[name]) });
   const stop = () => {
     if (!moving.value) return;
@@ -71,7 +92,7 @@ function Controls({ shown, description, body, head, visible }) {
   };
   // What the loop needs, always as of the last rendering.
   const state = useRef({});
-  Object.assign(state.current, { taken, body, head, faces, send, stop, values, moving });
+  Object.assign(state.current, { taken, body, head, follows, send, stop, values, moving });
   useLoop(state, keys, visible);
   useKeyboard(state, keys, visible, moving, stop, panel);
 
@@ -82,18 +103,19 @@ function Controls({ shown, description, body, head, visible }) {
     onKeyUp: (event) => { if (event.key === ' ' || event.key === 'Enter') stop(); },
   };
   return html`<article class="tab drive" ref=${panel}>
-    <section aria-label="Take over"><h3>Driven by ${taken ? 'you' : 'the forward'}</h3>
-      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the forward back, or 3 s after this page is closed.' : 'Take over: the root is held latent, body and head are held active.'}</p>
+    <section aria-label="Take over"><h3>Driven by ${taken ? 'you' : description.name}</h3>
+      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the robot back, or 3 s after this page is closed.' : 'Take over: the root is held latent, what moves the robot is held active.'}</p>
       <div class="buttons">${taken ? html`<button class="primary" onClick=${give}>Give back</button>` : html`<button class="primary" onClick=${take}>Take over</button>`}
-        ${face >= 0 && html`<button role="switch" aria-checked=${faces} class=${faces ? 'on' : ''} disabled=${!taken} onClick=${() => followBall(!faces)} title="Holds FaceBall active">Head follows the ball</button>`}</div>
+        ${followers.length > 0 && html`<label>Head moved by <select aria-label="Head moved by" disabled=${!taken} title="A component that is held active" onChange=${(event) => lead(shown.find(event.target.value))}>
+          ${[-1, ...followers].map((component) => html`<option selected=${component === leader}>${description.components[component]?.name ?? 'you'}</option>`)}</select></label>`}</div>
     </section>
     ${body && html`<section aria-label="Body"><h3>Body ${held(body) ? '' : html`<span class="dim">not held</span>`}</h3>
       <${Sliders} ...${{ part: body, values, disabled: !taken }} />
       <button class=${`deadman ${moving.value ? 'on' : ''}`} disabled=${!taken} aria-pressed=${moving.value} aria-label="Dead-man's button: hold to move" ...${dead}>${moving.value ? 'Moving — release to stand' : 'Hold to move'}</button></section>`}
-    ${head && html`<section aria-label="Head"><h3>Head ${faces ? html`<span class="dim">follows the ball</span>` : ''}</h3>
-      <${Sliders} ...${{ part: head, values, disabled: !taken || faces, live: () => send(head) }} /></section>`}
+    ${head && html`<section aria-label="Head"><h3>Head ${follows ? html`<span class="dim">moved by ${description.components[leader].name}</span>` : ''}</h3>
+      <${Sliders} ...${{ part: head, values, disabled: !taken || follows, live: () => send(head) }} /></section>`}
     <section aria-label="Keys of driving"><h3>Keys</h3>
-      <p class="dim"><kbd>Shift</kbd> held: may move · <kbd>W</kbd><kbd>S</kbd> forward · <kbd>A</kbd><kbd>D</kbd> turn · <kbd>Q</kbd><kbd>E</kbd> sideways · <kbd>I</kbd><kbd>K</kbd><kbd>J</kbd><kbd>L</kbd> head. With a gamepad: hold a shoulder button; left stick body, right stick head. The keys work while this panel has the focus.</p></section>
+      <p class="dim"><kbd>Shift</kbd> held: may move · <kbd>W</kbd><kbd>S</kbd> forward · <kbd>A</kbd><kbd>D</kbd> turn${has('left') && html` · <kbd>Q</kbd><kbd>E</kbd> sideways`}${head && html` · <kbd>I</kbd><kbd>K</kbd><kbd>J</kbd><kbd>L</kbd> head`}. With a gamepad: hold a shoulder button; left stick body${head && ', right stick head'}. The keys work while this panel has the focus.</p></section>
   </article>`;
 }
 
@@ -111,7 +133,7 @@ function Sliders({ part, values, disabled, live }) {
 function useLoop(state, keys, visible) {
   useEffect(() => {
     const timer = setInterval(() => {
-      const { taken, body, head, faces, send, stop, values, moving } = state.current;
+      const { taken, body, head, follows, send, stop, values, moving } = state.current;
       if (!taken) {
         if (moving.value) moving.value = false;
         return;
@@ -142,7 +164,7 @@ function useLoop(state, keys, visible) {
         stop();
       }
       if (moving.value && body) send(body);
-      if (headMoves && head && !faces) send(head);
+      if (headMoves && head && !follows) send(head);
     }, REPEAT_MS);
     return () => clearInterval(timer);
   }, []);

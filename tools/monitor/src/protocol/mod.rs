@@ -12,6 +12,7 @@ pub mod binary;
 mod breakpoint;
 mod compiler;
 mod drawing;
+mod drawn;
 mod from_page;
 mod open;
 mod session;
@@ -24,6 +25,7 @@ mod watch;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use drawing::{Drawing, DrawnBox, DrawnLink};
+pub use drawn::{Drawn, Placed};
 pub use from_page::{FromPage, Request};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
@@ -32,8 +34,7 @@ pub use source_file::{
 };
 pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
 pub use state::{
-    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, RobotPose,
-    Row, Truth,
+    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, Row,
 };
 pub use to_page::{Failed, ToPage, World};
 pub use watch::{Watch, WatchImages, WatchInfo};

@@ -1,8 +1,9 @@
 //! State of a robot at a time, and its course.
 
+use bica::Hold;
 use serde::Serialize;
 
-use bica::Hold;
+use super::Drawn;
 
 /// State of a component, in JSON a list.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -80,25 +81,6 @@ pub struct ComponentCost(
     pub f32,
 );
 
-/// True state of a simulated world, field frame: origin in the middle, x to the attacked goal, y to the left, m and rad.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Truth {
-    /// The robot.
-    pub robot: RobotPose,
-    /// The ball: x, y.
-    pub ball: (f32, f32),
-    /// Other robots: x, y.
-    pub others: Vec<(f32, f32)>,
-    /// Pose of the robot when its odometry began.
-    pub start: RobotPose,
-    /// Whether the attacked goal is blue, else yellow.
-    pub attacks_blue: bool,
-}
-
-/// Pose on the field, in JSON a list: x, y in m, heading in rad.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct RobotPose(pub f32, pub f32, pub f32);
-
 /// A line of the log.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct LogLine {
@@ -147,7 +129,7 @@ pub struct Moment {
     /// Number of the image, if there is one.
     pub image: Option<u32>,
     /// True state, if it is known.
-    pub truth: Option<Truth>,
+    pub truth: Option<Vec<Drawn>>,
     /// Conditions of the components whose conditions the page watches, as far as they are known.
     pub conditions: Vec<Conditions>,
     /// The last costs that are not later, if they are known.

@@ -6,8 +6,8 @@ use serde::Serialize;
 use crate::program::{LocalWorld, WorldOption};
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Hit, InfoSample, LogLine, SessionId,
-    SessionInfo, SourceChange, SourceState, Truth,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Drawn, Hit, InfoSample, LogLine, SessionId,
+    SessionInfo, SourceChange, SourceState,
 };
 
 /// A world that the program can simulate.
@@ -66,6 +66,8 @@ pub enum ToPage {
         description: Box<Description>,
         /// Where components and links are drawn.
         drawing: Drawing,
+        /// What the map shows under everything else.
+        scenery: Vec<Drawn>,
     },
     /// State of the tree after the last cycle, about 30 times a second while it runs.
     Update {
@@ -114,7 +116,7 @@ pub enum ToPage {
         /// Time, µs.
         time_us: u64,
         /// The state.
-        truth: Truth,
+        truth: Vec<Drawn>,
     },
     /// Values of all parameters of a component, after a change.
     Params {

@@ -240,7 +240,8 @@ impl Session {
         if shared.described.insert(page) {
             let description = Box::new((*description).clone());
             let drawing = shared.drawing.clone();
-            self.pages.state(page, ToPage::Described { session: self.id, description, drawing });
+            let scenery = self.program.scenery(&description);
+            self.pages.state(page, ToPage::Described { session: self.id, description, drawing, scenery });
             self.pages.state(page, self.breakpoints(shared));
         }
         if let Some(update) = self.update(shared, Vec::new()) {

@@ -10,11 +10,13 @@ use bica_link::Transition;
 
 use super::history;
 use super::session::{Session, Shared};
+use bica_wire::message::Truth;
+
 use crate::pages::PageId;
 use crate::pages::{DataKind, Frame};
 use crate::program::Image;
 use crate::protocol::{
-    ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Truth, Watch, WatchImages,
+    ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Watch, WatchImages,
 };
 
 /// Time between two updates of the pages.
@@ -122,6 +124,7 @@ impl Session {
         if let Some((time_us, truth)) = shared.history.truths.newest().filter(|_| watch.truth && !before.truth).cloned()
             && shared.is_recent(time_us)
         {
+            let truth = self.program.truth(&truth);
             let message = ToPage::Truth { session: self.id, time_us, truth };
             self.pages.data(page, self.key(DataKind::Truth), Frame::of(message));
         }
@@ -166,8 +169,8 @@ impl Session {
     /// Remembers the true state, and sends it to the pages that watch it.
     pub(super) fn show_truth(&self, time_us: u64, truth: Truth) {
         let mut shared = self.shared();
-        shared.history.truths.push(time_us, truth.clone());
-        let message = ToPage::Truth { session: self.id, time_us, truth };
+        let message = ToPage::Truth { session: self.id, time_us, truth: self.program.truth(&truth) };
+        shared.history.truths.push(time_us, truth);
         self.send(&shared.watching.pages(|watch| watch.truth), DataKind::Truth, message);
     }
 
@@ -217,7 +220,6 @@ mod tests {
     use super::*;
     use crate::pages::lock;
     use crate::pages::{Key, Outbox};
-    use crate::protocol::RobotPose;
     use crate::sessions::commands::Commands;
     use crate::sessions::common::Common;
 
@@ -237,13 +239,7 @@ mod tests {
     fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
-        let truth = Truth {
-            robot: RobotPose(0.0, 0.0, 0.0),
-            ball: (0.0, 0.0),
-            others: vec![],
-            start: RobotPose(0.0, 0.0, 0.0),
-            attacks_blue: true,
-        };
+        let truth = Truth::default();
         let pixels: Arc<[u8]> = vec![0; 1 << 16].into();
         for number in 0..500 {
             let time_us = 1_000_000 * u64::from(number);

@@ -9,7 +9,9 @@ mod timeline;
 
 use std::collections::BTreeMap;
 
-use crate::protocol::{Costs, LogLine, Truth};
+use bica_wire::message::Truth;
+
+use crate::protocol::{Costs, LogLine};
 
 pub(super) use images::Images;
 pub(super) use info::InfoStore;

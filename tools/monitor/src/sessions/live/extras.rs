@@ -3,13 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use bica_link::{Costs, Event};
-use bica_wire::message::{
-    ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken, Truth as LinkTruth,
-};
+use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken};
 
 use super::attached::Attached;
 use crate::program::Image;
-use crate::protocol::{self, Breakpoint, ComponentCost, Reached, RobotPose, Truth};
+use crate::protocol::{self, Breakpoint, ComponentCost, Reached};
 
 /// Number of cycles between two looks at conditions and the true state, while time goes on.
 const EVERY: u16 = 5;
@@ -76,7 +74,7 @@ impl Attached<'_> {
                     conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
                 self.session.show_conditions(time_us, component, conditions);
             }
-            Event::Truth(truth) => self.session.show_truth(truth.time_us, page_truth(&truth)),
+            Event::Truth(truth) => self.session.show_truth(truth.time_us, *truth),
             // An image of which a part was lost is empty.
             Event::Image(image) if !image.yuyv.is_empty() => {
                 let image = stored(image);
@@ -123,16 +121,5 @@ fn stored(bica_link::Image { head, yuyv }: bica_link::Image) -> Image {
         width: head.width,
         height: head.height,
         yuyv: yuyv.into(),
-    }
-}
-
-fn page_truth(truth: &LinkTruth) -> Truth {
-    let pose = |[x, y, heading]: [f32; 3]| RobotPose(x, y, heading);
-    Truth {
-        robot: pose(truth.robot),
-        ball: truth.ball.into(),
-        others: truth.others.iter().map(|&other| other.into()).collect(),
-        start: pose(truth.start),
-        attacks_blue: truth.attacks_blue,
     }
 }

@@ -11,7 +11,7 @@ const ASIDE: f64 = 0.3;
 
 /// The robot's pose on the field, m and rad, as the map states it.
 async fn pose(page: &Page) -> [f64; 3] {
-    let script = "const text = document.querySelector('[aria-label=Field] .bar .dim').textContent.replaceAll('−', '-'); \
+    let script = "const text = document.querySelector('[aria-label=Map] .bar .dim').textContent.replaceAll('−', '-'); \
         return text.match(/(-?[\\d.]+), (-?[\\d.]+) m · (-?\\d+)°/)?.slice(1).map(Number)";
     let pose = page.until("the robot knows where it is", script).await;
     let [x, y, degrees] = [0, 1, 2].map(|index| pose[index].as_f64().expect("a number"));
@@ -23,9 +23,9 @@ fn beside([x, y, heading]: [f64; 3], bearing: f64) -> (f64, f64) {
     (x + DISTANCE * (heading + bearing).cos(), y + DISTANCE * (heading + bearing).sin())
 }
 
-/// The point of the window that shows a position of the field, as `panels/field.js` draws it.
+/// The point of the window that shows a position of the field, as `panels/map.js` draws it.
 async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
-    let map = page.find("img", "Field map", "").await;
+    let map = page.find("img", "Map of the ground", "").await;
     let ([_, _, width, height], (middle_x, middle_y)) = (map.place().await, map.middle().await);
     let scale = ((width - 8.0) / 7.4).min((height - 8.0) / 5.4);
     (middle_x + x * scale, middle_y - y * scale)
@@ -53,7 +53,7 @@ async fn tilt(page: &Page) -> &'static str {
 
 /// Places the ball by numbers, in the menu of the map.
 async fn place(page: &Page, x: f64, y: f64) {
-    page.click("button", "Place the ball", "Field").await;
+    page.click("button", "Place the ball", "Map").await;
     page.find("textbox", "Ball x", "").await.set(&format!("{x:.3}")).await;
     page.find("textbox", "Ball y", "").await.set(&format!("{y:.3}")).await;
     page.press("\u{e007}").await;
@@ -80,7 +80,7 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
     place(&page, x, y).await;
     page.reads("the ball lies at").await;
     page.press("\u{e00c}").await;
-    page.click("switch", "Head follows the ball", "Take over").await;
+    page.find("combobox", "Head moved by", "Take over").await.set("FaceBall").await;
     page.click("button", "Head", "Activation tree").await;
     pan(&page, "> -0.1 && pan < 0.1").await;
     let mut bearing = 0.0_f64;

@@ -47,7 +47,7 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
                 ("1", "overview"),
                 ("2", "behaviour"),
                 ("3", "colours"),
-                ("4", "walking"),
+                ("4", "driving"),
                 ("5", "replay"),
                 ("6", "designer"),
             ] {

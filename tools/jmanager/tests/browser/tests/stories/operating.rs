@@ -76,7 +76,7 @@ async fn the_forward_scores_after_it_was_driven() {
     tab(&page, "Drive").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
-    page.click("switch", "Head follows the ball", "Take over").await;
+    page.find("combobox", "Head moved by", "Take over").await.set("FaceBall").await;
     page.until(
         "FaceBall is active",
         "return document.querySelector('[aria-label=FaceBall]').getAttribute('aria-description').startsWith('active')",
@@ -89,7 +89,7 @@ async fn the_forward_scores_after_it_was_driven() {
     .await;
     page.find("slider", "Body forward", "Body").await.set("0.2").await;
     let place = || async {
-        page.run("return document.querySelector('[aria-label=Field] .bar .dim').textContent", vec![]).await
+        page.run("return document.querySelector('[aria-label=Map] .bar .dim').textContent", vec![]).await
     };
     let before = place().await;
     page.find("slider", "Body turn", "Body").await.focus().await;
@@ -98,14 +98,14 @@ async fn the_forward_scores_after_it_was_driven() {
     page.until("the body walks", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('stepping')").await;
     page.until(
         "the robot has moved",
-        &format!("return document.querySelector('[aria-label=Field] .bar .dim').textContent !== {before}"),
+        &format!("return document.querySelector('[aria-label=Map] .bar .dim').textContent !== {before}"),
     )
     .await;
     page.key_up('\u{e008}').await;
     page.until("the robot stands", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('standing')").await;
     page.screenshot("drive").await;
     page.click("button", "Give back", "Take over").await;
-    page.reads("Driven by the forward").await;
+    page.reads("Driven by Forward").await;
     page.until(
         "the root is active",
         "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",

@@ -56,11 +56,15 @@ async fn the_camera_shows_images_and_toggles_overlays() {
 }
 
 #[tokio::test]
-async fn the_field_shows_the_belief_and_the_truth() {
-    let (_server, page) = game("field").await;
-    page.until("the field is drawn", &drawn("Field map")).await;
-    page.reads("odometry from the start").await;
-    page.click("switch", "Truth", "Field").await;
+async fn the_map_shows_the_field_outputs_and_the_truth() {
+    let (_server, page) = game("map").await;
+    page.until("the map is drawn", &drawn("Map of the ground")).await;
+    page.reads("odometry placed by the truth").await;
+    page.click("switch", "Truth", "Map").await;
+    page.click("button", "What the map shows", "Map").await;
+    page.find("switch", "BallDetector · ball position", "Map").await.click().await;
+    page.find("combobox", "Fixed frame", "Map").await.set("robot").await;
+    page.until("the robot stands still", "return document.querySelector('[aria-label=\"Fixed frame\"]').value === 'robot'").await;
     page.close().await;
 }
 

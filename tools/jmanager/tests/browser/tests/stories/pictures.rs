@@ -60,7 +60,7 @@ async fn picture_of_driving() {
     at(&page, 3.0).await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
-    page.click("switch", "Head follows the ball", "Take over").await;
+    page.find("combobox", "Head moved by", "Take over").await.set("FaceBall").await;
     page.find("slider", "Body forward", "Body").await.set("0.2").await;
     page.find("slider", "Body turn", "Body").await.set("0.35").await;
     page.find("slider", "Body turn", "Body").await.focus().await;

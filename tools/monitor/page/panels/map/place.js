@@ -1,11 +1,11 @@
-// The ball of a simulated world: the operator drags it on the map, or places it by numbers.
+// What the operator may place in a simulated world: it is dragged on the map, or placed by numbers.
 
 import { html, useRef, useSignal } from '../../lib/dom.js';
 import { request } from '../../lib/connection.js';
 import { command, cursor, notify, operate } from '../../lib/store.js';
 import { Menu } from '../../lib/ui.js';
 
-/** Distance from the pointer at which the ball is taken, px. */
+/** Distance from the pointer at which something is taken, px. */
 const REACH = 14;
 /** Time between two requests while it is dragged. */
 const REPEAT_MS = 50;
@@ -13,23 +13,23 @@ const REPEAT_MS = 50;
 const metres = (value) => Math.round(value * 1000) / 1000;
 
 /** Sends a position; returns the error, or null. */
-async function place(session, [x, y]) {
+async function place(session, { request: name }, [x, y]) {
   try {
-    await request('place_ball', { session, x, y });
+    await request(name, { session, x, y });
     return null;
   } catch (error) {
     return error;
   }
 }
 
-/** Lets the world follow a drag until it has ended. Only the last position has to be possible: on its way the ball may pass a robot. */
+/** Lets the world follow a drag until it has ended. Only the last position has to be possible: on the way may be a robot. */
 async function follow(session, drag) {
   if (!(await operate())) return;
   let [sent, error] = [null, null];
   while (!drag.done || sent !== drag.to) {
     if (sent !== drag.to) {
       sent = drag.to;
-      error = await place(session, sent);
+      error = await place(session, drag.placed, sent);
     }
     if (!drag.done) await new Promise((resolve) => { setTimeout(resolve, REPEAT_MS); });
   }
@@ -37,17 +37,16 @@ async function follow(session, drag) {
 }
 
 /**
- * Dragging of the true ball. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn, `reach`
- * half the length and width of the field. Returns the handlers of the canvas and where the ball is dragged, or null.
+ * Dragging of what a world lets place. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn.
+ * Returns the handlers of the canvas and where something is dragged, or null.
  */
-export function useDrag({ shown, mapOf, visible, reach }) {
+export function useDrag({ shown, mapOf, visible }) {
   const dragged = useSignal(null);
   const state = useRef(null);
-  const ball = () => shown.truth.value?.truth.ball;
-  const isNear = (event) => {
-    if (!visible || !ball() || !shown.info.value.can.ball) return false;
+  const near = (event) => {
+    if (!visible || !shown?.info.value.can.ball) return undefined;
     const map = mapOf(event.currentTarget);
-    return Math.hypot(map.x(ball()[0]) - event.offsetX, map.y(ball()[1]) - event.offsetY) < REACH;
+    return shown.truth.value?.truth.find(({ placed, value }) => placed && Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY) < REACH);
   };
   const end = () => {
     if (!state.current) return;
@@ -56,25 +55,27 @@ export function useDrag({ shown, mapOf, visible, reach }) {
   };
   const handlers = {
     onPointerDown: (event) => {
-      if (event.button !== 0 || !isNear(event)) return;
+      const item = near(event);
+      if (event.button !== 0 || !item) return;
       if (cursor.value !== null) {
-        notify('error', 'the map shows the past, where the ball cannot be moved', 'press “l” to show the present');
+        notify('error', `the map shows the past, where the ${item.name} cannot be moved`, 'press “l” to show the present');
         return;
       }
       event.currentTarget.setPointerCapture(event.pointerId);
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
-      // The ball keeps its distance from the pointer.
-      state.current = { drag: { to: null, done: false }, offset: [ball()[0] - at[0], ball()[1] - at[1]] };
+      // It keeps its distance from the pointer.
+      state.current = { drag: { to: null, done: false, placed: item.placed }, offset: [item.value.x - at[0], item.value.y - at[1]] };
     },
     onPointerMove: (event) => {
       const moving = state.current;
       if (!moving) {
-        event.currentTarget.style.cursor = isNear(event) ? 'grab' : '';
+        event.currentTarget.style.cursor = near(event) ? 'grab' : '';
         return;
       }
       event.currentTarget.style.cursor = 'grabbing';
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       const begins = moving.drag.to === null;
+      const { reach } = moving.drag.placed;
       moving.drag.to = at.map((value, axis) => metres(Math.min(Math.max(value + moving.offset[axis], -reach[axis]), reach[axis])));
       dragged.value = moving.drag.to;
       if (!begins) return;
@@ -90,13 +91,15 @@ export function useDrag({ shown, mapOf, visible, reach }) {
   return { dragged, handlers };
 }
 
-/** The menu in which the ball is placed by numbers. */
-export function BallMenu({ shown, reach }) {
+/** The menu in which something is placed by numbers. */
+export function PlaceMenu({ shown, item }) {
+  const { name, placed: { request: type, reach } } = item;
+  const title = name[0].toUpperCase() + name.slice(1);
   const x = useSignal('');
   const y = useSignal('');
   const read = () => {
-    const ball = shown.truth.value?.truth.ball;
-    if (ball) [x.value, y.value] = ball.map((value) => value.toFixed(3));
+    const at = shown.truth.value?.truth.find((one) => one.name === name)?.value;
+    if (at) [x.value, y.value] = [at.x, at.y].map((value) => value.toFixed(3));
   };
   const submit = (event) => {
     event.preventDefault();
@@ -105,11 +108,11 @@ export function BallMenu({ shown, reach }) {
       notify('error', `“${x.value}” and “${y.value}” are no position`, 'give two numbers of metres, as -1.5');
       return;
     }
-    command('place_ball', { x: at[0], y: at[1] }, `the ball lies at ${at[0]}, ${at[1]} m`);
+    command(type, { x: at[0], y: at[1] }, `the ${name} lies at ${at[0]}, ${at[1]} m`);
   };
-  const field = (label, value) => html`<label>${label} <input class="short" inputmode="decimal" autocomplete="off" aria-label=${`Ball ${label}`} value=${value.value} onInput=${(event) => { value.value = event.target.value; }} /></label>`;
-  return html`<${Menu} label="Ball" title="Place the ball" onOpen=${read}>
+  const field = (label, value) => html`<label>${label} <input class="short" inputmode="decimal" autocomplete="off" aria-label=${`${title} ${label}`} value=${value.value} onInput=${(event) => { value.value = event.target.value; }} /></label>`;
+  return html`<${Menu} label=${title} title=${`Place the ${name}`} onOpen=${read}>
     <form class="form" onSubmit=${submit}>${field('x', x)}${field('y', y)}<button>Place</button></form>
-    <p class="hint">Metres: x to the attacked goal, −${reach[0]} to ${reach[0]}; y to the left, −${reach[1]} to ${reach[1]}. The ball lies still there. It can also be dragged on the map.</p>
+    <p class="hint">Metres in the frame of the world: x from −${reach[0]} to ${reach[0]}, y from −${reach[1]} to ${reach[1]}. It can also be dragged on the map.</p>
   <//>`;
 }

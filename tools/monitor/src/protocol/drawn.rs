@@ -1,0 +1,53 @@
+//! What a world shows on the map beside the outputs of its robot.
+
+use bica::info::Information;
+use bica::visual::Visual;
+use serde::Serialize;
+use serde_json::Value;
+
+/// A part of a scenery, or something of the true state.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Drawn {
+    /// Name for people.
+    pub name: &'static str,
+    /// Name of a type of [`bica::visual`].
+    pub shape: &'static str,
+    /// The frame in which the value is given.
+    pub frame: &'static str,
+    /// The frame whose true place the value is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub child: Option<&'static str>,
+    /// The value, or a list of values.
+    pub value: Value,
+    /// Colour, `#rrggbb`; none: that of the page for the true state.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub colour: Option<&'static str>,
+    /// Width of its lines, m; none: it is filled, or the page chooses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_width: Option<f32>,
+    /// How the operator moves it; none: not at all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placed: Option<Placed>,
+}
+
+/// How the operator moves something: by a request with the fields `session`, `x` and `y`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Placed {
+    /// `type` of the request.
+    pub request: &'static str,
+    /// Largest x and y, of which the smallest are the negative, m.
+    pub reach: [f32; 2],
+}
+
+impl Drawn {
+    /// Describes a value.
+    ///
+    /// # Panics
+    /// If the value cannot be written as JSON.
+    #[must_use]
+    pub fn new<V: Visual + Information>(name: &'static str, frame: &'static str, value: &V) -> Self {
+        let value = serde_json::to_value(value).expect("a visual type can be written as JSON");
+        let (shape, child, colour, line_width, placed) = (V::NAME, None, None, None, None);
+        Self { name, shape, frame, child, value, colour, line_width, placed }
+    }
+}
