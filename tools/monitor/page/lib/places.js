@@ -9,8 +9,9 @@ const LOWER = /^(timeline|plot|log|latency|code|inspector)/;
 /** The panels of a layout on a narrow window, where they share two groups. */
 export function narrowed(panels) {
   const [upper, lower] = [false, true].map((isLower) => panels.filter(([id]) => LOWER.test(id) === isLower));
+  if (lower.length === 0 && upper.length > 1) lower.push(...upper.splice(Math.ceil(upper.length / 2)));
   const group = (all, where) => all.map(([id, { params }], index) => [id, { ...(index === 0 ? where : within(all[0][0])), params }]);
-  return [...group(upper, {}), ...group(lower, below(upper[0][0], 300))];
+  return [...group(upper, {}), ...group(lower, below(upper[0]?.[0], 300))];
 }
 
 /** The panels that are offered; the first one beside a missing panel takes the place of that panel. */

@@ -59,7 +59,7 @@ export function drawPart(context, map, part, matrix, { colour, halo, dash = [], 
   const points = pointsOf(part, matrix).map(([x, y]) => [map.x(x), map.y(y)]);
   context.globalAlpha = faint ? 0.35 : 1;
   [context.strokeStyle, context.fillStyle] = [colour, colour];
-  [context.lineCap, context.lineJoin] = ['round', 'round'];
+  [context.lineCap, context.lineJoin] = [dash.length > 0 ? 'butt' : 'round', 'round'];
   context.setLineDash(dash);
   context.lineWidth = width ? Math.max(1.2, width * map.scale) : 1.8;
   context.beginPath();

@@ -61,7 +61,7 @@ export function GroundMap({ visible }) {
       return { parts, matrix: times(toView, matrix), style, trail: key && seen.trails(key) };
     };
     const states = ({ name, frame, shape, value, child, colour, line_width: width }) => (child ? [] : [layer(frame, shape, value,
-      colour ? { colour, width, fill: width === undefined } : { colour: css('--truth'), halo: HALO, dash: DASHED }, shape === 'Pose2' && name)]);
+      colour ? { colour, width, fill: width === undefined } : { colour: css('--truth'), halo: css('--panel'), dash: DASHED }, shape === 'Pose2' && name)]);
     const scenery = shown.scenery.flatMap(states);
     const found = outputs.map(({ component, info, index }, number) => layer(info.frame, info.shape, hidden.value.has(number) ? null : read({ component, index }),
       { colour: colour(component), halo: HALO, faint: !shown.moment.value?.components?.[component]?.[0] }, info.child === main && info.child));
