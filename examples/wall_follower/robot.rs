@@ -7,6 +7,7 @@ use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use bica::prelude::*;
 use bica::runner::Robot;
+use bica::visual::{Point2, Pose2, Scan, Segment};
 
 /// Number of lidar rays. Ray i points to angle i · 2π / RAYS, counterclockwise from straight ahead.
 pub(crate) const RAYS: usize = 72;
@@ -39,6 +40,13 @@ impl Lidar {
         Self { ranges: [f32::INFINITY; RAYS] }
     }
 
+    /// The newest scan.
+    #[info(unit = "m", frame = "robot")]
+    fn scan(&self) -> Scan<RAYS> {
+        let (angle_increment, ranges) = (TAU / RAYS as f32, self.ranges.into_iter().collect());
+        Scan { angle_min: 0.0, angle_increment, range_max: f32::MAX, ranges }
+    }
+
     /// The distance in a direction, m.
     pub(crate) fn range(&self, angle: f32) -> f32 {
         let ray = (angle.rem_euclid(TAU) / TAU * RAYS as f32).round() as usize;
@@ -60,16 +68,10 @@ impl Odometry {
         Self { position: [0.0; 2], heading: 0.0, driven: 0.0 }
     }
 
-    /// Position relative to the start, x ahead and y to the left.
-    #[info(unit = "m")]
-    const fn position(&self) -> [f32; 2] {
-        self.position
-    }
-
-    /// Heading relative to the start, counterclockwise.
-    #[info(unit = "rad")]
-    const fn heading(&self) -> f32 {
-        self.heading
+    /// Pose relative to the start.
+    #[info(unit = "m, rad", frame = "odometry", child = "robot")]
+    const fn pose(&self) -> Pose2 {
+        Pose2 { x: self.position[0], y: self.position[1], heading: self.heading }
     }
 
     fn roll(&mut self, [left, right]: [f32; 2]) {
@@ -108,6 +110,14 @@ impl WallDetector {
     #[info(unit = "m")]
     const fn distance(&self) -> f32 {
         self.distance
+    }
+
+    /// The wall on the right, 1 m of it in both directions; `None` if there is none.
+    #[info(unit = "m", frame = "robot")]
+    fn wall(&self) -> Option<Segment> {
+        let (sin, cos) = (-self.angle).sin_cos();
+        let at = |along: f32| Point2 { x: self.distance * sin + along * cos, y: -self.distance * cos + along * sin };
+        self.distance.is_finite().then(|| Segment { start: at(-1.0), end: at(1.0) })
     }
 
     fn step(&mut self, lidar: &Lidar) {

@@ -24,7 +24,7 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
     served.link(&["hold", "Explorer", "latent", "--seconds", "0.01"]);
     served.link(&["modulate", "Drive.request", "0.2", "1.0"]);
     served.link(&["step", "50"]);
-    let watched = served.link(&["watch", "Odometry.heading", "--count", "1"]);
+    let watched = served.link(&["watch", "Odometry.pose", "--count", "1"]);
     assert!(watched.iter().any(|line| line["schema"] == "bica/link-snapshot/1"), "{watched:?}");
 }
 

@@ -1,8 +1,7 @@
 //! State of a robot at a time, and its course.
 
-use serde::Serialize;
-
 use bica::Hold;
+use serde::Serialize;
 
 use super::Drawn;
 

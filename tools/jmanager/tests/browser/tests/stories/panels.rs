@@ -55,16 +55,33 @@ async fn the_camera_shows_images_and_toggles_overlays() {
     page.close().await;
 }
 
+/// Transformations of a pose on the ground and of one in space, and the place of a frame that only the truth knows.
+const FRAMES: &str = "return import('/lib/frames.js').then(({ applied, inverse, located, matrixOf, times }) => { \
+    const flat = matrixOf({ x: 1, y: 2, heading: Math.PI / 2 }); \
+    const space = matrixOf({ position: { x: 0, y: 0, z: 1 }, orientation: { x: 0, y: Math.SQRT1_2, z: 0, w: Math.SQRT1_2 } }); \
+    const outputs = [{ info: { frame: 'field', child: 'odometry' } }, { info: { frame: 'odometry', child: 'robot' } }]; \
+    const read = ({ info }) => (info.child === 'robot' ? { x: 1, y: 0, heading: 0 } : null); \
+    const robot = located(outputs, read, [{ child: 'odometry', value: { x: 0, y: 5, heading: 0 } }])('robot'); \
+    const round = (at) => at.map((value) => Math.round(value * 1e6) / 1e6 + 0).join(); \
+    return [round(applied(times(flat, space), [1, 0, 0])), round(applied(times(inverse(flat), flat), [3, 4, 5])), \
+        round(applied(robot.matrix, [0, 0, 0])), robot.root, robot.notes.join()]; })";
+
 #[tokio::test]
 async fn the_map_shows_the_field_outputs_and_the_truth() {
     let (_server, page) = game("map").await;
+    let places = page.run(FRAMES, vec![]).await;
+    assert_eq!(places, serde_json::json!(["1,2,0", "3,4,5", "1,5,0", "field", "odometry placed by the truth"]));
     page.until("the map is drawn", &drawn("Map of the ground")).await;
     page.reads("odometry placed by the truth").await;
     page.click("switch", "Truth", "Map").await;
     page.click("button", "What the map shows", "Map").await;
     page.find("switch", "BallDetector · ball position", "Map").await.click().await;
     page.find("combobox", "Fixed frame", "Map").await.set("robot").await;
-    page.until("the robot stands still", "return document.querySelector('[aria-label=\"Fixed frame\"]').value === 'robot'").await;
+    page.until(
+        "the robot stands still",
+        "return document.querySelector('[aria-label=\"Fixed frame\"]').value === 'robot'",
+    )
+    .await;
     page.close().await;
 }
 
