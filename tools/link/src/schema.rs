@@ -103,6 +103,12 @@ impl Decoder<'_> {
     }
 }
 
+/// Returns a number in JSON with the digits of `f32`; `null` if it is not finite.
+fn number(value: f32) -> Value {
+    // The shortest decimal text of the f32, not the exact value of its f64.
+    value.to_string().parse::<f64>().map_or(Value::Null, |value| json!(value))
+}
+
 #[cfg(test)]
 mod tests {
     use postcard_schema::Schema;
@@ -161,10 +167,4 @@ mod tests {
             }
         }
     }
-}
-
-/// Returns a number in JSON with the digits of `f32`; `null` if it is not finite.
-fn number(value: f32) -> Value {
-    // The shortest decimal text of the f32, not the exact value of its f64.
-    value.to_string().parse::<f64>().map_or(Value::Null, |value| json!(value))
 }

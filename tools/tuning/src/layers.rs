@@ -147,7 +147,7 @@ pub(crate) fn value_failure(at: &str, place: &Place, reason: Reason) -> Failure 
         Kind::F32 { .. } => format!("write a number from {values}{unit}"),
         Kind::I32 { .. } | Kind::U32 { .. } => format!("write a whole number from {values}{unit}"),
         Kind::Choice { .. } => format!("write one of {values}"),
-        _ => "write true or false".to_owned(),
+        Kind::Bool => "write true or false".to_owned(),
     };
     let what = match reason {
         Reason::UnknownVariant { .. } => "there is no such variant".to_owned(),

@@ -50,7 +50,7 @@ pub fn range(kind: &Kind) -> String {
         Kind::I32 { min, max, .. } => format!("{min} to {max}"),
         Kind::U32 { min, max, .. } => format!("{min} to {max}"),
         Kind::Choice { variants } => variants.iter().map(|variant| variant.name).collect::<Vec<_>>().join(", "),
-        _ => "true, false".to_owned(),
+        Kind::Bool => "true, false".to_owned(),
     }
 }
 
