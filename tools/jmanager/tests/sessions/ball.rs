@@ -75,6 +75,6 @@ fn a_kept_recording_of_a_world_with_requests_replays() {
     let error = page.ask(ball(1.0, 0.5)).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("a recording cannot be operated"), "{error}");
     let lines = page.lines();
-    let is_placement = |line: &&serde_json::Value| line["text"].as_str().unwrap().starts_with("ball at ");
+    let is_placement = |line: &&serde_json::Value| line["text"].as_str().unwrap().starts_with("world ball(");
     assert_eq!(lines.iter().filter(is_placement).count(), placed);
 }

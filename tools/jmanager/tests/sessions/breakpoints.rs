@@ -21,49 +21,24 @@ fn first_transition(description: &Value) -> (Breakpoint, usize, usize) {
 }
 
 #[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_world_pauses_at_the_cycle_in_which_a_breakpoint_is_reached() {
-    let (page, description) = running();
-    let (transition, _, to) = first_transition(&description);
-    let component = transition.component;
-    for list in [vec![transition], vec![state(component, to)]] {
-        page.ask(Request::Breakpoints { list: list.clone() }).unwrap();
-        page.ask(Request::Restart { seed: Some(2) }).unwrap();
-        page.message("described", |_| Some(()));
-        let hit = page.message("hit", |hit| Some(hit.clone()));
-        let time_us = hit["time_us"].as_u64().unwrap();
-        assert_eq!((&hit["component"], &hit["paused"]), (&json!(component), &json!(true)), "{hit}");
-        page.session(|one| one["paused"] == true);
-        // The last cycle is that of the breakpoint: no other one was run.
-        let moment = page.stands();
-        assert_eq!(moment["time_us"], time_us, "{moment}");
-        let entered = &moment["components"][component];
-        assert_eq!((&entered[0], &entered[2], &entered[4]), (&json!(true), &json!(to), &json!(time_us)));
-        // A breakpoint is reached once; one cycle at a time goes on from there.
-        page.ask(Request::Step { cycles: 1 }).unwrap();
-        page.message("update", |update| {
-            (update["cycle"].as_u64() == Some(moment["cycle"].as_u64().unwrap() + 1)).then_some(())
-        });
-        assert!(page.ask(Request::NextHit { from_us: time_us }).unwrap().is_null());
-        let next = page.ask(Request::NextHit { from_us: 0 }).unwrap();
-        assert_eq!(next["time_us"], time_us, "{next}");
-        page.ask(Request::Breakpoints { list: Vec::new() }).unwrap();
-        page.ask(Request::Resume {}).unwrap();
-        page.message("update", |update| (update["cycle"].as_u64()? > moment["cycle"].as_u64()? + 20).then_some(()));
-    }
-}
-
-#[test]
 fn a_step_of_many_cycles_stops_at_a_breakpoint() {
     let (page, description) = running();
-    let (transition, ..) = first_transition(&description);
+    let (transition, _, to) = first_transition(&description);
     page.ask(Request::Breakpoints { list: vec![transition] }).unwrap();
     page.ask(Request::Pause {}).unwrap();
     page.ask(Request::Restart { seed: Some(2) }).unwrap();
     page.message("described", |_| Some(()));
     page.ask(Request::Step { cycles: 100_000 }).unwrap();
     let hit = page.message("hit", |hit| Some(hit.clone()));
-    assert_eq!(page.stands()["time_us"], hit["time_us"]);
+    let time_us = hit["time_us"].as_u64().unwrap();
+    let moment = page.stands();
+    assert_eq!(moment["time_us"], time_us);
+    assert_eq!(moment["components"][transition.component][2], to, "{moment}");
+    assert_eq!(page.ask(Request::NextHit { from_us: 0 }).unwrap()["time_us"], time_us);
+    assert!(page.ask(Request::NextHit { from_us: time_us }).unwrap().is_null());
+    // It is reached once; one cycle at a time goes on from there.
+    page.ask(Request::Step { cycles: 1 }).unwrap();
+    page.cycle(moment["cycle"].as_u64().unwrap() + 1);
 }
 
 /// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.

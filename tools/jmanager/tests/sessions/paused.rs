@@ -4,7 +4,6 @@ use bica_monitor::protocol::{Request, Watch, WatchImages, WatchInfo};
 use serde_json::{Value, json};
 
 use crate::page::{Got, Page};
-use crate::robot::{Robot, attached};
 use crate::world::{find, pose_of, running};
 
 /// Watches images, the number of images and the truth; returns number and time (µs) of the newest image, the number, and the truth.
@@ -33,39 +32,27 @@ fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Va
     })
 }
 
-/// Pages that come to a world that is paused get the same; nobody has watched images before.
-fn check(page: &Page, description: &Value) {
-    let count = find(description, "CameraInput", "info", "count");
+#[test]
+fn pages_that_come_to_a_paused_world_get_its_newest_image_at_once() {
+    let (page, description) = running();
+    let count = find(&description, "CameraInput", "info", "count");
     page.cycle(51);
     let paused = page.paused();
     let time_us = paused["time_us"].as_u64().unwrap();
-    let first = watched(page, count);
+    let first = watched(&page, count);
     assert!(first.1 <= time_us && time_us - first.1 < 150_000, "{first:?} at {time_us}");
     let reloaded = Page::new(&page.bench);
     assert_eq!(watched(&reloaded, count), first);
     // Nobody watches any more, then somebody does again.
     drop(reloaded);
     page.ask(Request::Watch { watch: Watch::default() }).unwrap();
-    assert_eq!(watched(page, count), first);
+    assert_eq!(watched(&page, count), first);
     assert_eq!(page.stands()["cycle"], paused["cycle"], "the world has not gone on");
     page.send(Request::Resume {});
     page.wait("the next image", |got| match got {
         Got::Binary(frame) => (u32::from_le_bytes(frame[8..12].try_into().unwrap()) > first.0).then_some(()),
         Got::Message(_) => None,
     });
-}
-
-#[test]
-fn a_page_that_comes_to_a_paused_world_gets_its_newest_image_at_once() {
-    let (page, description) = running();
-    check(&page, &description);
-}
-
-#[test]
-fn a_page_that_comes_to_a_paused_world_behind_a_link_gets_its_newest_image_at_once() {
-    let robot = Robot::start("127.0.0.1:0");
-    let (page, description) = attached(&robot.address);
-    check(&page, &description);
 }
 
 /// What a page shows of a moment before the newest one.

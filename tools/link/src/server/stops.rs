@@ -16,7 +16,7 @@ type Activity = (bool, Option<u16>);
 /// Stops of monitors, and the transitions that they watch.
 #[derive(Debug, Default)]
 pub(super) struct Stops {
-    stops: BTreeMap<u64, BTreeSet<Stop>>,
+    set: BTreeMap<u64, BTreeSet<Stop>>,
     /// Connections that watch transitions.
     taken: BTreeSet<u64>,
     /// States of all components after the last cycle and after the one before.
@@ -27,7 +27,7 @@ pub(super) struct Stops {
 impl Stops {
     /// Sets or removes a stop; returns whether there was room.
     pub(super) fn set(&mut self, connection: u64, stop: Stop, is_set: bool) -> bool {
-        let stops = self.stops.entry(connection).or_default();
+        let stops = self.set.entry(connection).or_default();
         if !is_set {
             stops.remove(&stop);
             return true;
@@ -49,7 +49,7 @@ impl Stops {
 
     /// Forgets a monitor that is disconnected.
     pub(super) fn forget(&mut self, connection: u64) {
-        self.stops.remove(&connection);
+        self.set.remove(&connection);
         self.taken.remove(&connection);
     }
 
@@ -62,7 +62,7 @@ impl Stops {
         self.now.extend((0..T::COUNT).map(|index| activity(index).unwrap_or_default()));
     }
 
-    fn is_reached(&self, stop: &Stop, conditions: &ConditionTable) -> bool {
+    fn is_reached(&self, stop: Stop, conditions: &ConditionTable) -> bool {
         let component = usize::from(stop.component);
         match stop.at {
             StopAt::State(state) => {
@@ -89,10 +89,10 @@ impl Control {
             }
         }
         let mut pauses = false;
-        for (&connection, stops) in &self.stops.stops {
+        for (&connection, stops) in &self.stops.set {
             let lease = self.lease.state(connection, now);
             let may_pause = self.can_pause() && !self.watch_only && (lease.yours || !lease.owned);
-            for &stop in stops.iter().filter(|stop| self.stops.is_reached(stop, conditions)) {
+            for &stop in stops.iter().filter(|stop| self.stops.is_reached(**stop, conditions)) {
                 let paused = stop.pauses && may_pause;
                 pauses |= paused;
                 messages.push((connection, Message::Reached(Reached { time_us, stop, paused })));

@@ -108,6 +108,7 @@ impl WorldRun {
     }
 
     /// The rules of the world have ended the run; it can be continued. Returns whether they had not before.
+    #[must_use]
     pub fn over(&self) -> bool {
         !std::mem::replace(&mut lock(&self.0.state).is_over, true)
     }

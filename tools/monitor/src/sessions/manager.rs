@@ -75,9 +75,9 @@ impl Manager {
     /// Module with the names of all extensions.
     pub(crate) fn modules(&self) -> String {
         let names: Vec<_> = self.common.program.extensions.iter().map(|one| one.name()).collect();
-        let imports: String =
+        let imports: Vec<_> =
             names.iter().map(|name| format!("import {name} from './extensions/{name}.js';\n")).collect();
-        format!("{imports}export const EXTENSIONS = [{}];\n", names.join(", "))
+        format!("{}export const EXTENSIONS = [{}];\n", imports.concat(), names.join(", "))
     }
 
     fn editor(&self) -> Result<&Editor, Failed> {
