@@ -82,7 +82,8 @@ impl Finder<'_, '_> {
             let token = tokens.len().checked_sub(back + 1).map(|at| &tokens[at]);
             matches!(token, Some(TokenTree::Punct(mark)) if mark.as_char() == sign)
         };
-        if !is(1, '.') && !(is(1, ':') && is(2, ':')) {
+        let is_separated = is(1, '.') || is(1, ':') && is(2, ':');
+        if !is_separated {
             return Some(false);
         }
         let belongs = |token: &&TokenTree| match token {
