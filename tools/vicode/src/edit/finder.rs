@@ -1,13 +1,14 @@
 //! A walk through a text to the places that may use a function of a component.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{
     Attribute, Block, Expr, ExprMethodCall, ExprPath, FnArg, ImplItemFn, Item, ItemFn, Local, Macro, Member, Meta, Pat,
-    PatIdent, Token, TraitItemFn, Type,
+    PatIdent, Path, Token, TraitItemFn, Type,
 };
 
 use super::types::Types;
@@ -51,7 +52,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// The code in a macro or an attribute. Where it is none, a name after `.` or `::` may be a use.
+    /// The code in a macro or an attribute.
     fn tokens(&mut self, tokens: &TokenStream) {
         if let Ok(values) = Punctuated::<Expr, Token![,]>::parse_terminated.parse2(tokens.clone()) {
             for value in &values {
@@ -62,19 +63,39 @@ impl Finder<'_, '_> {
                 self.visit_stmt(statement);
             }
         } else {
-            let mut before = [' '; 2];
-            for token in tokens.clone() {
-                let mut mark = ' ';
-                match &token {
+            let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+            for (index, token) in tokens.iter().enumerate() {
+                match token {
                     TokenTree::Group(group) => self.tokens(&group.stream()),
-                    TokenTree::Ident(name) if before == [':', ':'] || before[1] == '.' => {
-                        self.add(&name.to_string(), self.place(name), |_| None);
+                    TokenTree::Ident(name) => {
+                        self.add(&name.to_string(), self.place(name), |finder| finder.of_tokens(&tokens[..=index]));
                     }
-                    TokenTree::Punct(found) => mark = found.as_char(),
                     _ => {}
                 }
-                before = [before[1], mark];
             }
+        }
+    }
+
+    /// Whether the name at the end of tokens that are no code is the function: by the value or the path before it.
+    fn of_tokens(&self, tokens: &[TokenTree]) -> Option<bool> {
+        let is = |back: usize, sign: char| {
+            let token = tokens.len().checked_sub(back + 1).map(|at| &tokens[at]);
+            matches!(token, Some(TokenTree::Punct(mark)) if mark.as_char() == sign)
+        };
+        let is_separated = is(1, '.') || is(1, ':') && is(2, ':');
+        if !is_separated {
+            return Some(false);
+        }
+        let belongs = |token: &&TokenTree| match token {
+            TokenTree::Ident(word) => syn::parse2::<Path>(word.to_token_stream()).is_ok(),
+            TokenTree::Punct(mark) => ['.', ':', '$'].contains(&mark.as_char()),
+            _ => false,
+        };
+        let length = tokens.iter().rev().take_while(belongs).count();
+        match syn::parse2(tokens[tokens.len() - length..].iter().cloned().collect()).ok()? {
+            Expr::Field(field) => self.of(&field.base),
+            Expr::Path(path) => self.of_owner(&path),
+            _ => None,
         }
     }
 

@@ -40,6 +40,7 @@ fn rename_covers_known_types_and_leaves_namesakes() {
         ("", "activation_tree! { struct T { root: A, cycle_hz: 1, components: [A = A::$(), Other = Other::one()] } }"),
         ("", "#[params(check = A::$)]\nstruct P;\nmacro_rules! m { () => { A::$(); one!(one: one) } }"),
         ("{ let q = Other; q.one(); } fn f(q: &A) { q.$(); }", ""),
+        ("matches!(1, 1 if self.$() && self.same.$() && k.$() && A::$(k) && ball.one() && one && Other::one());", ""),
         ("println!(\"{}\", self.$(), k.$(), ball.one(), A::$());", ""),
         (
             "",
