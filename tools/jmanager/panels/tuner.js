@@ -313,6 +313,7 @@ export default {
   presets: {
     colours: {
       title: 'Tuning colours',
+      needs: 'tuner',
       panels: (width, height) => [
         ['tuner', {}],
         ['camera', right('tuner', width * 0.36)],

@@ -132,8 +132,8 @@ function panelsOf(name) {
   return [all, width < 900 && offered.length > 0 ? narrowed(offered) : offered];
 }
 
-/** The presets whose main panel is offered: [name, preset, number of its key]. */
-export const presets = () => Object.entries(PRESETS).map(([name, one], index) => [name, one, index + 1]).filter(([name]) => isOffered(panelsOf(name)[0][0][0]));
+/** The presets of which the needed panel is offered: [name, preset, number of its key]. */
+export const presets = () => Object.entries(PRESETS).map(([name, one], index) => [name, one, index + 1]).filter(([, { needs }]) => !needs || isOffered(needs));
 
 /** Applies a preset again if the shown session lacks something for it. */
 export function refit(name) {

@@ -45,6 +45,7 @@ export const PRESETS = {
   ...Object.assign({}, ...EXTENSIONS.map(({ presets }) => presets ?? {})),
   driving: {
     title: 'Driving',
+    needs: 'drive',
     panels: (width, height, { shown }) => {
       const [own, curves] = driving(shown?.description.value);
       return [
