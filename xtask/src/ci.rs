@@ -98,7 +98,7 @@ fn docs() -> Result<(), String> {
 
 /// Checks all targets, with the self-test of the firmware, which needs a feature.
 fn lints() -> Result<(), String> {
-    let targets = ["clippy", "--workspace", "--all-targets", "--features", "bica-emulator/self-test"];
+    let targets = ["clippy", "--workspace", "--all-targets", "--features", "bica-emulator/self-test,bica-app/monitor"];
     run("cargo", &[&targets[..], &["--", "-D", "warnings"]].concat(), &[])
 }
 
@@ -113,7 +113,7 @@ fn budget() -> Result<(), String> {
 fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
-    run("cargo", &["test", "--workspace"], &cases)?;
+    run("cargo", &["test", "--workspace", "--features", "bica-app/monitor"], &cases)?;
     slow_tests::run(&cases)
 }
 

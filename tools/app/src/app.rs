@@ -72,7 +72,7 @@ where
     pub fn world<W: World<R> + 'static>(
         self,
         name: &'static str,
-        open: impl Fn(&WorldOptions) -> W + Send + 'static,
+        open: impl Fn(&WorldOptions) -> W + Send + Sync + 'static,
     ) -> Self {
         self.try_world(name, move |options| Ok(open(options)))
     }
@@ -82,7 +82,7 @@ where
     pub fn try_world<W: World<R> + 'static>(
         mut self,
         name: &'static str,
-        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
         self.worlds.push(RegisteredWorld::new(name, false, open));
         self
@@ -93,7 +93,7 @@ where
     pub fn device<W: World<R> + 'static>(
         mut self,
         name: &'static str,
-        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
         self.worlds.push(RegisteredWorld::new(name, true, open));
         self
@@ -146,6 +146,10 @@ where
             let about = "Run the robot in a world (the default command)";
             command = command.subcommand(self.run_args(Command::new("run")).about(about));
         }
+        #[cfg(feature = "monitor")]
+        if !self.worlds.is_empty() {
+            command = command.subcommand(crate::monitor::command());
+        }
         for own in &self.own {
             command = (own.augment)(command);
         }
@@ -180,13 +184,17 @@ where
             (None, Some(default)) => (default.run)(matches),
             (None, None) => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
             (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
-            (Some((name, _)), _) => match own.into_iter().find(|own| (own.has)(name)) {
-                Some(own) => (own.run)(matches),
-                None => {
-                    let again = replay.unwrap_or_else(|| Box::new(move |options| replay::replay(&worlds, options)));
-                    parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name), again)
+            #[cfg(feature = "monitor")]
+            (Some(("monitor", matches)), _) if !worlds.is_empty() => {
+                crate::monitor::run::<R>(worlds, is_done, &parse(matches)?)
+            }
+            (Some((name, _)), _) => {
+                if let Some(own) = own.into_iter().find(|own| (own.has)(name)) {
+                    return (own.run)(matches);
                 }
-            },
+                let again = replay.unwrap_or_else(|| Box::new(move |options| replay::replay(&worlds, options)));
+                parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name), again)
+            }
         }
     }
 }

@@ -41,6 +41,7 @@
 //! | `cart run --record FILE` | records the run |
 //! | `cart replay` | runs the code again on a recording and compares, bit for bit |
 //! | `cart record` | prints what a recording contains; mends, cuts and exports it |
+//! | `cart monitor` | with the feature `monitor`: serves a web page that shows, tunes, drives and records the robot |
 //! | `cart link` | attaches to a running robot: watches it, sets parameters, holds components, calls modulations |
 //!
 //! A program adds commands of its own with [`App::commands`].
@@ -48,6 +49,8 @@
 mod app;
 mod graph;
 mod link;
+#[cfg(feature = "monitor")]
+mod monitor;
 mod params;
 mod record;
 mod replay;

@@ -78,7 +78,7 @@ impl WorldOptions {
 }
 
 /// Function that makes a world.
-type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send>;
+type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send + Sync>;
 
 /// World of a program.
 pub(crate) struct RegisteredWorld<R: Robot> {
@@ -92,7 +92,7 @@ impl<R: Robot> RegisteredWorld<R> {
     pub(crate) fn new<W: World<R> + 'static>(
         name: &'static str,
         is_device: bool,
-        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + 'static,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
         Self { name, is_device, open: Box::new(move |options| Ok(Box::new(open(options)?))) }
     }

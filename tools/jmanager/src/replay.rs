@@ -4,7 +4,6 @@ use std::path::Path;
 
 use bica_console::Failure;
 use bica_game::{ReplayOptions, replay, rerun};
-use serde_json::Value;
 
 use bica_monitor::program::{Compared, Replay};
 
@@ -23,12 +22,6 @@ impl Replay for GameReplay {
     }
 
     fn compare(&self, one: &Path, other: &Path) -> Result<Compared, Failure> {
-        let result = replay(&ReplayOptions { against: Some(other), ..ReplayOptions::whole(one) })?;
-        let Some(first) = result.first_difference else { return Ok(Compared::Equal { cycles: result.cycles }) };
-        let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
-        let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
-        let time_us = (first.t * 1e6).round() as u64;
-        let decisions = serde_json::to_value(&result.decisions).unwrap_or(Value::Null);
-        Ok(Compared::Different { cycle: first.cycle, time_us, field: first.field, text, decisions })
+        replay(&ReplayOptions { against: Some(other), ..ReplayOptions::whole(one) }).map(Compared::from)
     }
 }

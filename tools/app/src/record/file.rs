@@ -74,11 +74,9 @@ impl RecordArgs {
 }
 
 impl RecordedFile {
-    /// Reports once that the recording has ended before the run.
-    pub(crate) fn warn(&self) {
-        if let Ok(reason) = self.ended.try_recv() {
-            eprintln!("warning: the recording ended, the run goes on: {reason}");
-        }
+    /// Returns the reason once if the recording has ended before the run.
+    pub(crate) fn newly_ended(&self) -> Option<String> {
+        self.ended.try_recv().ok()
     }
 
     /// Closes the file and prints its length.

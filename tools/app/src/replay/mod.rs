@@ -9,6 +9,8 @@ use serde::Serialize;
 
 pub(crate) use args::ReplayArgs;
 pub(crate) use subject::replay;
+#[cfg(feature = "monitor")]
+pub(crate) use subject::{refused, rerun};
 
 /// Number of decisions that are printed.
 const SHOWN: usize = 20;

@@ -1,6 +1,8 @@
 //! Robot and world of a replay.
 
 use std::fmt;
+#[cfg(feature = "monitor")]
+use std::path::Path;
 
 use bica::Instant;
 use bica::runner::{Robot, World};
@@ -15,16 +17,43 @@ pub(crate) fn replay<R>(worlds: &[RegisteredWorld<R>], options: &ReplayOptions<'
 where
     R: Recordable<Error: fmt::Display> + Default + 'static,
 {
-    let subject = |header: &Header, runs_world: bool| {
-        let robot = robot(header, options.set).map_err(refused)?;
-        let world = runs_world.then(|| world(worlds, header)).transpose().map_err(refused)?;
-        Ok(Subject { robot, world })
-    };
-    let replayed = bica_recording::replay(options, subject, |_| !interrupt::requested());
-    replayed.map_err(|Refused { what, help }| Failure::new(what, help))
+    let subject = |header: &Header, runs_world| subject(worlds, header, options.set, runs_world);
+    bica_recording::replay(options, subject, |_| !interrupt::requested()).map_err(failure)
 }
 
-/// Returns the robot as it was at the start of the recording, with other parameters.
+/// Runs the code again on a recording, with other parameters, and writes the new course to a recording.
+#[cfg(feature = "monitor")]
+pub(crate) fn rerun<R>(
+    worlds: &[RegisteredWorld<R>],
+    path: &Path,
+    set: &[String],
+    out: &Path,
+    mut progress: impl FnMut(f64) -> bool,
+) -> Result<(), Failure>
+where
+    R: Recordable<Error: fmt::Display> + Default + 'static,
+{
+    let subject = |header: &Header, runs_world| subject(worlds, header, set, runs_world);
+    let progress = |seconds| !interrupt::requested() && progress(seconds);
+    bica_recording::rerun(path, out, subject, progress).map(drop).map_err(failure)
+}
+
+fn failure(Refused { what, help }: Refused) -> Failure {
+    Failure::new(what, help)
+}
+
+/// Returns the robot as it was at the start of the recording, with other parameters, and its world if it runs again.
+fn subject<R: Robot + Default + 'static>(
+    worlds: &[RegisteredWorld<R>],
+    header: &Header,
+    set: &[String],
+    runs_world: bool,
+) -> Result<Subject<R>, Refused> {
+    let robot = robot(header, set).map_err(refused)?;
+    let world = runs_world.then(|| world(worlds, header)).transpose().map_err(refused)?;
+    Ok(Subject { robot, world })
+}
+
 fn robot<R: Robot + Default>(header: &Header, set: &[String]) -> Result<Box<R>, Failure> {
     let mut layers = Layers::new(const { &R::GRAPH });
     // The parameters of other trees are constants.
@@ -49,7 +78,7 @@ fn world<R: Robot + 'static>(
     Ok(Box::new(Again(world.open(&WorldOptions::of_set_up(&header.set_up)?)?)))
 }
 
-fn refused(failure: Failure) -> Refused {
+pub(crate) fn refused(failure: Failure) -> Refused {
     match failure {
         Failure::Error { what, help } => Refused::new(what, help),
         Failure::BrokenPipe => Refused::new("stdout is closed", "keep its reader open"),

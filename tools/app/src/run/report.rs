@@ -11,7 +11,7 @@ use crate::params::Layer;
 /// Reason for which a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum End {
+pub(crate) enum End {
     /// The robot reached the aim.
     Done,
     /// The world ended.

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 /// Collects the transitions of the root, or of all components if the root has no states.
 #[derive(Debug)]
-pub(super) struct Story {
+pub(crate) struct Story {
     graph: &'static Graph,
     now: Instant,
     pub(super) changes: Vec<StateChange>,

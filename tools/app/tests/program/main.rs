@@ -1,6 +1,8 @@
 //! The program of a robot that is neither a humanoid nor plays soccer: the wall follower.
 
 mod link;
+#[cfg(all(unix, feature = "monitor"))]
+mod monitor;
 mod page;
 mod process;
 mod recordings;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use bica_console::Failure;
+use bica_recording::ReplayReport;
 use serde::Serialize;
 
 /// Runs recordings of a program again, and compares them.
@@ -49,4 +50,15 @@ pub enum Compared {
         /// The first decisions that differ.
         decisions: serde_json::Value,
     },
+}
+
+impl From<ReplayReport> for Compared {
+    fn from(report: ReplayReport) -> Self {
+        let Some(first) = report.first_difference else { return Self::Equal { cycles: report.cycles } };
+        let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
+        let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
+        let time_us = (first.t * 1e6).round() as u64;
+        let decisions = serde_json::to_value(&report.decisions).unwrap_or_default();
+        Self::Different { cycle: first.cycle, time_us, field: first.field, text, decisions }
+    }
 }

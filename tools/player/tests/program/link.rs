@@ -251,7 +251,7 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     game.finish();
     let info = run(&["record", "info", file, "--json"]).json();
     let requests: Vec<_> = info["requests"].as_array().expect("a list").iter().map(|one| &one["request"]).collect();
-    assert_eq!(requests, ["ball at 2.5, -1.5 m", "ball at -2.875, 1.5 m"]);
+    assert_eq!(requests, ["world ball(2.5, -1.5)", "world ball(-2.875, 1.5)"]);
     let replayed = run(&["replay", file, "--json"]);
     assert_eq!(replayed.code, Some(0), "{}", replayed.stdout);
 }

@@ -43,7 +43,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
     assert_eq!(text.code, Some(0));
     assert!(text.stdout.contains("31 cycles") && text.stdout.contains("equal, bit for bit"), "{}", text.stdout);
     let info = run(&["record", "info", &all]).stdout;
-    for word in ["Forward", "seed 3", "160x120", "images", "100 cycles", "complete", "fingerprint"] {
+    for word in ["Forward", "seed 3", "[160,120]", "images", "100 cycles", "complete", "fingerprint"] {
         assert!(info.contains(word), "`{word}` is missing in:\n{info}");
     }
 }

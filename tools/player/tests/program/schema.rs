@@ -11,8 +11,9 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::Object(object) => {
             found.extend(object.keys().cloned());
-            // The fields of a type of postcard-schema are those of that crate.
-            object.iter().filter(|(name, _)| *name != "schema").for_each(|(_, value)| fields(value, found));
+            // The fields of types of postcard-schema are those of that crate.
+            let values = object.iter().filter(|(name, _)| !["schema", "messages"].contains(&name.as_str()));
+            values.for_each(|(_, value)| fields(value, found));
         }
         Value::Array(values) => values.iter().for_each(|value| fields(value, found)),
         _ => {}

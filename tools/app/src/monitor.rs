@@ -1,0 +1,138 @@
+//! `monitor`: a web page that shows, tunes, drives and records the robot.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+use bica::runner::Robot;
+use bica_console::{Failure, Outcome};
+use bica_link::{LinkRequests, LinkServer, ServerOptions};
+use bica_monitor::cli::Arguments;
+use bica_monitor::program::{Compared, Game, LocalWorld, Program, Replay, WorldRun, WorldSetup};
+use bica_monitor::sessions::Options;
+use bica_recording::{Header, LogLine, Recordable, ReplayOptions};
+use bica_tuning::Layers;
+use bica_wire::message::Offers;
+use clap::{Args, Command};
+
+use crate::record::{Images, RecordArgs, RecordedFile};
+use crate::replay::{refused, replay, rerun};
+use crate::run::Running;
+use crate::world::{RegisteredWorld, WorldOptions};
+
+/// Level of a note in the log of a recording: information.
+const NOTE_LEVEL: u8 = 2;
+
+type Worlds<R> = Arc<Vec<RegisteredWorld<R>>>;
+
+/// Returns the command.
+pub(crate) fn command() -> Command {
+    let about = "Serve a web page that shows, tunes, drives and records the robot in a world, robots behind a link, or recordings";
+    Arguments::augment_args(Command::new("monitor")).about(about)
+}
+
+/// Serves the page until Ctrl-C.
+pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
+    worlds: Vec<RegisteredWorld<R>>,
+    is_done: Option<fn(&R) -> bool>,
+    args: &Arguments,
+) -> Result<Outcome, Failure> {
+    let worlds = Arc::new(worlds);
+    let simulated = (0..worlds.len()).filter(|&index| !worlds[index].is_device);
+    let local = |index| Box::new(Simulated { worlds: Arc::clone(&worlds), index, is_done }) as Box<dyn LocalWorld>;
+    let program = Program {
+        graph: Some(const { &R::GRAPH }),
+        worlds: simulated.map(local).collect(),
+        replay: Some(Box::new(Again(Arc::clone(&worlds)))),
+        ..Program::default()
+    };
+    bica_monitor::run(args, Options::default(), program)
+}
+
+/// World of the program, as one of the monitor.
+struct Simulated<R: Robot> {
+    worlds: Worlds<R>,
+    index: usize,
+    is_done: Option<fn(&R) -> bool>,
+}
+
+impl<R: Recordable<Error: fmt::Display> + Default + 'static> LocalWorld for Simulated<R> {
+    fn name(&self) -> &str {
+        self.worlds[self.index].name
+    }
+
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure> {
+        let mut layers = Layers::new(const { &R::GRAPH });
+        if let Some(tune) = &setup.tune {
+            layers.read(tune)?;
+        }
+        layers.apply(&mut *Box::<R>::default())?;
+        let options: Vec<_> = setup.options.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let options = WorldOptions::new(setup.seed, &options)?;
+        let Self { worlds, index, is_done } = self;
+        let (worlds, index, is_done) = (Arc::clone(worlds), *index, *is_done);
+        Ok(Box::new(move |run| play(&worlds[index], &options, &layers, is_done, run)))
+    }
+}
+
+/// Runs a world until the monitor ends it. At its aim it pauses.
+fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
+    registered: &RegisteredWorld<R>,
+    options: &WorldOptions,
+    layers: &Layers,
+    is_done: Option<fn(&R) -> bool>,
+    run: &WorldRun,
+) -> Result<(), Failure> {
+    let set_up = options.set_up(registered.name);
+    let world = registered.open(options)?;
+    let mut robot = Box::<R>::default();
+    layers.apply(&mut *robot)?;
+    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).of_robot(&*robot);
+    // Sensor values are not stored: the same world is made again from its set-up.
+    let record = RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, force: true };
+    let started = record.start(header, true).unwrap_or_else(|failure| {
+        run.not_recorded(&refused(failure).to_string());
+        None
+    });
+    let (file, recorder) = started.unzip();
+    let offers = ServerOptions { offers: Offers::PAUSE, ..ServerOptions::default() };
+    let (_server, requests, view) = LinkServer::start::<R>(&run.address(), offers)
+        .map_err(|error| Failure::new(error.to_string(), error.help()))?;
+    let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
+    while !run.is_ended() {
+        if running.end(is_done, None).is_some() && run.over() {
+            running.runner.requests_mut().iter_mut().for_each(LinkRequests::pause);
+        }
+        running.step()?;
+        let (_, (_, recorder)) = running.runner.observer();
+        if let (Some(recorder), Some(note)) = (recorder, run.note()) {
+            recorder.log(LogLine { level: NOTE_LEVEL, text: format!("note: {note}") });
+        }
+        if let Some(reason) = file.as_ref().and_then(RecordedFile::newly_ended) {
+            run.not_recorded(&reason);
+        }
+    }
+    let (_, _, _, (_, (_, recorder))) = running.runner.into_parts();
+    recorder.map(|recorder| recorder.finish("ended by the monitor"));
+    Ok(())
+}
+
+/// Recordings of the robot run again.
+struct Again<R: Robot>(Worlds<R>);
+
+impl<R: Recordable<Error: fmt::Display> + Default + 'static> Replay for Again<R> {
+    fn again(
+        &self,
+        recording: &Path,
+        set: &[String],
+        out: &Path,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<(), Failure> {
+        rerun(&self.0, recording, set, out, progress)
+    }
+
+    fn compare(&self, one: &Path, other: &Path) -> Result<Compared, Failure> {
+        let options = ReplayOptions { against: Some(other), ..ReplayOptions::whole(one) };
+        replay(&self.0, &options).map(Compared::from)
+    }
+}

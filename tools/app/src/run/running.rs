@@ -1,0 +1,127 @@
+//! The loop of a run.
+
+use std::fmt;
+use std::thread;
+use std::time::Duration;
+
+use bica::Instant;
+use bica::runner::realtime::Clock;
+use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
+use bica_console::{Console, Failure};
+use bica_link::{LinkObserver, LinkRequests};
+use bica_recording::{Recordable, Recorder};
+
+use super::report::End;
+use super::story::Story;
+
+/// Time between two polls of the requests of a paused world.
+const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
+
+/// Deadlines of a run in real time.
+struct Pace {
+    clock: Clock,
+    schedule: Schedule,
+}
+
+impl Pace {
+    fn new(hz: f32) -> Self {
+        Self { clock: Clock::start(), schedule: Schedule::new(hz, OverrunPolicy::Skip) }
+    }
+
+    fn begin(&mut self) {
+        let due = self.schedule.deadline(self.clock.now());
+        self.clock.sleep_until(due);
+        self.schedule.begin(self.clock.now());
+    }
+}
+
+type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers<R>>;
+
+type Observers<R> = (Option<Story>, (Option<LinkObserver<R>>, Option<Recorder>));
+
+/// Run of a robot in a world.
+pub(crate) struct Running<R: Robot> {
+    pub(crate) runner: Loop<R>,
+    /// Time of the world at the start.
+    start: Instant,
+    /// None: as fast as possible.
+    pace: Option<Pace>,
+    pub(super) cycles: u64,
+}
+
+impl<R: Recordable<Error: fmt::Display>> Running<R> {
+    /// A run before its first cycle, in real time or as fast as possible.
+    pub(crate) fn new(
+        robot: Box<R>,
+        world: Box<dyn World<R>>,
+        requests: Option<LinkRequests>,
+        observers: Observers<R>,
+        is_paced: bool,
+    ) -> Self {
+        let (start, pace) = (world.now(), is_paced.then(|| Pace::new(R::GRAPH.cycle_hz)));
+        let runner = Runner::new(robot, world).with_requests(requests).with_observer(observers);
+        Self { runner, start, pace, cycles: 0 }
+    }
+
+    /// Time of the world since the start.
+    pub(super) fn elapsed(&self) -> bica::Duration {
+        self.runner.world().now().saturating_duration_since(self.start)
+    }
+
+    /// Statistics of a run in real time.
+    pub(super) fn schedule(&self) -> Option<Schedule> {
+        self.pace.as_ref().map(|pace| pace.schedule)
+    }
+
+    /// Whether the run ends here: at its aim, or as the world says, or at a time.
+    pub(crate) fn end(&self, is_done: Option<fn(&R) -> bool>, limit: Option<bica::Duration>) -> Option<End> {
+        match () {
+            () if is_done.is_some_and(|is_done| is_done(self.runner.robot())) => Some(End::Done),
+            () if self.runner.world().is_over() => Some(End::Over),
+            () if limit.is_some_and(|limit| self.elapsed() >= limit) => Some(End::Limit),
+            () => None,
+        }
+    }
+
+    /// Prints the changes of state since the last call.
+    pub(super) fn print(&mut self, console: Console) -> Result<(), Failure> {
+        self.runner.observer_mut().0.as_mut().map_or(Ok(()), |story| story.print(console))
+    }
+
+    /// Runs a cycle, or applies the requests of a paused world. Returns whether it ran a cycle.
+    pub(crate) fn step(&mut self) -> Result<bool, Failure> {
+        let begins_cycle = self.begins_cycle();
+        if begins_cycle {
+            self.cycle()?;
+        }
+        Ok(begins_cycle)
+    }
+
+    /// Whether an operator lets the world go on; if not, the requests are applied.
+    fn begins_cycle(&mut self) -> bool {
+        if self.runner.requests_mut().as_mut().is_none_or(LinkRequests::begins_cycle) {
+            return true;
+        }
+        self.runner.apply_requests();
+        thread::sleep(BETWEEN_REQUESTS);
+        if let Some(pace) = &mut self.pace {
+            pace.schedule.restart();
+        }
+        false
+    }
+
+    fn cycle(&mut self) -> Result<(), Failure> {
+        if let Some(pace) = &mut self.pace {
+            pace.begin();
+        }
+        let rejected =
+            |error: R::Error| format!("the robot rejected the sensor values of cycle {}: {error}", self.cycles);
+        self.runner.cycle().map_err(|error| Failure::new(rejected(error), "choose another world or other options"))?;
+        self.cycles += 1;
+        let overrun = self.pace.as_mut().and_then(|pace| pace.schedule.end(pace.clock.now()));
+        if let Some(overrun) = overrun {
+            Observer::<R>::overrun(self.runner.observer_mut(), &overrun);
+        }
+        Ok(())
+    }
+}
