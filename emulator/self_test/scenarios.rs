@@ -62,7 +62,8 @@ fn damage(image: &Path, transport: Transport) -> Outcome {
     let link = robot.link();
     link.send(&ToRobot::ImageChunk(ImageChunk { image_id: 1, offset: 0, bytes: &[128; 1000] }))?;
     link.write(&[7, 1, 2, 3, 4, 5, 6, 0, 200, 9, 9, 0])?;
-    let image = Image { camera: CameraId::Top, width: 160, height: 120, yuyv: &[128; 2 * 160 * 120] };
+    let pixels = vec![128; 2 * 160 * 120];
+    let image = Image { camera: CameraId::Top, width: 160, height: 120, yuyv: &pixels };
     let sensors = SensorsMessage::new(0, &Sensors { image: Some(image), ..standing() }, 1);
     link.send(&sensors.message())?;
     let (incomplete, stats) = link.receive(telemetry(|telemetry| (telemetry.incomplete_images, telemetry.link)))?;

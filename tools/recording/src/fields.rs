@@ -41,8 +41,17 @@ pub(crate) fn numbers(ty: &OwnedDataModelType) -> Option<Vec<String>> {
             let all = fields.iter().map(|field| nested(&field.ty.ty, format!(".{}", field.name)));
             all.collect::<Option<Vec<_>>>().map(|all| all.concat())
         }
-        Type::F32 | Type::F64 | Type::Bool | Type::U8 | Type::I8 => Some(vec![String::new()]),
-        Type::U16 | Type::U32 | Type::U64 | Type::I16 | Type::I32 | Type::I64 => Some(vec![String::new()]),
+        Type::F32
+        | Type::F64
+        | Type::Bool
+        | Type::U8
+        | Type::I8
+        | Type::U16
+        | Type::U32
+        | Type::U64
+        | Type::I16
+        | Type::I32
+        | Type::I64 => Some(vec![String::new()]),
         _ => None,
     }
 }

@@ -280,10 +280,10 @@ impl BlobPlace {
         let mut chunks = 0;
         while chunks < 2 {
             match reader.next_item()? {
-                Item::Message(message) if message.channel == self.channel => {
-                    if decode::<BlobRecord<'_>>(&message)?.id == self.id {
-                        return decode_blob(&mut ImageCoder::default(), &message);
-                    }
+                Item::Message(message)
+                    if message.channel == self.channel && decode::<BlobRecord<'_>>(&message)?.id == self.id =>
+                {
+                    return decode_blob(&mut ImageCoder::default(), &message);
                 }
                 Item::Chunk { .. } => chunks += 1,
                 Item::End => break,

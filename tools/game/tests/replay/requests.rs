@@ -65,7 +65,7 @@ fn random_value(kind: &Kind, rng: &mut Pcg64) -> Value {
         Kind::I32 { min, max, .. } => Value::I32(min + (share * (max - min) as f32) as i32),
         Kind::U32 { min, max, .. } => Value::U32(min + (share * (max - min) as f32) as u32),
         Kind::Choice { variants } => Value::Choice(rng.next_u32() % (1 + variants.len() as u32)),
-        _ => Value::Bool(rng.next_u32().is_multiple_of(2)),
+        Kind::Bool => Value::Bool(rng.next_u32().is_multiple_of(2)),
     }
 }
 

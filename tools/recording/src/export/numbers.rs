@@ -34,7 +34,9 @@ pub(super) fn topics(header: &Header, first: u16) -> Vec<NumbersTopic> {
         };
         match ty {
             OwnedDataModelType::Struct(fields) => {
-                fields.iter().for_each(|field| add(format!(".{}", field.name), &field.ty.ty));
+                for field in fields {
+                    add(format!(".{}", field.name), &field.ty.ty);
+                }
             }
             ty => add(String::new(), ty),
         }

@@ -73,7 +73,7 @@ where
     }
 
     fn now(&self, recorded: &RecordedCycle) -> Instant {
-        self.world.as_ref().map_or(Instant::from_ticks(recorded.tick.instant), |world| world.now())
+        self.world.as_ref().map_or(Instant::from_ticks(recorded.tick.instant), World::now)
     }
 
     /// Applies a request of the recorded run. A world of stored sensor values shows its changes already.
