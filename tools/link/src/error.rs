@@ -68,18 +68,18 @@ impl Error {
                 "give HOST:PORT, as 127.0.0.1:7400, or the path of a serial line, as /dev/ttyUSB0@921600"
             }
             Self::NotLoopback(_) => "use 127.0.0.1 or [::1], or allow it with --listen-anywhere: there is no password",
-            Self::Connect { .. } => "is a robot serving there? `player play --serve ADDR` does",
+            Self::Connect { .. } => "is a robot serving there? its program does with `--serve ADDR`",
             Self::Disconnected(_) => "the robot's program ended, or the line is broken; run the command again",
             Self::Timeout(_) => "is the robot's program stopped, or does another program answer at this address?",
             Self::OtherRobot { .. } => "attach again",
             Self::NotOffered(_) => {
-                "a simulated world offers it, as `player play --serve ADDR`; a microcontroller does not"
+                "a simulated world that a program serves with `--serve ADDR` offers it; a microcontroller does not"
             }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { code: RefusalCode::World, .. } => {
                 "only a simulated world can be changed, and its ball lies on the field, where nothing stands"
             }
-            Self::Refused { .. } => "`player link ADDR describe` prints names, kinds and ranges",
+            Self::Refused { .. } => "the command `link ADDR describe` prints names, kinds and ranges",
             Self::Unknown(Invalid { help, .. }) => help,
             Self::Schema { .. } | Self::Invalid(_) => "build the robot's program and this one from the same version",
         }

@@ -51,15 +51,15 @@ impl Error {
             Self::Io(_) => "is the file there, and may it be read?",
             Self::NoHeader => "record the run again: without its header no message of a file can be read",
             Self::NotAFile | Self::NotMcap | Self::NotARecording => {
-                "name a file that `player play --record FILE` wrote"
+                "name a file that a run with `--record FILE` wrote"
             }
             Self::Format(_) => "open it with the version of the program that wrote it, or record the run again",
             Self::Compression(_) => {
                 "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
             }
-            Self::Span { .. } => "give times within the recording; `player record info FILE` shows its length",
+            Self::Span { .. } => "give times within the recording; the command `record info FILE` shows its length",
             Self::Damaged { .. } | Self::CutOff { .. } => {
-                "`player record recover FILE OUT` writes the intact chunks to a new file"
+                "the command `record recover FILE OUT` writes the intact chunks to a new file"
             }
         }
     }

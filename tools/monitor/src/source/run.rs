@@ -247,7 +247,7 @@ impl Runs {
             let what = format!("the program did not print the address of its link:\n{}", last.text());
             return Err(Failed::new(
                 what,
-                "a program that is run prints `127.0.0.1:PORT`, as `player play --serve` does",
+                "a program that is run prints `127.0.0.1:PORT`, as the programs of robots do with `--serve ADDR`",
             ));
         };
         self.replace(request, group, &address)?;

@@ -43,7 +43,7 @@ fn a_recorded_game_is_the_same_game_and_replays() {
     assert_eq!(text.code, Some(0));
     assert!(text.stdout.contains("31 cycles") && text.stdout.contains("equal, bit for bit"), "{}", text.stdout);
     let info = run(&["record", "info", &all]).stdout;
-    for word in ["Forward", "seed 3", "[160,120]", "images", "100 cycles", "complete", "fingerprint"] {
+    for word in ["Forward", "seed 3", "[160,120]", "blobs", "100 cycles", "complete", "fingerprint"] {
         assert!(info.contains(word), "`{word}` is missing in:\n{info}");
     }
 }
@@ -121,7 +121,7 @@ fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
     assert!(!shown.contains("fingerprint") && !shown.contains("attacks"), "{shown}");
     let info = run(&["record", "info", &file, "--json"]).json();
     assert_eq!((&info["header"]["monitor"]["address"], &info["damage"]), (&"tcp://lamp:7400".into(), &Value::Null));
-    let words = ["without sensor values and commands", "tcp://lamp:7400", "player play --serve"];
+    let words = ["without sensor values and commands", "tcp://lamp:7400", "--serve ADDR --record FILE"];
     refused(&["replay", &file], &words);
     refused(&["replay", &game, "--against", &file], &words);
     refused(&["replay", &file, "--against", &game], &words);

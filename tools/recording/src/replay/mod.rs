@@ -165,5 +165,5 @@ fn open(path: &Path) -> Result<FileRecording, Refused> {
         "`{path}` holds what a monitor received from `{address}`, without sensor values and commands: it can be looked at, \
          not run again or compared"
     );
-    Err(Refused::new(what, "record where the robot runs: `player play --serve ADDRESS --record FILE`"))
+    Err(Refused::new(what, "record where the robot runs, with `--serve ADDR --record FILE`"))
 }
