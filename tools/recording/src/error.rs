@@ -50,9 +50,7 @@ impl Error {
         match self {
             Self::Io(_) => "is the file there, and may it be read?",
             Self::NoHeader => "record the run again: without its header no message of a file can be read",
-            Self::NotAFile | Self::NotMcap | Self::NotARecording => {
-                "name a file that a run with `--record FILE` wrote"
-            }
+            Self::NotAFile | Self::NotMcap | Self::NotARecording => "name a file that a run with `--record FILE` wrote",
             Self::Format(_) => "open it with the version of the program that wrote it, or record the run again",
             Self::Compression(_) => {
                 "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
