@@ -26,6 +26,7 @@ pub fn encode<E: Extend<u8>>(message: &impl Serialize, out: E, take: impl FnMut(
 /// [`MIN_BLOB`] bytes or more are empty.
 ///
 /// Returns `None` if the bytes are no such message.
+#[must_use]
 pub fn decode<'a, T: Deserialize<'a>>(message: &'a [u8], blobs: &'a [u8]) -> Option<T> {
     let mut deserializer = Deserializer::from_flavor(WithBlobs { message, blobs });
     let value = T::deserialize(&mut deserializer).ok()?;
