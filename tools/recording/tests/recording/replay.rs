@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
 use bica_recording::{
-    Header, ImagePolicy, Info, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject, replay, rerun,
+    Header, ImagePolicy, Info, Recorder, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject,
+    replay, rerun,
 };
 
-use crate::support::{Cart, Command, Counter, Disk, Sensors, pixels, record, recorded, sensors, small_chunks};
+use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
 
 /// File that is removed at the end of a test.
 struct Temporary(PathBuf);
@@ -134,4 +135,16 @@ fn a_replay_without_cycles_is_refused() {
     let beyond = ReplayOptions { from: 5.0, ..ReplayOptions::whole(&file.0) };
     let refused = replay(&beyond, subject(None), |_| true).expect_err("no cycle is in the span");
     assert!(refused.what.contains("no cycle was compared"), "{refused}");
+}
+
+#[test]
+fn a_recording_of_other_sensor_values_is_refused() {
+    let (disk, mut other) = (Disk::default(), header(ImagePolicy::All));
+    let messages = other.messages.as_mut().expect("a robot's header");
+    messages.sensors = messages.command.clone();
+    let recorder = Recorder::start(disk.clone(), &other, small_chunks(), |_| {}).expect("there is room");
+    assert_eq!(recorder.finish("").reason, None);
+    let file = Temporary::new("cart-other.mcap", &disk.contents());
+    let refused = replay(&ReplayOptions::whole(&file.0), subject(None), |_| true).expect_err("other messages");
+    assert!(refused.what.contains("sensor values or commands of another form"), "{refused}");
 }
