@@ -1,10 +1,7 @@
 //! The first and the last record of a recording.
 
 use std::collections::BTreeMap;
-use std::env;
-use std::fs::{self, File};
-use std::io::{self, Read};
-use std::time::SystemTime;
+use std::io;
 
 use bica::graph::{self, Graph, Node};
 use bica::info::Info as Information;
@@ -17,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::information;
+use crate::program::{Program, Start};
 
 /// Version of the format. Version 5 has sensor values and commands of any robot; earlier ones cannot be read.
 pub const FORMAT: u32 = 5;
@@ -28,9 +26,6 @@ pub(crate) const ENDING_NAME: &str = "bica.ending";
 const KEY: &str = "json";
 /// Key of the CRC-32 of this text, hexadecimal.
 const CRC_KEY: &str = "crc32";
-/// Name of the host, on Linux.
-const HOST_FILE: &str = "/proc/sys/kernel/hostname";
-
 /// What a replay needs to know before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
@@ -63,30 +58,6 @@ pub struct MonitorInfo {
     pub address: String,
     /// Description of the robot's tree, as [`bica_link::Description`] in JSON.
     pub description: serde_json::Value,
-}
-
-/// The program that wrote a recording.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Program {
-    /// Version of the package.
-    pub version: String,
-    /// Commit of the sources; empty if unknown.
-    pub git_hash: String,
-    /// Whether the sources differed from the commit.
-    pub git_dirty: bool,
-    /// Target triple.
-    pub target: String,
-    /// CRC-32 of the executable file, hexadecimal; empty if it cannot be read.
-    pub executable: String,
-}
-
-/// Where and when a recording was begun.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Start {
-    /// Time, RFC 3339, UTC.
-    pub time: String,
-    /// Name of the computer; empty if unknown.
-    pub host: String,
 }
 
 /// The activation tree of a recording.
@@ -192,54 +163,11 @@ pub struct Ending {
     pub result: String,
 }
 
-impl Program {
-    /// This program.
-    #[must_use]
-    pub fn current() -> Self {
-        Self {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            git_hash: env!("BICA_GIT_HASH").to_owned(),
-            git_dirty: env!("BICA_GIT_DIRTY") == "true",
-            target: env!("BICA_TARGET").to_owned(),
-            executable: executable().unwrap_or_default(),
-        }
-    }
-
-    /// Returns whether another program is the same build, so that its results must be equal.
-    #[must_use]
-    pub fn is_same_build(&self, other: &Self) -> bool {
-        let same_file = !self.executable.is_empty() && self.executable == other.executable;
-        let same_commit = !self.git_hash.is_empty() && self.git_hash == other.git_hash;
-        same_file || (same_commit && !self.git_dirty && !other.git_dirty)
-    }
-}
-
 impl Messages {
     /// The schemas of a robot's messages.
     #[must_use]
     pub fn of<R: Recordable>() -> Self {
         Self { sensors: R::SENSORS.into(), command: R::COMMAND.into() }
-    }
-}
-
-impl Start {
-    /// This computer, now.
-    #[must_use]
-    pub fn now() -> Self {
-        let host = fs::read_to_string(HOST_FILE).or_else(|_| env::var("COMPUTERNAME")).unwrap_or_default();
-        Self { time: humantime::format_rfc3339_millis(SystemTime::now()).to_string(), host: host.trim().to_owned() }
-    }
-}
-
-/// Returns the CRC-32 of the running executable.
-fn executable() -> io::Result<String> {
-    let mut file = File::open(env::current_exe()?)?;
-    let (mut hash, mut buffer) = (crc32fast::Hasher::new(), vec![0; 1 << 18]);
-    loop {
-        match file.read(&mut buffer)? {
-            0 => return Ok(format!("{:08x}", hash.finalize())),
-            count => hash.update(&buffer[..count]),
-        }
     }
 }
 

@@ -27,6 +27,7 @@ mod information;
 pub mod mcap;
 mod message;
 mod monitor;
+mod program;
 mod recorder;
 mod recording;
 pub mod repair;
@@ -40,12 +41,13 @@ pub use digest::RunningFingerprint;
 pub use error::Error;
 pub use header::{
     ComponentInfo, Ending, FORMAT, Header, ImagePolicy, InformationInfo, Messages, MonitorInfo, Parameter,
-    ParameterInfo, Program, SetUp, Start, TreeInfo, checksum,
+    ParameterInfo, SetUp, TreeInfo, checksum,
 };
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use monitor::{MonitorRecorder, ReceivedImage};
+pub use program::{Program, Start};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, Refused, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun};

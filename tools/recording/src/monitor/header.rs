@@ -3,9 +3,9 @@
 use bica_link::{Component, Description, Kind, Param, Variants};
 
 use crate::header::{
-    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, Program, SetUp,
-    Start, TreeInfo,
+    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, SetUp, TreeInfo,
 };
+use crate::program::{Program, Start};
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
 const TICK_HZ: u64 = 1_000_000;
