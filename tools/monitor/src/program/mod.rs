@@ -6,11 +6,12 @@ mod replay;
 mod scene;
 mod world;
 
+pub use crate::protocol::WorldOption;
 pub use extension::{Asked, Extension, Remembered, Reply, Work};
 pub use images::{Image, ImageFiles};
 pub use replay::{Compared, Replay};
 pub use scene::Scene;
-pub use world::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};
+pub use world::{Game, LocalWorld, WorldRun, WorldSetup};
 
 use bica::Graph;
 use bica_link::Description;

@@ -4,11 +4,10 @@ use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
+use crate::pages::lock;
+use crate::protocol::WorldOption;
 use bica_console::Failure;
 use bica_link::{Address, Memory};
-use serde::Serialize;
-
-use crate::pages::lock;
 
 /// A world that a program can simulate in its own process.
 ///
@@ -32,17 +31,6 @@ pub trait LocalWorld: Send + Sync {
 /// Runs a world in a thread of its own: serves its link at [`WorldRun::address`], whose offers contain
 /// [`PAUSE`](bica_wire::message::Offers::PAUSE), until [`WorldRun::is_ended`]. Its time follows the clock.
 pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Failure> + Send>;
-
-/// An option of a world that the page offers: a whole number from 0 on.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct WorldOption {
-    /// Name.
-    pub name: String,
-    /// What it is, for people.
-    pub doc: String,
-    /// Largest value.
-    pub max: u64,
-}
 
 /// Set-up of a world.
 #[derive(Clone, Debug, Default)]

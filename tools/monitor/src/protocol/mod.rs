@@ -21,6 +21,7 @@ mod source_request;
 mod state;
 mod to_page;
 mod watch;
+mod world;
 
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
@@ -36,8 +37,9 @@ pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, Sourc
 pub use state::{
     Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, Row,
 };
-pub use to_page::{Failed, ToPage, World};
+pub use to_page::{Failed, ToPage};
 pub use watch::{Watch, WatchImages, WatchInfo};
+pub use world::{World, WorldOption};
 
 /// Version of the protocol: a page of another version reloads itself.
 pub const VERSION: u32 = 1;

@@ -3,27 +3,10 @@
 use bica_link::{Description, Plain};
 use serde::Serialize;
 
-use crate::program::{LocalWorld, WorldOption};
-
 use super::{
     Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Drawn, Hit, InfoSample, LogLine, SessionId,
-    SessionInfo, SourceChange, SourceState,
+    SessionInfo, SourceChange, SourceState, World,
 };
-
-/// A world that the program can simulate.
-#[derive(Clone, Debug, Serialize)]
-pub struct World {
-    /// Name.
-    pub name: String,
-    /// Options besides the seed.
-    pub options: Vec<WorldOption>,
-}
-
-impl World {
-    pub(crate) fn of(world: &dyn LocalWorld) -> Self {
-        Self { name: world.name().to_owned(), options: world.options() }
-    }
-}
 
 /// A message to the page.
 #[derive(Clone, Debug, Serialize)]

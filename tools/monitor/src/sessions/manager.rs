@@ -15,7 +15,7 @@ use super::{recorded, storage, tune};
 use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
-use crate::program::{Extension, Program, Reply};
+use crate::program::{Extension, LocalWorld, Program, Reply};
 use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 
@@ -67,6 +67,11 @@ impl Manager {
         self.editor.is_some()
     }
 
+    fn worlds(&self) -> Vec<World> {
+        let world = |world: &Box<dyn LocalWorld>| World { name: world.name().to_owned(), options: world.options() };
+        self.common.program.worlds.iter().map(world).collect()
+    }
+
     /// Text of a module of an extension.
     pub(crate) fn module(&self, name: &str) -> Option<&str> {
         self.common.program.extension(name).map(Extension::module)
@@ -97,7 +102,7 @@ impl Manager {
             read_only: self.common.options.read_only,
             source: self.common.options.source.is_some(),
             build: self.common.options.source.is_some() && self.common.options.build && !self.common.options.read_only,
-            worlds: self.common.program.worlds.iter().map(|world| World::of(&**world)).collect(),
+            worlds: self.worlds(),
             sessions,
         });
         self.common.pages.add(page, outbox);
