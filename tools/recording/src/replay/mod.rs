@@ -16,7 +16,8 @@ use bica_wire::Recordable;
 use serde::Serialize;
 
 use crate::compare::{Comparison, Decision, Difference};
-use crate::header::{Header, ImagePolicy, Program};
+use crate::header::{Header, ImagePolicy};
+use crate::program::Program;
 use crate::recording::Recording;
 use compared::Compared;
 pub use refused::Refused;

@@ -9,8 +9,9 @@ use bica_wire::Recordable;
 use super::run::{Again, WorldRefusal};
 use super::{Refused, Subject, open, subject};
 use crate::error::Error;
-use crate::header::{Header, ImagePolicy, Program, Start};
+use crate::header::{Header, ImagePolicy};
 use crate::message::LogLine;
+use crate::program::{Program, Start};
 use crate::recorder::{Backpressure, Recorder, RecorderOptions, Report, create};
 use crate::request::RequestRecord;
 
