@@ -46,6 +46,12 @@ impl Description {
         })
     }
 
+    /// Returns the name of a state of a component.
+    #[must_use]
+    pub fn state(&self, component: usize, state: Option<usize>) -> Option<&str> {
+        self.components.get(component)?.states.get(state?).map(|state| state.name.as_str())
+    }
+
     fn member(
         &self,
         path: &str,

@@ -4,7 +4,9 @@ use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
 
 use crate::fields::{Field, fields};
-use crate::header::{Header, Messages, TreeInfo};
+use bica_wire::model::Description;
+
+use crate::header::{Header, Messages};
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
 
@@ -48,7 +50,8 @@ pub struct Decision {
 /// Comparison of two runs, cycle by cycle.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    tree: TreeInfo,
+    tree: Description,
+    tick_hz: u64,
     messages: Option<Messages>,
     /// Number of compared cycles.
     pub cycles: u64,
@@ -71,6 +74,7 @@ impl Comparison {
         let differed = vec![false; tree.components.len()];
         Self {
             tree,
+            tick_hz: header.tick_hz.max(1),
             messages,
             cycles: 0,
             first: None,
@@ -106,7 +110,7 @@ impl Comparison {
     }
 
     fn seconds(&self, cycle: &RecordedCycle) -> f64 {
-        cycle.tick.instant as f64 / self.tree.tick_hz.max(1) as f64
+        cycle.tick.instant as f64 / self.tick_hz as f64
     }
 
     fn difference(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Difference> {
@@ -175,7 +179,7 @@ impl Comparison {
                 if self.decisions.len() < MAX_DECISIONS {
                     self.decisions.push(Decision {
                         cycle: repeated.tick.cycle,
-                        t_ms: repeated.tick.instant.saturating_mul(1000) / self.tree.tick_hz.max(1),
+                        t_ms: repeated.tick.instant.saturating_mul(1000) / self.tick_hz,
                         image: self.last_image,
                         component: self.tree.components[component].name.clone(),
                         recorded: self.decision(component, recorded),

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::io::Read;
 
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ending_of, header_of};
+use crate::header::{Ending, Header};
 use crate::mcap::{Item, Message, Reader};
 use crate::message::Channel;
+use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
 
 /// Part of a recording.
 pub(crate) enum Part {

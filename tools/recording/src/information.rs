@@ -7,7 +7,7 @@ use postcard_schema::Schema;
 use postcard_schema::schema::owned::{OwnedDataModelType, OwnedNamedType};
 use serde::{Deserialize, Serialize};
 
-use crate::header::InformationInfo;
+use crate::header::Header;
 use crate::recorder::encode;
 
 /// Size of a value in postcard's format above which it is not recorded, bytes.
@@ -44,21 +44,27 @@ impl InformationValue {
     }
 }
 
-impl InformationInfo {
-    /// An output whose values are recorded as JSON text.
-    pub(crate) fn in_json(name: &str, unit: Option<&str>) -> Self {
-        let schema = OwnedNamedType { name: JSON.to_owned(), ty: OwnedDataModelType::String };
-        Self { name: name.to_owned(), unit: unit.map(str::to_owned), schema: Some(schema), placement: None }
-    }
+/// The schema of an output whose values are recorded as JSON text.
+pub(crate) fn json_schema() -> OwnedNamedType {
+    OwnedNamedType { name: JSON.to_owned(), ty: OwnedDataModelType::String }
+}
 
-    /// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes without this schema.
+/// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes without this schema.
+pub(crate) fn decode(schema: &OwnedNamedType, value: &[u8]) -> Option<serde_json::Value> {
+    if value.is_empty() {
+        return None;
+    }
+    match decode_info(schema, value)? {
+        serde_json::Value::String(text) if schema.name == JSON => serde_json::from_str(&text).ok(),
+        decoded => Some(decoded),
+    }
+}
+
+impl Header {
+    /// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes that have not its schema.
     #[must_use]
-    pub fn decode(&self, value: &[u8]) -> Option<serde_json::Value> {
-        let schema = self.schema.as_ref().filter(|_| !value.is_empty())?;
-        match decode_info(schema, value)? {
-            serde_json::Value::String(text) if schema.name == JSON => serde_json::from_str(&text).ok(),
-            decoded => Some(decoded),
-        }
+    pub fn decode(&self, value: &InformationValue) -> Option<serde_json::Value> {
+        decode(self.schema(value.component.into(), value.index.into())?, &value.value)
     }
 }
 

@@ -26,6 +26,7 @@ mod info;
 mod information;
 pub mod mcap;
 mod message;
+mod metadata;
 mod monitor;
 mod program;
 mod recorder;
@@ -39,13 +40,11 @@ pub use blob::{BlobRecord, Coding, StoredBlob};
 pub use compare::{Comparison, Decision, Difference};
 pub use digest::RunningFingerprint;
 pub use error::Error;
-pub use header::{
-    ComponentInfo, Ending, FORMAT, Header, ImagePolicy, InformationInfo, Messages, MonitorInfo, Parameter,
-    ParameterInfo, SetUp, TreeInfo, checksum,
-};
+pub use header::{Ending, FORMAT, Header, ImagePolicy, Messages, MonitorInfo, SetUp};
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
+pub use metadata::checksum;
 pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use program::{Program, Start};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};

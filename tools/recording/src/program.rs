@@ -1,4 +1,4 @@
-//! The program that writes a recording, and where and when it runs.
+//! The program that records, and its computer.
 
 use std::env;
 use std::fs::{self, File};

@@ -6,9 +6,10 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ending_of, header_of};
+use crate::header::{Ending, Header};
 use crate::mcap::{Compression, Item, Message, Reader, Writer, find_intact};
 use crate::message::{Channel, Tick};
+use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
 use crate::recorder::{begin, write_ending};
 use crate::recording::decode;
 

@@ -74,11 +74,13 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
         };
         console.print_row("set-up", &header.set_up.iter().map(one).collect::<Vec<_>>().join(", "))?;
     }
-    let changed = header.parameters.iter().filter(|parameter| !parameter.is_default);
-    let (all, count) = (header.parameters.len(), changed.clone().count());
+    let params = tree.components.iter().flat_map(|owner| owner.params.iter().map(move |param| (owner, param)));
+    let changed: Vec<_> = params.clone().filter(|(_, param)| param.current() != param.default).collect();
+    let (all, count) = (params.count(), changed.len());
     console.print_row("parameters", &format!("{all}, of which {count} are not the defaults"))?;
-    for parameter in changed {
-        console.print_row("parameter", &format!("{}.{}={}", parameter.component, parameter.name, parameter.value))?;
+    for (owner, param) in changed {
+        let value = param.kind.text(param.current());
+        console.print_row("parameter", &format!("{}.{}={value}", owner.name, param.name))?;
     }
     let (bytes, chunks) = (info.bytes as f64 * 1e-6, info.chunks);
     console.print_row(

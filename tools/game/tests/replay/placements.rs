@@ -2,6 +2,8 @@
 
 use std::fs::{self, File};
 
+use bica::runner::OwnedRequest;
+use bica::{ComponentId, Hold};
 use bica_game::{ReplayOptions, replay, rerun};
 use bica_recording::{Channel, ImagePolicy, Info, RequestRecord, RunningFingerprint, Tick};
 use bica_sim::World;
@@ -45,7 +47,10 @@ fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>
                 let &mut [ref mut x, ref mut y] = &mut values[..] else { panic!("a place: {values:?}") };
                 match change([*x, *y]) {
                     Some(at) => [*x, *y] = at,
-                    None => request = RequestRecord::Hold { component: 0, hold: bica::Hold::Tree },
+                    None => {
+                        request =
+                            RequestRecord::Tree(OwnedRequest::Hold { component: ComponentId::new(0), hold: Hold::Tree })
+                    }
                 }
             }
             fingerprint.add_request(&request);

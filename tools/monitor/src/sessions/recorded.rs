@@ -35,7 +35,7 @@ fn new_session((id, name): (SessionId, String), path: &Path, common: &Common) ->
 pub(super) fn open(id: SessionId, common: &Common, name: &str) -> Result<Arc<Session>, Failed> {
     let path = files::path(&common.options.recordings, name, MCAP)?;
     // The header is read at once, so that a file that is no recording is refused here.
-    let recording = index::open(&path, &common.program)?;
+    let recording = index::open(&path)?;
     let session = new_session((id, name.to_owned()), &path, common);
     let own = Arc::clone(&session);
     spawn("index", move || index::read(&own, recording))?;
@@ -68,7 +68,7 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSett
             !own.is_closed()
         };
         let result = replay_of(&own).and_then(|replay| Ok(replay.again(&path, &set, &out, &mut progress)?));
-        match result.and_then(|()| index::open(&out, &own.program)) {
+        match result.and_then(|()| index::open(&out)) {
             Ok(recording) => index::read(&own, recording),
             Err(failed) => own.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help)),
         }

@@ -2,8 +2,10 @@
 
 use serde_json::json;
 
-use crate::header::{InformationInfo, TreeInfo};
-use crate::information::InformationValue;
+use postcard_schema::schema::owned::OwnedNamedType;
+
+use crate::header::Header;
+use crate::information::{InformationValue, decode};
 use crate::mcap::{ChannelRecord, SchemaRecord};
 
 /// Topic of an output.
@@ -13,25 +15,17 @@ pub(super) struct InformationTopic {
     name: String,
     component: u16,
     index: u16,
-    info: InformationInfo,
+    schema: OwnedNamedType,
 }
 
 /// Returns the topics of all information whose values are recorded, numbered from `first` on.
-pub(super) fn topics(tree: &TreeInfo, first: u16) -> Vec<InformationTopic> {
+pub(super) fn topics(header: &Header, first: u16) -> Vec<InformationTopic> {
     let mut topics = Vec::new();
-    for (component, info) in (0..).zip(&tree.components) {
-        for (index, information) in (0..).zip(&info.information) {
-            if information.schema.is_none() {
-                continue;
-            }
-            let name = format!("/information/{}/{}", info.name, information.name);
-            topics.push(InformationTopic {
-                id: first + topics.len() as u16,
-                name,
-                component,
-                index,
-                info: information.clone(),
-            });
+    for (component, owner) in header.tree.components.iter().enumerate() {
+        for (index, info) in owner.info.iter().enumerate() {
+            let Some(schema) = header.schema(component, index).cloned() else { continue };
+            let (id, name) = (first + topics.len() as u16, format!("/information/{}/{}", owner.name, info.name));
+            topics.push(InformationTopic { id, name, component: component as u16, index: index as u16, schema });
         }
     }
     topics
@@ -55,7 +49,7 @@ impl InformationTopic {
     /// Returns a value as a JSON object; one that is no object is its field `value`. None for a value that was too large to be
     /// recorded.
     pub(super) fn json(&self, value: &InformationValue) -> Option<String> {
-        let value = self.info.decode(&value.value)?;
+        let value = decode(&self.schema, &value.value)?;
         Some(if value.is_object() { value.to_string() } else { json!({ "value": value }).to_string() })
     }
 }

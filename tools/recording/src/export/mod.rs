@@ -12,7 +12,9 @@ use bica::{Blob, Format};
 
 use crate::blob::StoredBlob;
 use crate::error::Error;
-use crate::header::{Header, TreeInfo};
+use bica_wire::model::Description;
+
+use crate::header::Header;
 use crate::information::InformationRecord;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use crate::message::{Costs, TreeRecord};
@@ -49,7 +51,7 @@ impl Topic {
     }
 
     /// Returns the fields of the messages.
-    fn fields(self, tree: &TreeInfo) -> Vec<Field> {
+    fn fields(self, tree: &Description) -> Vec<Field> {
         let numbered = |names: Vec<String>, kind| {
             names.into_iter().zip(1..).map(|(name, number)| Field { name, number, kind }).collect()
         };
@@ -94,13 +96,11 @@ fn identifier(name: &str) -> String {
 /// If the source is no recording or the target cannot be written.
 pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
     let mut recording = Recording::new(source)?;
-    let tree = recording.header().tree.clone();
     let numbers = numbers::topics(recording.header(), Topic::ALL.len() as u16 + 1);
-    let topics = information::topics(&tree, (Topic::ALL.len() + numbers.len()) as u16 + 1);
+    let topics = information::topics(recording.header(), (Topic::ALL.len() + numbers.len()) as u16 + 1);
     let mut export = Export {
-        writer: begin(target, &tree, &numbers, &topics)?,
+        writer: begin(target, &recording.header().tree, &numbers, &topics)?,
         header: recording.header().clone(),
-        tree,
         numbers,
         topics,
         last: TreeRecord::default(),
@@ -129,7 +129,7 @@ pub fn export(source: impl Read, target: impl Write) -> Result<Copied, Error> {
 
 fn begin<W: Write>(
     target: W,
-    tree: &TreeInfo,
+    tree: &Description,
     numbers: &[NumbersTopic],
     topics: &[InformationTopic],
 ) -> Result<Writer<W>, Error> {
@@ -170,7 +170,6 @@ const CHUNK_BYTES: usize = 4 << 20;
 struct Export<W> {
     writer: Writer<W>,
     header: Header,
-    tree: TreeInfo,
     numbers: Vec<NumbersTopic>,
     topics: Vec<InformationTopic>,
     last: TreeRecord,
@@ -182,7 +181,7 @@ impl<W: Write> Export<W> {
     /// Writes a cycle, and its images with a time, ns.
     fn cycle(&mut self, cycle: &RecordedCycle, image_time: u64) -> Result<(), Error> {
         for request in &cycle.requests {
-            let text = request.describe(&self.tree);
+            let text = request.describe(&self.header.tree);
             self.log(2, "operator", &text);
         }
         cycle.blobs.iter().for_each(|blob| self.image(blob, image_time));
@@ -253,15 +252,15 @@ impl<W: Write> Export<W> {
     /// Writes the state of each component, 0 without a state machine, -1 for a latent one; and each change as text.
     fn tree(&mut self, tree: &TreeRecord) {
         let mut message = Protobuf::default();
-        for index in 0..self.tree.components.len() {
+        for index in 0..self.header.tree.components.len() {
             let value = if tree.is_active(index) { tree.state(index).unwrap_or(0) as i64 } else { -1 };
             message.int(index as u32 + 1, value);
             let before = (self.last.is_active(index), self.last.state(index));
             if before == (tree.is_active(index), tree.state(index)) {
                 continue;
             }
-            let component = self.tree.components[index].name.clone();
-            let state = self.tree.state(index, tree.state(index)).unwrap_or("active");
+            let component = self.header.tree.components[index].name.clone();
+            let state = self.header.tree.state(index, tree.state(index)).unwrap_or("active");
             let text =
                 if tree.is_active(index) { format!("{component}: {state}") } else { format!("{component}: latent") };
             self.log(2, &component, &text);

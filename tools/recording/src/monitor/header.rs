@@ -1,10 +1,9 @@
 //! The header of a recording that a monitor makes.
 
-use bica_link::{Component, Description, Kind, Param, Variants};
+use bica_wire::model::Description;
 
-use crate::header::{
-    ComponentInfo, FORMAT, Header, ImagePolicy, InformationInfo, MonitorInfo, Parameter, ParameterInfo, SetUp, TreeInfo,
-};
+use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp};
+use crate::information::json_schema;
 use crate::program::{Program, Start};
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
@@ -15,57 +14,18 @@ impl Header {
     /// description now.
     #[must_use]
     pub fn of_monitor(address: &str, description: &Description) -> Self {
+        let schemas = |outputs: usize| vec![Some(json_schema()); outputs];
         Self {
             format: FORMAT,
             program: Program::current(),
             start: Start::now(),
-            tree: TreeInfo {
-                name: description.name.clone(),
-                hash: description.hash.clone(),
-                cycle_hz: description.cycle_hz,
-                tick_hz: TICK_HZ,
-                components: description.components.iter().map(component).collect(),
-            },
+            tree: description.clone(),
+            tick_hz: TICK_HZ,
+            schemas: description.components.iter().map(|component| schemas(component.info.len())).collect(),
             set_up: SetUp::new(),
             messages: None,
-            parameters: description.components.iter().flat_map(parameters).collect(),
             images: ImagePolicy::None,
-            monitor: Some(MonitorInfo {
-                address: address.to_owned(),
-                // A description has no type that JSON lacks.
-                description: serde_json::to_value(description).unwrap_or_default(),
-            }),
+            monitor: Some(MonitorInfo { address: address.to_owned() }),
         }
     }
-}
-
-fn component(described: &Component) -> ComponentInfo {
-    let parameter = |param: &Param| ParameterInfo {
-        name: param.name.clone(),
-        variants: match &param.kind {
-            Kind::Choice { variants: Variants(variants) } => {
-                variants.iter().map(|variant| variant.name.clone()).collect()
-            }
-            _ => Vec::new(),
-        },
-    };
-    ComponentInfo {
-        name: described.name.clone(),
-        states: described.states.iter().map(|state| state.name.clone()).collect(),
-        parameters: described.params.iter().map(parameter).collect(),
-        information: described
-            .info
-            .iter()
-            .map(|info| InformationInfo::in_json(&info.name, info.unit.as_deref()))
-            .collect(),
-        modulations: described.modulations.iter().map(|modulation| modulation.name.clone()).collect(),
-    }
-}
-
-fn parameters(described: &Component) -> impl Iterator<Item = Parameter> {
-    described.params.iter().filter_map(|param| {
-        let value = param.value?;
-        let (text, is_default) = (param.kind.text(value).to_string(), value == param.default);
-        Some(Parameter { component: described.name.clone(), name: param.name.clone(), value: text, is_default })
-    })
 }

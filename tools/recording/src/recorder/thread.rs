@@ -12,10 +12,11 @@ use super::{Report, Sink};
 use crate::blob::{Place, code, described};
 use crate::digest::{RunningFingerprint, blobs_digest};
 use crate::error::Error;
-use crate::header::{ENDING_NAME, Ending, HEADER_NAME, Header, ImagePolicy, to_metadata};
+use crate::header::{Ending, Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
 use crate::mcap::{ChannelRecord, SchemaRecord, Writer};
 use crate::message::{Channel, ENCODING, Tick};
+use crate::metadata::{ENDING_NAME, HEADER_NAME, to_metadata};
 
 /// A file that is being written.
 pub(super) struct Writing<S> {

@@ -28,7 +28,7 @@ impl Compared {
         other: &mut dyn Run,
         progress: &mut dyn FnMut(u64) -> bool,
     ) -> Result<Option<String>, Refused> {
-        let tick_hz = recording.header().tree.tick_hz.max(1) as f64;
+        let tick_hz = recording.header().tick_hz.max(1) as f64;
         let (mut cycle, mut is_whole) = (0, false);
         let damage = loop {
             if !progress(recording.position()) {

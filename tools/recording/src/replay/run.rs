@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::path::Path;
 
-use bica::runner::{Cycle, Observer, OwnedRequest, Robot, Runner, World};
+use bica::runner::{Cycle, Observer, Robot, Runner, World};
 use bica::{Instant, Probe};
 use bica_wire::Recordable;
 use crc32fast::Hasher;
@@ -38,7 +38,7 @@ impl<'a> Other<'a> {
     pub(super) fn open(path: &'a Path, header: &Header) -> Result<Self, Refused> {
         let recording = open(path)?;
         let other = recording.header();
-        if other.tree.components != header.tree.components || other.messages != header.messages {
+        if other.tree.hash != header.tree.hash || other.messages != header.messages {
             let what = format!("`{}` is a recording of another tree", path.display());
             return Err(Refused::new(what, "compare recordings of one tree"));
         }
@@ -81,16 +81,21 @@ where
     /// # Errors
     /// Why the world refuses a change. A tree's refusal is a difference of the run.
     pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), WorldRefusal> {
-        if let RequestRecord::World { name, values } = request {
-            return self.world.as_mut().map_or(Ok(()), |world| world.change(name, values)).map_err(WorldRefusal::World);
+        match request {
+            RequestRecord::World { name, values } => {
+                let changed = self.world.as_mut().map_or(Ok(()), |world| world.change(name, values));
+                changed.map_err(WorldRefusal::World)
+            }
+            RequestRecord::Tree(request) => {
+                // The observer receives the refusal.
+                let _ = self.runner.request(self.now(recorded), request.borrow());
+                Ok(())
+            }
+            RequestRecord::Unknown { text } => {
+                let what = format!("the recording has a request of which only the text is known: {text}");
+                Err(WorldRefusal::Unknown(Refused::new(what, "replay the recording of the robot's own program")))
+            }
         }
-        let owned: OwnedRequest = request.to_request().ok_or_else(|| {
-            let what = format!("the recording has a request that this program does not know: {request:?}");
-            WorldRefusal::Unknown(Refused::new(what, "replay it with the program that recorded it"))
-        })?;
-        // The observer receives the refusal.
-        let _ = self.runner.request(self.now(recorded), owned.borrow());
-        Ok(())
     }
 
     /// Runs one cycle on recorded sensor values, or on those of the world.

@@ -6,7 +6,9 @@ use bica::runner::{Robot, World};
 use bica_wire::Recordable;
 
 use super::Refused;
-use crate::header::{Header, Messages, TreeInfo};
+use bica_wire::model::Description;
+
+use crate::header::{Header, Messages, tick_hz};
 use crate::message::RunEvent;
 
 /// Simulated world that runs again.
@@ -52,15 +54,15 @@ pub(super) fn checked<R: Recordable>(
 /// Checks that the recording is of this program's tree and messages.
 fn check_tree<R: Recordable>(header: &Header) -> Result<(), Refused> {
     let help = "the header of the recording names the commit that recorded it; build that to replay it";
-    let own = TreeInfo::new(&R::GRAPH);
-    if own.hash == header.tree.hash && own.tick_hz == header.tree.tick_hz {
+    let own = Description::of(&R::GRAPH);
+    if own.hash == header.tree.hash && tick_hz() == header.tick_hz {
         if header.messages.as_ref() == Some(&Messages::of::<R>()) {
             return Ok(());
         }
         let what = "the recording has sensor values or commands of another form, so it is not run again";
         return Err(Refused::new(what, help));
     }
-    let names = |tree: &TreeInfo| tree.components.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
+    let names = |tree: &Description| tree.components.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
     let (recorded, present) = (names(&header.tree), names(&own));
     let only = |one: &[String], two: &[String]| {
         one.iter().filter(|name| !two.contains(name)).cloned().collect::<Vec<_>>().join(", ")

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use bica::ComponentId;
+use bica::runner::OwnedRequest;
 use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::trim;
 use bica_recording::{
@@ -44,8 +46,9 @@ fn every_value_is_restored_bit_for_bit() {
         let Command { torques, lamp } = command(cycle);
         assert_eq!(matches!(lamp, Lamp::Bright { share } if share.is_nan()), (torques[1] as u32) % 2 == 1);
     }
-    assert_eq!(cycles[7].requests[0], RequestRecord::Hold { component: 1, hold: bica::Hold::Active });
-    assert!(matches!(cycles[7].requests[1], RequestRecord::Rate { component: 1, hz } if hz.is_nan()));
+    let component = ComponentId::new(1);
+    assert_eq!(cycles[7].requests[0], RequestRecord::Tree(OwnedRequest::Hold { component, hold: bica::Hold::Active }));
+    assert_eq!(cycles[7].requests[1], RequestRecord::Tree(OwnedRequest::Rate { component, hz: None }));
     let event = cycles.iter().position(|cycle| !cycle.events.is_empty());
     assert_eq!(event, Some(10), "an event belongs to the cycle after it");
     let states: Vec<_> = cycles.iter().map(|cycle| cycle.tree.state(0)).collect();
@@ -72,10 +75,10 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
         let (even, hour): (Option<bool>, f32) = postcard::from_bytes(&day.value).expect("a pair");
         assert!(even == Some((command as u32).is_multiple_of(2)) && hour.is_nan());
     }
-    let information = header(ImagePolicy::All).tree.components[1].information.clone();
-    assert_eq!((information[0].name.as_str(), information[1].unit.as_deref()), ("runs", Some("h")));
-    let schemas: Vec<_> = information.into_iter().map(|one| one.schema).collect();
-    assert_eq!(schemas, [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
+    let header = header(ImagePolicy::All);
+    let info = &header.tree.components[1].info;
+    assert_eq!((info[0].name.as_str(), info[1].unit.as_deref()), ("runs", Some("h")));
+    assert_eq!(header.schemas[1], [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
 }
 
 #[test]
@@ -163,7 +166,12 @@ fn every_changed_value_is_a_difference_of_its_field() {
     assert_eq!(field(&|cycle| cycle.tick.cycle ^= 1), "tick.cycle");
     assert_eq!(field(&|cycle| cycle.tick.fingerprint ^= 1), "fingerprint");
     assert_eq!(field(&|cycle| cycle.tick.blobs ^= 1), "blobs");
-    assert_eq!(field(&|cycle| cycle.requests.push(RequestRecord::Rate { component: 0, hz: 1.0 })), "requests");
+    assert_eq!(
+        field(&|cycle| cycle
+            .requests
+            .push(RequestRecord::Tree(OwnedRequest::Rate { component: ComponentId::new(0), hz: Some(1.0) }))),
+        "requests"
+    );
     let sensors = |change: fn(&mut Sensors<'_>)| {
         field(&|cycle| {
             let blobs = cycle.blob_bytes();

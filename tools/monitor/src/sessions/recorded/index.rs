@@ -5,13 +5,13 @@ use std::io::BufReader;
 use std::path::Path;
 
 use bica::Hold;
+use bica::runner::OwnedRequest;
 use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
 use serde_json::Value;
 
 use super::tree;
 use crate::files;
 use crate::files::failed;
-use crate::program::Program;
 use crate::protocol::{Capabilities, Connection, Failed, LogKind, LogLine};
 use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
 use crate::sessions::session::Session;
@@ -28,11 +28,11 @@ const MAX_CYCLES: usize = 10_000_000;
 type FileRecording = Recording<BufReader<File>>;
 
 /// Opens a recording and reads its header.
-pub(super) fn open(path: &Path, program: &Program) -> Result<FileRecording, Failed> {
+pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
     let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
     let failed = |error: Error| failed("open", path, &error, error.help());
     let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_blobs();
-    tree::describe(recording.header(), program)?;
+    tree::describe(recording.header())?;
     Ok(recording)
 }
 
@@ -51,14 +51,14 @@ impl Requested {
 
     fn apply(&mut self, request: &RequestRecord) {
         match *request {
-            RequestRecord::Hold { component, hold } => {
-                if let Some(held) = self.holds.get_mut(usize::from(component)) {
+            RequestRecord::Tree(OwnedRequest::Hold { component, hold }) => {
+                if let Some(held) = self.holds.get_mut(component.index()) {
                     *held = hold;
                 }
             }
-            RequestRecord::Rate { component, hz } => {
-                if let Some(rate) = self.rates.get_mut(usize::from(component)) {
-                    *rate = (!hz.is_nan()).then_some(hz);
+            RequestRecord::Tree(OwnedRequest::Rate { component, hz }) => {
+                if let Some(rate) = self.rates.get_mut(component.index()) {
+                    *rate = hz;
                 }
             }
             _ => {}
@@ -69,7 +69,7 @@ impl Requested {
 /// Reads a recording into a session.
 pub(super) fn read(session: &Session, mut recording: FileRecording) {
     let header = recording.header().clone();
-    let description = match tree::describe(&header, &session.program) {
+    let description = match tree::describe(&header) {
         Ok(description) => description,
         Err(failed) => return session.set_connection(Connection::Ended, failed.text),
     };
@@ -154,9 +154,8 @@ fn batch(
         }
         for value in cycle.information.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
-            let declared = header.tree.components.get(component).and_then(|one| one.information.get(index));
-            let decoded = declared.and_then(|info| info.decode(&value.value));
-            shared.history.info.push(component, index, time_us, &decoded.unwrap_or(Value::Null));
+            let decoded = header.decode(value).unwrap_or(Value::Null);
+            shared.history.info.push(component, index, time_us, &decoded);
         }
         let (all, changes) = shared.history.states.sizes();
         if changes > MAX_CHANGES || all > MAX_CYCLES || shared.recorded.places.len() > MAX_CHANGES {

@@ -1,0 +1,66 @@
+//! Header and ending as metadata records.
+
+use std::collections::BTreeMap;
+use std::io;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::header::{Ending, FORMAT, Header};
+
+/// Name of the metadata record with the header.
+pub(crate) const HEADER_NAME: &str = "bica";
+/// Name of the metadata record with the ending.
+pub(crate) const ENDING_NAME: &str = "bica.ending";
+/// Key of the JSON text in a metadata record.
+const KEY: &str = "json";
+/// Key of the CRC-32 of this text, hexadecimal.
+const CRC_KEY: &str = "crc32";
+
+/// Returns the fields of a metadata record.
+pub(crate) fn to_metadata(value: &impl Serialize) -> Result<BTreeMap<String, String>, Error> {
+    let text = serde_json::to_string(value).map_err(io::Error::from)?;
+    let crc = checksum(&text);
+    Ok(BTreeMap::from([(KEY.to_owned(), text), (CRC_KEY.to_owned(), crc)]))
+}
+
+/// Returns the checksum of the text of a metadata record: its field `crc32`.
+#[must_use]
+pub fn checksum(text: &str) -> String {
+    format!("{:08x}", crc32fast::hash(text.as_bytes()))
+}
+
+/// Returns the value of a metadata record at a position. A checksum is checked if there is one.
+fn from_metadata<T: for<'a> Deserialize<'a>>(fields: &BTreeMap<String, String>, at: u64) -> Result<T, Error> {
+    let text = fields.get(KEY).ok_or_else(|| Error::damaged(at, "the metadata have no field `json`"))?;
+    if fields.get(CRC_KEY).is_some_and(|crc| *crc != checksum(text)) {
+        return Err(Error::damaged(at, "the checksum of the metadata is wrong"));
+    }
+    serde_json::from_str(text).map_err(|error| Error::damaged(at, format!("the metadata cannot be read: {error}")))
+}
+
+/// Checks that metadata have a checksum.
+fn check_metadata(fields: &BTreeMap<String, String>, at: u64) -> Result<(), Error> {
+    let has_checksum = fields.contains_key(CRC_KEY);
+    has_checksum.then_some(()).ok_or_else(|| Error::damaged(at, "the metadata have no checksum"))
+}
+
+/// Returns the ending of a metadata record.
+pub(crate) fn ending_of(fields: &BTreeMap<String, String>, at: u64) -> Result<Ending, Error> {
+    check_metadata(fields, at)?;
+    from_metadata(fields, at)
+}
+
+/// Returns the header of a metadata record.
+pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<Header, Error> {
+    #[derive(Deserialize)]
+    struct Format {
+        format: u32,
+    }
+    let Format { format } = from_metadata(fields, at)?;
+    if format != FORMAT {
+        return Err(Error::Format(format));
+    }
+    check_metadata(fields, at)?;
+    from_metadata(fields, at)
+}
