@@ -164,9 +164,11 @@ fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decide
     let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);
     assert_eq!(played.json()["recording"]["recorded_cycles"], 500, "{}", played.stderr);
     let header = run(&["record", "info", &file, "--json"]).json()["header"].clone();
-    let parameters = header["parameters"].as_array().expect("a list");
-    let recorded = parameters.iter().find(|one| one["component"] == "FaceBall" && one["name"] == "gain");
-    assert_eq!(recorded.expect("recorded")["value"], "0.5");
+    let named = |list: &serde_json::Value, name| {
+        list.as_array().and_then(|list| list.iter().find(|one| one["name"] == name).cloned()).expect("it is listed")
+    };
+    let component = named(&header["tree"]["components"], "FaceBall");
+    assert_eq!(named(&component["params"], "gain")["value"], 0.5);
     assert_eq!(run(&["replay", &file, "--json"]).json()["equal"], true);
     let other = run(&["replay", &file, "--set", "FaceBall.gain=0.7", "--json"]);
     assert_eq!(other.code, Some(1), "{}", other.stderr);

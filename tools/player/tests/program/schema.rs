@@ -12,7 +12,7 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
         Value::Object(object) => {
             found.extend(object.keys().cloned());
             // The fields of types of postcard-schema are those of that crate.
-            let values = object.iter().filter(|(name, _)| !["schema", "messages"].contains(&name.as_str()));
+            let values = object.iter().filter(|(name, _)| !["schemas", "messages"].contains(&name.as_str()));
             values.for_each(|(_, value)| fields(value, found));
         }
         Value::Array(values) => values.iter().for_each(|value| fields(value, found)),
