@@ -45,12 +45,11 @@ fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>
             let mut request: RequestRecord = postcard::from_bytes(data).expect("a request");
             if let RequestRecord::World { values, .. } = &mut request {
                 let &mut [ref mut x, ref mut y] = &mut values[..] else { panic!("a place: {values:?}") };
-                match change([*x, *y]) {
-                    Some(at) => [*x, *y] = at,
-                    None => {
-                        request =
-                            RequestRecord::Tree(OwnedRequest::Hold { component: ComponentId::new(0), hold: Hold::Tree })
-                    }
+                if let Some(at) = change([*x, *y]) {
+                    [*x, *y] = at;
+                } else {
+                    let released = OwnedRequest::Hold { component: ComponentId::new(0), hold: Hold::Tree };
+                    request = RequestRecord::Tree(released);
                 }
             }
             fingerprint.add_request(&request);

@@ -15,7 +15,7 @@ use super::{recorded, storage, tune};
 use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
-use crate::program::{Extension, LocalWorld, Program, Reply};
+use crate::program::{Extension, Program, Reply};
 use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
 
@@ -68,8 +68,8 @@ impl Manager {
     }
 
     fn worlds(&self) -> Vec<World> {
-        let world = |world: &Box<dyn LocalWorld>| World { name: world.name().to_owned(), options: world.options() };
-        self.common.program.worlds.iter().map(world).collect()
+        let worlds = self.common.program.worlds.iter();
+        worlds.map(|world| World { name: world.name().to_owned(), options: world.options() }).collect()
     }
 
     /// Text of a module of an extension.

@@ -88,9 +88,8 @@ async fn the_forward_scores_after_it_was_driven() {
     )
     .await;
     page.find("slider", "Body forward", "Body").await.set("0.2").await;
-    let place = || async {
-        page.run("return document.querySelector('[aria-label=Map] .bar .dim').textContent", vec![]).await
-    };
+    let place =
+        || async { page.run("return document.querySelector('[aria-label=Map] .bar .dim').textContent", vec![]).await };
     let before = place().await;
     page.find("slider", "Body turn", "Body").await.focus().await;
     page.key_down('\u{e008}').await;
