@@ -29,7 +29,7 @@ pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, repo
 }
 
 /// The item with `#[message]`, in which serde's attribute `borrow` precedes each field that borrows, and `with` each array that may
-/// have more than [`MAX_ARRAY`] elements. `krate` is the framework.
+/// have more than `MAX_ARRAY` elements. `krate` is the framework.
 #[must_use]
 pub fn message(item: &TokenStream, krate: &Path) -> TokenStream {
     let Ok(mut input) = syn::parse2::<DeriveInput>(item.clone()) else { return item.clone() };
