@@ -6,7 +6,7 @@ use crate::install::{folder, python};
 use crate::process::{output, run};
 
 /// Topics of a recording.
-const TOPICS: [&str; 7] = ["images", "sensors", "command", "tree", "tick", "costs", "information"];
+const TOPICS: [&str; 7] = ["blobs", "sensors", "command", "tree", "tick", "costs", "information"];
 /// Topics of an export.
 const EXPORTED: [&str; 6] =
     ["/camera", "/log", "/sensors/angles", "/command/targets", "/tree", "/information/BallDetector/ball_position"];

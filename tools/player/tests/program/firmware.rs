@@ -80,7 +80,7 @@ fn a_recorded_firmware_game_replays_on_the_host() {
         let played = run(&args);
         assert_eq!(played.code, Some(1), "no goal in two seconds: {}", played.stderr);
         let info = run(&["record", "info", file, "--json"]).json();
-        assert_eq!(info["header"]["rules"]["world"], "firmware");
+        assert_eq!(info["header"]["set_up"]["world"], "firmware");
         let replayed = run(&["replay", file, "--json"]).json();
         assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &200.into()), "{replayed}");
         assert_eq!(replayed["source"], source);
@@ -117,7 +117,7 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
     let lines = served.finish();
     assert!(lines.iter().any(|line| line.contains("no goal")), "{lines:?}");
     let info = run(&["record", "info", file, "--json"]).json();
-    assert_eq!(info["header"]["rules"]["world"], "firmware");
+    assert_eq!(info["header"]["set_up"]["world"], "firmware");
     let replayed = run(&["replay", file, "--json"]).json();
     assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &1200.into()), "{replayed}");
 }
