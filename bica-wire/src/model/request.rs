@@ -176,7 +176,7 @@ impl NamedSetting {
         let parts = text.split_once('=').and_then(|(path, value)| Some((path.split_once('.')?, value)));
         let Some(((component, param), value)) = parts else {
             let what = format!("`{text}` is not an assignment");
-            return Err(Invalid::new(what, "write it as `Component.name=value`, as `FaceBall.gain=0.9`"));
+            return Err(Invalid::new(what, "write it as `Component.name=value`, as `Drive.speed=0.9`"));
         };
         let (component, param) = (component.trim().to_owned(), param.trim().to_owned());
         Ok(Self { component, param, value: Plain::Name(value.trim().to_owned()) })

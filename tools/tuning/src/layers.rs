@@ -76,7 +76,7 @@ impl Layers {
         let parts = assignment.split_once('=').and_then(|(name, value)| Some((name.split_once('.')?, value)));
         let Some(((component, name), value)) = parts else {
             let what = format!("`{assignment}` is not an assignment");
-            return Err(Failure::new(what, "write it as `Component.name=value`, as `FaceBall.gain=0.9`"));
+            return Err(Failure::new(what, "write it as `Component.name=value`, as `Drive.speed=0.9`"));
         };
         let place = find(self.graph, component.trim(), name.trim())?;
         let value = place.param.kind.parse(value.trim());

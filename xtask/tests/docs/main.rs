@@ -1,6 +1,6 @@
 //! Tests of the documentation: every relative link has a target, every command is accepted by its program, and every cited test
 //! exists.
-//! Test of the manifests: every test belongs to a test program.
+//! Tests of the manifests: every test belongs to a test program, and generic packages use no robot's.
 
 mod cargo;
 mod citations;
@@ -8,6 +8,7 @@ mod commands;
 mod links;
 mod pages;
 mod prose;
+mod rooms;
 mod untested;
 
 use pages::Page;
@@ -70,4 +71,15 @@ fn targets_without_test_program_have_no_tests() {
 fn libraries_without_doctests_have_no_examples() {
     let files = untested::with_examples(&cargo::packages());
     assert!(files.is_empty(), "examples that never run, as their manifest says `doctest = false`: {files:?}");
+}
+
+#[test]
+fn generic_packages_use_no_package_of_a_robot() {
+    assert_eq!(rooms::forbidden_dependencies(), <[String; 0]>::default());
+}
+
+#[test]
+fn generic_sources_name_no_component_or_joint() {
+    let named = rooms::names_of_robots();
+    assert!(named.is_empty(), "names of a robot in generic sources:\n{}", named.join("\n"));
 }

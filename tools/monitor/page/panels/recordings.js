@@ -78,7 +78,7 @@ function Replay({ shown, info }) {
     <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
     <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">|◂</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">▸|</button></div>
     ${info.can.run_again && html`<h3>Run again</h3><p class="dim">Runs the code of this program again on the recorded inputs. Add parameters to change their values.</p>
-      <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="FaceBall.gain" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
+      <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="Component.name" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />
         <datalist id="params-of-run">${all.map((one) => html`<option value=${one.name}></option>`)}</datalist>
         <input class="short" aria-label="Value" placeholder="0.9" value=${value.value} onInput=${(event) => { value.value = event.target.value; }} onKeyDown=${(event) => event.key === 'Enter' && add()} /><button onClick=${add}>Add</button></div>
       <ul class="recordings">${settings.value.map((one) => html`<li>${one.name} = ${String(one.value)} <button class="small" aria-label=${`Remove ${one.name}`} onClick=${() => { settings.value = settings.value.filter((other) => other !== one); }}>×</button></li>`)}</ul>

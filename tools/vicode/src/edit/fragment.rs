@@ -35,7 +35,7 @@ pub(super) fn value(value: &str, what: &str) -> Result<(), Refusal> {
 /// Refuses an invalid type of a component.
 pub(super) fn ty(ty: &str) -> Result<(), Refusal> {
     one_line(ty, "a type")?;
-    let message = format!("`{ty}` is no type of a component: write its name, as in `BallDetector`");
+    let message = format!("`{ty}` is no type of a component: write its name, as in `LineDetector`");
     match only(&format!("type Type = {ty};"), "this type", &message)? {
         Item::Type(item) if matches!(*item.ty, Type::Path(_)) => Ok(()),
         _ => Err(Refusal::new(message)),
