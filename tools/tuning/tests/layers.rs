@@ -159,7 +159,7 @@ fn a_wrong_assignment_is_an_error() {
         "leave one of them out",
     );
     let set = |text: &str| Layers::new(&GRAPH).assign(text, "--set");
-    let help = "write it as `Component.name=value`, as `FaceBall.gain=0.9`";
+    let help = "write it as `Component.name=value`, as `Drive.speed=0.9`";
     assert_fails(set("Kicker.far"), "`Kicker.far` is not an assignment", help);
     assert_fails(set("far=0.1"), "`far=0.1` is not an assignment", help);
     assert_fails(set("Kicker.fra=0.1"), "`Kicker` has no parameter `fra`", "did you mean `far`?");

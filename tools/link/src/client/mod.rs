@@ -6,6 +6,7 @@ mod extras;
 mod inbox;
 mod options;
 mod wait;
+mod watch;
 mod world;
 
 use std::collections::BTreeMap;
@@ -13,7 +14,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
-    ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, Offers, Request, Watch, WatchInfo,
+    ExtraKind, FromMonitorExtra, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, Offers, Request, Watch,
 };
 use bica_wire::{FromMonitor, SCHEMA};
 
@@ -168,57 +169,6 @@ impl Client {
     #[must_use]
     pub const fn damaged(&self) -> u32 {
         self.receiver.damaged()
-    }
-
-    /// Watches the states of all components in every n-th cycle; 0 ends it.
-    ///
-    /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn watch(&mut self, every: u16) -> Result<(), Error> {
-        self.every = every;
-        self.send(&FromMonitor::Watch(Watch { every }))
-    }
-
-    /// Watches an output in every n-th cycle; 0 ends it.
-    ///
-    /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn watch_info(&mut self, component: usize, info: usize, every: u16) -> Result<(), Error> {
-        let (component, info) = (component as u16, info as u16);
-        if every == 0 {
-            self.info.remove(&(component, info));
-        } else {
-            self.info.insert((component, info), every);
-        }
-        self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
-    }
-
-    /// Watches conditions, costs, the true state or images, of every n-th cycle or every n-th image, or transitions, or sets a stop; 0
-    /// ends it. Costs come every
-    /// [`COSTS_CYCLES`](bica_wire::message::COSTS_CYCLES) cycles for any other number.
-    ///
-    /// # Errors
-    /// [`Error::NotOffered`], [`Error::Disconnected`].
-    pub fn watch_extra(&mut self, kind: ExtraKind, every: u16) -> Result<(), Error> {
-        let (offer, name) = match kind {
-            ExtraKind::Conditions { .. } | ExtraKind::Taken | ExtraKind::Stop(_) => {
-                (Offers::CONDITIONS, "conditions of transitions")
-            }
-            ExtraKind::Costs => (Offers::COSTS, "costs of components"),
-            ExtraKind::Truth => (Offers::TRUTH, "the true state of a world"),
-            ExtraKind::Images => (Offers::IMAGES, "images"),
-        };
-        self.require(offer, name)?;
-        if every == 0 {
-            self.extras.remove(&kind);
-        } else {
-            self.extras.insert(kind, every);
-        }
-        self.send_extra(FromMonitorExtra::Watch { kind, every })
-    }
-
-    fn require(&self, offer: Offers, name: &'static str) -> Result<(), Error> {
-        if self.offers().contains(offer) { Ok(()) } else { Err(Error::NotOffered(name)) }
     }
 
     /// Acquires the lease. `take` takes it also from its owner; only a person may decide that.
