@@ -21,6 +21,8 @@ async fn log(page: &Page, text: &str) {
 async fn a_parameter_is_set_undone_and_reset() {
     let (_server, page) = game("params").await;
     page.click("button", "FaceBall", "Activation tree").await;
+    // The text about activators, above the parameters, changes its height when the ball is found.
+    page.reads("Why it is active").await;
     page.find("slider", "gain", "Parameters").await.set("0.9").await;
     page.reads("1 changed").await;
     page.find("status", "Control", "").await;
