@@ -76,7 +76,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     assert_eq!(listed.header.monitor.unwrap().address, format!("tcp://{}", robot.address));
     let requests: Vec<_> = listed.requests.iter().map(|one| one.request.as_str()).collect();
     assert!(requests.iter().any(|one| one.starts_with("set FaceBall.gain=0.9")), "{requests:?}");
-    assert!(requests.contains(&"hold FaceBall Active"), "{requests:?}");
+    assert!(requests.contains(&"hold FaceBall active"), "{requests:?}");
 
     let (copy, shown) = opened(&page, "mine");
     assert_eq!(shown["can"]["run_again"], false);
@@ -195,7 +195,7 @@ fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
     fs::copy(&file, &killed).unwrap();
     let left = info(&killed);
     assert!(left.cycles > 20 && left.damage.is_some() && left.ending.is_none(), "{} {:?}", left.cycles, left.damage);
-    assert!(left.channels.iter().any(|channel| channel.topic == "images" && channel.messages > 5));
+    assert!(left.channels.iter().any(|channel| channel.topic == "blobs" && channel.messages > 5));
     let cycle = page.message("update", |update| update["cycle"].as_u64());
     drop(robot);
     page.session(|one| one["connection"] == "lost");
