@@ -13,7 +13,7 @@ use bica_sim::referee::Event;
 use bica_sim::setup::{Setup, Start};
 use glam::Vec2;
 
-use crate::game::{Game, new_game};
+use crate::forward::game::{Game, new_game};
 
 /// A game in which an operator holds the root latent.
 struct ByHand(Game);

@@ -8,7 +8,7 @@ use bica_player::input::{HealthMonitor, RobotState};
 use bica_sim::World;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::{Game, new_game};
+use crate::forward::game::{Game, new_game};
 
 /// Cycles of a hold: 5 s.
 const HELD: usize = 500;

@@ -8,7 +8,7 @@ use bica_player::input::HealthMonitor;
 use bica_sim::World;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::{Game, new_game};
+use crate::forward::game::{Game, new_game};
 use bica::prelude::*;
 
 /// Runs some cycles, and returns whether no joint's stiffness was reduced.

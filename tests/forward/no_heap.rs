@@ -4,7 +4,7 @@ use bica::runner::{Runner, World};
 use bica_player::Forward;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::new_game;
+use crate::forward::game::new_game;
 
 #[test]
 fn no_cycle_of_a_game_allocates() {

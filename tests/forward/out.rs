@@ -11,7 +11,7 @@ use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::new_game;
+use crate::forward::game::new_game;
 
 /// The kinematic world with a hand on the chest button.
 struct WithButton {

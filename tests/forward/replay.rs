@@ -3,7 +3,7 @@
 use bica_sim::World as _;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::new_game;
+use crate::forward::game::new_game;
 
 #[test]
 fn two_games_of_one_seed_are_equal_bit_by_bit() {

@@ -9,7 +9,7 @@ use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 
-use crate::game::new_game;
+use crate::forward::game::new_game;
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]

@@ -8,7 +8,7 @@ use bica_motion::side::Side;
 use bica_motion::walk::{Adjustment, Feedback, Parameters, Velocity, Walk};
 use glam::Vec3;
 
-use crate::world::CYCLE;
+use crate::motion::world::CYCLE;
 
 const GAIT: &Parameters = &Nao::DYNAMIC_PROFILE.gait;
 const FORWARD: Velocity = Velocity::new(9.0, 0.0, 0.0);

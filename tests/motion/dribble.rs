@@ -6,7 +6,7 @@ use bica_motion::side::Side;
 use bica_motion::walk::{Parameters, Phase, Velocity, Walk, in_walk_kick_foot};
 use glam::Vec2;
 
-use crate::world::{CYCLE, World};
+use crate::motion::world::{CYCLE, World};
 
 const GAIT: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 

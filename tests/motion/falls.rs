@@ -11,7 +11,7 @@ use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
 use glam::{Quat, Vec3};
 
-use crate::world::{CYCLE, World};
+use crate::motion::world::{CYCLE, World};
 
 /// Reading of the inertial unit when the torso is rotated by `tilt`.
 fn tilted(tilt: Quat) -> Inertial {

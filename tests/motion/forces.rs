@@ -11,7 +11,7 @@ use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
 use glam::Vec3;
 
-use crate::world::CYCLE;
+use crate::motion::world::CYCLE;
 
 const NAO: &bica_motion::model::Profile = Nao::DYNAMIC_PROFILE;
 

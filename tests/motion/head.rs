@@ -33,7 +33,7 @@ fn any_camera() -> impl Strategy<Value = CameraId> {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(1000))]
+    #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
     fn clamped_angles_are_within_the_limits(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {

@@ -46,7 +46,7 @@ fn ranges_and_speeds_are_the_published_ones() {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(1000))]
+    #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
     fn joints_move_to_their_targets_within_their_maximum_speeds(

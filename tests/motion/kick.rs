@@ -8,7 +8,7 @@ use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 use glam::Vec2;
 
-use crate::world::{CYCLE, World, gap, outline};
+use crate::motion::world::{CYCLE, World, gap, outline};
 
 const BALL_RADIUS: f32 = 0.0325;
 

@@ -244,7 +244,7 @@ fn out_of_reach_gives_the_straight_leg_in_its_direction() {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(1000))]
+    #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
     fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles()) {

@@ -14,8 +14,8 @@ use bica_motion::walk::{Phase, Velocity, Walk};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
-use crate::tall::Tall;
-use crate::world::{CYCLE, World, gap};
+use crate::motion::tall::Tall;
+use crate::motion::world::{CYCLE, World, gap};
 
 fn any_angles() -> impl Strategy<Value = Joints> {
     prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
@@ -46,7 +46,7 @@ fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(1000))]
+    #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
     fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles()) {

@@ -8,10 +8,10 @@ use bica_motion::robot::FootPressure;
 use bica_motion::walk::{Velocity, Walk};
 use proptest::prelude::*;
 
-use crate::world::{CYCLE, World};
+use crate::motion::world::{CYCLE, World};
 
 proptest! {
-    #![proptest_config(crate::cases(50))]
+    #![proptest_config(crate::motion::cases(50))]
 
     #[test]
     fn the_drift_is_below_three_percent_of_the_path(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), with_commands: bool) {

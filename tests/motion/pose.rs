@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use bica_motion::pose::wrap;
 use proptest::prelude::*;
 
-use crate::cases;
+use crate::motion::cases;
 
 proptest! {
     #![proptest_config(cases(2_000))]

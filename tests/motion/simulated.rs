@@ -15,8 +15,8 @@ use bica_sim::setup::{Setup, Start};
 use bica_sim::{PixelLabel, World};
 use glam::{Affine3A, Vec2, Vec3};
 
-use crate::tall::Tall;
-use crate::world::CYCLE;
+use crate::motion::tall::Tall;
+use crate::motion::world::CYCLE;
 
 const BALL_RADIUS: f32 = 0.0325;
 /// Height of the robot frame of a standing robot, m.

@@ -10,7 +10,7 @@ use bica_motion::walk::{Feedback, Parameters, Phase, Velocity, Walk};
 use glam::{Affine3A, Vec2, Vec3};
 use proptest::prelude::*;
 
-use crate::world::{CYCLE, World, gap};
+use crate::motion::world::{CYCLE, World, gap};
 
 const NAO: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 
@@ -285,7 +285,7 @@ fn share(velocity: &Velocity) -> f32 {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(1000))]
+    #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
     fn requests_are_clamped_to_the_walk_volume(x in -1.0_f32..1.0, y in -1.0_f32..1.0, turn in -3.0_f32..3.0) {
@@ -353,7 +353,7 @@ impl Watch {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(100))]
+    #![proptest_config(crate::motion::cases(100))]
 
     #[test]
     fn mass_stays_over_the_feet_for_any_requests(

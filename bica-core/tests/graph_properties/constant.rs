@@ -3,7 +3,7 @@
 use bica_core::check::{CAPACITY, check, cycle, first_violation, longest_chain, ranks, steps};
 use bica_core::graph::{Graph, Link, Node, State, Transition};
 
-use crate::build::{graph, in_state, node, state, to, transition};
+use crate::graph_properties::build::{graph, in_state, node, state, to, transition};
 
 static NODES: [Node; 3] = [
     Node { links: &[to(1)], ..node("Look") },

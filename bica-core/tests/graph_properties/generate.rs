@@ -3,7 +3,7 @@
 use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 use proptest::prelude::*;
 
-use crate::build;
+use crate::graph_properties::build;
 
 /// Component before the number of components is known.
 #[derive(Clone, Debug)]

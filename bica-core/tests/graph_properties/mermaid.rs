@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
-use crate::drawn;
-use crate::generate::{every_character, special_graph};
+use crate::graph_properties::drawn;
+use crate::graph_properties::generate::{every_character, special_graph};
 
 /// Resolves entities; panics on a character that should be escaped.
 fn plain(text: &str) -> String {

@@ -5,7 +5,7 @@ use bica_core::graph::{Doc, Graph, Node, State};
 use bica_core::info::Info;
 use bica_core::visual::Placement;
 
-use crate::build::{graph, in_state, node, state, to, transition};
+use crate::graph_properties::build::{graph, in_state, node, state, to, transition};
 
 #[track_caller]
 fn reports(graph: Graph, words: &str) {

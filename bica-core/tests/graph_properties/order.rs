@@ -7,8 +7,8 @@ use petgraph::algo::{is_cyclic_directed, tarjan_scc};
 use petgraph::graph::NodeIndex;
 use proptest::prelude::*;
 
-use crate::generate::{acyclic_graph, any_graph};
-use crate::naive;
+use crate::graph_properties::generate::{acyclic_graph, any_graph};
+use crate::graph_properties::naive;
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]

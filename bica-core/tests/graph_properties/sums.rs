@@ -6,9 +6,9 @@ use bica_core::check::{Choice, Violation, WorstCase, first_violation, load, long
 use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
-use crate::build;
-use crate::generate::acyclic_graph;
-use crate::naive;
+use crate::graph_properties::build;
+use crate::graph_properties::generate::acyclic_graph;
+use crate::graph_properties::naive;
 
 /// Number of steps that is sufficient for the graphs here.
 const STEPS: usize = 1_000_000;

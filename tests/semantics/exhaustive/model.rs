@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use bica_core::graph::LinkKind;
 
 use super::shape::{COMPONENTS, Link, Shape};
-use crate::rules::{self, Event, Memory, Subject};
+use crate::semantics::rules::{self, Event, Memory, Subject};
 
 /// Stored data of a tree in the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

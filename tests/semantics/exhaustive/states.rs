@@ -23,7 +23,7 @@ use super::key::{Known, key};
 use super::model::Model;
 use super::shape::{COMPONENTS, NO_LINKS, Row, STATES, Shape};
 use super::subject::{Exploration, Recorder, Subject};
-use crate::rules::Event;
+use crate::semantics::rules::Event;
 
 /// Exploration of all trees with the rates of a shape, whose other data is not used.
 pub(crate) struct States {

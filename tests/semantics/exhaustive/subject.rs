@@ -4,7 +4,7 @@ use bica_core::{ComponentId, Probe, Tree};
 
 use super::shape::{COMPONENTS, Rate, Row, STATES, Shape};
 use super::tree::Any;
-use crate::rules::Event;
+use crate::semantics::rules::Event;
 
 /// Tree that a test creates and controls.
 pub(crate) trait Subject: Tree {

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use bica::prelude::*;
 
-use crate::rules;
+use crate::semantics::rules;
 
 /// Component that was read: name and value.
 pub(crate) type Read = (&'static str, u64);

@@ -7,7 +7,7 @@ use bica::graph::{Graph, LinkKind, Transition};
 use super::event::{Event, Read, Times};
 use super::test_tree::Hook;
 use super::unit::{bit, mix};
-use crate::rules::{self, Memory, Subject};
+use crate::semantics::rules::{self, Memory, Subject};
 
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;

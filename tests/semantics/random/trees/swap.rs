@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 
-use crate::random::test_tree::test_tree;
-use crate::random::unit::unit;
+use crate::semantics::random::test_tree::test_tree;
+use crate::semantics::random::unit::unit;
 
 unit!(Chooser(hz = 50) {
     #[state(initial)]

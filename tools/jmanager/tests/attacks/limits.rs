@@ -7,7 +7,7 @@ use bica_monitor::sessions::Options;
 use serde_json::json;
 use tungstenite::Message;
 
-use crate::target::{LIMIT, closed, message, target, target_with};
+use crate::attacks::target::{LIMIT, closed, message, target, target_with};
 
 #[test]
 fn a_large_message_ends_the_page() {

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use serde_json::json;
 use tungstenite::client::IntoClientRequest;
 
-use crate::target::message;
+use crate::attacks::target::message;
 
 /// A program in a folder of its own; both end with it.
 struct Program {

@@ -12,7 +12,7 @@ use bica_monitor::web::{Web, WebOptions};
 use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
-use crate::target::{TOKEN, closed, message, target_with};
+use crate::attacks::target::{TOKEN, closed, message, target_with};
 
 const TEXT: &str = "#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
 

@@ -6,8 +6,8 @@ use bica_game::{ReplayOptions, replay};
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch};
 
-use crate::page::Page;
-use crate::world::{pose_of, running, set_gain};
+use crate::sessions::page::Page;
+use crate::sessions::world::{pose_of, running, set_gain};
 
 const fn ball(x: f32, y: f32) -> Request {
     Request::PlaceBall { x, y }

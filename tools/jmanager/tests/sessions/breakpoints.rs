@@ -3,10 +3,10 @@
 use bica_monitor::protocol::{Breakpoint, Request};
 use serde_json::{Value, json};
 
-use crate::page::{Bench, Folder, Got, Page};
-use crate::recorded::{opened, record};
-use crate::robot::{Robot, attached};
-use crate::world::{find, running};
+use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::recorded::{opened, record};
+use crate::sessions::robot::{Robot, attached};
+use crate::sessions::world::{find, running};
 
 fn state(component: usize, state: usize) -> Breakpoint {
     Breakpoint { component, state: Some(state), transition: None }

@@ -11,7 +11,7 @@ use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
 use jmanager::SoccerOptions;
 use serde_json::{Value, json};
 
-use crate::page::{Bench, Folder, Got, Page};
+use crate::sessions::page::{Bench, Folder, Got, Page};
 
 /// Class of the ball.
 const ORANGE: usize = 0;
@@ -150,8 +150,8 @@ fn watched_image(page: &Page) -> u32 {
 
 #[test]
 fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
-    let (page, description) = crate::world::running();
-    let (component, param) = crate::world::find(&description, "Colours", "params", "orange_luma_min");
+    let (page, description) = crate::sessions::world::running();
+    let (component, param) = crate::sessions::world::find(&description, "Colours", "params", "orange_luma_min");
     let image = watched_image(&page);
     let picked = page.ask(pick(false, image, (80, 100))).unwrap();
     let luma = &picked["classes"][ORANGE]["limits"]["luma"][0];
@@ -168,7 +168,7 @@ fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
 
 #[test]
 fn the_end_of_the_field_is_shown_with_what_was_rejected() {
-    let (page, _) = crate::world::running();
+    let (page, _) = crate::sessions::world::running();
     let image = watched_image(&page);
     let message = |image: u32| Request::Extension { name: "boundary".to_owned(), message: json!({ "image": image }) };
     let boundary = page.ask(message(image)).unwrap();

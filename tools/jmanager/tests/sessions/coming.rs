@@ -6,7 +6,7 @@ use bica_monitor::protocol::{FromPage, Open, Request, ToPage};
 use bica_monitor::sessions::{Frame, Key, Outbox};
 use serde_json::{Value, json};
 
-use crate::page::Bench;
+use crate::sessions::page::Bench;
 
 /// A page during whose `hello` the session is closed.
 struct Closing(Arc<Bench>, Mutex<Vec<Value>>);

@@ -14,10 +14,10 @@ use bica_recording::{Info, Recording};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
-use crate::page::{Bench, Folder, Got, Page};
-use crate::recorded::opened;
-use crate::robot::{Robot, attached};
-use crate::world::{find, hold, set_gain};
+use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::recorded::opened;
+use crate::sessions::robot::{Robot, attached};
+use crate::sessions::world::{find, hold, set_gain};
 
 /// Opens a robot with one page, and waits until it has sent some cycles.
 fn running(robot: &Robot) -> (Page, Value) {
@@ -159,7 +159,7 @@ fn what_was_received_can_be_kept_after_the_robot_has_gone() {
 #[test]
 fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
     let folder = Folder::new();
-    crate::recorded::record(&folder, "one.mcap", 1);
+    crate::sessions::recorded::record(&folder, "one.mcap", 1);
     let page = Page::new(&Bench::with(folder, |options| options));
     let robot = Robot::start("127.0.0.1:0");
     let address = robot.address.clone();

@@ -13,8 +13,8 @@ use bica_link::{Address, LinkServer, ServerOptions};
 use bica_monitor::protocol::{Breakpoint, Request};
 use serde_json::json;
 
-use crate::robot::{Robot, attached};
-use crate::world::{find, hold};
+use crate::sessions::robot::{Robot, attached};
+use crate::sessions::world::{find, hold};
 
 /// A lamp, with two transitions between the same states and one from a state to itself.
 struct Lamp {

@@ -3,8 +3,8 @@
 use bica_monitor::protocol::{Request, Watch, WatchImages, WatchInfo};
 use serde_json::{Value, json};
 
-use crate::page::{Got, Page};
-use crate::world::{find, pose_of, running};
+use crate::sessions::page::{Got, Page};
+use crate::sessions::world::{find, pose_of, running};
 
 /// Watches images, the number of images and the truth; returns number and time (µs) of the newest image, the number, and the truth.
 fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Value) {

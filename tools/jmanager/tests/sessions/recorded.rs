@@ -11,8 +11,8 @@ use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use serde_json::Value;
 
-use crate::page::{Bench, Folder, Got, Page};
-use crate::world::find;
+use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::world::find;
 
 /// Seconds of the recorded games.
 const SECONDS: u64 = 6;

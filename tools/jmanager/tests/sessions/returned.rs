@@ -10,8 +10,8 @@ use bica_monitor::protocol::{Open, Request};
 use bica_recording::Recording;
 use serde_json::Value;
 
-use crate::lamp::{Room, Served};
-use crate::page::{Bench, Page};
+use crate::sessions::lamp::{Room, Served};
+use crate::sessions::page::{Bench, Page};
 
 /// Time between two cycles: no lamp is faster than a clock.
 const CYCLE: Duration = Duration::from_millis(20);

@@ -14,8 +14,8 @@ use bica_monitor::sessions::Options;
 use bica_sim::setup::Frame;
 use serde_json::{Value, json};
 
-use crate::page::{Bench, Folder, Got, Page};
-use crate::world::{find, hold, pose_of, set_gain};
+use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::world::{find, hold, pose_of, set_gain};
 
 /// A robot: a game that is served by a thread.
 pub(crate) struct Robot {
@@ -185,7 +185,7 @@ fn an_address_without_a_robot_is_tried_until_there_is_one() {
 #[test]
 fn a_read_only_server_refuses_every_change() {
     let bench = Bench::with(Folder::new(), |options| Options { read_only: true, ..options });
-    let (page, description) = crate::world::running_on(&bench);
+    let (page, description) = crate::sessions::world::running_on(&bench);
     let address = "tcp://127.0.0.1:1".to_owned();
     for request in [
         Request::Open { source: Open::Robot { address } },
@@ -211,7 +211,7 @@ fn a_read_only_server_refuses_every_change() {
 
 #[test]
 fn changed_values_are_saved_to_a_tune_file_and_are_in_force_in_the_next_world() {
-    let (page, description) = crate::world::running();
+    let (page, description) = crate::sessions::world::running();
     let (component, param) = find(&description, "FaceBall", "params", "gain");
     page.ask(Request::Acquire {}).unwrap();
     page.ask(set_gain(Plain::Number(0.9))).unwrap();

@@ -9,7 +9,7 @@ use bica_monitor::protocol::{Open, Request};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
-use crate::page::{Bench, Folder, Got, Page};
+use crate::sessions::page::{Bench, Folder, Got, Page};
 
 fn built_in() -> Open {
     Open::World {

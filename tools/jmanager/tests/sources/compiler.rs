@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::session_page::{Bench, LONG};
-use crate::view::{Sources, View, text_of};
+use crate::sessions::page::{Bench, LONG};
+use crate::sources::view::{Sources, View, text_of};
 
 const MANIFEST: &str = "[package]\nname = \"tiny\"\nversion = \"0.1.0\"\nedition = \"2021\"\n\n[workspace]\n";
 const LIBRARY: &str = "pub fn f() -> u32 {\n    1\n}\n";

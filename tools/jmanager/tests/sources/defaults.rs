@@ -7,7 +7,7 @@ use bica_link::{NamedRequest, NamedSetting, Plain};
 use bica_monitor::protocol::{Open, Request};
 use serde_json::Value;
 
-use crate::view::{Sources, View, text_of};
+use crate::sources::view::{Sources, View, text_of};
 
 /// Index of a component and of one of its parameters.
 fn find(description: &Value, component: &str, param: &str) -> (usize, usize) {

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::view::{PLAYER, Sources, View, text_of};
+use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 fn resolve(view: &View, keep: &Value) {
     view.ask(json!({ "type": "resolve_file", "file": "player.rs", "keep": keep })).unwrap();

@@ -3,7 +3,7 @@
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::view::{PLAYER, Sources, View, text_of};
+use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]
 fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {

@@ -7,8 +7,8 @@ use std::time::Duration;
 
 use serde_json::json;
 
-use crate::session_page::{Bench, Folder};
-use crate::view::{PLAYER, Sources, View, text_of};
+use crate::sessions::page::{Bench, Folder};
+use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]
 fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {

@@ -1,0 +1,9 @@
+//! Tests of the vision.
+
+mod accuracy;
+mod field;
+mod frames;
+mod hypothesis;
+mod memory;
+mod projection;
+mod uncertainty;
