@@ -1,52 +1,26 @@
-//! Active and latent components, and their hooks.
+//! What a tree reports about its components.
 
 use super::*;
 
-/// Counts the calls of its hooks, which a probe does not report.
-macro_rules! hooked {
-    ($name:ident, $rate:literal, $($step:item)?) => {
-        #[derive(Default)]
-        pub(crate) struct $name {
-            pub(crate) started: u32,
-            pub(crate) stopped: u32,
-            pub(crate) ran: u32,
-        }
+pub(crate) struct Parent;
 
-        #[component(hz = $rate, crate = bica_core)]
-        impl $name {
-            const fn new() -> Self {
-                Self { started: 0, stopped: 0, ran: 0 }
-            }
+#[component(hz = 1, crate = bica_core)]
+impl Parent {
+    const fn new() -> Self {
+        Self
+    }
 
-            $($step)?
-
-            #[start]
-            fn on_start(&mut self) {
-                self.started += 1;
-            }
-
-            #[stop]
-            fn on_stop(&mut self) {
-                self.stopped += 1;
-            }
-        }
-    };
+    fn step(&mut self, _: &mut Child) {}
 }
 
-hooked!(
-    Parent,
-    1,
-    fn step(&mut self, _: &mut Child) {
-        self.ran += 1;
+pub(crate) struct Child;
+
+#[component(hz = 1, crate = bica_core)]
+impl Child {
+    const fn new() -> Self {
+        Self
     }
-);
-hooked!(
-    Child,
-    1,
-    fn step(&mut self) {
-        self.ran += 1;
-    }
-);
+}
 
 pub(crate) struct Switch {
     pub(crate) on: bool,
@@ -82,28 +56,6 @@ activation_tree! {
         components: [Child, Parent, Switch],
         crate: bica_core,
     }
-}
-
-#[test]
-fn an_activated_component_starts_and_runs_at_once() {
-    let mut tree = Lamp::new();
-    assert_eq!(cycle(&mut tree, 0), ["start Switch", "run Switch"]);
-    assert_eq!(tree.active().collect::<Vec<_>>(), [Lamp::id::<Switch>()]);
-    tree.get_mut::<Switch>().on = true;
-    let expected = ["run Switch", "Switch: off -> on", "start Parent", "run Parent", "start Child", "run Child"];
-    assert_eq!(cycle(&mut tree, 10), expected);
-    assert_eq!(tree.active().map(bica_core::ComponentId::index).collect::<Vec<_>>(), [0, 1, 2]);
-}
-
-#[test]
-fn activators_stop_first() {
-    let mut tree = Lamp::new();
-    tree.get_mut::<Switch>().on = true;
-    tree.tick(at(0));
-    tree.get_mut::<Switch>().on = false;
-    assert_eq!(cycle(&mut tree, 10), ["run Switch", "Switch: on -> off", "stop Parent", "stop Child"]);
-    assert_eq!(cycle(&mut tree, 20), ["run Switch"]);
-    assert!(!tree.is_active::<Child>());
 }
 
 #[test]

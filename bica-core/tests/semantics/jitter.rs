@@ -58,14 +58,6 @@ macro_rules! runs_of {
     }};
 }
 
-/// Returns the instant of tick `n`, with deterministic noise of at most `spread` ticks to either side.
-fn jittered(start: u64, spread: u64) -> impl Fn(u64) -> u64 {
-    move |n| {
-        let noise = n.wrapping_add(start).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29) >> 20;
-        start + CYCLE * n + noise % (2 * spread + 1) - spread
-    }
-}
-
 /// Checks after each tick that the number of runs is the number of periods since the first tick, ± 1.
 fn check_runs(hz: f64, instants: &[u64], runs: &[u64]) -> Result<(), TestCaseError> {
     for (&now, &runs) in instants.iter().zip(runs) {
@@ -75,58 +67,6 @@ fn check_runs(hz: f64, instants: &[u64], runs: &[u64]) -> Result<(), TestCaseErr
         prop_assert!((-1.0..2.0).contains(&missing), "{runs} runs in {periods} periods");
     }
     Ok(())
-}
-
-#[test]
-fn early_ticks_lose_no_run() {
-    let instants = (0..10_000).map(|n| CYCLE * n - n % 2);
-    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
-}
-
-#[test]
-fn a_clock_of_whole_milliseconds_loses_no_run() {
-    let instants = (0..10_000).map(|n: u64| (CYCLE * n + 700 * (n % 2) + 400) / 1000 * 1000);
-    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
-}
-
-#[test]
-fn small_jitter_loses_no_run_near_the_cycle_rate() {
-    let instants: Vec<u64> = (0..10_000).map(jittered(SECOND, 10)).collect();
-    assert_eq!(runs_of!(Hundred in HundredTree at instants).last(), Some(&10_000));
-    let instants: Vec<u64> = (0..=10_000).map(jittered(SECOND, 100)).collect();
-    let runs = runs_of!(NinetyNine in NinetyNineTree at instants.iter().copied());
-    assert!((9900..=9901).contains(&runs[10_000]), "{} runs", runs[10_000]);
-}
-
-#[test]
-fn an_hour_at_30_hz_has_108_000_runs() {
-    let runs = runs_of!(Thirty in ThirtyTree at (0..360_000).map(|n| CYCLE * n));
-    assert!((107_999..=108_001).contains(&runs[359_999]), "{} runs", runs[359_999]);
-}
-
-pub(crate) struct Fast {
-    runs: u64,
-}
-
-#[component(hz = 1500, crate = bica_core)]
-impl Fast {
-    const fn new() -> Self {
-        Self { runs: 0 }
-    }
-
-    fn step(&mut self) {
-        self.runs += 1;
-    }
-}
-
-activation_tree! {
-    pub(crate) struct FastTree { root: Fast, cycle_hz: 2000, components: [Fast], crate: bica_core }
-}
-
-#[test]
-fn a_minute_at_1500_hz_has_90_000_runs() {
-    let runs = runs_of!(Fast in FastTree at (0..120_000).map(|n| 500 * n));
-    assert!((89_999..=90_001).contains(&runs[119_999]), "{} runs", runs[119_999]);
 }
 
 #[test]
@@ -179,15 +119,6 @@ proptest! {
         check_runs(f64::from(33.3_f32), &instants, &runs_of!(Odd in OddTree at instants.iter().copied()))?;
         check_runs(30.0, &instants, &runs_of!(Thirty in ThirtyTree at instants.iter().copied()))?;
         check_runs(f64::from(0.7_f32), &instants, &runs_of!(Slow in SlowTree at instants.iter().copied()))?;
-    }
-
-    #[test]
-    fn every_jittered_tick_runs_at_the_cycle_rate(
-        noise in prop::collection::vec(-4_999..=4_999_i64, 500..2000),
-    ) {
-        let instants = (1..).zip(&noise).map(|(n, &noise)| (CYCLE * n).saturating_add_signed(noise));
-        let runs = runs_of!(Hundred in HundredTree at [0].into_iter().chain(instants));
-        prop_assert_eq!(runs.last(), Some(&(noise.len() as u64 + 1)));
     }
 
     #[test]

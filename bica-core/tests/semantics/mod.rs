@@ -5,7 +5,6 @@ mod batches;
 mod borrows;
 mod description;
 mod jitter;
-mod large;
 mod machine;
 mod operator;
 mod order;

@@ -212,41 +212,11 @@ fn each_reason_of_a_refusal_names_the_parameter() {
         let setting = Setting::new(ComponentId::new(component), index, Value::U32(1));
         assert_eq!(tree.set_params(&[setting]).unwrap_err().to_string(), text);
     }
+    let refusal = tree.set_params(&[machine(9), machine(8)]).unwrap_err();
+    assert_eq!((refusal.entry, refusal.reason), (1, Reason::Twice));
     for (component, parameter, text) in [("Kicker", "run", no_param), ("Kiker", "runs", no_component)] {
         assert_eq!(Adjusted::setting(component, parameter, Value::U32(1)).unwrap_err().to_string(), text);
     }
-}
-
-#[test]
-fn a_refused_batch_changes_nothing() {
-    let mut tree = Adjusted::new();
-    let good = machine(9);
-    for (bad, reason) in [
-        (
-            kicker("kicks", Value::U32(6)),
-            Reason::OutOfRange { value: Value::U32(6), min: Value::U32(1), max: Value::U32(5) },
-        ),
-        (machine(8), Reason::Twice),
-    ] {
-        let refusal = tree.set_params(&[good, bad]).unwrap_err();
-        assert_eq!((refusal.entry, refusal.reason), (1, reason));
-        assert_eq!(tree.get_param("Machine", "runs"), Some(Value::U32(2)));
-    }
-    let pair = [kicker("forward", Value::I32(0)), good, kicker("kicks", Value::U32(5))];
-    let refusal = tree.set_params(&pair).unwrap_err();
-    assert_eq!(refusal.reason, Reason::Rule("five kicks are only for backward swings"));
-    assert_eq!(tree.params::<Kicker>().0, Tuned::<Kicking>::DEFAULT);
-    assert_eq!(tree.get_param("Machine", "runs"), Some(Value::U32(2)));
-}
-
-#[test]
-fn a_rule_judges_the_result_of_a_batch() {
-    let mut tree = Adjusted::new();
-    tree.set_params(&[kicker("kicks", Value::U32(5))]).unwrap();
-    assert!(tree.set_params(&[kicker("forward", Value::I32(4))]).is_err());
-    let both = [kicker("forward", Value::I32(4)), kicker("kicks", Value::U32(4))];
-    tree.set_params(&both).unwrap();
-    assert_eq!(tree.params::<Kicker>().0.forward, 4);
 }
 
 #[test]

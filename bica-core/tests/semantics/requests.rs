@@ -100,28 +100,6 @@ fn the_bounds_of_each_class_give_the_documented_rate() {
     }
 }
 
-#[test]
-fn a_component_with_a_requested_rate_of_0_never_runs() {
-    for request in [0x0000_0000, 0x8000_0000, 0x0000_0001, 0x007f_ffff, 0xff80_0000, 0x8000_0001, 0xbf80_0000] {
-        let mut tree = Requests::new();
-        tree.tick(at(0));
-        tree.rate_mut::<Declared>().set(f32::from_bits(request));
-        tree.rate_mut::<Free>().set(f32::from_bits(request));
-        for ms in [10, 20, 1_000_000, 31_536_000_000] {
-            assert_eq!(runs(&mut tree, ms), [""; 0], "{request:#010x}");
-        }
-    }
-}
-
-#[test]
-fn an_infinite_rate_runs_in_every_cycle() {
-    let mut tree = Requests::new();
-    tree.rate_mut::<Free>().set(f32::INFINITY);
-    tree.tick(at(0));
-    assert_eq!(runs(&mut tree, 1), ["Free"]);
-    assert_eq!(runs(&mut tree, 1), ["Free"]);
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
