@@ -105,7 +105,7 @@ fn a_server_that_is_killed_while_it_saves_leaves_the_file_whole() {
     for round in 0..8 {
         let sources = Sources::new(&[("player.rs", &one)]);
         let mut child = Command::new(std::env::current_exe().unwrap())
-            .args(["faults::victim", "--exact", "--nocapture", "--test-threads=1"])
+            .args(["sources::faults::victim", "--exact", "--nocapture", "--test-threads=1"])
             .env(VICTIM, sources.path(""))
             .stdout(Stdio::piped())
             .spawn()
@@ -161,7 +161,7 @@ fn a_full_disk_leaves_the_file_whole_and_the_edit_in_memory() {
     let sources = Sources::player();
     // Larger files cannot be written, as on a full disk.
     let script =
-        format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" faults::server_with_a_full_disk --exact --nocapture");
+        format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" sources::faults::server_with_a_full_disk --exact --nocapture");
     let ran = Command::new("bash")
         .args(["-c", &script])
         .arg(std::env::current_exe().unwrap())
