@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use bica::Graph;
-use bica_console::{Failure, Outcome};
 use bica_drawing::svg;
 use bica_wire::model::Description;
 use clap::{Args, ValueEnum};
+
+use crate::console::{Failure, Outcome};
 
 /// Arguments of `graph`.
 #[derive(Clone, Debug, Args)]

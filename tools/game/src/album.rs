@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use bica::ComponentId;
-use bica_console::{Failure, make_folder};
+use bica_app::Failure;
 use bica_drawing::png;
 use bica_drawing::polar::describe;
+use bica_evaluation::pictures::make_folder;
 
 use crate::observer::GameObserver;
 use crate::pictures::sheet::{Sheet, Snapshot};

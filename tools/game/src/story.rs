@@ -1,6 +1,6 @@
 //! Story of a game: a line for each change of the tree and each event.
 
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 use bica_drawing::TreeState;
 use bica_drawing::polar::{Polar, describe};
 use bica_sim::referee::TimedEvent;

@@ -7,7 +7,7 @@ mod gif;
 use std::path::Path;
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::polar::describe;
