@@ -31,7 +31,7 @@ enum Format {
 /// Prints the tree.
 pub(crate) fn run(args: &GraphArgs, graph: &Graph) -> Result<Outcome, Failure> {
     let text = match if args.json { Format::Json } else { args.format } {
-        Format::Svg => svg(graph),
+        Format::Svg => svg(&Description::of(graph)),
         Format::Dot => graph.dot().to_string(),
         Format::Mermaid => graph.mermaid().to_string(),
         Format::Json => serde_json::to_string_pretty(&Description::of(graph)).map_err(io::Error::from)?,
