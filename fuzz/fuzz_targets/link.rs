@@ -10,7 +10,7 @@ use std::thread;
 use std::time::Duration;
 
 use bica::runner::{Runner, World};
-use bica_console::STACK_BYTES;
+use bica_app::STACK_BYTES;
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Model;

@@ -1,6 +1,7 @@
 //! The error of a name or value that does not fit.
 
 use core::fmt;
+use std::format;
 use std::string::String;
 
 /// A name that the tree does not have, or a value that does not fit.
@@ -19,6 +20,12 @@ impl Invalid {
     #[must_use]
     pub fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self { what: what.into(), help: help.into(), entry: None }
+    }
+
+    /// The same error, with the place where it was found in front.
+    #[must_use]
+    pub fn within(self, place: &str) -> Self {
+        Self { what: format!("{place}: {}", self.what), ..self }
     }
 
     pub(super) fn at(self, entry: usize) -> Self {

@@ -3,7 +3,7 @@
 use bica::Tree;
 use bica::graph::Graph;
 use bica_app::{App, TuningArgs};
-use bica_console::{Console, Failure, Outcome, interrupt};
+use bica_app::{Console, Failure, Outcome, interrupt};
 use bica_link::Address;
 use bica_sim::setup::Frame;
 use bica_sim::shot::SPEEDS;

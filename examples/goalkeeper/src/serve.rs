@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::Setting;
 use bica::runner::Runner;
-use bica_console::{Console, Failure, Outcome, interrupt};
+use bica_app::{Console, Failure, Outcome, interrupt};
 use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_motion::pose::Pose2;
@@ -45,8 +45,7 @@ pub(crate) fn run(
     let world = shots::world(plan.seed, shot.from, frame)?;
     let offers = Offers::TRUTH.with(Offers::IMAGES).with(Offers::PAUSE);
     let options = ServerOptions { anywhere, offers, ..ServerOptions::default() };
-    let (server, requests, observer) =
-        LinkServer::start::<Keeper>(address, options).map_err(|error| Failure::new(error.to_string(), error.help()))?;
+    let (server, requests, observer) = LinkServer::start::<Keeper>(address, options)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     let keeper = shots::goalkeeper(&world, settings)?;
     let observers = (Story::new(), observer.with_images(image_of));

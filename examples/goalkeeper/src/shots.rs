@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use bica::runner::{Observer, Requests, Runner};
 use bica::{Setting, Tree};
-use bica_console::{Batch, Failure};
+use bica_app::{Batch, Failure};
 use bica_motion::model::RobotModel;
 use bica_motion::robot::Command;
 use bica_player::Model;

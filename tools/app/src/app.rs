@@ -6,11 +6,11 @@ use std::process::ExitCode;
 
 use bica::runner::{Robot, World};
 
-use bica_console::{Failure, Outcome};
 use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
+use crate::console::{Failure, Outcome};
 use crate::params::Layer;
 use crate::replay;
 use crate::run::{self, RunArgs};

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 
 use bica::Graph;
-use bica_console::{Failure, Outcome};
 use bica_drawing::svg;
 use bica_wire::model::Description;
 use clap::{Args, ValueEnum};
+
+use crate::console::{Failure, Outcome};
 
 /// Arguments of `graph`.
 #[derive(Clone, Debug, Args)]
@@ -30,7 +31,7 @@ enum Format {
 /// Prints the tree.
 pub(crate) fn run(args: &GraphArgs, graph: &Graph) -> Result<Outcome, Failure> {
     let text = match if args.json { Format::Json } else { args.format } {
-        Format::Svg => svg(graph),
+        Format::Svg => svg(&Description::of(graph)),
         Format::Dot => graph.dot().to_string(),
         Format::Mermaid => graph.mermaid().to_string(),
         Format::Json => serde_json::to_string_pretty(&Description::of(graph)).map_err(io::Error::from)?,

@@ -47,6 +47,7 @@
 //! A program adds commands of its own with [`App::commands`].
 
 mod app;
+mod console;
 mod graph;
 mod link;
 #[cfg(feature = "monitor")]
@@ -60,8 +61,8 @@ mod tool;
 mod world;
 
 pub use app::App;
-pub use bica_console::{Console, Failure, Outcome};
 pub use clap;
+pub use console::*;
 pub use link::ServeArgs;
 pub use params::{Layer, TuningArgs};
 pub use record::{Images, RecordArgs};

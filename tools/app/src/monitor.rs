@@ -1,22 +1,22 @@
 //! `monitor`: a web page that shows, tunes, drives and records the robot.
 
 use std::fmt;
-use std::path::Path;
 use std::sync::Arc;
 
 use bica::runner::Robot;
-use bica_console::{Failure, Outcome};
 use bica_link::{LinkRequests, LinkServer, ServerOptions};
 use bica_monitor::cli::Arguments;
-use bica_monitor::program::{Compared, Game, LocalWorld, Program, Replay, WorldRun, WorldSetup};
+use bica_monitor::program::{Game, LocalWorld, Program, WorldRun, WorldSetup};
 use bica_monitor::sessions::Options;
-use bica_recording::{Header, LogLine, Recordable, ReplayOptions};
+use bica_recording::{Header, LogLine, Recordable};
 use bica_tuning::Layers;
 use bica_wire::message::Offers;
+use bica_wire::model::Invalid;
 use clap::{Args, Command};
 
+use crate::console::{Failure, Outcome, interrupt};
 use crate::record::{Images, RecordArgs, RecordedFile};
-use crate::replay::{refused, replay, rerun};
+use crate::replay::rerun;
 use crate::run::Running;
 use crate::world::{RegisteredWorld, WorldOptions};
 
@@ -43,10 +43,11 @@ pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
     let program = Program {
         graph: Some(const { &R::GRAPH }),
         worlds: simulated.map(local).collect(),
-        replay: Some(Box::new(Again(Arc::clone(&worlds)))),
+        rerun: Some(Box::new(move |recording, set, out, progress| rerun(&worlds, recording, set, out, progress))),
         ..Program::default()
     };
-    bica_monitor::run(args, Options::default(), program)
+    bica_monitor::run(args, Options::default(), program, &interrupt::requested)?;
+    Ok(Outcome::Success)
 }
 
 /// World of the program, as one of the monitor.
@@ -61,7 +62,7 @@ impl<R: Recordable<Error: fmt::Display> + Default + 'static> LocalWorld for Simu
         self.worlds[self.index].name
     }
 
-    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure> {
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Invalid> {
         let mut layers = Layers::new(const { &R::GRAPH });
         if let Some(tune) = &setup.tune {
             layers.read(tune)?;
@@ -71,7 +72,7 @@ impl<R: Recordable<Error: fmt::Display> + Default + 'static> LocalWorld for Simu
         let options = WorldOptions::new(setup.seed, &options)?;
         let Self { worlds, index, is_done } = self;
         let (worlds, index, is_done) = (Arc::clone(worlds), *index, *is_done);
-        Ok(Box::new(move |run| play(&worlds[index], &options, &layers, is_done, run)))
+        Ok(Box::new(move |run| Ok(play(&worlds[index], &options, &layers, is_done, run)?)))
     }
 }
 
@@ -91,13 +92,12 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     // Sensor values are not stored: the same world is made again from its set-up.
     let record = RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, force: true };
     let started = record.start(header, true).unwrap_or_else(|failure| {
-        run.not_recorded(&refused(failure).to_string());
+        run.not_recorded(&Invalid::from(failure).what);
         None
     });
     let (file, recorder) = started.unzip();
     let offers = ServerOptions { offers: Offers::PAUSE, ..ServerOptions::default() };
-    let (_server, requests, view) = LinkServer::start::<R>(&run.address(), offers)
-        .map_err(|error| Failure::new(error.to_string(), error.help()))?;
+    let (_server, requests, view) = LinkServer::start::<R>(&run.address(), offers)?;
     let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
     while !run.is_ended() {
         if running.end(is_done, None).is_some() && run.over() {
@@ -115,24 +115,4 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     let (_, _, _, (_, (_, recorder))) = running.runner.into_parts();
     recorder.map(|recorder| recorder.finish("ended by the monitor"));
     Ok(())
-}
-
-/// Recordings of the robot run again.
-struct Again<R: Robot>(Worlds<R>);
-
-impl<R: Recordable<Error: fmt::Display> + Default + 'static> Replay for Again<R> {
-    fn again(
-        &self,
-        recording: &Path,
-        set: &[String],
-        out: &Path,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<(), Failure> {
-        rerun(&self.0, recording, set, out, progress)
-    }
-
-    fn compare(&self, one: &Path, other: &Path) -> Result<Compared, Failure> {
-        let options = ReplayOptions { against: Some(other), ..ReplayOptions::whole(one) };
-        replay(&self.0, &options).map(Compared::from)
-    }
 }

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 use std::thread;
 
-use bica_console::{Failure, Outcome, STACK_BYTES, interrupt};
+use crate::console::{Failure, Outcome, STACK_BYTES, interrupt};
 
 /// Runs the work of a program on a thread whose stack holds a large tree; returns the exit code.
 pub(crate) fn start(work: impl FnOnce() -> Result<Outcome, Failure> + Send + 'static) -> ExitCode {

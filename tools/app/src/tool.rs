@@ -1,10 +1,10 @@
 //! Commands of every robot.
 
 use bica::Tree;
-use bica_console::{Failure, Outcome};
 use bica_recording::{ReplayOptions, ReplayReport};
 use clap::Subcommand;
 
+use crate::console::{Failure, Outcome};
 use crate::graph::{self, GraphArgs};
 use crate::link::{self, Link};
 use crate::params::{self, Layer, Params};

@@ -6,8 +6,9 @@ use std::fmt;
 use std::str::FromStr;
 
 use bica::runner::{Robot, World};
-use bica_console::Failure;
 use bica_recording::SetUp;
+
+use crate::console::Failure;
 
 /// Remedy for a recording whose world cannot be made again.
 pub(crate) const REPLAY_HELP: &str = "replay it with the program that recorded it";

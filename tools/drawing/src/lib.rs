@@ -3,6 +3,7 @@
 //! Coordinates of pictures are pixels: x right, y down.
 
 pub mod canvas;
+mod drawing;
 pub mod layout;
 pub mod palette;
 pub mod png;
@@ -13,5 +14,6 @@ pub mod text;
 mod tree_state;
 pub mod tree_view;
 
+pub use drawing::{Drawing, DrawnBox, DrawnLink};
 pub use svg::svg;
 pub use tree_state::TreeState;

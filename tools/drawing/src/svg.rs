@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use bica::graph::{Graph, LinkKind, Node};
+use bica_wire::model::{Component, Description, LinkKind};
 
 use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, Segment};
 
@@ -16,32 +16,29 @@ const GREY: &str = "#7d8590";
 const LEGEND_HEIGHT: f64 = 44.0;
 
 /// Returns a drawing of a tree as SVG, about 900 pixels wide for two dozen components.
-///
-/// # Panics
-/// If the tree has more than [`bica::check::CAPACITY`] components, which no tree that compiles has.
 #[must_use]
-pub fn svg(graph: &Graph) -> String {
-    let layers = Layers::new(graph);
+pub fn svg(tree: &Description) -> String {
+    let layers = Layers::new(tree);
     let placement = Placement::new(&layers);
     let (width, height) = (placement.width, placement.height + LEGEND_HEIGHT);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
          height=\"{height:.0}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12\" \
          text-anchor=\"middle\">\n<title>{}</title>\n",
-        escaped(graph.name)
+        escaped(&tree.name)
     );
     for segment in &layers.segments {
         out += &line(&layers, &placement, segment);
     }
-    for (item, node) in graph.nodes.iter().enumerate() {
-        out += &component(node, Kind::of(graph, item), placement.of(item), item == graph.root);
+    for (item, node) in tree.components.iter().enumerate() {
+        out += &component(node, Kind::of(tree, item), placement.of(item), item == tree.root);
     }
-    out += &legend(graph, width, placement.height);
+    out += &legend(tree, width, placement.height);
     out + "</svg>\n"
 }
 
 /// Box with the component's name and rate.
-fn component(node: &Node, kind: Kind, (x, y): (f64, f64), root: bool) -> String {
+fn component(node: &Component, kind: Kind, (x, y): (f64, f64), root: bool) -> String {
     let (fill, border) = kind.colours();
     let (left, thickness) = (x - BOX_WIDTH / 2.0, if root { 3.0 } else { 1.5 });
     let rate = node.hz.map_or("every cycle".into(), |hz| format!("{hz} Hz"));
@@ -52,8 +49,8 @@ fn component(node: &Node, kind: Kind, (x, y): (f64, f64), root: bool) -> String 
          <text x=\"{x:.1}\" y=\"{:.1}\" fill=\"#424a53\" font-size=\"10\">{}</text></g>\n",
         escaped(node.doc.trim()),
         y + 17.0,
-        fitting(node.name),
-        escaped(node.name),
+        fitting(&node.name),
+        escaped(&node.name),
         y + 31.0,
         escaped(&rate),
     )
@@ -96,9 +93,10 @@ fn head(x: f64, y: f64, side: f64) -> String {
     format!("<path d=\"M{x:.1} {y:.1}l-3.5 {back:.1}h7z\" fill=\"{GREY}\"/>\n")
 }
 
-fn legend(graph: &Graph, width: f64, top: f64) -> String {
+fn legend(tree: &Description, width: f64, top: f64) -> String {
     let y = top + 20.0;
-    let kinds = Kind::ALL.into_iter().filter(|&kind| (0..graph.nodes.len()).any(|node| Kind::of(graph, node) == kind));
+    let kinds =
+        Kind::ALL.into_iter().filter(|&kind| (0..tree.components.len()).any(|node| Kind::of(tree, node) == kind));
     let mut entries: Vec<(String, &str)> = kinds.map(|kind| (swatch(kind), kind.name())).collect();
     entries.push((sample(" stroke-dasharray=\"5 3\""), "reads (requirement)"));
     entries.push((sample(""), "writes (modulation)"));

@@ -1,6 +1,6 @@
 //! Picture of an activation tree in one cycle: active components with their states, latent ones as pale boxes.
 
-use bica::graph::{Graph, LinkKind};
+use bica_wire::model::{Description, LinkKind};
 use glam::Vec2;
 
 use super::canvas::{Area, Canvas, Rgb};
@@ -24,17 +24,17 @@ pub struct TreeView {
 }
 
 impl TreeView {
-    /// A view of a graph, in pictures of this size, px.
+    /// A view of a tree, in pictures of this size, px.
     #[must_use]
-    pub fn new(graph: &Graph, width: usize, height: usize) -> Self {
-        let layers = Layers::new(graph);
-        let (placement, routes) = (Placement::new(&layers), routes(graph, &layers));
+    pub fn new(tree: &Description, width: usize, height: usize) -> Self {
+        let layers = Layers::new(tree);
+        let (placement, routes) = (Placement::new(&layers), routes(tree, &layers));
         Self { layers, placement, routes, size: Vec2::new(width as f32, height as f32) }
     }
 
     /// Draws the tree in a state.
     #[must_use]
-    pub fn draw(&self, tree: &TreeState) -> Canvas {
+    pub fn draw(&self, tree: &TreeState<'_>) -> Canvas {
         let mut canvas = Canvas::new(self.size.x as usize, self.size.y as usize, PAPER);
         let in_use = self.in_use(tree);
         for (index, segment) in self.layers.segments.iter().enumerate() {
@@ -42,16 +42,16 @@ impl TreeView {
                 self.segment(&mut canvas, segment);
             }
         }
-        for node in 0..tree.graph.nodes.len() {
+        for node in 0..tree.tree.components.len() {
             self.component(&mut canvas, tree, node);
         }
         canvas
     }
 
     /// Returns for each segment whether it belongs to a link in use.
-    fn in_use(&self, tree: &TreeState) -> Vec<bool> {
+    fn in_use(&self, tree: &TreeState<'_>) -> Vec<bool> {
         let mut in_use = vec![false; self.layers.segments.len()];
-        for (from, node) in tree.graph.nodes.iter().enumerate() {
+        for (from, node) in tree.tree.components.iter().enumerate() {
             for (link, way) in node.links.iter().zip(&self.routes[from]).filter(|(link, _)| tree.uses(from, link)) {
                 debug_assert!(!way.is_empty(), "no way from {} to node {}", node.name, link.to);
                 for &index in way {
@@ -93,16 +93,16 @@ impl TreeView {
         }
     }
 
-    fn component(&self, canvas: &mut Canvas, tree: &TreeState, node: usize) {
+    fn component(&self, canvas: &mut Canvas, tree: &TreeState<'_>, node: usize) {
         let from = self.corner(node);
         let area = Area { from, to: from + BOX };
-        let (name, middle, line) = (tree.graph.nodes[node].name, area.centre(), Vec2::new(0.0, 8.0));
+        let (name, middle, line) = (&*tree.tree.components[node].name, area.centre(), Vec2::new(0.0, 8.0));
         if !tree.active[node] {
             canvas.rounded_rectangle(area, 6.0, PAPER);
             canvas.outline(area, 6.0, 1.0, GHOST);
             return canvas.write_centred(middle, Font::Normal, FAINT, name);
         }
-        let (fill, border) = colours(tree.graph, node);
+        let (fill, border) = colours(tree.tree, node);
         canvas.rounded_rectangle(area, 6.0, fill);
         canvas.outline(area, 6.0, 1.8, border);
         match tree.state(node) {
@@ -115,8 +115,8 @@ impl TreeView {
     }
 }
 
-fn colours(graph: &Graph, node: usize) -> (Rgb, Rgb) {
-    let (fill, border) = Kind::of(graph, node).colours();
+fn colours(tree: &Description, node: usize) -> (Rgb, Rgb) {
+    let (fill, border) = Kind::of(tree, node).colours();
     (hex(fill), hex(border))
 }
 

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 

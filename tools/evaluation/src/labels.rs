@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use glam::Vec2;
 
 use crate::frame_io::stem;

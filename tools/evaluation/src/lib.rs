@@ -8,6 +8,7 @@ pub mod labels;
 pub mod pictures;
 pub mod profile;
 pub mod scoring;
+pub mod statistics;
 mod table;
 #[cfg(feature = "mujoco")]
 pub mod trial;

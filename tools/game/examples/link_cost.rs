@@ -12,8 +12,8 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::{Cycle, Observer, Request, Requests, Runner};
 use bica::{Instant, Probe, Refusal, Tree};
-use bica_console::STACK_BYTES;
-use bica_console::statistics::percentile;
+use bica_app::STACK_BYTES;
+use bica_evaluation::statistics::percentile;
 use bica_game::WorldKind;
 use bica_link::{Address, Client, ClientOptions, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_motion::robot::Sensors;

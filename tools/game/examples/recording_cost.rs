@@ -13,8 +13,8 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::Runner;
 use bica::{Instant, Tree};
-use bica_console::STACK_BYTES;
-use bica_console::statistics::percentile;
+use bica_app::STACK_BYTES;
+use bica_evaluation::statistics::percentile;
 use bica_field::GoalColour;
 use bica_game::{Rules, WorldKind, recording_header};
 use bica_motion::robot::{Image, Sensors};

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use bica::ComponentId;
-use bica_console::{Failure, make_folder};
+use bica_app::Failure;
 use bica_drawing::png;
 use bica_drawing::polar::describe;
+use bica_evaluation::pictures::make_folder;
 
 use crate::observer::GameObserver;
 use crate::pictures::sheet::{Sheet, Snapshot};
@@ -26,7 +27,7 @@ impl Album {
     /// If the folder cannot be made.
     pub fn new(folder: &Path) -> Result<Self, Failure> {
         make_folder(folder)?;
-        Ok(Self { folder: folder.to_owned(), sheet: Sheet::new(&GRAPH), count: 0 })
+        Ok(Self { folder: folder.to_owned(), sheet: Sheet::new(), count: 0 })
     }
 
     /// Number of pictures.
@@ -39,7 +40,7 @@ impl Album {
 impl GameObserver for Album {
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let tree = scene.tree();
-        let state = tree.state(tree.graph.root).unwrap_or("-");
+        let state = tree.state(tree.tree.root).unwrap_or("-");
         let (ball, goal) = scene.positions();
         let named = |list: &[ComponentId], sign| {
             let names: Vec<_> = list.iter().map(|id| format!("{sign}{}", GRAPH.nodes[id.index()].name)).collect();

@@ -1,6 +1,6 @@
 //! Control of a game between two cycles.
 
-use bica_console::interrupt;
+use bica_app::interrupt;
 
 /// What the loop of a game does next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Events of the referee, as JSON and as text.
 
-use bica_console::Style;
+use bica_app::Style;
 use bica_motion::fall::Direction;
 use bica_motion::side::Side;
 use bica_recording::RunEvent;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 use bica_emulator::{Controller, CycleReport, Error, Transport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;

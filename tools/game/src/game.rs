@@ -5,7 +5,7 @@ use std::time::{Duration, Instant as Clock};
 
 use bica::runner::Runner;
 use bica::{Instant, Refusal, Tree};
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_link::LinkRequests;
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use bica::Probe;
 use bica::runner::{Cycle, Observer};
-use bica_console::statistics::percentile;
+use bica_evaluation::statistics::percentile;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
 use serde::Serialize;

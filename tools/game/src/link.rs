@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_motion::pose::Pose2;
@@ -58,8 +58,7 @@ impl GameLink {
         let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
         let offers = Offers::TRUTH.with(Offers::IMAGES).with(Offers::BALL).with(pause);
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, ..defaults };
-        let (server, requests, observer) = LinkServer::start::<Forward>(address, options)
-            .map_err(|error| Failure::new(error.to_string(), error.help()))?;
+        let (server, requests, observer) = LinkServer::start::<Forward>(address, options)?;
         started(server.address())?;
         let observer = observer.with_images(image_of).sharing_images(move |pixels| image.owner_of(pixels));
         Ok((Self(Some(server)), Some(requests), Some(observer)))

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_sim::referee::TimedEvent;
 use bica_sim::{Picture, Referee, SpectatorCamera};
 

@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use bica::runner::{Cycle, Observer, Request};
 use bica::{Probe, Refusal};
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use bica::runner::World;
 use bica::{Instant, Tree};
-use bica_console::{Failure, interrupt};
+use bica_app::{Failure, interrupt};
 use bica_field::GoalColour;
 use bica_motion::model::RobotModel;
 use bica_motion::robot::{Command, Sensors};
@@ -13,10 +13,11 @@ use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::{Header, Refused, RepeatedWorld, ReplayOptions, ReplayReport, Report, RunEvent, SetUp, Subject};
+use bica_recording::{Header, RepeatedWorld, ReplayOptions, ReplayReport, Report, RunEvent, SetUp, Subject};
 use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
 use bica_tuning::Layers;
+use bica_wire::model::Invalid;
 use indicatif::ProgressBar;
 use serde::de::DeserializeOwned;
 
@@ -45,7 +46,7 @@ pub fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
     let subject = |header: &Header, runs_world| subject(header, options.set, runs_world);
     let report = bica_recording::replay(options, subject, progress);
     bar.finish_and_clear();
-    report.map_err(failure)
+    Ok(report?)
 }
 
 /// Runs the code again on a recording, with other parameters, and writes the new course to a recording with images.
@@ -58,27 +59,16 @@ pub fn rerun(
     set: &[String],
     out: &Path,
     mut progress: impl FnMut(f64) -> bool,
-) -> Result<Report, Failure> {
+) -> Result<Report, Invalid> {
     let subject = |header: &Header, runs_world| subject(header, set, runs_world);
     let progress = |seconds| !interrupt::requested() && progress(seconds);
-    bica_recording::rerun(path, out, subject, progress).map_err(failure)
-}
-
-fn failure(Refused { what, help }: Refused) -> Failure {
-    Failure::new(what, help)
-}
-
-fn refused(failure: Failure) -> Refused {
-    match failure {
-        Failure::Error { what, help } => Refused::new(what, help),
-        Failure::BrokenPipe => Refused::new("stdout is closed", "keep its reader open"),
-    }
+    bica_recording::rerun(path, out, subject, progress)
 }
 
 /// Returns the forward as it was at the start of a recorded game, with other parameters, and its world if it runs again.
-fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<Forward>, Refused> {
+fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<Forward>, Invalid> {
     let unknown = |what: &str| {
-        Refused::new(format!("the recording has an unknown {what}"), "replay it with the program that recorded it")
+        Invalid::new(format!("the recording has an unknown {what}"), "replay it with the program that recorded it")
     };
     let text = |name| header.set_up.get(name).and_then(|value| value.as_str()).unwrap_or_default();
     let profile = match text("profile") {
@@ -94,23 +84,23 @@ fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<RobotProfile>().set(profile);
     robot.get_mut::<GoalDetector>().attack(attacks);
-    layers(header, set).and_then(|layers| layers.apply(&mut *robot)).map_err(refused)?;
-    let world = |()| -> Result<Box<dyn RepeatedWorld<Forward>>, Refused> {
-        let world = world_factory::open(&rules_of(&header.set_up)?).map_err(refused)?;
+    layers(header, set)?.apply(&mut *robot)?;
+    let world = |()| -> Result<Box<dyn RepeatedWorld<Forward>>, Invalid> {
+        let world = world_factory::open(&rules_of(&header.set_up)?)?;
         Ok(Box::new(Field { world, events: 0 }))
     };
     Ok(Subject { robot, world: runs_world.then_some(()).map(world).transpose()? })
 }
 
 /// Returns the parameters of a recording, and over them the assignments of the command line.
-fn layers(header: &Header, set: &[String]) -> Result<Layers, Failure> {
+fn layers(header: &Header, set: &[String]) -> Result<Layers, Invalid> {
     let mut layers = Layers::new(&GRAPH);
     header.assignments().try_for_each(|assignment| layers.assign(&assignment, "the recording"))?;
     set.iter().try_for_each(|assignment| layers.assign(assignment, "--set"))?;
     Ok(layers)
 }
 
-fn rules_of(set_up: &SetUp) -> Result<Rules, Refused> {
+fn rules_of(set_up: &SetUp) -> Result<Rules, Invalid> {
     let world: String = value(set_up, "world")?;
     let world = match world.as_str() {
         "built-in" | "firmware" => WorldKind::BuiltIn,
@@ -119,12 +109,12 @@ fn rules_of(set_up: &SetUp) -> Result<Rules, Refused> {
         other => {
             let what = format!("the game was played in the world `{other}`, which this program does not have");
             let help = "for MuJoCo build with `--features mujoco`; recordings with images need no world";
-            return Err(Refused::new(what, help));
+            return Err(Invalid::new(what, help));
         }
     };
     let [width, height]: [usize; 2] = value(set_up, "size")?;
     let unknown =
-        || Refused::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
+        || Invalid::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
     Ok(Rules {
         world,
         seed: value(set_up, "seed")?,
@@ -137,11 +127,11 @@ fn rules_of(set_up: &SetUp) -> Result<Rules, Refused> {
     })
 }
 
-fn value<T: DeserializeOwned>(set_up: &SetUp, name: &str) -> Result<T, Refused> {
+fn value<T: DeserializeOwned>(set_up: &SetUp, name: &str) -> Result<T, Invalid> {
     let value = set_up.get(name).and_then(|value| serde_json::from_value(value.clone()).ok());
     value.ok_or_else(|| {
         let what = format!("the set-up in the recording has no valid `{name}`");
-        Refused::new(what, "replay it with the program that recorded it")
+        Invalid::new(what, "replay it with the program that recorded it")
     })
 }
 

@@ -1,5 +1,6 @@
 //! State of a game after a cycle: detections and estimates of the forward, the true state, the tree.
 
+use std::sync::LazyLock;
 use std::time::Duration;
 
 use bica::graph::Graph;
@@ -12,6 +13,7 @@ use bica_player::input::CameraInput;
 use bica_player::perception::{BallDetector, FieldBoundary, GoalDetector, Odometry, OwnBody};
 use bica_player::tunable::Forward;
 use bica_sim::Referee;
+use bica_wire::model::Description;
 use glam::Vec2;
 
 use crate::meter::Meter;
@@ -19,6 +21,9 @@ use crate::pictures::state::{Estimates, GroundTruth};
 
 /// Static description of the forward's tree.
 pub static GRAPH: Graph = Forward::GRAPH;
+
+/// The same tree as tools describe it.
+pub(crate) static TREE: LazyLock<Description> = LazyLock::new(|| Description::of(&GRAPH));
 
 /// State of a game after a cycle.
 pub struct Scene<'a> {
@@ -44,10 +49,10 @@ pub struct Scene<'a> {
 impl Scene<'_> {
     /// Returns the state of the tree.
     #[must_use]
-    pub fn tree(&self) -> TreeState {
+    pub fn tree(&self) -> TreeState<'static> {
         let each = || (0..GRAPH.nodes.len()).map(ComponentId::new);
         TreeState {
-            graph: &GRAPH,
+            tree: &TREE,
             active: each().map(|id| self.robot.is_active_at(id)).collect(),
             states: each().map(|id| self.robot.state(id)).collect(),
         }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 
-use bica_console::{Batch, Console, Failure, Outcome, interrupt};
+use bica_app::{Batch, Console, Failure, Outcome, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::album::Album;

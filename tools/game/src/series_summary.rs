@@ -1,7 +1,7 @@
 //! Summary of a series of games.
 
-use bica_console::statistics::percentile;
-use bica_console::{Batch, Console, Failure, Style};
+use bica_app::{Batch, Console, Failure, Style};
+use bica_evaluation::statistics::percentile;
 use serde::Serialize;
 
 use crate::latency::{Latencies, LatencySummary};

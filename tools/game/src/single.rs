@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bica_console::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, Outcome};
 use serde::Serialize;
 
 use crate::album::Album;

@@ -1,6 +1,6 @@
 //! Story of a game: a line for each change of the tree and each event.
 
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 use bica_drawing::TreeState;
 use bica_drawing::polar::{Polar, describe};
 use bica_sim::referee::TimedEvent;
@@ -43,9 +43,9 @@ impl Story {
     }
 
     /// Returns the active components that activate others, with marks at those that started, then those that stopped.
-    fn components(&self, scene: &Scene<'_>, tree: &TreeState) -> String {
+    fn components(&self, scene: &Scene<'_>, tree: &TreeState<'_>) -> String {
         let is_in = |list: &[bica::ComponentId], node: usize| list.iter().any(|id| id.index() == node);
-        let activates = |node: usize| !tree.graph.nodes[node].links.is_empty();
+        let activates = |node: usize| !tree.tree.components[node].links.is_empty();
         let mut parts: Vec<String> = active(tree)
             .filter(|&node| activates(node))
             .map(|node| {
@@ -55,7 +55,7 @@ impl Story {
             })
             .collect();
         for id in scene.meter.stopped.iter().filter(|id| activates(id.index()) && !tree.active[id.index()]) {
-            parts.push(self.console.styled(Style::Faint, &format!("-{}", tree.graph.nodes[id.index()].name)));
+            parts.push(self.console.styled(Style::Faint, &format!("-{}", tree.tree.components[id.index()].name)));
         }
         parts.join(" ")
     }
@@ -64,7 +64,7 @@ impl Story {
 impl GameObserver for Story {
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let (tree, (ball, goal)) = (scene.tree(), scene.positions());
-        let state = tree.state(tree.graph.root).unwrap_or("-");
+        let state = tree.state(tree.tree.root).unwrap_or("-");
         let row = columns(self.console, &time(scene.t), state, (&describe(ball), &describe(goal)), Style::Strong);
         self.console.print(&format!("{row}{}", self.components(scene, &tree)))?;
         if self.console.is_json() {
@@ -90,11 +90,11 @@ fn columns(console: Console, time: &str, state: &str, (ball, goal): (&str, &str)
 }
 
 /// Active components except the root.
-fn active(tree: &TreeState) -> impl Iterator<Item = usize> {
-    (0..tree.active.len()).filter(|&node| tree.active[node] && node != tree.graph.root)
+fn active(tree: &TreeState<'_>) -> impl Iterator<Item = usize> {
+    (0..tree.active.len()).filter(|&node| tree.active[node] && node != tree.tree.root)
 }
 
-fn with_state(tree: &TreeState, node: usize) -> String {
-    let name = tree.graph.nodes[node].name;
-    tree.state(node).map_or_else(|| name.to_owned(), |state| format!("{name}:{state}"))
+fn with_state(tree: &TreeState<'_>, node: usize) -> String {
+    let name = &tree.tree.components[node].name;
+    tree.state(node).map_or_else(|| name.clone(), |state| format!("{name}:{state}"))
 }

@@ -1,6 +1,6 @@
 //! Summary of a game, as text.
 
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 
 use crate::latency::LatencySummary;
 use crate::summary::{GameResult, GameSummary};

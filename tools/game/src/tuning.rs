@@ -1,7 +1,7 @@
 //! Parameters of a game.
 
 use bica::Setting;
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_player::tunable::Forward;
 use bica_tuning::Layers;
 

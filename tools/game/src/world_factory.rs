@@ -1,6 +1,6 @@
 //! Worlds for games.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_player::Model;
 use bica_sim::SpectatorView;
 use bica_sim::kinematic::KinematicWorld;

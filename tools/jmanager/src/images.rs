@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use bica_console::Failure;
 use bica_evaluation::frame_io::{RecordedFrame, list};
 
 use bica_monitor::program::ImageFiles;
+use bica_wire::model::Invalid;
 
 /// A folder of labelled images.
 pub(super) struct LabelledImages(pub(super) PathBuf);
@@ -15,8 +15,8 @@ impl ImageFiles for LabelledImages {
         self.0.display().to_string()
     }
 
-    fn list(&self) -> Result<Vec<PathBuf>, Failure> {
-        list(&self.0)
+    fn list(&self) -> Result<Vec<PathBuf>, Invalid> {
+        Ok(list(&self.0)?)
     }
 
     fn read(&self, file: &Path) -> Result<(u16, u16, Vec<u8>), String> {

@@ -4,14 +4,13 @@ mod cli;
 mod colours;
 mod field;
 mod images;
-mod replay;
 mod run;
 mod world;
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use bica_game::{FirmwareImage, GRAPH};
+use bica_game::{FirmwareImage, GRAPH, rerun};
 use bica_sim::setup::Frame;
 
 use bica_monitor::program::{ImageFiles, LocalWorld, Program};
@@ -48,7 +47,7 @@ pub fn program(options: SoccerOptions) -> Program {
     Program {
         graph: Some(&GRAPH),
         worlds: worlds.collect(),
-        replay: Some(Box::new(replay::GameReplay)),
+        rerun: Some(Box::new(|recording, set, out, progress| rerun(recording, set, out, progress).map(drop))),
         images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
         scene: Some(Box::new(field::Field)),
         extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],

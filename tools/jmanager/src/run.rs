@@ -3,7 +3,7 @@
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
-use bica_console::{Failure, Outcome};
+use bica_app::{Failure, Outcome, interrupt};
 use clap::Parser;
 
 use super::cli::{Cli, Command};
@@ -50,5 +50,7 @@ fn serve(cli: Cli) -> Result<Outcome, Failure> {
     }
     let options = Options { run: RUN.to_owned(), ..Options::default() };
     let soccer = SoccerOptions { firmware: image, size, images, ..SoccerOptions::default() };
-    bica_monitor::run(&arguments, options, program(soccer))
+    interrupt::listen();
+    bica_monitor::run(&arguments, options, program(soccer), &interrupt::requested)?;
+    Ok(Outcome::Success)
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_game::{
     FirmwareImage, GRAPH, GameControl, NextStep, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled,
     settings,
@@ -16,7 +16,7 @@ use bica_tuning::Layers;
 
 use super::SoccerOptions;
 use bica_monitor::program::{Game, LocalWorld, WorldOption, WorldRun, WorldSetup};
-use bica_monitor::protocol::Failed;
+use bica_wire::model::Invalid;
 
 /// Option of the worlds: the number of other robots.
 pub const ROBOTS: &str = "robots";
@@ -49,7 +49,7 @@ impl LocalWorld for SoccerWorld {
         vec![WorldOption { name, doc, max: MAX_ROBOTS as u64 }]
     }
 
-    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure> {
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Invalid> {
         let is_firmware = self.name == "firmware";
         let size = if is_firmware { Frame::Small } else { self.options.size };
         let firmware = is_firmware.then(|| FirmwareImage::new(self.options.firmware.clone(), size));
@@ -68,7 +68,7 @@ impl LocalWorld for SoccerWorld {
             firmware: firmware.transpose()?,
             settings: settings(&layers)?,
         };
-        Ok(Box::new(move |run| play(&rules, run)))
+        Ok(Box::new(move |run| Ok(play(&rules, run)?)))
     }
 }
 
@@ -102,8 +102,8 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
             return Err(failure);
         }
         // The world or its file cannot be made. Without a file only the world's failure is left.
-        let Failed { text, help, .. } = failure.into();
-        run.not_recorded(&format!("{text}: {help}"));
+        let Invalid { what, help, .. } = failure.into();
+        run.not_recorded(&format!("{what}: {help}"));
         play_controlled(rules, &mut (), &mut Control(run), None, Some(serve)).map(drop)
     })
 }

@@ -1,94 +1,94 @@
 //! The program from its start to Ctrl-C.
 
-use std::io::{self, BufRead, IsTerminal};
+use std::io::{self, BufRead, IsTerminal, Write as _};
 use std::net::{IpAddr, Ipv4Addr, TcpListener};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
+use bica_wire::model::Invalid;
+
 use crate::cli::Arguments;
 use crate::options::Options;
 use crate::program::Program;
-use crate::protocol::Open;
+use crate::protocol::{Failed, Open};
 use crate::sessions::Manager;
 use crate::sources::Sources;
 use crate::web::{Web, WebOptions};
 use crate::{open, sources, token};
-use bica_console::{Console, Failure, Outcome, Style, interrupt};
 
 /// Port of the page, if it is free.
 const PORT: u16 = 7410;
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
 
-/// Serves the page until Ctrl-C. `options` has the folders and limits that no argument gives.
+/// Serves the page until `is_over`. `options` has the folders and limits that no argument gives.
 ///
 /// # Errors
 /// If an argument is wrong, or the page cannot be served.
-pub fn run(arguments: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
-    interrupt::listen();
-    serve(arguments, options, program)
+pub fn run(cli: &Arguments, options: Options, program: Program, is_over: &dyn Fn() -> bool) -> Result<(), Invalid> {
+    serve(cli, options, program, is_over).map_err(|Failed { text, help, .. }| Invalid::new(text, help))
 }
 
-fn serve(cli: &Arguments, options: Options, program: Program) -> Result<Outcome, Failure> {
-    let console = Console::new(false);
+fn serve(cli: &Arguments, options: Options, program: Program, is_over: &dyn Fn() -> bool) -> Result<(), Failed> {
     let Sources { open: shown, recordings } = sources::read(cli, &program)?;
     may_edit(cli)?;
     let token = cli.token_file.as_deref().map(token::read).transpose()?;
     if let (Some((_, true)), Some(path)) = (&token, &cli.token_file) {
-        console.print(&format!("a new secret is in `{}`: the page of another computer asks for it", path.display()))?;
+        print(&format!("a new secret is in `{}`: the page of another computer asks for it", path.display()))?;
     }
     let manager = Arc::new(Manager::new(chosen(cli, recordings, options), program));
     for source in shown {
-        let opened = match &cli.record {
+        match &cli.record {
             Some(file) if !matches!(source, Open::Recording { .. }) => manager.open_recorded(source, file),
             _ => manager.open(source),
-        };
-        opened.map_err(|failed| Failure::new(failed.text, failed.help))?;
+        }?;
     }
     let web_options = WebOptions { names: cli.host.clone(), token: token.map(|(token, _)| token) };
-    let failure = |error: io::Error| Failure::new(format!("cannot serve the page: {error}"), "try again");
+    let failure = |error: io::Error| Failed::new(format!("cannot serve the page: {error}"), "try again");
     let web = Web::start(listen(cli)?, web_options, Arc::clone(&manager)).map_err(failure)?;
     if cli.listen.is_some_and(|address| !address.is_loopback()) {
-        let text = "warning: the page is not encrypted, and whoever knows the secret operates the robots";
-        console.print(&console.styled(Style::Bad, text))?;
+        eprintln!("warning: the page is not encrypted, and whoever knows the secret operates the robots");
     }
-    announce(console, &web, "works once")?;
+    announce(&web, "works once")?;
     if !cli.no_open {
         open::open(&web.url().map_err(failure)?);
     }
     let lines = lines();
-    while !interrupt::requested() {
+    while !is_over() {
         std::thread::sleep(POLL);
         if lines.try_recv().is_ok() {
-            announce(console, &web, "a new one")?;
+            announce(&web, "a new one")?;
         }
     }
     // Pages are told that the server ends, then robots are given back.
     drop(web);
     drop(manager);
-    Ok(Outcome::Success)
+    Ok(())
 }
 
 /// Refuses to let other computers edit sources, and a folder that cannot be opened.
-fn may_edit(cli: &Arguments) -> Result<(), Failure> {
+fn may_edit(cli: &Arguments) -> Result<(), Failed> {
     let Some(folder) = &cli.source else { return Ok(()) };
     if cli.listen.is_some_and(|address| !address.is_loopback()) {
         let help = "leave out --source and --build, or --listen: an SSH tunnel reaches a page at 127.0.0.1, too";
-        return Err(Failure::new("sources are edited and built from this computer only", help));
+        return Err(Failed::new("sources are edited and built from this computer only", help));
     }
-    let failed = |error| Failure::new(format!("the folder of sources cannot be opened: {error}"), "is the path right?");
+    let failed = |error| Failed::new(format!("the folder of sources cannot be opened: {error}"), "is the path right?");
     bica_vicode::Folder::open(folder).map(drop).map_err(failed)
 }
 
-fn announce(console: Console, web: &Web, note: &str) -> Result<(), Failure> {
-    let url = web.url().map_err(|error| Failure::new(format!("no random numbers: {error}"), "try again"))?;
+fn announce(web: &Web, note: &str) -> Result<(), Failed> {
+    let url = web.url().map_err(|error| Failed::new(format!("no random numbers: {error}"), "try again"))?;
     let more = if io::stdin().is_terminal() { "; Enter prints another one, Ctrl-C ends" } else { "" };
-    console.print(&format!(
-        "{}  {}",
-        console.styled(Style::Strong, &url),
-        console.styled(Style::Faint, &format!("({note}{more})"))
-    ))
+    print(&format!("{url}  ({note}{more})"))
+}
+
+/// Prints a line; another program may wait for it.
+fn print(line: &str) -> Result<(), Failed> {
+    let mut out = io::stdout().lock();
+    let failed = |error| Failed::new(format!("cannot print: {error}"), "keep the reader of the output open");
+    writeln!(out, "{line}").and_then(|()| out.flush()).map_err(failed)
 }
 
 fn chosen(cli: &Arguments, recordings: std::path::PathBuf, options: Options) -> Options {
@@ -103,7 +103,7 @@ fn chosen(cli: &Arguments, recordings: std::path::PathBuf, options: Options) -> 
 }
 
 /// Binds the port: the one of the command line, or the usual one, or any that is free.
-fn listen(cli: &Arguments) -> Result<TcpListener, Failure> {
+fn listen(cli: &Arguments) -> Result<TcpListener, Failed> {
     let address = cli.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
     let bind = |port| TcpListener::bind((address, port));
     let bound = match cli.port {
@@ -112,7 +112,7 @@ fn listen(cli: &Arguments) -> Result<TcpListener, Failure> {
     };
     bound.map_err(|error| {
         let what = format!("cannot listen at {address}, port {}: {error}", cli.port.unwrap_or(PORT));
-        Failure::new(what, "choose another --port, or an address of this computer for --listen")
+        Failed::new(what, "choose another --port, or an address of this computer for --listen")
     })
 }
 

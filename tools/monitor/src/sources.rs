@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bica_console::Failure;
+use bica_wire::model::Invalid;
 
 use crate::cli::Arguments;
 use crate::program::Program;
@@ -16,7 +16,7 @@ pub(crate) struct Sources {
 }
 
 /// Reads the sources of the command line.
-pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Failure> {
+pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Invalid> {
     let mut recordings = cli.recordings.clone();
     let mut open = Vec::new();
     for source in &cli.sources {
@@ -26,13 +26,13 @@ pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Failur
             Open::Recording { name: recording(Path::new(source), &mut recordings)? }
         } else {
             let help = "write tcp://HOST:PORT, serial:DEVICE or FILE.mcap; `--help` shows examples";
-            return Err(Failure::new(format!("`{source}` is no robot and no recording"), help));
+            return Err(Invalid::new(format!("`{source}` is no robot and no recording"), help));
         });
     }
     if open.is_empty() || cli.world.is_some() {
         let first = || program.worlds.first().map(|world| world.name().to_owned());
         let none =
-            || Failure::new("nothing is to be shown", "name a robot, tcp://HOST:PORT, or a recording, FILE.mcap");
+            || Invalid::new("nothing is to be shown", "name a robot, tcp://HOST:PORT, or a recording, FILE.mcap");
         let world = cli.world.clone().or_else(first).ok_or_else(none)?;
         open.push(Open::World { world, seed: cli.seed, options: cli.option.iter().cloned().collect() });
     }
@@ -43,31 +43,31 @@ pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Failur
 }
 
 /// Refuses to record several sessions or none in a file, and a file that cannot be made.
-fn may_record(file: &Path, open: &[Open]) -> Result<(), Failure> {
+fn may_record(file: &Path, open: &[Open]) -> Result<(), Invalid> {
     let live = open.iter().filter(|source| !matches!(source, Open::Recording { .. })).count();
     if live != 1 {
         let what = format!("--record records one world or one robot, found {live}");
-        return Err(Failure::new(what, "start the program once for each"));
+        return Err(Invalid::new(what, "start the program once for each"));
     }
     let text = file.display();
     if file.extension().is_none_or(|ending| ending != "mcap") {
-        return Err(Failure::new(format!("`{text}` does not end in .mcap"), "name a file FILE.mcap with --record"));
+        return Err(Invalid::new(format!("`{text}` does not end in .mcap"), "name a file FILE.mcap with --record"));
     }
     if file.exists() {
-        return Err(Failure::new(format!("`{text}` exists"), "name another file with --record, or remove this one"));
+        return Err(Invalid::new(format!("`{text}` exists"), "name another file with --record, or remove this one"));
     }
     let folder = file.parent().filter(|folder| *folder != Path::new("")).unwrap_or_else(|| Path::new("."));
     if folder.is_dir() {
         return Ok(());
     }
     let what = format!("`{text}` cannot be made: there is no folder `{}`", folder.display());
-    Err(Failure::new(what, "make the folder, or name another file with --record"))
+    Err(Invalid::new(what, "make the folder, or name another file with --record"))
 }
 
 /// Returns the file name of a recording. The page opens recordings of one folder: that of the first recording.
-fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Failure> {
+fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Invalid> {
     if !path.is_file() {
-        return Err(Failure::new(format!("there is no file `{}`", path.display()), "is the path right?"));
+        return Err(Invalid::new(format!("there is no file `{}`", path.display()), "is the path right?"));
     }
     let parent = match path.parent() {
         Some(parent) if parent != Path::new("") => parent,
@@ -77,10 +77,10 @@ fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Failur
     let same = |a: &Path, b: &Path| a.canonicalize().ok() == b.canonicalize().ok();
     if !same(folder, parent) {
         let what = format!("`{}` is not in the folder of recordings, `{}`", path.display(), folder.display());
-        return Err(Failure::new(what, "put both recordings into one folder"));
+        return Err(Invalid::new(what, "put both recordings into one folder"));
     }
     let name = path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
-    name.ok_or_else(|| Failure::new(format!("the name of `{}` is not UTF-8", path.display()), "rename the file"))
+    name.ok_or_else(|| Invalid::new(format!("the name of `{}` is not UTF-8", path.display()), "rename the file"))
 }
 
 #[cfg(test)]
@@ -98,12 +98,12 @@ mod tests {
             "room"
         }
 
-        fn prepare(&self, _: &WorldSetup) -> Result<Game, Failure> {
+        fn prepare(&self, _: &WorldSetup) -> Result<Game, Invalid> {
             Ok(Box::new(|_| Ok(())))
         }
     }
 
-    fn sources(arguments: &[&str]) -> Result<Vec<Open>, Failure> {
+    fn sources(arguments: &[&str]) -> Result<Vec<Open>, Invalid> {
         let program = Program { worlds: vec![Box::new(Room)], ..Program::default() };
         read(&parse(arguments), &program).map(|sources| sources.open)
     }
@@ -133,7 +133,7 @@ mod tests {
         assert!(sources(&["--record", new]).is_ok());
         assert!(sources(&["tcp://nao:7400", "--record", new]).is_ok());
         let error = |arguments: &[&str]| match sources(arguments) {
-            Err(Failure::Error { what, .. }) => what,
+            Err(Invalid { what, .. }) => what,
             other => panic!("{other:?}"),
         };
         assert!(error(&["tcp://nao:7400", "tcp://other:7400", "--record", new]).contains("found 2"));

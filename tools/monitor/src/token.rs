@@ -4,31 +4,30 @@ use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::Path;
 
-use bica_console::Failure;
-
-use crate::web;
+use crate::protocol::Failed;
+use crate::{files, web};
 
 /// Fewest characters of a secret.
 const MIN_LENGTH: usize = 32;
 const HELP: &str = "remove the file: a new one is made with a random secret";
 
 /// Reads the secret; makes the file if there is none. Returns it, and whether the file is new.
-pub(crate) fn read(path: &Path) -> Result<(String, bool), Failure> {
+pub(crate) fn read(path: &Path) -> Result<(String, bool), Failed> {
     if !path.exists() {
         return make(path).map(|token| (token, true));
     }
     check_mode(path)?;
-    let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read", path, &error, HELP))?;
+    let text = fs::read_to_string(path).map_err(|error| files::failed("read", path, &error, HELP))?;
     let token = text.trim();
     if token.len() < MIN_LENGTH || token.contains(|letter: char| !letter.is_ascii_graphic()) {
         let what = format!("`{}` contains no secret of at least {MIN_LENGTH} characters", path.display());
-        return Err(Failure::new(what, HELP));
+        return Err(Failed::new(what, HELP));
     }
     Ok((token.to_owned(), false))
 }
 
-fn make(path: &Path) -> Result<String, Failure> {
-    let failure = |error: std::io::Error| Failure::of_path("write", path, &error, "choose another place for it");
+fn make(path: &Path) -> Result<String, Failed> {
+    let failure = |error: std::io::Error| files::failed("write", path, &error, "choose another place for it");
     let token = web::secret().map_err(failure)?;
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
@@ -41,19 +40,19 @@ fn make(path: &Path) -> Result<String, Failure> {
 
 /// Refuses a file that other users of the computer can read.
 #[cfg(unix)]
-fn check_mode(path: &Path) -> Result<(), Failure> {
+fn check_mode(path: &Path) -> Result<(), Failed> {
     use std::os::unix::fs::PermissionsExt;
-    let failure = |error| Failure::of_path("read", path, &error, HELP);
+    let failure = |error| files::failed("read", path, &error, HELP);
     let mode = fs::metadata(path).map_err(failure)?.permissions().mode() & 0o777;
     if mode & 0o077 != 0 {
         let what = format!("other users can read `{}` (mode {mode:o})", path.display());
-        return Err(Failure::new(what, format!("chmod 600 {}", path.display())));
+        return Err(Failed::new(what, format!("chmod 600 {}", path.display())));
     }
     Ok(())
 }
 
 #[cfg(not(unix))]
-fn check_mode(_: &Path) -> Result<(), Failure> {
+fn check_mode(_: &Path) -> Result<(), Failed> {
     Ok(())
 }
 

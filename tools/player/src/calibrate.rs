@@ -1,6 +1,6 @@
 //! `player calibrate`: colour classes fitted to labelled images.
 
-use bica_console::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, Outcome};
 use bica_evaluation::calibrate;
 
 use crate::cli::Calibrate;

@@ -1,7 +1,7 @@
 //! A colour profile as values of the parameters of `Colours`.
 
+use bica_app::Failure;
 use bica_app::Layer;
-use bica_console::Failure;
 use bica_evaluation::profile::load;
 use bica_tuning::Layers;
 use bica_vision::colour::{Colour, Filter};
@@ -26,7 +26,7 @@ impl Layer for ColourProfile {
             let limits = limits.map_err(|(what, help)| Failure::new(format!("`{name}`: `{class}` {what}"), help))?;
             for (limit, value) in limits {
                 let assignment = format!("Colours.{class}_{limit}={value}");
-                layers.assign(&assignment, &source).map_err(|failure| failure.at(&source))?;
+                layers.assign(&assignment, &source).map_err(|invalid| invalid.within(&source))?;
             }
         }
         Ok(())

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use bica::Setting;
 use bica_app::RecordArgs;
-use bica_console::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, Outcome};
 use bica_game::{
     FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
 };

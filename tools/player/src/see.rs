@@ -1,6 +1,6 @@
 //! `player see`: detections of each recorded image on a line, and their score.
 
-use bica_console::{Console, Failure, Outcome, Style};
+use bica_app::{Console, Failure, Outcome, Style};
 use bica_evaluation::camera_poses::Pose;
 use bica_evaluation::detection::{self, DetectionObserver, Detections, Folder, JsonLine};
 use bica_evaluation::labels::Labels;

@@ -1,8 +1,8 @@
 //! `player trial`: trials of the body in `MuJoCo`.
 
 #[cfg(feature = "mujoco")]
-use bica_console::Console;
-use bica_console::{Failure, Outcome};
+use bica_app::Console;
+use bica_app::{Failure, Outcome};
 #[cfg(feature = "mujoco")]
 use bica_evaluation::trial;
 #[cfg(feature = "mujoco")]

@@ -1,6 +1,6 @@
 //! `player watch`: the detectors over a folder of recorded images, with a summary.
 
-use bica_console::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, Outcome};
 use bica_evaluation::detection::{Folder, Report};
 
 use crate::cli::Watch;

@@ -49,5 +49,5 @@ pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use program::{Program, Start};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
-pub use replay::{AfterGap, Refused, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun};
+pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;

@@ -4,44 +4,59 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use bica::graph::Graph;
-use bica::params::Kind;
-use bica::refusal::Reason;
-use bica::{Setting, Tree};
-use bica_console::Failure;
+use bica::{ComponentId, Graph, Setting, Tree};
+use bica_wire::model::{Component, Description, Invalid, NamedSetting, Param};
 
 use crate::file;
-use crate::names::{Place, find, range};
+
+/// Index of a component, and of a parameter in it.
+pub(crate) type Place = (usize, usize);
 
 /// Values over the defaults of a tree; each layer replaces values of the ones before it.
 #[derive(Clone, Debug)]
 pub struct Layers {
-    graph: &'static Graph,
-    /// By component and parameter.
-    values: BTreeMap<(usize, u16), (bica::Value, String)>,
+    /// The tree with the values.
+    tree: Description,
+    /// Where each value comes from that is not only the default of the source.
+    sources: BTreeMap<Place, String>,
 }
 
-/// A parameter with its value.
+/// A parameter with its value, [`Param::current`].
 #[derive(Clone, Copy, Debug)]
 pub struct Value<'a> {
+    /// Its component.
+    pub component: &'a Component,
     /// The parameter.
-    pub place: Place,
-    /// The value.
-    pub value: bica::Value,
-    /// Where it comes from, as `tune/nao.toml line 3`; none for the default of the source.
+    pub param: &'a Param,
+    /// Where the value comes from, as `tune/nao.toml line 3`; none for the default of the source.
     pub source: Option<&'a str>,
+}
+
+impl Value<'_> {
+    /// Whether the value is the default of the source.
+    #[must_use]
+    pub fn is_default(&self) -> bool {
+        self.param.current() == self.param.default
+    }
+
+    /// Returns the value as text.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.param.kind.text(self.param.current()).to_string()
+    }
 }
 
 impl Layers {
     /// The defaults of a tree.
     #[must_use]
-    pub const fn new(graph: &'static Graph) -> Self {
-        Self { graph, values: BTreeMap::new() }
+    pub fn new(graph: &Graph) -> Self {
+        Self { tree: Description::of(graph), sources: BTreeMap::new() }
     }
 
-    /// The tree.
-    pub(crate) const fn graph(&self) -> &'static Graph {
-        self.graph
+    /// The tree with the values.
+    #[must_use]
+    pub const fn tree(&self) -> &Description {
+        &self.tree
     }
 
     /// Adds the values of a tune file.
@@ -49,19 +64,20 @@ impl Layers {
     /// # Errors
     /// If the file cannot be read, is no TOML, names an unknown component or parameter, or has a value of a wrong kind or out
     /// of range.
-    pub fn read(&mut self, path: &Path) -> Result<(), Failure> {
-        let name = path.display().to_string();
-        let help = "the command `params --write FILE` writes a tune file";
-        let text = fs::read_to_string(path).map_err(|error| Failure::of_path("read", path, &error, help))?;
-        self.read_text(&name, &text)
+    pub fn read(&mut self, path: &Path) -> Result<(), Invalid> {
+        let text = fs::read_to_string(path).map_err(|error| {
+            let what = format!("cannot read `{}`: {error}", path.display());
+            Invalid::new(what, "the command `params --write FILE` writes a tune file")
+        })?;
+        self.read_text(&path.display().to_string(), &text)
     }
 
     /// Adds the values of a tune file of this name and text.
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    pub fn read_text(&mut self, name: &str, text: &str) -> Result<(), Failure> {
-        for (place, value, line) in file::parse(self.graph, name, text)? {
+    pub fn read_text(&mut self, name: &str, text: &str) -> Result<(), Invalid> {
+        for (place, value, line) in file::parse(&self.tree, name, text)? {
             self.insert(place, value, format!("{name} line {line}"));
         }
         Ok(())
@@ -72,87 +88,68 @@ impl Layers {
     /// # Errors
     /// If the text is no assignment, a name is unknown, the value is of a wrong kind or out of range, or the same source has
     /// set the parameter before.
-    pub fn assign(&mut self, assignment: &str, source: &str) -> Result<(), Failure> {
-        let parts = assignment.split_once('=').and_then(|(name, value)| Some((name.split_once('.')?, value)));
-        let Some(((component, name), value)) = parts else {
-            let what = format!("`{assignment}` is not an assignment");
-            return Err(Failure::new(what, "write it as `Component.name=value`, as `Drive.speed=0.9`"));
-        };
-        let place = find(self.graph, component.trim(), name.trim())?;
-        let value = place.param.kind.parse(value.trim());
-        let value = value.map_err(|reason| value_failure(&format!("`{assignment}`"), &place, reason))?;
-        match self.values.get(&(place.component.index(), place.index)) {
-            Some((before, of)) if of == source => {
-                let before = format!("{}.{}={}", place.node.name, place.param.name, place.param.kind.text(*before));
-                Err(Failure::new(
-                    format!("{source} sets one parameter twice: `{before}` and `{assignment}`"),
-                    "leave one of them out",
-                ))
-            }
-            _ => {
-                self.insert(place, value, source.to_owned());
-                Ok(())
-            }
+    pub fn assign(&mut self, assignment: &str, source: &str) -> Result<(), Invalid> {
+        let Setting { component, index, value } = self.tree.setting(&NamedSetting::parse(assignment)?)?;
+        let place = (component.index(), usize::from(index));
+        if self.sources.get(&place).is_some_and(|of| of == source) {
+            let owner = &self.tree.components[place.0];
+            let Param { name, kind, .. } = &owner.params[place.1];
+            let before = format!("{}.{name}={}", owner.name, kind.text(owner.params[place.1].current()));
+            let what = format!("{source} sets one parameter twice: `{before}` and `{assignment}`");
+            return Err(Invalid::new(what, "leave one of them out"));
         }
+        self.insert(place, value, source.to_owned());
+        Ok(())
     }
 
     fn insert(&mut self, place: Place, value: bica::Value, source: String) {
-        self.values.insert((place.component.index(), place.index), (value, source));
+        self.tree.components[place.0].params[place.1].value = Some(value);
+        self.sources.insert(place, source);
+    }
+
+    fn places(&self) -> impl Iterator<Item = (Place, Value<'_>)> {
+        self.tree.components.iter().enumerate().flat_map(move |(owner, component)| {
+            component.params.iter().enumerate().map(move |(index, param)| {
+                let place = (owner, index);
+                (place, Value { component, param, source: self.sources.get(&place).map(String::as_str) })
+            })
+        })
     }
 
     /// All parameters of the tree with their values, in the order of components and fields.
     pub fn all(&self) -> impl Iterator<Item = Value<'_>> {
-        Place::all(self.graph).map(|place| match self.values.get(&(place.component.index(), place.index)) {
-            Some((value, source)) => Value { place, value: *value, source: Some(source) },
-            None => Value { place, value: place.param.default, source: None },
-        })
+        self.places().map(|(_, value)| value)
     }
 
     /// Removes the values for which `keep` is false; their parameters have the defaults again.
     pub fn retain(&mut self, keep: impl Fn(&Value<'_>) -> bool) {
-        let kept: Vec<_> = self.all().filter(|value| keep(value)).map(|Value { place, .. }| place).collect();
-        let is_kept = |key: &(usize, u16)| kept.iter().any(|place| (place.component.index(), place.index) == *key);
-        self.values.retain(|key, _| is_kept(key));
+        let removed: Vec<_> = self.places().filter(|(_, value)| !keep(value)).map(|(place, _)| place).collect();
+        for place in removed {
+            self.tree.components[place.0].params[place.1].value = None;
+            self.sources.remove(&place);
+        }
     }
 
     /// The values as one batch for [`Tree::set_params`].
     #[must_use]
     pub fn settings(&self) -> Vec<Setting> {
-        self.all().filter(|value| value.source.is_some()).map(|value| value.place.setting(value.value)).collect()
+        let setting = |((component, index), Value { param, .. }): (Place, Value<'_>)| {
+            Setting::new(ComponentId::new(component), index as u16, param.current())
+        };
+        self.places().filter(|(_, value)| value.source.is_some()).map(setting).collect()
     }
 
     /// Sets all values in a tree.
     ///
     /// # Errors
     /// If the tree is not tunable, or the values break a rule between parameters.
-    pub fn apply<T: Tree>(&self, tree: &mut T) -> Result<(), Failure> {
+    pub fn apply<T: Tree>(&self, tree: &mut T) -> Result<(), Invalid> {
         tree.set_params(&self.settings()).map_err(|refusal| {
-            let of_component = self.all().filter(|value| value.place.node.name == refusal.component);
-            let sources = of_component.filter_map(|value| {
-                let Value { place, value, source } = value;
-                Some(format!("{}={} ({})", place.param.name, place.param.kind.text(value), source?))
-            });
-            let sources: Vec<_> = sources.collect();
-            Failure::new(refusal.to_string(), format!("values that are not defaults: {}", sources.join(", ")))
+            let of_component = self.all().filter(|value| value.component.name == refusal.component);
+            let sources: Vec<_> = of_component
+                .filter_map(|value| Some(format!("{}={} ({})", value.param.name, value.text(), value.source?)))
+                .collect();
+            Invalid::new(refusal.to_string(), format!("values that are not defaults: {}", sources.join(", ")))
         })
     }
-}
-
-/// An error in a value; `at` is the place of its text.
-pub(crate) fn value_failure(at: &str, place: &Place, reason: Reason) -> Failure {
-    let (component, name) = (place.node.name, place.param.name);
-    let unit = place.param.unit.map(|unit| format!(" {unit}")).unwrap_or_default();
-    let values = range(&place.param.kind);
-    let help = match place.param.kind {
-        Kind::F32 { .. } => format!("write a number from {values}{unit}"),
-        Kind::I32 { .. } | Kind::U32 { .. } => format!("write a whole number from {values}{unit}"),
-        Kind::Choice { .. } => format!("write one of {values}"),
-        Kind::Bool => "write true or false".to_owned(),
-    };
-    let what = match reason {
-        Reason::UnknownVariant { .. } => "there is no such variant".to_owned(),
-        Reason::WrongKind { expected, .. } => format!("expected {expected}"),
-        reason => reason.to_string(),
-    };
-    Failure::new(format!("{at}: `{component}.{name}`: {what}"), help)
 }

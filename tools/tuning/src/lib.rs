@@ -14,9 +14,7 @@
 mod comments;
 mod file;
 mod layers;
-mod names;
 mod write;
 
 pub use layers::{Layers, Value};
-pub use names::{Place, find, find_component, range};
 pub use write::{render, write};

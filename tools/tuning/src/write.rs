@@ -4,12 +4,10 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 
-use bica::params::{Kind, Param};
-use bica_console::Failure;
+use bica_wire::model::{Invalid, Kind, Param};
 
 use crate::comments::{Comments, GENERATED};
 use crate::layers::{Layers, Value};
-use crate::names::{Place, range};
 
 /// First line of a tune file.
 const TITLE: &str = "# Parameters that differ from the defaults of the source.";
@@ -23,28 +21,32 @@ pub fn render(layers: &Layers) -> String {
 
 /// As [`render`], with the comments that a person wrote in the `old` file. Those of values that it has no more are its last lines.
 fn render_over(layers: &Layers, old: &str) -> String {
-    let mut values: Vec<_> = layers.all().filter(|value| value.value != value.place.param.default).collect();
-    values.sort_by_key(|Value { place, .. }| (place.node.name, place.param.name));
+    let mut values: Vec<_> = layers.all().filter(|value| !value.is_default()).collect();
+    values.sort_by_key(|Value { component, param, .. }| (&component.name, &param.name));
     let mut comments = Comments::read(old);
     let mut lines = vec![TITLE.to_owned()];
     lines.extend(comments.take("", "", &lines));
     let mut section = "";
-    for Value { place, value, .. } in values {
-        if section != place.node.name {
-            section = place.node.name;
+    for value in values {
+        let Value { component, param, .. } = value;
+        if section != component.name {
+            section = &component.name;
             lines.push(String::new());
             lines.extend(comments.take(section, "", &[]));
             lines.push(format!("[{section}]"));
         }
-        let doc = doc(place.param);
-        lines.extend(comments.take(section, place.param.name, &doc));
+        let doc = doc(param);
+        lines.extend(comments.take(section, &param.name, &doc));
         lines.extend(doc);
-        let value = toml_value(place.param, value);
-        lines.push(format!("{} = {value} {GENERATED}{}", place.param.name, describe(place.param)));
+        let text = match param.kind {
+            Kind::Choice { .. } => format!("\"{}\"", value.text()),
+            _ => value.text(),
+        };
+        lines.push(format!("{} = {text} {GENERATED}{}", param.name, describe(param)));
     }
     let mut rest = Vec::new();
-    for place in Place::all(layers.graph()) {
-        rest.extend(comments.take(place.node.name, place.param.name, &doc(place.param)));
+    for Value { component, param, .. } in layers.all() {
+        rest.extend(comments.take(&component.name, &param.name, &doc(param)));
     }
     rest.extend(comments.rest());
     if !rest.is_empty() {
@@ -59,10 +61,12 @@ fn render_over(layers: &Layers, old: &str) -> String {
 ///
 /// # Errors
 /// If the file exists and is not to be replaced, or cannot be read or written.
-pub fn write(layers: &Layers, path: &Path, replace: bool) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure::of_path("write", path, &error, "name a file in a folder that exists");
+pub fn write(layers: &Layers, path: &Path, replace: bool) -> Result<(), Invalid> {
+    let failed = |error: std::io::Error| {
+        Invalid::new(format!("cannot write `{}`: {error}", path.display()), "name a file in a folder that exists")
+    };
     let old = match fs::read_to_string(path) {
-        Ok(_) if !replace => return Err(Failure::new(format!("`{}` exists", path.display()), "--force replaces it")),
+        Ok(_) if !replace => return Err(Invalid::new(format!("`{}` exists", path.display()), "--force replaces it")),
         Err(error) if error.kind() != ErrorKind::NotFound => return Err(failed(error)),
         old => old.unwrap_or_default(),
     };
@@ -85,19 +89,10 @@ fn doc(param: &Param) -> Vec<String> {
     param.doc.lines().map(|line| format!("# {}", line.trim())).collect()
 }
 
-fn toml_value(param: &Param, value: bica::Value) -> String {
-    let text = param.kind.text(value);
-    match param.kind {
-        Kind::Choice { .. } => format!("\"{text}\""),
-        _ => text.to_string(),
-    }
-}
-
 /// Returns default, range and unit.
 fn describe(param: &Param) -> String {
-    let unit = param.unit.map(|unit| format!(" {unit}")).unwrap_or_default();
-    let default = param.kind.text(param.default);
-    let values = range(&param.kind);
+    let unit = param.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();
+    let (default, values) = (param.kind.text(param.default), param.range());
     match param.kind {
         Kind::Choice { .. } => format!("{default}, one of {values}"),
         Kind::Bool => default.to_string(),

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use bica::prelude::*;
-use bica_console::Failure;
 use bica_tuning::{Layers, render, write};
+use bica_wire::model::Invalid;
 
 /// The foot that kicks.
 #[derive(Clone, Copy, ParamEnum)]
@@ -63,18 +63,18 @@ static GRAPH: bica::Graph = Robot::GRAPH;
 
 fn layers(text: &str) -> Layers {
     let mut layers = Layers::new(&GRAPH);
-    layers.read_text("tune/nao.toml", text).unwrap_or_else(|failure| panic!("{failure:?}"));
+    layers.read_text("tune/nao.toml", text).unwrap_or_else(|invalid| panic!("{invalid:?}"));
     layers
 }
 
 fn value(layers: &Layers, name: &str) -> (String, Option<String>) {
-    let found = layers.all().find(|value| value.place.param.name == name).expect("a parameter");
-    (found.place.param.kind.text(found.value).to_string(), found.source.map(str::to_owned))
+    let found = layers.all().find(|value| value.param.name == name).expect("a parameter");
+    (found.text(), found.source.map(str::to_owned))
 }
 
 #[track_caller]
-fn assert_fails(result: Result<(), Failure>, what: &str, help: &str) {
-    let Err(Failure::Error { what: found, help: found_help }) = result else { panic!("no error, wanted `{what}`") };
+fn assert_fails(result: Result<(), Invalid>, what: &str, help: &str) {
+    let Err(Invalid { what: found, help: found_help, .. }) = result else { panic!("no error, wanted `{what}`") };
     assert_eq!((found.as_str(), found_help.as_str()), (what, help));
 }
 
@@ -100,16 +100,20 @@ fn a_whole_number_is_a_valid_f32_and_nothing_else_changes_its_kind() {
     assert_eq!(value(&layers("[Kicker]\nfar = 1\n"), "far").0, "1.0");
     let read = |text: &str| Layers::new(&GRAPH).read_text("t", text);
     let runs = "write a whole number from 0 to 9";
-    assert_fails(read("[Kicker]\nruns = 1.0"), "`t` line 2: `Kicker.runs`: expected u32", runs);
-    assert_fails(read("[Kicker]\nruns = \"1\""), "`t` line 2: `Kicker.runs`: expected u32", runs);
-    assert_fails(read("[Kicker]\nruns = true"), "`t` line 2: `Kicker.runs`: expected u32", runs);
+    assert_fails(read("[Kicker]\nruns = 1.0"), "`t` line 2: `1.0` is not a value of `runs`: expected u32", runs);
+    assert_fails(read("[Kicker]\nruns = \"1\""), "`t` line 2: `\"1\"` is not a value of `runs`: expected u32", runs);
+    assert_fails(read("[Kicker]\nruns = true"), "`t` line 2: `true` is not a value of `runs`: expected u32", runs);
     let far = "write a number from 0.0 to 1.0 m";
-    assert_fails(read("[Kicker]\nfar = \"0.5\""), "`t` line 2: `Kicker.far`: expected f32", far);
-    assert_fails(read("[Kicker]\nfar = [0.5]"), "`t` line 2: `Kicker.far`: expected f32", far);
-    assert_fails(read("[Kicker]\nenabled = 1"), "`t` line 2: `Kicker.enabled`: expected bool", "write true or false");
-    let foot = "`t` line 2: `Kicker.foot`: there is no such variant";
-    assert_fails(read("[Kicker]\nfoot = \"left\""), foot, "write one of Left, Right");
-    assert_fails(read("[Kicker]\nfoot = 0"), foot, "write one of Left, Right");
+    assert_fails(read("[Kicker]\nfar = \"0.5\""), "`t` line 2: `\"0.5\"` is not a value of `far`: expected f32", far);
+    assert_fails(read("[Kicker]\nfar = [0.5]"), "`t` line 2: `[0.5]` is not a value of `far`: expected f32", far);
+    assert_fails(
+        read("[Kicker]\nenabled = 1"),
+        "`t` line 2: `1` is not a value of `enabled`: expected bool",
+        "write true or false",
+    );
+    let foot = |text: &str| format!("`t` line 2: `{text}` is not a value of `foot`: there is no such variant");
+    assert_fails(read("[Kicker]\nfoot = \"left\""), &foot("left"), "write one of Left, Right");
+    assert_fails(read("[Kicker]\nfoot = 0"), &foot("0"), "write one of Left, Right");
 }
 
 #[test]
@@ -132,12 +136,12 @@ fn wrong_names_and_values_are_errors_with_file_line_and_remedy() {
     );
     assert_fails(
         read("[Kicker]\nnear = 0.1\nfar = 1.5"),
-        "`tune/nao.toml` line 3: `Kicker.far`: 1.5 is outside 0..=1",
+        "`tune/nao.toml` line 3: `1.5` is not a value of `far`: 1.5 is outside 0..=1",
         "write a number from 0.0 to 1.0 m",
     );
     assert_fails(
         read("[Kicker]\nfar = nan"),
-        "`tune/nao.toml` line 2: `Kicker.far`: the value is not finite",
+        "`tune/nao.toml` line 2: `nan` is not a value of `far`: the value is not finite",
         "write a number from 0.0 to 1.0 m",
     );
     assert_fails(
@@ -145,7 +149,7 @@ fn wrong_names_and_values_are_errors_with_file_line_and_remedy() {
         "`tune/nao.toml` line 1: `Kicker` is a component, not a value",
         "write a section `[Kicker]` with `name = value` lines",
     );
-    let Err(Failure::Error { what, .. }) = read("[Kicker]\nfar = 0.1\nfar = 0.2") else { panic!("set twice") };
+    let Err(Invalid { what, .. }) = read("[Kicker]\nfar = 0.1\nfar = 0.2") else { panic!("set twice") };
     assert!(what.starts_with("`tune/nao.toml` line 3: "), "{what}");
 }
 
@@ -165,7 +169,7 @@ fn a_wrong_assignment_is_an_error() {
     assert_fails(set("Kicker.fra=0.1"), "`Kicker` has no parameter `fra`", "did you mean `far`?");
     assert_fails(
         set("Kicker.far=2"),
-        "`Kicker.far=2`: `Kicker.far`: 2 is outside 0..=1",
+        "`2` is not a value of `far`: 2 is outside 0..=1",
         "write a number from 0.0 to 1.0 m",
     );
 }
@@ -271,7 +275,7 @@ fn a_file_that_cannot_be_read_or_written_is_named() {
     for (result, action) in
         [(Layers::new(&GRAPH).read(&path), "read"), (write(&Layers::new(&GRAPH), &path, false), "write")]
     {
-        let Err(Failure::Error { what, .. }) = result else { panic!("there is no such folder") };
+        let Err(Invalid { what, .. }) = result else { panic!("there is no such folder") };
         assert!(what.starts_with(&format!("cannot {action} `{}`: ", path.display())), "{what}");
     }
 }

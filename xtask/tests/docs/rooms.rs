@@ -11,7 +11,7 @@ use crate::cargo;
 use crate::pages::{Page, root};
 
 /// Generic packages; every other one may use what it needs.
-const GENERIC: [&str; 14] = [
+const GENERIC: [&str; 13] = [
     "bica",
     "bica-core",
     "bica-syntax",
@@ -19,7 +19,6 @@ const GENERIC: [&str; 14] = [
     "bica-runner",
     "bica-wire",
     "bica-app",
-    "bica-console",
     "bica-link",
     "bica-recording",
     "bica-tuning",

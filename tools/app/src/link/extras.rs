@@ -4,13 +4,13 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use bica_console::{Failure, Outcome, interrupt};
 use bica_link::{Costs, Event, Image};
 use bica_wire::message::{ConditionState, ExtraKind, Truth, WorldChange};
 use serde_json::json;
 
+use super::Monitor;
 use super::args::WatchExtras;
-use super::{Monitor, failure};
+use crate::console::{Failure, Outcome, interrupt};
 
 /// Time without a snapshot after which a paused world is shown as such.
 const POLL: Duration = Duration::from_millis(50);
@@ -31,7 +31,7 @@ impl Monitor {
         }
         for kind in kinds {
             let every = if kind == ExtraKind::Images { 1 } else { every };
-            self.client.watch_extra(kind, every).map_err(|error| failure(&error))?;
+            self.client.watch_extra(kind, every)?;
         }
         Ok(())
     }
@@ -39,11 +39,11 @@ impl Monitor {
     /// Changes the time of a simulated world, and waits for the end of its steps.
     pub(super) fn world(&mut self, change: WorldChange) -> Result<Outcome, Failure> {
         self.operate(|monitor| {
-            let answer = monitor.client.change_world(change).map_err(|error| failure(&error))?;
+            let answer = monitor.client.change_world(change)?;
             let mut cycle = answer.cycle;
             if let WorldChange::Step { .. } = change {
                 loop {
-                    match monitor.client.poll(POLL).map_err(|error| failure(&error))? {
+                    match monitor.client.poll(POLL)? {
                         Some(Event::World(state)) if state.steps == 0 && state.cycle > answer.cycle => {
                             cycle = state.cycle;
                             break;
@@ -66,7 +66,7 @@ impl Monitor {
     /// Places the ball of a simulated world.
     pub(super) fn place_ball(&mut self, at: [f32; 2]) -> Result<Outcome, Failure> {
         self.operate(|monitor| {
-            let cycle = monitor.client.place_ball(at).map_err(|error| failure(&error))?.cycle;
+            let cycle = monitor.client.place_ball(at)?.cycle;
             let [x, y] = at;
             monitor.console.print_row(&format!("cycle {cycle}"), &format!("the ball lies at {x}, {y} m"))?;
             monitor.line("bica/link-ball/1", json!({ "cycle": cycle, "ball": at }))?;

@@ -5,8 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_console::{Console, Failure, Outcome, Style, interrupt};
-use bica_link::{Client, ClientOptions, Component, Error, Event, Invalid, Param, Plain, Snapshot};
+use bica_link::{Client, ClientOptions, Component, Error, Event, Param, Plain, Snapshot};
 use bica_wire::message::WorldChange;
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
@@ -18,6 +17,8 @@ mod serve;
 
 pub(crate) use args::Link;
 use args::LinkAction;
+
+use crate::console::{Console, Failure, Outcome, Style, interrupt};
 pub use serve::ServeArgs;
 
 /// Time between two looks for Ctrl-C.
@@ -27,7 +28,7 @@ const RECONNECT: Duration = Duration::from_secs(10);
 
 /// Attaches and does what the command line requests.
 pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
-    let client = Client::connect(&args.address, ClientOptions::default()).map_err(|error| failure(&error))?;
+    let client = Client::connect(&args.address, ClientOptions::default())?;
     let mut monitor = Monitor { client, console: Console::new(args.json), take: args.take };
     match &args.action {
         LinkAction::Describe { components } => monitor.describe(components),
@@ -51,14 +52,6 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
     }
 }
 
-fn failure(error: &Error) -> Failure {
-    Failure::new(error.to_string(), error.help())
-}
-
-fn invalid(Invalid { what, help, .. }: Invalid) -> Failure {
-    Failure::new(what, help)
-}
-
 /// One line of JSON.
 #[derive(Serialize)]
 struct Line<T> {
@@ -75,12 +68,12 @@ struct Monitor {
 
 impl Monitor {
     fn component(&self, name: &str) -> Result<usize, Failure> {
-        self.client.description().component(name).map_err(invalid)
+        Ok(self.client.description().component(name)?)
     }
 
     /// Finds what a request names in the robot's tree.
     fn find(&self, request: &NamedRequest) -> Result<OwnedRequest, Failure> {
-        self.client.description().request(request).map_err(invalid)
+        Ok(self.client.description().request(request)?)
     }
 
     fn line(&self, schema: &'static str, content: impl Serialize) -> Result<(), Failure> {
@@ -110,11 +103,11 @@ impl Monitor {
                 self.console.print_row("link", &self.console.styled(Style::Bad, &text))?;
                 match self.client.reconnect(RECONNECT) {
                     Ok(()) => Ok(None),
-                    Err(Error::Connect { .. }) => Err(failure(&Error::Disconnected(reason))),
-                    Err(error) => Err(failure(&error)),
+                    Err(Error::Connect { .. }) => Err(Error::Disconnected(reason).into()),
+                    Err(error) => Err(error.into()),
                 }
             }
-            result => result.map_err(|error| failure(&error)),
+            result => Ok(result?),
         }
     }
 
@@ -125,10 +118,10 @@ impl Monitor {
         count: Option<u64>,
         images: Option<&Path>,
     ) -> Result<Outcome, Failure> {
-        self.client.watch(every).map_err(|error| failure(&error))?;
+        self.client.watch(every)?;
         for path in paths {
-            let (component, info) = self.client.description().info(path).map_err(invalid)?;
-            self.client.watch_info(component, info, every).map_err(|error| failure(&error))?;
+            let (component, info) = self.client.description().info(path)?;
+            self.client.watch_info(component, info, every)?;
         }
         let (mut seen, mut last) = (0, String::new());
         while !interrupt::requested() {
@@ -199,20 +192,20 @@ impl Monitor {
 
     /// Runs `action` as the operator, and gives the lease back.
     fn operate(&mut self, action: impl FnOnce(&mut Self) -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
-        self.client.acquire(self.take).map_err(|error| failure(&error))?;
+        self.client.acquire(self.take)?;
         let outcome = action(self);
-        let released = self.client.release().map_err(|error| failure(&error));
+        let released = self.client.release();
         // The first error is the cause of the second.
-        outcome.and_then(|outcome| released.map(|()| outcome))
+        outcome.and_then(|outcome| Ok(released.map(|()| outcome)?))
     }
 
     fn request(&mut self, request: &OwnedRequest) -> Result<bica_link::Answered, Failure> {
-        self.client.request(request.borrow()).map_err(|error| failure(&error))
+        Ok(self.client.request(request.borrow())?)
     }
 
     fn set(&mut self, settings: &[String]) -> Result<Outcome, Failure> {
         let parsed = settings.iter().map(|text| NamedSetting::parse(text));
-        let settings = parsed.collect::<Result<Vec<_>, _>>().map_err(invalid)?;
+        let settings = parsed.collect::<Result<Vec<_>, _>>()?;
         let request = self.find(&NamedRequest::Set { settings: settings.clone() })?;
         self.operate(|monitor| {
             let answer = monitor.request(&request)?;
@@ -242,7 +235,7 @@ impl Monitor {
                 }
                 monitor.next()?;
                 if !monitor.client.lease().yours {
-                    return Err(failure(&Error::Lease));
+                    return Err(Error::Lease.into());
                 }
             }
             Ok(Outcome::Success)

@@ -4,12 +4,13 @@ mod args;
 mod tuning;
 
 use bica::{Graph, Tree};
-use bica_console::{Console, Failure, Outcome, Style};
-use bica_tuning::{Layers, Value, find_component, range, render, write};
+use bica_tuning::{Layers, Value, render, write};
 use serde::Serialize;
 
 pub(crate) use args::Params;
 use args::ParamsFormat;
+
+use crate::console::{Console, Failure, Outcome, Style};
 pub use tuning::{Layer, TuningArgs};
 
 /// Lists or writes parameters as the command line requests. `kind` is the kind of robot without `--kind`.
@@ -18,11 +19,11 @@ pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> 
     let layers = args.tuning.layers(graph, args.kind.as_deref().unwrap_or(kind))?;
     layers.apply(&mut *Box::<T>::default())?;
     for component in &args.components {
-        find_component(graph, component)?;
+        layers.tree().component(component)?;
     }
     if let Some(path) = &args.write {
         write(&layers, path, args.force)?;
-        let count = layers.all().filter(|value| value.value != value.place.param.default).count();
+        let count = layers.all().filter(|value| !value.is_default()).count();
         Console::new(false).print(&format!("{count} values in {}", path.display()))?;
         return Ok(Outcome::Success);
     }
@@ -39,9 +40,8 @@ pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> 
 }
 
 fn is_listed<L: Layer>(args: &Params<L>, value: &Value<'_>) -> bool {
-    let Value { place, value, .. } = value;
-    let named = args.components.is_empty() || args.components.iter().any(|name| name == place.node.name);
-    named && (!args.changed || *value != place.param.default)
+    let named = args.components.is_empty() || args.components.contains(&value.component.name);
+    named && (!args.changed || !value.is_default())
 }
 
 /// Returns the layers without the components that are not listed.
@@ -73,17 +73,15 @@ fn print_table(console: Console, values: &[Value<'_>]) -> Result<(), Failure> {
 
 /// Returns the cells of a parameter, whether its value is not the default, and its description.
 fn row(value: &Value<'_>) -> ([String; 5], bool, String) {
-    let Value { place, value, .. } = value;
-    let param = place.param;
-    let text = |value| param.kind.text(value).to_string();
+    let Value { component, param, .. } = value;
     let cells = [
-        format!("{}.{}", place.node.name, param.name),
-        text(*value),
-        text(param.default),
-        range(&param.kind),
-        param.unit.unwrap_or_default().to_owned(),
+        format!("{}.{}", component.name, param.name),
+        value.text(),
+        param.kind.text(param.default).to_string(),
+        param.range(),
+        param.unit.clone().unwrap_or_default(),
     ];
-    (cells, *value != param.default, param.doc.split_whitespace().collect::<Vec<_>>().join(" "))
+    (cells, !value.is_default(), param.doc.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 #[derive(Serialize)]
@@ -94,10 +92,10 @@ struct Report<'a> {
 
 #[derive(Serialize)]
 struct ParameterRow<'a> {
-    component: &'static str,
-    name: &'static str,
-    doc: &'static str,
-    unit: Option<&'static str>,
+    component: &'a str,
+    name: &'a str,
+    doc: &'a str,
+    unit: Option<&'a str>,
     kind: &'static str,
     range: String,
     default: String,
@@ -107,17 +105,16 @@ struct ParameterRow<'a> {
 
 impl<'a> ParameterRow<'a> {
     fn new(value: &Value<'a>) -> Self {
-        let Value { place, value, source } = *value;
-        let param = place.param;
+        let Value { component, param, source } = *value;
         Self {
-            component: place.node.name,
-            name: param.name,
-            doc: param.doc.text(),
-            unit: param.unit,
+            component: &component.name,
+            name: &param.name,
+            doc: &param.doc,
+            unit: param.unit.as_deref(),
             kind: param.kind.name(),
-            range: range(&param.kind),
+            range: param.range(),
             default: param.kind.text(param.default).to_string(),
-            value: param.kind.text(value).to_string(),
+            value: value.text(),
             source,
         }
     }

@@ -4,9 +4,10 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use bica::Graph;
-use bica_console::Failure;
 use bica_tuning::Layers;
 use clap::Args;
+
+use crate::console::Failure;
 
 /// Folder of tune files without `--tune`.
 const FOLDER: &str = "tune";

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, channel};
 
-use bica_console::{Console, Failure};
 use bica_recording::{Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, create};
 use clap::{Args, ValueEnum};
+
+use crate::console::{Console, Failure};
 
 /// Arguments that say how a run is recorded.
 #[derive(Clone, Debug, Args)]

@@ -7,12 +7,13 @@ use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
-use bica_console::{Console, Failure, Outcome, Style};
 use bica_recording::repair::{self, Copied};
 use bica_recording::{Error, Info, create, export};
 use serde::Serialize;
 
 use args::{InfoArgs, RecordAction, Recover, Trim};
+
+use crate::console::{Console, Failure, Outcome, Style};
 pub(crate) use args::{Record, time};
 pub(crate) use file::RecordedFile;
 pub use file::{Images, RecordArgs};

@@ -3,14 +3,15 @@
 mod args;
 mod subject;
 
-use bica_console::{Console, Failure, Outcome, Style, interrupt};
 use bica_recording::{AfterGap, ReplayOptions, ReplayReport};
 use serde::Serialize;
+
+use crate::console::{Console, Failure, Outcome, Style, interrupt};
 
 pub(crate) use args::ReplayArgs;
 pub(crate) use subject::replay;
 #[cfg(feature = "monitor")]
-pub(crate) use subject::{refused, rerun};
+pub(crate) use subject::rerun;
 
 /// Number of decisions that are printed.
 const SHOWN: usize = 20;

@@ -6,10 +6,11 @@ use std::path::Path;
 
 use bica::Instant;
 use bica::runner::{Robot, World};
-use bica_console::{Failure, interrupt};
-use bica_recording::{Header, Recordable, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject};
+use bica_recording::{Header, Recordable, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject};
 use bica_tuning::Layers;
+use bica_wire::model::Invalid;
 
+use crate::console::{Failure, interrupt};
 use crate::world::{REPLAY_HELP, RegisteredWorld, WorldOptions};
 
 /// Runs the code again on a recording of a robot in one of these worlds, or compares two recordings.
@@ -18,7 +19,7 @@ where
     R: Recordable<Error: fmt::Display> + Default + 'static,
 {
     let subject = |header: &Header, runs_world| subject(worlds, header, options.set, runs_world);
-    bica_recording::replay(options, subject, |_| !interrupt::requested()).map_err(failure)
+    Ok(bica_recording::replay(options, subject, |_| !interrupt::requested())?)
 }
 
 /// Runs the code again on a recording, with other parameters, and writes the new course to a recording.
@@ -29,17 +30,13 @@ pub(crate) fn rerun<R>(
     set: &[String],
     out: &Path,
     mut progress: impl FnMut(f64) -> bool,
-) -> Result<(), Failure>
+) -> Result<(), Invalid>
 where
     R: Recordable<Error: fmt::Display> + Default + 'static,
 {
     let subject = |header: &Header, runs_world| subject(worlds, header, set, runs_world);
     let progress = |seconds| !interrupt::requested() && progress(seconds);
-    bica_recording::rerun(path, out, subject, progress).map(drop).map_err(failure)
-}
-
-fn failure(Refused { what, help }: Refused) -> Failure {
-    Failure::new(what, help)
+    bica_recording::rerun(path, out, subject, progress).map(drop)
 }
 
 /// Returns the robot as it was at the start of the recording, with other parameters, and its world if it runs again.
@@ -48,13 +45,13 @@ fn subject<R: Robot + Default + 'static>(
     header: &Header,
     set: &[String],
     runs_world: bool,
-) -> Result<Subject<R>, Refused> {
-    let robot = robot(header, set).map_err(refused)?;
-    let world = runs_world.then(|| world(worlds, header)).transpose().map_err(refused)?;
+) -> Result<Subject<R>, Invalid> {
+    let robot = robot(header, set)?;
+    let world = runs_world.then(|| world(worlds, header)).transpose()?;
     Ok(Subject { robot, world })
 }
 
-fn robot<R: Robot + Default>(header: &Header, set: &[String]) -> Result<Box<R>, Failure> {
+fn robot<R: Robot + Default>(header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
     let mut layers = Layers::new(const { &R::GRAPH });
     // The parameters of other trees are constants.
     if R::GRAPH.tunable {
@@ -76,13 +73,6 @@ fn world<R: Robot + 'static>(
         Failure::new(what, REPLAY_HELP)
     })?;
     Ok(Box::new(Again(world.open(&WorldOptions::of_set_up(&header.set_up)?)?)))
-}
-
-pub(crate) fn refused(failure: Failure) -> Refused {
-    match failure {
-        Failure::Error { what, help } => Refused::new(what, help),
-        Failure::BrokenPipe => Refused::new("stdout is closed", "keep its reader open"),
-    }
 }
 
 /// World that runs again.

@@ -8,11 +8,11 @@ mod story;
 use std::fmt;
 
 use bica::runner::Robot;
-use bica_console::{Console, Failure, Outcome, interrupt};
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
 
+use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::params::Layer;
 use crate::record::RecordedFile;
 use crate::world::{RegisteredWorld, WorldOptions};
@@ -97,8 +97,7 @@ fn serve<R: Robot>(
     let Some(address) = &args.link.serve else { return Ok((None, None, None)) };
     let offers = if is_device { Offers::default() } else { Offers::PAUSE };
     let options = ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, ..ServerOptions::default() };
-    let (server, requests, observer) =
-        LinkServer::start::<R>(address, options).map_err(|error| Failure::new(error.to_string(), error.help()))?;
+    let (server, requests, observer) = LinkServer::start::<R>(address, options)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     Ok((Some(server), Some(requests), Some(observer)))
 }

@@ -1,11 +1,11 @@
 //! Result of a run.
 
 use bica::runner::Schedule;
-use bica_console::{Console, Failure, Style};
 use serde::Serialize;
 
 use super::args::RunArgs;
 use super::story::StateChange;
+use crate::console::{Console, Failure, Style};
 use crate::params::Layer;
 
 /// Reason for which a run ended.

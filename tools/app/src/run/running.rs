@@ -7,12 +7,12 @@ use std::time::Duration;
 use bica::Instant;
 use bica::runner::realtime::Clock;
 use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
-use bica_console::{Console, Failure};
 use bica_link::{LinkObserver, LinkRequests};
 use bica_recording::{Recordable, Recorder};
 
 use super::report::End;
 use super::story::Story;
+use crate::console::{Console, Failure};
 
 /// Time between two polls of the requests of a paused world.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);

@@ -2,8 +2,9 @@
 
 use bica::runner::{Observer, Robot};
 use bica::{ComponentId, Graph, Instant, Probe};
-use bica_console::{Console, Failure};
 use serde::Serialize;
+
+use crate::console::{Console, Failure};
 
 /// Collects the transitions of the root, or of all components if the root has no states.
 #[derive(Debug)]

@@ -1,9 +1,11 @@
 //! Kinds of components, by their links.
 
-use bica::graph::{Graph, LinkKind};
+use bica_wire::model::{Description, LinkKind};
+use serde::Serialize;
 
 /// Kind of a component.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// A state machine.
     Machine,
@@ -21,16 +23,17 @@ impl Kind {
 
     /// Returns the kind of the component with this index.
     #[must_use]
-    pub fn of(graph: &Graph, index: usize) -> Self {
-        let node = &graph.nodes[index];
+    pub fn of(tree: &Description, index: usize) -> Self {
+        let node = &tree.components[index];
         let is_modulation = |kind: LinkKind| kind == LinkKind::Modulation;
-        let written = graph.nodes.iter().flat_map(|node| node.links).any(|l| l.to == index && is_modulation(l.kind));
+        let written =
+            tree.components.iter().flat_map(|node| &node.links).any(|l| l.to == index && is_modulation(l.kind));
         let writes = node.links.iter().any(|link| is_modulation(link.kind));
         if !node.states.is_empty() {
             Self::Machine
         } else if node.links.is_empty() && written {
             Self::Actuation
-        } else if !writes && index != graph.root {
+        } else if !writes && index != tree.root {
             Self::Perception
         } else {
             Self::Controller

@@ -3,8 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use bica::check::{CAPACITY, ranks};
-use bica::graph::{Graph, LinkKind};
+use bica_wire::model::{Description, LinkKind};
 
 /// Number of sorting passes over the layers.
 const SWEEPS: usize = 24;
@@ -43,29 +42,26 @@ pub struct Layers {
 }
 
 impl Layers {
-    /// Layers of a graph.
-    ///
-    /// # Panics
-    /// If the graph has more than [`CAPACITY`] components.
+    /// Layers of a tree.
     #[must_use]
-    pub fn new(graph: &Graph) -> Self {
-        let depths = depths(graph);
+    pub fn new(tree: &Description) -> Self {
+        let depths = depths(tree);
         let count = depths.iter().max().map_or(0, |depth| depth + 1);
         let mut layers = Self {
-            items: (0..graph.nodes.len()).map(Item::Component).collect(),
+            items: (0..tree.components.len()).map(Item::Component).collect(),
             segments: Vec::new(),
             rows: vec![Vec::new(); count],
         };
         depths.iter().enumerate().for_each(|(node, &depth)| layers.rows[depth].push(node));
-        layers.connect(graph, &depths);
+        layers.connect(tree, &depths);
         layers.sort();
         layers
     }
 
     /// Splits all links into segments. Links of one kind to one component share their dummy nodes.
-    fn connect(&mut self, graph: &Graph, depths: &[usize]) {
+    fn connect(&mut self, tree: &Description, depths: &[usize]) {
         let mut dummies = BTreeMap::new();
-        for (from, node) in graph.nodes.iter().enumerate() {
+        for (from, node) in tree.components.iter().enumerate() {
             for link in node.links.iter().filter(|link| link.to != from) {
                 let upward = depths[link.to] < depths[from];
                 let (top, bottom) = if upward { (link.to, from) } else { (from, link.to) };
@@ -149,17 +145,32 @@ impl Layers {
 }
 
 /// Layer of each component: below all its activators, and the lowest one if it activates nothing. Links that close a cycle lead up.
-fn depths(graph: &Graph) -> Vec<usize> {
-    let ranks: [usize; CAPACITY] = ranks(graph.nodes);
-    let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |l| (from, l.to)));
+fn depths(tree: &Description) -> Vec<usize> {
+    let (ranks, nodes) = (ranks(tree), &tree.components);
+    let links = nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |link| (from, link.to)));
     let downward = links.map(|(from, to)| if ranks[from] < ranks[to] { (from, to) } else { (to, from) });
     let mut downward: Vec<_> = downward.filter(|(upper, lower)| upper != lower).collect();
     downward.sort_by_key(|&(upper, _)| ranks[upper]);
-    let mut depths = vec![0; graph.nodes.len()];
+    let mut depths = vec![0; nodes.len()];
     for (upper, lower) in downward {
         depths[lower] = depths[lower].max(depths[upper] + 1);
     }
-    let is_leaf = |node: usize| graph.nodes[node].links.is_empty();
+    let is_leaf = |node: usize| nodes[node].links.is_empty();
     let bottom = (0..depths.len()).filter(|&node| !is_leaf(node)).map(|node| depths[node] + 1).max().unwrap_or(0);
     (0..depths.len()).map(|node| if is_leaf(node) { bottom } else { depths[node] }).collect()
+}
+
+/// Place of each component in an order in which activators come first; with a cycle what is on it and after it comes last.
+fn ranks(tree: &Description) -> Vec<usize> {
+    let count = tree.components.len();
+    let (mut ranks, mut activators) = (vec![count; count], vec![0_usize; count]);
+    tree.components.iter().flat_map(|node| &node.links).for_each(|link| activators[link.to] += 1);
+    for rank in 0..count {
+        let waiting = |node: &usize| ranks[*node] == count;
+        let free = (0..count).filter(waiting).find(|&node| activators[node] == 0);
+        let Some(next) = free.or_else(|| (0..count).find(waiting)) else { break };
+        ranks[next] = rank;
+        tree.components[next].links.iter().for_each(|link| activators[link.to] -= 1);
+    }
+    ranks
 }

@@ -1,14 +1,14 @@
 //! Route of each link through the layers.
 
-use bica::graph::Graph;
+use bica_wire::model::Description;
 
 use super::{Item, Layers, Segment};
 
 /// Returns, for each component and each of its links, the segments of its route as indices of [`Layers::segments`].
 #[must_use]
-pub fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
+pub fn routes(tree: &Description, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
     let of_node = |from: usize| {
-        let links = graph.nodes[from].links.iter();
+        let links = tree.components[from].links.iter();
         links
             .map(|link| {
                 let leaves = |segment: &Segment| segment.upper == from && segment.kind == link.kind;
@@ -20,7 +20,7 @@ pub fn routes(graph: &Graph, layers: &Layers) -> Vec<Vec<Vec<usize>>> {
             })
             .collect()
     };
-    (0..graph.nodes.len()).map(of_node).collect()
+    (0..tree.components.len()).map(of_node).collect()
 }
 
 /// Returns a segment and those that continue it down to a component.
@@ -33,48 +33,4 @@ fn follow(layers: &Layers, start: usize) -> Vec<usize> {
         end = layers.segments[next].lower;
     }
     route
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use bica::Tree;
-    use bica::graph::{Link, LinkKind, Node};
-    use bica_player::Forward;
-
-    const fn node(name: &'static str, links: &'static [Link]) -> Node {
-        Node { links, ..Node::new(name) }
-    }
-
-    /// `Top` reads and modulates `Low`, past `Middle`.
-    const BOTH: Graph = {
-        const READ: LinkKind = LinkKind::Requirement;
-        const WRITE: LinkKind = LinkKind::Modulation;
-        const fn link(to: usize, kind: LinkKind, state: usize) -> Link {
-            Link { to, kind, state: Some(state) }
-        }
-        let nodes = &[
-            node("Top", &[link(2, READ, 0), link(2, WRITE, 1), link(1, READ, 0)]),
-            node("Middle", &[link(2, WRITE, 0)]),
-            node("Low", &[]),
-        ];
-        Graph { name: "Both", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes }
-    };
-
-    #[test]
-    fn routes_lead_from_owner_to_target() {
-        for graph in [&Forward::GRAPH, &BOTH] {
-            let layers = Layers::new(graph);
-            for (from, (node, ways)) in graph.nodes.iter().zip(routes(graph, &layers)).enumerate() {
-                for (link, way) in node.links.iter().zip(ways) {
-                    let mut at = from;
-                    for segment in way.iter().map(|&index| layers.segments[index]) {
-                        assert_eq!((segment.upper, segment.kind), (at, link.kind), "{} to {}", node.name, link.to);
-                        at = segment.lower;
-                    }
-                    assert_eq!(at, link.to, "{}", node.name);
-                }
-            }
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! Drawings of random graphs: complete, without overlaps, inside their bounds.
 
-use bica::graph::{Graph, Link, LinkKind, Node, State};
+use bica_wire::model::{Component, Description, Link, LinkKind, State};
 
 use super::svg;
-use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement};
+use crate::layout::{BOX_HEIGHT, BOX_WIDTH, Item, Kind, Layers, Placement, routes};
 
 /// Linear congruential generator (Knuth's MMIX).
 struct Rng(u64);
@@ -15,17 +15,16 @@ impl Rng {
     }
 }
 
-fn node(name: &'static str, links: Vec<Link>, states: &'static [State]) -> Node {
-    let links = links.leak();
-    Node { doc: "<&\">\u{1}", links, states, ..Node::new(name) }
+fn node(name: &str, links: Vec<Link>, states: Vec<State>) -> Component {
+    Component { name: name.to_owned(), doc: "<&\">\u{1}".to_owned(), links, states, ..Component::default() }
 }
 
-fn graph(nodes: Vec<Node>) -> Graph {
-    Graph { name: "Tree", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes: nodes.leak() }
+fn graph(components: Vec<Component>) -> Description {
+    Description { components, ..Description::default() }
 }
 
 /// Returns a random graph, with or without cycles.
-fn random(seed: u64, cyclic: bool) -> Graph {
+fn random(seed: u64, cyclic: bool) -> Description {
     let mut rng = Rng(seed);
     let count = 1 + rng.below(20);
     let nodes = (0..count).map(|from| {
@@ -36,7 +35,7 @@ fn random(seed: u64, cyclic: bool) -> Graph {
             kind: if rng.below(2) == 0 { LinkKind::Requirement } else { LinkKind::Modulation },
             state: None,
         };
-        node("A<B> & \"C\"", (0..links).map(|_| link()).collect(), &[])
+        node("A<B> & \"C\"", (0..links).map(|_| link()).collect(), Vec::new())
     });
     graph(nodes.collect())
 }
@@ -63,7 +62,7 @@ fn segments_lead_from_owner_to_target() {
     for seed in 0..200 {
         let graph = random(seed, seed % 2 == 0);
         let layers = Layers::new(&graph);
-        for (from, node) in graph.nodes.iter().enumerate() {
+        for (from, node) in graph.components.iter().enumerate() {
             for link in node.links.iter().filter(|link| link.to != from) {
                 let leads = |from: usize, to: usize, upward: bool| {
                     let mut reached = vec![from];
@@ -87,12 +86,30 @@ fn segments_lead_from_owner_to_target() {
 }
 
 #[test]
+fn routes_lead_from_owner_to_target() {
+    for seed in 0..200 {
+        let tree = random(seed, false);
+        let layers = Layers::new(&tree);
+        for (from, (node, ways)) in tree.components.iter().zip(routes(&tree, &layers)).enumerate() {
+            for (link, way) in node.links.iter().zip(ways) {
+                let mut at = from;
+                for segment in way.iter().map(|&index| layers.segments[index]) {
+                    assert_eq!((segment.upper, segment.kind), (at, link.kind), "seed {seed}");
+                    at = segment.lower;
+                }
+                assert_eq!(at, link.to, "seed {seed}");
+            }
+        }
+    }
+}
+
+#[test]
 fn drawing_names_every_component_and_escapes_text() {
     for seed in 0..100 {
         let graph = random(seed, seed % 2 == 0);
         let drawn = svg(&graph);
-        assert_eq!(drawn.matches(">A&lt;B&gt; &amp; &quot;C&quot;</text>").count(), graph.nodes.len());
-        assert_eq!(drawn.matches("<title>&lt;&amp;&quot;&gt; </title>").count(), graph.nodes.len());
+        assert_eq!(drawn.matches(">A&lt;B&gt; &amp; &quot;C&quot;</text>").count(), graph.components.len());
+        assert_eq!(drawn.matches("<title>&lt;&amp;&quot;&gt; </title>").count(), graph.components.len());
         assert!(!drawn.contains("NaN") && !drawn.contains("inf"), "seed {seed}");
         assert_eq!(drawn.matches("<g").count(), drawn.matches("</g>").count());
         assert_eq!(svg(&graph), drawn, "the same picture each time");
@@ -103,12 +120,12 @@ fn drawing_names_every_component_and_escapes_text() {
 fn kind_of_component_follows_from_its_links() {
     let link = |to, kind| Link { to, kind, state: None };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
-    let states = &[State { name: "only", doc: "", initial: true, last: true }];
+    let states = vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true }];
     let graph = graph(vec![
-        node("FollowBall", vec![link(1, read), link(2, write), link(4, write)], &[]),
-        node("Ball", vec![link(3, read)], &[]),
-        node("Motors", vec![], &[]),
-        node("CameraInput", vec![], &[]),
+        node("FollowBall", vec![link(1, read), link(2, write), link(4, write)], Vec::new()),
+        node("Ball", vec![link(3, read)], Vec::new()),
+        node("Motors", vec![], Vec::new()),
+        node("CameraInput", vec![], Vec::new()),
         node("Body", vec![link(2, write)], states),
     ]);
     let kinds: Vec<_> = (0..5).map(|node| Kind::of(&graph, node)).collect();

@@ -8,7 +8,7 @@ mod samples;
 
 use std::path::{Path, PathBuf};
 
-use bica_console::{Console, Failure, Outcome, interrupt};
+use bica_app::{Console, Failure, Outcome, interrupt};
 use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
 

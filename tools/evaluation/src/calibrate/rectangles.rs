@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_vision::colour::Colour;
 
 use crate::table::Table;

@@ -1,6 +1,6 @@
 //! Result of a calibration, as text, as JSON and as comments of the profile.
 
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 use serde::Serialize;
 
 use super::cross_validation::FittedClass;

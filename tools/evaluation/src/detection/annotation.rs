@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::png;

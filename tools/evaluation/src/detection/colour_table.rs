@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_vision::table::{CompactTable, FULL_BYTES};
 
 use crate::profile;

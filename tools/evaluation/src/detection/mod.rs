@@ -8,7 +8,7 @@ mod report;
 
 use std::path::{Path, PathBuf};
 
-use bica_console::{Failure, Outcome, interrupt, make_folder};
+use bica_app::{Failure, Outcome, interrupt};
 
 use crate::camera_poses::{Pose, Poses};
 use crate::frame_io::{RecordedFrame, list};
@@ -72,7 +72,7 @@ impl Folder {
     pub fn open_with(args: &DetectionOptions, colours: ColourTable) -> Result<Self, Failure> {
         let files = list(&args.folder)?;
         let poses = poses_path(args).map(|path| Poses::read(&path)).transpose()?;
-        args.pictures.as_deref().map_or(Ok(()), make_folder)?;
+        args.pictures.as_deref().map_or(Ok(()), crate::pictures::make_folder)?;
         Ok(Self { files, poses, detectors: Detectors::new(colours, args.radius), pictures: args.pictures.clone() })
     }
 

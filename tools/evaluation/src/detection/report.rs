@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use bica_console::statistics::percentile;
-use bica_console::{Console, Failure, Style};
+use crate::statistics::percentile;
+use bica_app::{Console, Failure, Style};
 use bica_drawing::polar::Polar;
 use glam::Vec2;
 use serde::Serialize;

@@ -6,7 +6,7 @@ mod raw;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_drawing::png::{self, Picture};
 use bica_motion::robot::{CameraId, Image};
 

@@ -6,7 +6,7 @@ mod write;
 use std::fs;
 use std::path::Path;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_vision::colour::Filters;
 use bica_vision::profile::{BUILT_IN, DARWIN_2013, NAO_2009};
 

@@ -3,7 +3,7 @@
 mod goals;
 mod tally;
 
-use bica_console::{Console, Failure};
+use bica_app::{Console, Failure};
 use bica_vision::projection::Camera;
 use glam::Vec2;
 use serde::Serialize;

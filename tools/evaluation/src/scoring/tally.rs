@@ -1,6 +1,6 @@
 //! Counts and percentiles.
 
-use bica_console::statistics::percentile;
+use crate::statistics::percentile;
 use serde::Serialize;
 
 /// Number of correct cases among all cases.

@@ -1,6 +1,6 @@
 //! Games in which the forward is pushed over: it has to get up, localize itself again, and score.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_sim::setup::Setup;
 use glam::Vec2;
 

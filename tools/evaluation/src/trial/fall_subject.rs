@@ -2,7 +2,7 @@
 
 use bica::Tree;
 use bica::runner::Runner;
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
 use bica_motion::model::RobotModel;

@@ -1,6 +1,6 @@
 //! Falls: detected before the impact, with relaxed joints, and followed by a recovery; no detection without a fall.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::model::RobotModel;

@@ -1,6 +1,6 @@
 //! Getting up: the forward is pushed over and has to stand again.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use glam::Vec2;
 
 use super::fall_subject::FallSubject;

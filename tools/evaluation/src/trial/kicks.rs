@@ -1,6 +1,6 @@
 //! Kicks: distance and direction of the ball, and whether the robot stands afterwards.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
 use bica_motion::model::RobotModel;
 use bica_motion::pose::{Pose2, wrap};

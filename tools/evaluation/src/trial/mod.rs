@@ -14,7 +14,7 @@ mod table;
 mod walker;
 mod walking;
 
-use bica_console::{Console, Failure, Outcome, interrupt};
+use bica_app::{Console, Failure, Outcome, interrupt};
 use bica_sim::mujoco::Physics;
 
 use series::Series;

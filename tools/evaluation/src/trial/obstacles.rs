@@ -2,7 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_player::Model;

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::walk::Velocity;
 

@@ -1,6 +1,6 @@
 //! The same trial with many seeds.
 
-use bica_console::{Batch, Failure};
+use bica_app::{Batch, Failure};
 use bica_sim::mujoco::Physics;
 
 use super::TrialOptions;

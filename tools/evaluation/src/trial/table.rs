@@ -1,6 +1,6 @@
 //! Results of trials.
 
-use bica_console::{Console, Failure, Style};
+use bica_app::{Console, Failure, Style};
 use serde::Serialize;
 
 /// One case of a trial, with all seeds.

@@ -1,6 +1,6 @@
 //! A robot without behaviours: gait and odometry only.
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
 use bica_motion::model::RobotModel;

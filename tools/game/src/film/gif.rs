@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_drawing::canvas::{Canvas, Rgb};
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 

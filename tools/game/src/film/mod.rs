@@ -7,7 +7,7 @@ mod gif;
 use std::path::Path;
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::polar::describe;
@@ -127,15 +127,15 @@ fn camera_view(scene: &Scene<'_>, image: &Image<'_>) -> Canvas {
 
 fn write(sheet: &mut Canvas, scene: &Scene<'_>) {
     let tree = scene.tree();
-    let state = tree.state(tree.graph.root).unwrap_or("-");
+    let state = tree.state(tree.tree.root).unwrap_or("-");
     let (ball, goal) = scene.positions();
     let line = |row: usize| Vec2::new(OUTSIDE_WIDTH as f32 + 12.0, CAMERA_HEIGHT as f32 + 8.0 + 18.0 * row as f32);
     sheet.write(line(0), Font::Title, TEXT, &format!("{:6.1} s  {state}", scene.t));
     sheet.write(line(1), Font::Normal, TEXT, &format!("ball {}", describe(ball)));
     sheet.write(line(2), Font::Normal, TEXT, &format!("goal {}", describe(goal)));
-    let activates = |node: &usize| tree.active[*node] && *node != tree.graph.root;
-    let nodes = (0..tree.active.len()).filter(activates).filter(|node| !tree.graph.nodes[*node].links.is_empty());
-    let names: Vec<&str> = nodes.take(MAX_NAMES).map(|node| tree.graph.nodes[node].name).collect();
+    let activates = |node: &usize| tree.active[*node] && *node != tree.tree.root;
+    let nodes = (0..tree.active.len()).filter(activates).filter(|node| !tree.tree.components[*node].links.is_empty());
+    let names: Vec<&str> = nodes.take(MAX_NAMES).map(|node| &*tree.tree.components[node].name).collect();
     for (row, names) in names.chunks(MAX_NAMES / 2).enumerate() {
         sheet.write(line(3 + row), Font::Small, FAINT, &names.join("  "));
     }

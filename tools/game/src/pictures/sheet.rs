@@ -1,6 +1,5 @@
 //! Picture of a game: camera image on the left, field map on the right, activation tree below.
 
-use bica::graph::Graph;
 use bica_drawing::TreeState;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
@@ -12,6 +11,7 @@ use glam::Vec2;
 
 use super::field_map::{self, Map};
 use super::state::{Estimates, GroundTruth};
+use crate::scene::TREE;
 
 /// Margin around and between the parts, px.
 const MARGIN: usize = 20;
@@ -42,7 +42,7 @@ pub(crate) struct Snapshot<'a> {
     /// True state of the game.
     pub(crate) truth: &'a GroundTruth,
     /// State of the tree.
-    pub(crate) tree: &'a TreeState,
+    pub(crate) tree: &'a TreeState<'a>,
 }
 
 /// Draws the sheets of a game.
@@ -54,8 +54,8 @@ pub(crate) struct Sheet {
 impl Sheet {
     /// A drawer for a tree.
     #[must_use]
-    pub(crate) fn new(graph: &Graph) -> Self {
-        Self { tree: TreeView::new(graph, TREE_WIDTH, TREE_HEIGHT) }
+    pub(crate) fn new() -> Self {
+        Self { tree: TreeView::new(&TREE, TREE_WIDTH, TREE_HEIGHT) }
     }
 
     /// Draws one sheet.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use bica::Tree;
 use bica::runner::{RequestQueue, Runner};
-use bica_console::STACK_BYTES;
+use bica_app::STACK_BYTES;
 use bica_game::{
     RecordOptions, ReplayOptions, ReplayReport, Rules, WorldKind, play_recorded, recording_header, replay,
 };

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_game::{ReplayOptions, Rules, WorldKind, replay};
 use bica_recording::{BlobRecord, Channel, Error, ImagePolicy, Recording};
 

@@ -2,12 +2,12 @@
 
 use std::fs::File;
 
-use bica::params::{Kind, Value};
+use bica::params::{Kind, Value, Variants};
 use bica::runner::OwnedRequest;
-use bica::{ComponentId, Hold};
+use bica::{ComponentId, Hold, Setting};
 use bica_game::GRAPH;
 use bica_recording::{ImagePolicy, Info};
-use bica_tuning::Place;
+use bica_wire::model::Description;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -38,10 +38,14 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
         }
         1 => OwnedRequest::Rate { component, hz: Some(f32::from_bits(rng.next_u32())).filter(|hz| !hz.is_nan()) },
         2 => {
-            let places: Vec<_> = Place::all(&GRAPH).collect();
+            let tree = Description::of(&GRAPH);
+            let owners = tree.components.iter().enumerate();
+            let params: Vec<_> = owners
+                .flat_map(|(component, owner)| owner.params.iter().enumerate().map(move |param| (component, param)))
+                .collect();
             let settings = (0..=rng.next_u32() % 3).map(|_| {
-                let place = places[rng.next_u32() as usize % places.len()];
-                place.setting(random_value(&place.param.kind, rng))
+                let (component, (index, param)) = params[rng.next_u32() as usize % params.len()];
+                Setting::new(ComponentId::new(component), index as u16, random_value(&param.kind, rng))
             });
             OwnedRequest::Params(settings.collect())
         }
@@ -58,13 +62,13 @@ fn random_request(rng: &mut Pcg64) -> OwnedRequest {
 }
 
 /// Returns a value of a kind, mostly in its range.
-fn random_value(kind: &Kind, rng: &mut Pcg64) -> Value {
+fn random_value<V: Variants>(kind: &Kind<V>, rng: &mut Pcg64) -> Value {
     let share = f32::from(rng.next_u32() as u16) / 60_000.0;
-    match *kind {
-        Kind::F32 { min, max, .. } => Value::F32(min + share * (max - min)),
-        Kind::I32 { min, max, .. } => Value::I32(min + (share * (max - min) as f32) as i32),
-        Kind::U32 { min, max, .. } => Value::U32(min + (share * (max - min) as f32) as u32),
-        Kind::Choice { variants } => Value::Choice(rng.next_u32() % (1 + variants.len() as u32)),
+    match kind {
+        &Kind::F32 { min, max, .. } => Value::F32(min + share * (max - min)),
+        &Kind::I32 { min, max, .. } => Value::I32(min + (share * (max - min) as f32) as i32),
+        &Kind::U32 { min, max, .. } => Value::U32(min + (share * (max - min) as f32) as u32),
+        Kind::Choice { variants } => Value::Choice(rng.next_u32() % (1 + variants.count() as u32)),
         Kind::Bool => Value::Bool(rng.next_u32().is_multiple_of(2)),
     }
 }

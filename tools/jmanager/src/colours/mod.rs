@@ -20,6 +20,7 @@ use serde_json::{Value, json};
 use bica_monitor::files;
 use bica_monitor::program::{Asked, Extension, Image, Reply};
 use bica_monitor::protocol::Failed;
+use bica_wire::model::Invalid;
 use limits::Limits;
 
 /// Colour of each class on the page.
@@ -246,7 +247,7 @@ fn load(profiles: &Path, name: &str) -> Result<Filters, Failed> {
         let what = format!("there is no profile `{name}` in `{}`", profiles.display());
         return Err(Failed::new(what, "known are its files, built-in, nao2009 and darwin2013"));
     }
-    Ok(profile::load(&source)?)
+    profile::load(&source).map_err(|failure| Invalid::from(failure).into())
 }
 
 fn pixels_of(image: &Image, places: &[(u16, u16)]) -> Result<Vec<Pixel>, Failed> {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bica_console::{Failure, Outcome};
+use bica_app::{Failure, Outcome};
 use bica_evaluation::camera_poses::Pose;
 use bica_evaluation::detection::{ColourTable, DetectionObserver, DetectionOptions, Detections, Folder};
 use bica_evaluation::labels::Labels;
@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 use bica_monitor::program::{Asked, Reply};
 use bica_monitor::protocol::Failed;
+use bica_wire::model::Invalid;
 
 /// Radius of a ball of 2009, m.
 const RADIUS: f32 = 0.0325;
@@ -21,7 +22,7 @@ const RADIUS: f32 = 0.0325;
 pub(super) fn start(asked: &dyn Asked, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
     let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
     let (folder, filters) = (folder.ok_or_else(none)?.to_owned(), *filters);
-    asked.later(Box::new(move || score(&folder, &filters).map_err(Failed::from)))
+    asked.later(Box::new(move || score(&folder, &filters).map_err(|failure| Invalid::from(failure).into())))
 }
 
 struct Counter(Score);

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use bica::Hold;
-use bica_console::Failure;
+use bica_app::Failure;
 use bica_game::{ReplayOptions, replay};
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch, WatchImages};

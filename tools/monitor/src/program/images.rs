@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use bica_console::Failure;
+use bica_wire::model::Invalid;
 
 /// A camera image.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ pub trait ImageFiles: Send + Sync {
     ///
     /// # Errors
     /// If the folder cannot be read.
-    fn list(&self) -> Result<Vec<PathBuf>, Failure>;
+    fn list(&self) -> Result<Vec<PathBuf>, Invalid>;
 
     /// Reads a file: width, height, px, and the pixels in YUYV 4:2:2.
     ///

@@ -9,7 +9,7 @@ mod world;
 pub use crate::protocol::WorldOption;
 pub use extension::{Asked, Extension, Remembered, Reply, Work};
 pub use images::{Image, ImageFiles};
-pub use replay::{Compared, Replay};
+pub use replay::Rerun;
 pub use scene::Scene;
 pub use world::{Game, LocalWorld, WorldRun, WorldSetup};
 
@@ -27,7 +27,7 @@ pub struct Program {
     /// Worlds that it can simulate; the first one is shown if nothing else is asked for.
     pub worlds: Vec<Box<dyn LocalWorld>>,
     /// Runs recordings again.
-    pub replay: Option<Box<dyn Replay>>,
+    pub rerun: Option<Rerun>,
     /// Images that are shown as a session.
     pub images: Option<Box<dyn ImageFiles>>,
     /// What the map shows of its worlds.

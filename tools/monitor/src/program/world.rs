@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 
 use crate::pages::lock;
 use crate::protocol::WorldOption;
-use bica_console::Failure;
 use bica_link::{Address, Memory};
+use bica_wire::model::Invalid;
 
 /// A world that a program can simulate in its own process.
 ///
@@ -25,12 +25,12 @@ pub trait LocalWorld: Send + Sync {
     ///
     /// # Errors
     /// If there is no such world.
-    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Failure>;
+    fn prepare(&self, setup: &WorldSetup) -> Result<Game, Invalid>;
 }
 
 /// Runs a world in a thread of its own: serves its link at [`WorldRun::address`], whose offers contain
 /// [`PAUSE`](bica_wire::message::Offers::PAUSE), until [`WorldRun::is_ended`]. Its time follows the clock.
-pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Failure> + Send>;
+pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Invalid> + Send>;
 
 /// Set-up of a world.
 #[derive(Clone, Debug, Default)]

@@ -11,7 +11,6 @@
 pub mod binary;
 mod breakpoint;
 mod compiler;
-mod drawing;
 mod drawn;
 mod from_page;
 mod open;
@@ -25,7 +24,6 @@ mod world;
 
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
-pub use drawing::{Drawing, DrawnBox, DrawnLink};
 pub use drawn::{Drawn, Placed};
 pub use from_page::{FromPage, Request};
 pub use open::Open;

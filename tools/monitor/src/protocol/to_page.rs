@@ -1,11 +1,12 @@
 //! Messages to the page.
 
+use bica_drawing::Drawing;
 use bica_link::{Description, Plain};
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawing, Drawn, Hit, InfoSample, LogLine, SessionId,
-    SessionInfo, SourceChange, SourceState, World,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawn, Hit, InfoSample, LogLine, SessionId, SessionInfo,
+    SourceChange, SourceState, World,
 };
 
 /// A message to the page.

@@ -8,7 +8,6 @@ mod asked;
 mod breakpoints;
 mod commands;
 mod common;
-mod drawing;
 mod folder;
 mod history;
 mod keep_robot;

@@ -10,8 +10,9 @@ use std::sync::Arc;
 use std::thread;
 
 use bica_link::Description;
+use bica_recording::ReplayReport;
 use bica_wire::model::NamedSetting;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::commands::Commands;
 use super::common::Common;
@@ -19,7 +20,7 @@ use super::session::Session;
 use super::storage::MCAP;
 use crate::files;
 use crate::pages::PageId;
-use crate::program::{Compared, Replay};
+use crate::program::Rerun;
 use crate::protocol::{Connection, Failed, SessionId, SessionKind};
 
 fn new_session((id, name): (SessionId, String), path: &Path, common: &Common) -> Arc<Session> {
@@ -67,7 +68,7 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSett
             own.set_connection(Connection::Connecting, format!("runs again: {seconds:.0} s done"));
             !own.is_closed()
         };
-        let result = replay_of(&own).and_then(|replay| Ok(replay.again(&path, &set, &out, &mut progress)?));
+        let result = rerun_of(&own).and_then(|rerun| Ok(rerun(&path, &set, &out, &mut progress)?));
         match result.and_then(|()| index::open(&out)) {
             Ok(recording) => index::read(&own, recording),
             Err(failed) => own.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help)),
@@ -76,9 +77,9 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSett
     Ok(session)
 }
 
-fn replay_of(session: &Session) -> Result<&dyn Replay, Failed> {
+fn rerun_of(session: &Session) -> Result<&Rerun, Failed> {
     let none = || Failed::new("this program runs no recordings again", "open them with the program of their robot");
-    session.program.replay.as_deref().ok_or_else(none)
+    session.program.rerun.as_ref().ok_or_else(none)
 }
 
 fn spawn(name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Failed> {
@@ -111,13 +112,20 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
         if have_same_content(path, other) {
             return session.pages.answer(page, id, Ok(json!({ "equal": true, "copies": true })));
         }
-        let answer = replay_of(&session).and_then(|replay| {
-            let compared = replay.compare(path, other)?;
-            let mut answer = json!(compared);
-            answer["equal"] = json!(matches!(compared, Compared::Equal { .. }));
-            Ok(answer)
-        });
+        let answer = bica_recording::compare(path, other).map(answer).map_err(Failed::from);
         session.pages.answer(page, id, answer);
+    })
+}
+
+/// The first difference of two recordings.
+fn answer(report: ReplayReport) -> Value {
+    let Some(first) = report.first_difference else { return json!({ "equal": true, "cycles": report.cycles }) };
+    let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
+    let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
+    let time_us = (first.t * 1e6).round() as u64;
+    json!({
+        "equal": false, "cycle": first.cycle, "time_us": time_us, "field": first.field, "text": text,
+        "decisions": report.decisions,
     })
 }
 

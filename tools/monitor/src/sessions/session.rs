@@ -6,23 +6,24 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
+use bica_drawing::Drawing;
 use bica_link::Description;
 
+use super::commands;
 use super::common::Common;
 use super::history::{History, Limits};
 use super::places::{self, Place};
 use super::recorded_images::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
 use super::watches::Watching;
-use super::{commands, drawing};
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
 use crate::pages::{PageId, Pages, lock};
 use crate::program::{Image, Program, Remembered};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
-    Capabilities, Connection, Control, Drawing, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo,
-    SessionKind, ToPage,
+    Capabilities, Connection, Control, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo, SessionKind,
+    ToPage,
 };
 
 /// Time between two looks whether a session has ended.
@@ -209,7 +210,7 @@ impl Session {
     /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
     pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
         let components = description.components.len();
-        let drawing = drawing::draw(&description);
+        let drawing = Drawing::of(&description);
         let mut shared = self.shared();
         if goes_on {
             shared.history.interrupt();

@@ -17,15 +17,6 @@ impl Failed {
     }
 }
 
-impl From<bica_console::Failure> for Failed {
-    fn from(failure: bica_console::Failure) -> Self {
-        match failure {
-            bica_console::Failure::Error { what, help } => Self::new(what, help),
-            bica_console::Failure::BrokenPipe => Self::new("the output was closed", "start the program again"),
-        }
-    }
-}
-
 impl From<bica_link::Error> for Failed {
     fn from(error: bica_link::Error) -> Self {
         let entry = match &error {

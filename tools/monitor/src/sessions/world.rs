@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use bica_console::Failure;
+use bica_wire::model::Invalid;
 
 use super::storage;
 use crate::files;
@@ -27,7 +27,7 @@ pub(super) struct Setup {
 
 /// A world that is run by a thread of its own.
 pub(super) struct World {
-    thread: Option<JoinHandle<Result<(), Failure>>>,
+    thread: Option<JoinHandle<Result<(), Invalid>>>,
     pub(super) run: WorldRun,
     /// Whether the file of its recording stays.
     is_kept: bool,
@@ -76,7 +76,7 @@ impl World {
 
     /// Waits for the end of the run; returns why it ended.
     pub(super) fn ending(&mut self) -> Result<(), Failed> {
-        let panicked = || Failure::new("the world ended with a panic", "its message is in the terminal");
+        let panicked = || Invalid::new("the world ended with a panic", "its message is in the terminal");
         let result = self.thread.take().map(JoinHandle::join);
         result.unwrap_or(Ok(Ok(()))).unwrap_or_else(|_| Err(panicked())).map_err(Failed::from)
     }

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use super::run::Run;
-use super::{FileRecording, Refused, ReplayOptions};
+use super::{FileRecording, ReplayOptions, of_file};
 use crate::compare::Comparison;
 use crate::error::Error;
 use crate::recording::RecordedCycle;
+use bica_wire::model::Invalid;
 
 /// Comparison of a recording, before and after its first gap.
 pub(super) struct Compared {
@@ -27,7 +28,7 @@ impl Compared {
         recording: &mut FileRecording,
         other: &mut dyn Run,
         progress: &mut dyn FnMut(u64) -> bool,
-    ) -> Result<Option<String>, Refused> {
+    ) -> Result<Option<String>, Invalid> {
         let tick_hz = recording.header().tick_hz.max(1) as f64;
         let (mut cycle, mut is_whole) = (0, false);
         let damage = loop {
@@ -41,7 +42,7 @@ impl Compared {
                     break None;
                 }
                 Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => break Some(error),
-                Err(error) => return Err(Refused::of_file(options.path, &error)),
+                Err(error) => return Err(of_file(options.path, &error)),
             };
             let t = recorded.tick.instant as f64 / tick_hz;
             if t > options.until {
@@ -83,23 +84,23 @@ impl Compared {
         options: &ReplayOptions<'_>,
         damage: Option<&Error>,
         whole: Option<f64>,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Invalid> {
         let (path, end) = (Path::display(options.path), self.seconds);
         let help = "give a span within the recording with --from and --until";
         if self.before.cycles + self.after.cycles == 0 && self.before.is_equal() {
             let what = match (damage, whole) {
                 (Some(damage), _) if options.from <= end => {
                     let what = format!("no cycle was compared: `{path}` has none before its damage: {damage}");
-                    return Err(Refused::new(what, damage.help()));
+                    return Err(Invalid::new(what, damage.help()));
                 }
                 (Some(damage), _) => format!("no cycle was compared: `{path}` ends at {end:.2} s ({damage})"),
                 (None, Some(_)) => format!("no cycle was compared: `{path}` ends at {end:.2} s"),
                 (None, None) => format!("no cycle was compared: `{path}` has none in the span"),
             };
-            return Err(Refused::new(what, help));
+            return Err(Invalid::new(what, help));
         }
         if whole.is_some_and(|period| options.until.is_finite() && options.until > end + period) {
-            return Err(Refused::new(
+            return Err(Invalid::new(
                 format!("--until is after the end of the recording: `{path}` ends at {end:.2} s"),
                 help,
             ));

@@ -1,7 +1,6 @@
 //! Replay of a recording: the code runs again on what was recorded.
 
 mod compared;
-mod refused;
 mod rerun;
 mod run;
 mod subject;
@@ -13,14 +12,15 @@ use std::path::Path;
 
 use bica::runner::Robot;
 use bica_wire::Recordable;
+use bica_wire::model::Invalid;
 use serde::Serialize;
 
 use crate::compare::{Comparison, Decision, Difference};
+use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
 use crate::program::Program;
 use crate::recording::Recording;
 use compared::Compared;
-pub use refused::Refused;
 pub use rerun::rerun;
 use run::{Other, Repeated, Run};
 pub use subject::{RepeatedWorld, Subject};
@@ -110,23 +110,44 @@ type FileRecording = Recording<BufReader<File>>;
 /// If a file cannot be read, or the recording cannot be replayed by this program.
 pub fn replay<R>(
     options: &ReplayOptions<'_>,
-    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Invalid>,
     mut progress: impl FnMut(u64) -> bool,
-) -> Result<ReplayReport, Refused>
+) -> Result<ReplayReport, Invalid>
 where
     R: Recordable + 'static,
     <R as Robot>::Error: Display,
 {
-    let mut recording = open(options.path)?;
+    let recording = open(options.path)?;
+    if let Some(path) = options.against {
+        let mut other = Other::open(path, recording.header())?;
+        return report(options, recording, &mut other, ("recording", None), &mut progress);
+    }
+    let is_stored = recording.header().images == ImagePolicy::All && !options.closed_loop;
+    let subject = subject::checked(recording.header(), !is_stored, subject)?;
+    let source = if is_stored { ("stored", Some("open")) } else { ("rules", Some("closed")) };
+    report(options, recording, &mut Repeated::new(subject), source, &mut progress)
+}
+
+/// Compares two recordings of one tree.
+///
+/// # Errors
+/// If a file cannot be read, or they are of different trees.
+pub fn compare(one: &Path, other: &Path) -> Result<ReplayReport, Invalid> {
+    let recording = open(one)?;
+    let mut run = Other::open(other, recording.header())?;
+    let options = ReplayOptions { against: Some(other), ..ReplayOptions::whole(one) };
+    report(&options, recording, &mut run, ("recording", None), &mut |_| true)
+}
+
+/// Compares a recording with a run.
+fn report(
+    options: &ReplayOptions<'_>,
+    mut recording: FileRecording,
+    other: &mut dyn Run,
+    (source, feedback): (&'static str, Option<&'static str>),
+    progress: &mut dyn FnMut(u64) -> bool,
+) -> Result<ReplayReport, Invalid> {
     let header = recording.header().clone();
-    let is_stored = header.images == ImagePolicy::All && !options.closed_loop;
-    let (mut other, source, feedback): (Box<dyn Run>, _, _) = if let Some(path) = options.against {
-        (Box::new(Other::open(path, &header)?), "recording", None)
-    } else {
-        let subject = subject::checked(&header, !is_stored, subject)?;
-        let (source, feedback) = if is_stored { ("stored", "open") } else { ("rules", "closed") };
-        (Box::new(Repeated::new(subject)), source, Some(feedback))
-    };
     let mut compared = Compared {
         detects_gaps: source == "stored",
         before: Comparison::new(&header),
@@ -134,7 +155,7 @@ where
         gaps: Vec::new(),
         seconds: 0.0,
     };
-    let damage = compared.compare(options, &mut recording, &mut *other, &mut progress)?;
+    let damage = compared.compare(options, &mut recording, other, progress)?;
     let Compared { before, after, gaps, seconds, .. } = compared;
     let after_gap =
         AfterGap { cycles: after.cycles, first_difference: after.first, total_decisions: after.total_decisions };
@@ -158,13 +179,18 @@ where
 }
 
 /// Opens a recording of a run. What a monitor recorded cannot be repeated or compared.
-fn open(path: &Path) -> Result<FileRecording, Refused> {
-    let recording = FileRecording::open(path).map_err(|error| Refused::of_file(path, &error))?;
+fn open(path: &Path) -> Result<FileRecording, Invalid> {
+    let recording = FileRecording::open(path).map_err(|error| of_file(path, &error))?;
     let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
     let (path, address) = (path.display(), &monitor.address);
     let what = format!(
         "`{path}` holds what a monitor received from `{address}`, without sensor values and commands: it can be looked at, \
          not run again or compared"
     );
-    Err(Refused::new(what, "record where the robot runs, with `--serve ADDR --record FILE`"))
+    Err(Invalid::new(what, "record where the robot runs, with `--serve ADDR --record FILE`"))
+}
+
+/// The failure to read a file.
+fn of_file(path: &Path, error: &Error) -> Invalid {
+    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
 }

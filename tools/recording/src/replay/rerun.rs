@@ -7,13 +7,14 @@ use bica::runner::Robot;
 use bica_wire::Recordable;
 
 use super::run::{Again, WorldRefusal};
-use super::{Refused, Subject, open, subject};
+use super::{Subject, of_file, open, subject};
 use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
 use crate::message::LogLine;
 use crate::program::{Program, Start};
 use crate::recorder::{Backpressure, Recorder, RecorderOptions, Report, create};
 use crate::request::RequestRecord;
+use bica_wire::model::Invalid;
 
 /// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
 /// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle, s; if it returns false, the run
@@ -24,9 +25,9 @@ use crate::request::RequestRecord;
 pub fn rerun<R>(
     path: &Path,
     out: &Path,
-    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Invalid>,
     mut progress: impl FnMut(f64) -> bool,
-) -> Result<Report, Refused>
+) -> Result<Report, Invalid>
 where
     R: Recordable,
     <R as Robot>::Error: Display,
@@ -41,7 +42,7 @@ where
         let recorded = match recording.next_cycle() {
             Ok(Some(recorded)) => recorded,
             Ok(None) | Err(Error::CutOff { .. } | Error::Damaged { .. }) => break,
-            Err(error) => return Err(Refused::of_file(path, &error)),
+            Err(error) => return Err(of_file(path, &error)),
         };
         let t = header.nanoseconds(recorded.tick.instant) as f64 * 1e-9;
         if recorded.tick.cycle.is_multiple_of(100) && !progress(t) {
@@ -68,10 +69,10 @@ where
     Ok(recorder.finish("run again"))
 }
 
-fn start(out: &Path, header: &Header) -> Result<Recorder, Refused> {
+fn start(out: &Path, header: &Header) -> Result<Recorder, Invalid> {
     let failed = |error| {
         let what = format!("cannot write `{}`: {error}", out.display());
-        Refused::new(what, "name a file that can be made, on a disk with room")
+        Invalid::new(what, "name a file that can be made, on a disk with room")
     };
     let file = create(out, true).map_err(failed)?;
     // Without a clock nothing has to be lost.

@@ -9,21 +9,22 @@ use bica_wire::Recordable;
 use crc32fast::Hasher;
 
 use super::subject::{RepeatedWorld, Subject};
-use super::{FileRecording, Refused, open};
+use super::{FileRecording, of_file, open};
 use crate::digest::RunningFingerprint;
 use crate::header::Header;
 use crate::message::RunEvent;
 use crate::recorder::tree_record;
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
+use bica_wire::model::Invalid;
 
 /// The run that a recording is compared with.
 pub(super) trait Run {
     /// Returns the cycle that corresponds to a recorded one; none after the last.
-    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused>;
+    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid>;
 
     /// Returns whether there are cycles beyond those of the recording.
-    fn goes_on(&mut self) -> Result<bool, Refused> {
+    fn goes_on(&mut self) -> Result<bool, Invalid> {
         Ok(false)
     }
 }
@@ -35,23 +36,23 @@ pub(super) struct Other<'a> {
 }
 
 impl<'a> Other<'a> {
-    pub(super) fn open(path: &'a Path, header: &Header) -> Result<Self, Refused> {
+    pub(super) fn open(path: &'a Path, header: &Header) -> Result<Self, Invalid> {
         let recording = open(path)?;
         let other = recording.header();
         if other.tree.hash != header.tree.hash || other.messages != header.messages {
             let what = format!("`{}` is a recording of another tree", path.display());
-            return Err(Refused::new(what, "compare recordings of one tree"));
+            return Err(Invalid::new(what, "compare recordings of one tree"));
         }
         Ok(Self { path, recording })
     }
 }
 
 impl Run for Other<'_> {
-    fn next(&mut self, _recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused> {
-        self.recording.next_cycle().map_err(|error| Refused::of_file(self.path, &error))
+    fn next(&mut self, _recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid> {
+        self.recording.next_cycle().map_err(|error| of_file(self.path, &error))
     }
 
-    fn goes_on(&mut self) -> Result<bool, Refused> {
+    fn goes_on(&mut self) -> Result<bool, Invalid> {
         Ok(self.next(&RecordedCycle::default())?.is_some())
     }
 }
@@ -93,13 +94,13 @@ where
             }
             RequestRecord::Unknown { text } => {
                 let what = format!("the recording has a request of which only the text is known: {text}");
-                Err(WorldRefusal::Unknown(Refused::new(what, "replay the recording of the robot's own program")))
+                Err(WorldRefusal::Unknown(Invalid::new(what, "replay the recording of the robot's own program")))
             }
         }
     }
 
     /// Runs one cycle on recorded sensor values, or on those of the world.
-    pub(super) fn cycle(&mut self, recorded: &RecordedCycle) -> Result<(), Refused> {
+    pub(super) fn cycle(&mut self, recorded: &RecordedCycle) -> Result<(), Invalid> {
         let now = self.now(recorded);
         let sensed = if let Some(world) = &mut self.world {
             self.runner.sense(now, &world.sensors())
@@ -107,7 +108,7 @@ where
             let (message, blobs) = (recorded.sensors.as_deref().unwrap_or_default(), recorded.blob_bytes());
             let sensors = R::decode_sensors(message, &blobs).ok_or_else(|| {
                 let what = format!("cycle {} has no sensor values that can be read", recorded.tick.cycle);
-                Refused::new(what, "the file is damaged: replay it up to there with --until")
+                Invalid::new(what, "the file is damaged: replay it up to there with --until")
             })?;
             self.runner.sense(now, &sensors)
         };
@@ -115,7 +116,7 @@ where
             // A robot may refuse values whose large data was dropped while recording.
             Err(error) if !recorded.is_gap() => {
                 let what = format!("the robot refuses the sensor values of cycle {}: {error}", recorded.tick.cycle);
-                return Err(Refused::new(what, "record with a program that accepts them"));
+                return Err(Invalid::new(what, "record with a program that accepts them"));
             }
             _ => {}
         }
@@ -137,7 +138,7 @@ pub(super) enum WorldRefusal {
     /// The world refuses it, as text.
     World(String),
     /// The program does not know it.
-    Unknown(Refused),
+    Unknown(Invalid),
 }
 
 /// The robot of this program.
@@ -163,10 +164,10 @@ where
     R: Recordable,
     <R as Robot>::Error: Display,
 {
-    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Refused> {
+    fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid> {
         if self.cycle == 0 && recorded.tick.cycle > 0 {
             let what = format!("the recording begins with cycle {}", recorded.tick.cycle);
-            return Err(Refused::new(what, "a replay needs the start of the run: give the file that was trimmed"));
+            return Err(Invalid::new(what, "a replay needs the start of the run: give the file that was trimmed"));
         }
         let mut requests = Vec::with_capacity(recorded.requests.len());
         for request in &recorded.requests {

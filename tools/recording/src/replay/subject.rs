@@ -5,8 +5,8 @@ use std::fmt;
 use bica::runner::{Robot, World};
 use bica_wire::Recordable;
 
-use super::Refused;
 use bica_wire::model::Description;
+use bica_wire::model::Invalid;
 
 use crate::header::{Header, Messages, tick_hz};
 use crate::message::RunEvent;
@@ -41,18 +41,18 @@ impl<R> fmt::Debug for Subject<R> {
 pub(super) fn checked<R: Recordable>(
     header: &Header,
     runs_world: bool,
-    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Refused>,
-) -> Result<Subject<R>, Refused> {
+    subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Invalid>,
+) -> Result<Subject<R>, Invalid> {
     check_tree::<R>(header)?;
     if runs_world && !header.is_simulated() {
         let what = "the recording is of a world that cannot run again";
-        return Err(Refused::new(what, "replay it without --closed-loop, if it was recorded with sensor values"));
+        return Err(Invalid::new(what, "replay it without --closed-loop, if it was recorded with sensor values"));
     }
     subject(header, runs_world)
 }
 
 /// Checks that the recording is of this program's tree and messages.
-fn check_tree<R: Recordable>(header: &Header) -> Result<(), Refused> {
+fn check_tree<R: Recordable>(header: &Header) -> Result<(), Invalid> {
     let help = "the header of the recording names the commit that recorded it; build that to replay it";
     let own = Description::of(&R::GRAPH);
     if own.hash == header.tree.hash && tick_hz() == header.tick_hz {
@@ -60,7 +60,7 @@ fn check_tree<R: Recordable>(header: &Header) -> Result<(), Refused> {
             return Ok(());
         }
         let what = "the recording has sensor values or commands of another form, so it is not run again";
-        return Err(Refused::new(what, help));
+        return Err(Invalid::new(what, help));
     }
     let names = |tree: &Description| tree.components.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
     let (recorded, present) = (names(&header.tree), names(&own));
@@ -72,5 +72,5 @@ fn check_tree<R: Recordable>(header: &Header) -> Result<(), Refused> {
         ("", "") => "rates, links, states or transitions differ".to_owned(),
         (gone, new) => format!("components only in the recording: [{gone}], only in this program: [{new}]"),
     };
-    Err(Refused::new(format!("the recording is of another activation tree, so it is not run again: {what}"), help))
+    Err(Invalid::new(format!("the recording is of another activation tree, so it is not run again: {what}"), help))
 }

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
 use bica_recording::{
-    Header, ImagePolicy, Info, Recorder, Refused, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject,
-    replay, rerun,
+    Header, ImagePolicy, Info, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject, replay, rerun,
 };
 
 use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
@@ -61,7 +60,7 @@ impl RepeatedWorld<Cart> for Room {
 }
 
 /// Returns the cart at its start with another gain, and the room.
-fn subject(gain: Option<f32>) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, Refused> {
+fn subject(gain: Option<f32>) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, bica_wire::model::Invalid> {
     move |header, runs_world| {
         assert_eq!(header.set_up["seed"], 7);
         let mut robot = Box::new(Cart::new());

@@ -73,7 +73,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         Ok(description) => description,
         Err(failed) => return session.set_connection(Connection::Ended, failed.text),
     };
-    let is_own = session.program.replay.is_some() && session.program.has_tree(&description.hash);
+    let is_own = session.program.rerun.is_some() && session.program.has_tree(&description.hash);
     let can = Capabilities { images: true, run_again: is_own && header.monitor.is_none(), ..Capabilities::default() };
     let mut requested = Requested {
         holds: vec![Hold::Tree; description.components.len()],

@@ -1,4 +1,4 @@
-//! Output of a command: lines for people, JSON for programs.
+//! Output of a command: lines for people, JSON for programs. Errors, exit codes and signals.
 
 use std::io::{self, Write};
 
@@ -6,7 +6,20 @@ use anstream::{AutoStream, ColorChoice};
 use anstyle::AnsiColor;
 use serde::Serialize;
 
-use crate::Failure;
+#[cfg(feature = "batch")]
+mod batch;
+mod failure;
+pub mod interrupt;
+mod outcome;
+
+#[cfg(feature = "batch")]
+pub use batch::Batch;
+pub use failure::Failure;
+pub use outcome::Outcome;
+
+/// Stack of a thread that runs a robot, bytes: a tree may hold a whole image and is built on the stack before it moves to
+/// the heap.
+pub const STACK_BYTES: usize = 32 << 20;
 
 /// Emphasis of a word on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,11 +5,7 @@ use std::thread;
 
 use rayon::prelude::*;
 
-use crate::{Failure, interrupt};
-
-/// Stack of a thread that runs a forward, bytes: the tree holds a whole image and is built on the stack before it moves to
-/// the heap.
-pub const STACK_BYTES: usize = 32 << 20;
+use super::{Failure, STACK_BYTES, interrupt};
 
 /// Runs with consecutive seeds.
 #[derive(Clone, Copy, Debug)]

@@ -5,6 +5,8 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
+use bica_wire::model::Invalid;
+
 /// Reason for which a command cannot continue.
 #[derive(Debug)]
 pub enum Failure {
@@ -39,6 +41,27 @@ impl Failure {
     #[must_use]
     pub fn of_path(action: &str, path: &Path, error: &dyn fmt::Display, help: &str) -> Self {
         Self::new(format!("cannot {action} `{}`: {error}", path.display()), help)
+    }
+}
+
+impl From<Invalid> for Failure {
+    fn from(Invalid { what, help, .. }: Invalid) -> Self {
+        Self::new(what, help)
+    }
+}
+
+impl From<Failure> for Invalid {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Error { what, help } => Self::new(what, help),
+            Failure::BrokenPipe => Self::new("stdout is closed", "keep its reader open"),
+        }
+    }
+}
+
+impl From<bica_link::Error> for Failure {
+    fn from(error: bica_link::Error) -> Self {
+        Self::new(error.to_string(), error.help())
     }
 }
 
