@@ -1,0 +1,1 @@
+"""Recordings as pandas frames and numpy arrays."""
