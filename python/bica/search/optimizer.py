@@ -31,6 +31,7 @@ class Optimizer:
         """Create the study, or continue it; candidates whose games had not ended are queued again."""
         optuna.logging.set_verbosity(optuna.logging.ERROR)
         warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
+        warnings.filterwarnings("ignore", module="optuna", category=UserWarning)
         self._study, self._store = study, store
         self._optuna = store.patiently(self._open)
         self._distributions = {name: distribution(spread) for name, spread in study.parameters.items()}

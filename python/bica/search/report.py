@@ -140,7 +140,7 @@ def _importance(results: Results) -> str:
 
     def draw(axes: Axes) -> None:
         axes.barh([name for name, _ in items], [share for _, share in items])
-        axes.set(xlabel="share of the variance of the objective (fANOVA)", xlim=(0, None))
+        axes.set(xlabel="share of the variance of the objective (PED-ANOVA)", xlim=(0, None))
 
     return _svg(draw, (8, 1 + 0.3 * len(items)))
 

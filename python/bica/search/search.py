@@ -91,9 +91,9 @@ class Search:
             return
         if candidate.games:
             values, violations = self._judge(candidate.games)
-            pruned = self._optimizer.report(candidate.trial, candidate.steps - 1, values, violations)
+            pruned = self._optimizer.report(candidate.trial, candidate.steps - 1, values, violations) and bool(candidate.waiting)
             if pruned or not candidate.waiting:
-                self._optimizer.tell(candidate.trial, values, violations, pruned and bool(candidate.waiting))
+                self._optimizer.tell(candidate.trial, values, violations, pruned)
                 self._candidates.remove(candidate)
                 self._ended += 1
                 self._progress(candidate, values, violations, pruned)
