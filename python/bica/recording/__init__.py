@@ -1,0 +1,7 @@
+"""Recordings as pandas frames and numpy arrays."""
+
+from bica.recording.image import Image
+from bica.recording.postcard import DecodeError
+from bica.recording.recording import Recording, RecordingError
+
+__all__ = ["DecodeError", "Image", "Recording", "RecordingError"]

@@ -1,0 +1,67 @@
+"""The MCAP file of a recording: its header, ending and messages."""
+
+from __future__ import annotations
+
+import json
+import os
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from mcap.exceptions import McapError
+from mcap.reader import make_reader
+from mcap.records import Channel, Message, Schema
+
+#: Format of recordings that this package reads.
+FORMAT = 5
+
+
+class RecordingError(ValueError):
+    """A file is no recording, or is damaged."""
+
+
+class RecordingFile:
+    """An MCAP file with the profile `bica`."""
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        """Read the header; raises RecordingError if the file is no complete recording."""
+        self.path = Path(path)
+        try:
+            with self.path.open("rb") as file:
+                reader = make_reader(file, validate_crcs=True)
+                summary = reader.get_summary()
+                records = {record.name: record.metadata for record in reader.iter_metadata()}
+        except McapError as error:
+            raise self._damaged(error) from None
+        if summary is None or "bica" not in records:
+            raise RecordingError(f"`{self.path}` is no recording of a robot's program")
+        self.header: dict[str, Any] = self._json(records["bica"])
+        self.ending: dict[str, Any] = self._json(records["bica.ending"]) if "bica.ending" in records else {}
+        if self.header["format"] != FORMAT:
+            raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {FORMAT}")
+        self._schemas = {schema.name: schema for schema in summary.schemas.values()}
+        self.topics = {channel.topic: channel for channel in summary.channels.values()}
+
+    def _json(self, record: dict[str, str]) -> Any:
+        text = record["json"]
+        if zlib.crc32(text.encode()) != int(record["crc32"], 16):
+            raise self._damaged("the checksum of the header is wrong")
+        return json.loads(text)
+
+    def _damaged(self, why: object) -> RecordingError:
+        help_text = f"player record recover {self.path} whole.mcap"
+        return RecordingError(f"`{self.path}` is cut, damaged or no MCAP file: {why}\n  help: `{help_text}` may mend it")
+
+    def schema(self, name: str) -> dict[str, Any]:
+        """Return a schema of postcard, such as `bica.Tick`."""
+        loaded: dict[str, Any] = json.loads(self._schemas[name].data)
+        return loaded
+
+    def messages(self, topic: str) -> Iterator[tuple[Schema | None, Channel, Message]]:
+        """Return the messages of a topic in the order of their times."""
+        with self.path.open("rb") as file:
+            try:
+                yield from make_reader(file, validate_crcs=True).iter_messages(topics=[topic])
+            except McapError as error:
+                raise self._damaged(error) from None

@@ -1,0 +1,1 @@
+"""Series of games and searches of parameters, on one computer or many."""

@@ -1,0 +1,183 @@
+"""Expressions over the results of games, evaluated without `eval`.
+
+A name is a column with a value for each game. `mean(otherwise(goal_s, 120))` is one number. `sum`, `count` and `share` pass over
+missing values; all other results of a missing value are errors, so that a game without a goal is never left out by mistake.
+"""
+
+from __future__ import annotations
+
+import ast
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+Columns = Mapping[str, np.ndarray]
+
+
+class ExpressionError(ValueError):
+    """An expression is wrong, or cannot be evaluated on these results."""
+
+
+def _otherwise(values: Any, instead: Any) -> Any:
+    return np.where(np.isnan(values), instead, values)
+
+
+FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
+    "mean": (1, np.mean),
+    "median": (1, np.median),
+    "sum": (1, np.nansum),
+    "std": (1, np.std),
+    "min": (1, np.min),
+    "max": (1, np.max),
+    "count": (1, lambda values: np.count_nonzero(np.nan_to_num(values))),
+    "share": (1, lambda values: np.mean(np.nan_to_num(values) != 0)),
+    "quantile": (2, np.quantile),
+    "abs": (1, np.abs),
+    "sqrt": (1, np.sqrt),
+    "log": (1, np.log),
+    "least": (2, np.minimum),
+    "most": (2, np.maximum),
+    "otherwise": (2, _otherwise),
+    "where": (3, np.where),
+}
+OPERATORS: dict[type, Callable[..., Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: np.power,
+    ast.USub: operator.neg,
+    ast.Not: np.logical_not,
+    ast.And: np.logical_and,
+    ast.Or: np.logical_or,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+}
+#: Longest expression, so that its depth has a bound.
+MAX_LENGTH = 1000
+#: By how much a constraint is violated, from its two sides.
+VIOLATIONS: dict[type, Callable[[float, float], float]] = {
+    ast.LtE: lambda left, right: left - right,
+    ast.GtE: lambda left, right: right - left,
+    ast.Eq: lambda left, right: abs(left - right),
+}
+
+
+class Expression:
+    """One number over the results of games."""
+
+    def __init__(self, text: str) -> None:
+        """Parse a text; raises ExpressionError if it has anything but numbers, columns, operators and functions."""
+        self.text = text
+        self._tree = _parse(text)
+
+    def value(self, columns: Columns) -> float:
+        """Return the value; raises ExpressionError without such a column, or if the result is not one finite number."""
+        return _number(self.text, self._tree, columns)
+
+
+class Constraint:
+    """A condition over the results: two expressions with `<=`, `>=` or `==` between them."""
+
+    def __init__(self, text: str) -> None:
+        """Parse a text."""
+        self.text, tree = text, _parse(text)
+        if not isinstance(tree, ast.Compare) or len(tree.ops) != 1 or type(tree.ops[0]) not in VIOLATIONS:
+            raise ExpressionError(f"`{text}` is no constraint\n  help: write one of <=, >= and ==, as `sum(falls) == 0`")
+        self.left, right = (Expression(ast.unparse(side)) for side in (tree.left, tree.comparators[0]))
+        self._right, self._violation = right, VIOLATIONS[type(tree.ops[0])]
+
+    def violation(self, columns: Columns) -> float:
+        """Return by how much the constraint is violated; at most 0 if it holds."""
+        return self._violation(self.left.value(columns), self._right.value(columns))
+
+
+def columns_of(games: Sequence[Mapping[str, Any]]) -> dict[str, np.ndarray]:
+    """Return the columns of games: numbers as floats, NaN without a value, and texts."""
+    names = sorted({name for game in games for name in game})
+    return {name: _column([game.get(name) for game in games]) for name in names}
+
+
+def _column(values: list[Any]) -> np.ndarray:
+    if any(isinstance(value, str) for value in values):
+        return np.array(["" if value is None else str(value) for value in values])
+    return np.array([np.nan if value is None else float(value) for value in values])
+
+
+def _parse(text: str) -> ast.expr:
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"an expression has at most {MAX_LENGTH} characters, this one has {len(text)}")
+    try:
+        tree = ast.parse(text.strip(), mode="eval").body
+    except (SyntaxError, ValueError, RecursionError) as error:
+        raise ExpressionError(f"`{text}` is no expression: {error}") from None
+    _check(text, tree)
+    return tree
+
+
+def _check(text: str, node: ast.expr) -> None:
+    match node:
+        case ast.Constant(value=bool() | int() | float() | str()) | ast.Name():
+            return
+        case ast.Call(func=ast.Name(id=name), keywords=[]) if name in FUNCTIONS:
+            if len(node.args) != FUNCTIONS[name][0]:
+                raise ExpressionError(f"`{name}` in `{text}` needs {FUNCTIONS[name][0]} arguments, not {len(node.args)}")
+            parts = node.args
+        case ast.Call(func=ast.Name(id=name)):
+            raise ExpressionError(f"there is no function `{name}`\n  help: functions are {', '.join(sorted(FUNCTIONS))}")
+        case ast.BinOp(op=op) if type(op) in OPERATORS:
+            parts = [node.left, node.right]
+        case ast.UnaryOp(op=op) if type(op) in OPERATORS:
+            parts = [node.operand]
+        case ast.BoolOp():
+            parts = node.values
+        case ast.Compare() if len(node.ops) == 1 and type(node.ops[0]) in OPERATORS:
+            parts = [node.left, *node.comparators]
+        case _:
+            what = ast.unparse(node)
+            raise ExpressionError(f"`{what}` is not allowed in `{text}`\n  help: use numbers, columns, + - * / **, functions")
+    for part in parts:
+        _check(text, part)
+
+
+def _number(text: str, tree: ast.expr, columns: Columns) -> float:
+    try:
+        with np.errstate(all="ignore"):
+            value = np.asarray(_evaluate(tree, columns), dtype=float)
+    except (TypeError, ValueError, OverflowError, ZeroDivisionError) as error:
+        raise ExpressionError(f"`{text}` cannot be evaluated: {error}") from None
+    if value.size != 1:
+        raise ExpressionError(f"`{text}` is a value for each game\n  help: aggregate them, as `mean({text})`")
+    if not np.isfinite(value):
+        raise ExpressionError(f"`{text}` is {value.item()}\n  help: `otherwise(column, 120)` replaces missing values")
+    return float(value.item())
+
+
+def _evaluate(node: ast.expr, columns: Columns) -> Any:
+    match node:
+        case ast.Constant(value=value):
+            return value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
+        case ast.Name(id=name):
+            if name not in columns:
+                raise ExpressionError(f"the results have no column `{name}`\n  help: they have {', '.join(columns)}")
+            return columns[name]
+        case ast.Call(func=ast.Name(id=name), args=arguments):
+            return FUNCTIONS[name][1](*(_evaluate(argument, columns) for argument in arguments))
+        case ast.BinOp(left=left, op=op, right=right):
+            return OPERATORS[type(op)](_evaluate(left, columns), _evaluate(right, columns))
+        case ast.UnaryOp(op=op, operand=operand):
+            return OPERATORS[type(op)](_evaluate(operand, columns))
+        case ast.BoolOp(op=op, values=values):
+            result = _evaluate(values[0], columns)
+            for part in values[1:]:
+                result = OPERATORS[type(op)](result, _evaluate(part, columns))
+            return result
+        case ast.Compare(left=left, ops=[op], comparators=[right]):
+            return OPERATORS[type(op)](_evaluate(left, columns), _evaluate(right, columns))
+    raise ExpressionError(f"`{ast.unparse(node)}` is not allowed")

@@ -1,0 +1,90 @@
+"""The command `bica search`."""
+
+from __future__ import annotations
+
+import argparse
+from contextlib import closing
+from pathlib import Path
+
+from bica.parameters import Setting
+from bica.search.blocks import Blocks
+from bica.search.comparison import Compared, compare, shown
+from bica.search.game import Game
+from bica.search.optimizer import Optimizer
+from bica.search.report import Results, write_report
+from bica.search.search import Search, tasks_of
+from bica.search.spread import spread_to
+from bica.search.store import Store, default_url, say, url_of
+from bica.search.study import Study, read_study
+
+
+def search(args: argparse.Namespace) -> int:
+    """Run or continue a search, write its report and, with `--write`, a tune file."""
+    study = read_study(args.study, args.program)
+    url = url_of(args.store) if args.store else default_url(args.study)
+    with closing(Store(url, study.name, say)) as store:
+        if store.is_local:
+            say(f"the store {url} is a SQLite file: for one process only; PostgreSQL is for all else")
+        optimizer = Optimizer(study, store)
+        with closing(spread_to(args.address, args.workers)) as spread:
+            blocks = Blocks(spread, store)
+            Search(study, optimizer, blocks, say).run()
+            best, compared = _compare(study, optimizer, blocks)
+        facts = _facts(study, optimizer, blocks)
+        for line in [*facts, *map(shown, compared)]:
+            say(line)
+        _report(args.report or args.study.with_suffix(".html"), study, optimizer, store, best, compared, facts)
+    if not best:
+        say("no candidate met the constraints")
+        return 1
+    print(" ".join(f"--set {name}={value}" for name, value in best.items()))
+    if args.write:
+        say(study.program.write(args.write, best, args.force))
+    return 0
+
+
+def _compare(study: Study, optimizer: Optimizer, blocks: Blocks) -> tuple[dict[str, Setting], list[Compared]]:
+    """Play the best candidate and the default on the held-out seeds."""
+    trial = optimizer.best()
+    if trial is None:
+        return {}, []
+    best = optimizer.settings(trial)
+    both = [tasks_of(study, settings, study.final_seeds) for settings in (study.defaults, best)]
+    tasks = [task for side in both for task in side] if both[0] != both[1] else both[0]
+    blocks.play_all(tasks, lambda played, wanted: say(f"held-out seeds: {played} of {wanted} games"))
+    held_out = set(study.final_seeds)
+    default, chosen = ([game for game in blocks.store.games(side[0].candidate) if game.seed in held_out] for side in both)
+    expressions = [*study.objectives, *(each.left for each in study.constraints), *study.reported]
+    return best, compare(expressions, default, chosen)
+
+
+def _facts(study: Study, optimizer: Optimizer, blocks: Blocks) -> list[str]:
+    games, ended = blocks.store.games(), optimizer.ended()
+    pruned = sum(trial.state.name == "PRUNED" for trial in ended)
+    refused = sum("refused" in trial.user_attrs for trial in optimizer.trials())
+    return [
+        f"{study.sampler}: {len(ended)} candidates, {pruned} of them pruned, {refused} more failed",
+        f"{len(games)} games stored, {blocks.new_games} of them played by this run in {blocks.elapsed_s:.0f} s",
+        f"{sum(len(game.repeated) for game in games)} tries of programs repeated, {_failed(games)} games failed in all tries, "
+        f"{len(blocks.store.lost())} blocks lost and played again",
+        f"{100 * blocks.overhead:.1f} % of the time of {blocks.spread.slots} slots was not spent in games",
+    ]
+
+
+def _failed(games: list[Game]) -> int:
+    return sum(game.error is not None for game in games)
+
+
+def _report(
+    path: Path,
+    study: Study,
+    optimizer: Optimizer,
+    store: Store,
+    best: dict[str, Setting],
+    compared: list[Compared],
+    facts: list[str],
+) -> None:
+    failed = [f"seed {game.seed} of {game.candidate}: {game.error}" for game in store.games() if game.error]
+    importance = optimizer.importance()
+    write_report(path, Results(study, optimizer.trials(), importance, best, compared, failed, store.lost(), facts))
+    say(f"report: {path}")

@@ -1,0 +1,173 @@
+"""Optuna's study behind a search: samplers, candidates, their values."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+import optuna
+from optuna.distributions import BaseDistribution, CategoricalDistribution, FloatDistribution, IntDistribution
+from optuna.trial import FrozenTrial, Trial, TrialState
+
+from bica.parameters import Setting, parsed
+from bica.search.store import Store
+from bica.search.study import Range, Study
+
+#: What a violated constraint adds to an objective for CMA-ES, which has no constraints, per unit of the violation.
+CMA_PENALTY = 1000.0
+#: Digits of a searched number: a tune file stays readable.
+DIGITS = 4
+
+
+class StudyChangedError(Exception):
+    """A stored study does not belong to the study file."""
+
+
+class Optimizer:
+    """Candidates of a study in the database of the store. All methods wait for a database that is away."""
+
+    def __init__(self, study: Study, store: Store) -> None:
+        """Create the study, or continue it; candidates whose games had not ended are queued again."""
+        optuna.logging.set_verbosity(optuna.logging.ERROR)
+        warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
+        warnings.filterwarnings("ignore", module="optuna", category=UserWarning)
+        self._study, self._store = study, store
+        self._optuna = store.patiently(self._open)
+        self._distributions = {name: distribution(spread) for name, spread in study.parameters.items()}
+        self._check()
+        self._resume()
+
+    def _open(self) -> optuna.Study:
+        options = {} if self._store.is_local else {"pool_pre_ping": True}
+        return optuna.create_study(
+            storage=optuna.storages.RDBStorage(self._store.url, engine_kwargs=options),
+            study_name=self._study.name,
+            load_if_exists=True,
+            directions=["minimize"] * len(self._study.objectives),
+            sampler=sampler(self._study),
+            pruner=optuna.pruners.MedianPruner(n_startup_trials=4, n_warmup_steps=(self._study.prune_after or 1) - 1),
+        )
+
+    def _check(self) -> None:
+        stored = self._optuna.user_attrs.get("fingerprint")
+        if stored is None:
+            self._store.patiently(lambda: self._optuna.set_user_attr("fingerprint", self._study.fingerprint))
+        elif stored != self._study.fingerprint:
+            raise StudyChangedError(
+                f"the store has a study `{self._study.name}` with another program, objective, range, sampler or seeds\n"
+                "  help: give the study another name, or use another store"
+            )
+
+    def _resume(self) -> None:
+        if not self.trials():
+            self._store.patiently(lambda: self._optuna.enqueue_trial(self._study.defaults, skip_if_exists=True))
+        for trial in self.trials():
+            if trial.state == TrialState.RUNNING:
+                self._again(trial)
+
+    def _again(self, trial: FrozenTrial) -> None:
+        """Queue a candidate anew; its games that are stored are not played again."""
+        if len(trial.params) == len(self._study.parameters):
+            self._store.patiently(lambda: self._optuna.enqueue_trial(trial.params, skip_if_exists=False))
+        self.finish(trial.number, TrialState.FAIL)
+
+    def trials(self) -> list[FrozenTrial]:
+        """Return all candidates, oldest first."""
+        return self._store.patiently(lambda: self._optuna.get_trials(deepcopy=False))
+
+    def ended(self) -> list[FrozenTrial]:
+        """Return the candidates with all games, or pruned."""
+        return [trial for trial in self.trials() if trial.state in (TrialState.COMPLETE, TrialState.PRUNED)]
+
+    def ask(self) -> Trial:
+        """Return the next candidate."""
+        return self._store.patiently(lambda: self._optuna.ask(self._distributions))
+
+    def settings(self, trial: Trial | FrozenTrial) -> dict[str, Setting]:
+        """Return the values of a candidate as the program takes them."""
+        return {name: _value(spread, trial.params[name]) for name, spread in self._study.parameters.items()}
+
+    def report(self, trial: Trial, block: int, values: list[float], violations: Mapping[str, float]) -> bool:
+        """Store the values after a block; returns whether the candidate should be pruned."""
+        if self._study.prune_after is None:
+            return False
+        value = self._told(values, violations)[0] + CMA_PENALTY * sum(max(0.0, each) for each in violations.values())
+        self._store.patiently(lambda: trial.report(value, block))
+        return block + 1 >= self._study.prune_after and self._store.patiently(trial.should_prune)
+
+    def tell(self, trial: Trial, values: list[float], violations: Mapping[str, float], pruned: bool) -> None:
+        """End a candidate with its values."""
+
+        def describe() -> None:
+            for name, violation in violations.items():
+                if name not in trial.constraints:
+                    trial.set_constraint(name, violation)
+            trial.set_user_attr("values", values)
+            trial.set_user_attr("violation", sum(max(0.0, each) for each in violations.values()))
+
+        self._store.patiently(describe)
+        if pruned:
+            self.finish(trial.number, TrialState.PRUNED)
+        else:
+            self.finish(trial.number, TrialState.COMPLETE, self._told(values, violations))
+
+    def fail(self, trial: Trial, why: str) -> None:
+        """End a candidate that the program refuses."""
+        self._store.patiently(lambda: trial.set_user_attr("refused", why))
+        self.finish(trial.number, TrialState.FAIL)
+
+    def finish(self, number: int, state: TrialState, values: list[float] | None = None) -> None:
+        """End a candidate; harmless if it has ended already, because the database was away after it had stored that."""
+        self._store.patiently(lambda: self._optuna.tell(number, values, state, skip_if_finished=True))
+
+    def best(self) -> FrozenTrial | None:
+        """Return the candidate with the least first objective that violates nothing; None without any."""
+        complete = [trial for trial in self.trials() if trial.state == TrialState.COMPLETE]
+        feasible = [trial for trial in complete if trial.user_attrs.get("violation", 0.0) <= 0]
+        return min(feasible, key=lambda trial: trial.user_attrs["values"][0], default=None)
+
+    def importance(self) -> dict[str, float]:
+        """Return the importance of each parameter for the first objective; empty with too few candidates."""
+        try:
+            return optuna.importance.get_param_importances(self._optuna, target=lambda trial: float(trial.user_attrs["values"][0]))
+        except (ValueError, RuntimeError, ZeroDivisionError):
+            return {}
+
+    def _told(self, values: list[float], violations: Mapping[str, float]) -> list[float]:
+        if self._study.sampler != "cma-es":
+            return values
+        penalty = CMA_PENALTY * sum(max(0.0, each) for each in violations.values())
+        return [value + penalty for value in values]
+
+
+def sampler(study: Study) -> optuna.samplers.BaseSampler:
+    """Return Optuna's sampler of a study."""
+    seed = study.sampler_seed
+    match study.sampler:
+        case "cma-es":
+            return optuna.samplers.CmaEsSampler(seed=seed, consider_pruned_trials=True)
+        case "nsga-ii":
+            return optuna.samplers.NSGAIISampler(seed=seed, population_size=max(4, min(50, study.candidates // 4)))
+        case "random":
+            return optuna.samplers.RandomSampler(seed=seed)
+        case _:
+            return optuna.samplers.TPESampler(seed=seed, multivariate=True, constant_liar=True)
+
+
+def distribution(spread: Range) -> BaseDistribution:
+    """Return Optuna's distribution of a range."""
+    if spread.variants:
+        return CategoricalDistribution(spread.variants)
+    if spread.kind == "f32":
+        return FloatDistribution(spread.minimum, spread.maximum, log=spread.log)
+    return IntDistribution(int(spread.minimum), int(spread.maximum), log=spread.log)
+
+
+def _value(spread: Range, value: Any) -> Setting:
+    if spread.variants:
+        return parsed(spread.kind, value)
+    if spread.kind != "f32":
+        return int(value)
+    rounded = float(f"{value:.{DIGITS}g}")
+    return min(max(rounded, spread.minimum), spread.maximum)

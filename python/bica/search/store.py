@@ -1,0 +1,184 @@
+"""Storage of accepted games in PostgreSQL, or in a SQLite file of one process."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import sys
+import time
+import zlib
+from collections.abc import Callable, Iterable
+from dataclasses import asdict
+from pathlib import Path
+from typing import IO, TypeVar
+
+import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql, sqlite
+
+from bica.search.game import Game
+
+T = TypeVar("T")
+
+#: Longest time for which a database may be away, s.
+PATIENCE = 120.0
+
+_metadata = sa.MetaData()
+_games = sa.Table(
+    "bica_games",
+    _metadata,
+    sa.Column("study", sa.String(200), primary_key=True),
+    sa.Column("candidate", sa.String(16), primary_key=True),
+    sa.Column("world", sa.String(100), primary_key=True),
+    sa.Column("seed", sa.BigInteger, primary_key=True),
+    sa.Column("game", sa.Text, nullable=False),
+)
+_lost = sa.Table(
+    "bica_lost_blocks",
+    _metadata,
+    sa.Column("id", sa.Integer, primary_key=True),
+    sa.Column("study", sa.String(200), nullable=False),
+    sa.Column("what", sa.Text, nullable=False),
+)
+
+
+class StoreError(Exception):
+    """A store cannot be used."""
+
+
+def url_of(text: str) -> str:
+    """Return a database's URL; a path without a scheme is a SQLite file."""
+    return text if "://" in text else f"sqlite:///{Path(text).resolve()}"
+
+
+class Store:
+    """Games of one study. A game is stored once, whatever is played or reported twice."""
+
+    def __init__(self, url: str, study: str, report: Callable[[str], None]) -> None:
+        """Open the store and lock the study; raises StoreError if another process drives it."""
+        self.url, self.study, self._report = url, study, report
+        self._file: IO[str] | None = None
+        self._guard: sa.Connection | None = None
+        options = {} if url.startswith("sqlite") else {"pool_pre_ping": True}
+        try:
+            self.engine = sa.create_engine(url, **options)
+            self._lock()
+            _metadata.create_all(self.engine)
+        except (sa.exc.SQLAlchemyError, ImportError, OSError) as error:
+            raise StoreError(f"cannot open the store `{url}`: {_first_line(error)}") from error
+
+    @property
+    def is_local(self) -> bool:
+        """Whether the store is a SQLite file, which only one process may use."""
+        return self.engine.dialect.name == "sqlite"
+
+    def close(self) -> None:
+        """Unlock the study."""
+        if self._guard is not None:
+            self._guard.close()
+        if self._file is not None:
+            self._file.close()
+        self.engine.dispose()
+
+    def _lock(self) -> None:
+        taken = f"another process drives the study `{self.study}` in `{self.url}`\n  help: wait for its end, or stop it"
+        if self.is_local:
+            self._file = Path(f"{self.engine.url.database}.lock").open("w")  # noqa: SIM115 - open as long as the store
+            try:
+                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise StoreError(taken) from None
+        else:
+            key = zlib.crc32(self.study.encode())
+            self._guard = self.engine.connect().execution_options(isolation_level="AUTOCOMMIT")
+            if not self._guard.scalar(sa.select(sa.func.pg_try_advisory_lock(key))):
+                raise StoreError(taken)
+
+    def _relock(self) -> None:
+        """Take the lock again after the database was away."""
+        if self._guard is not None:
+            try:
+                self._guard.scalar(sa.select(1))
+            except sa.exc.DBAPIError:
+                self._guard.invalidate()
+                self._lock()
+
+    def patiently(self, action: Callable[[], T]) -> T:
+        """Run an action that may be repeated; waits for a database that is away, at most for PATIENCE."""
+        until, wait = time.monotonic() + PATIENCE, 0.2
+        while True:
+            try:
+                self._relock()
+                return action()
+            except Exception as error:
+                cause = error if isinstance(error, sa.exc.DBAPIError) else error.__cause__ or error.__context__
+                is_away = isinstance(cause, sa.exc.OperationalError | sa.exc.InterfaceError) and not self.is_local
+                if not is_away or time.monotonic() > until:
+                    raise
+                self._report(f"the store is away, trying again: {_first_line(error)}")
+            time.sleep(wait)
+            wait = min(2 * wait, 5.0)
+
+    def add(self, games: Iterable[Game]) -> int:
+        """Store games; returns how many of them were new."""
+        rows = [
+            {"study": self.study, "candidate": game.candidate, "world": game.world, "seed": game.seed, "game": _text(game)}
+            for game in games
+        ]
+        insert = sqlite.insert(_games) if self.is_local else postgresql.insert(_games)
+
+        def write() -> int:
+            with self.engine.begin() as connection:
+                return sum(connection.execute(insert.on_conflict_do_nothing(), row).rowcount for row in rows)
+
+        return self.patiently(write)
+
+    def games(self, candidate: str | None = None) -> list[Game]:
+        """Return the stored games, of one candidate or of all."""
+        query = sa.select(_games.c.game).where(_games.c.study == self.study)
+        if candidate is not None:
+            query = query.where(_games.c.candidate == candidate)
+
+        def read() -> list[Game]:
+            with self.engine.connect() as connection:
+                return [Game(**json.loads(text)) for text in connection.scalars(query.order_by(_games.c.seed))]
+
+        return self.patiently(read)
+
+    def note_lost(self, what: str) -> None:
+        """Store that a block was lost and is played again."""
+        self._report(what)
+
+        def write() -> None:
+            with self.engine.begin() as connection:
+                connection.execute(_lost.insert().values(study=self.study, what=what))
+
+        self.patiently(write)
+
+    def lost(self) -> list[str]:
+        """Return what was lost and played again, in its order."""
+        query = sa.select(_lost.c.what).where(_lost.c.study == self.study).order_by(_lost.c.id)
+
+        def read() -> list[str]:
+            with self.engine.connect() as connection:
+                return list(connection.scalars(query))
+
+        return self.patiently(read)
+
+
+def _text(game: Game) -> str:
+    return json.dumps(asdict(game))
+
+
+def _first_line(error: BaseException) -> str:
+    return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+
+
+def say(text: str) -> None:
+    """Print a line about progress."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def default_url(path: Path) -> str:
+    """Return the URL of the SQLite file beside another file."""
+    return f"sqlite:///{os.path.abspath(path)}.db"
