@@ -11,7 +11,7 @@ mod world;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use bica_game::{FirmwareImage, GRAPH};
+use bica_player_program::game::{FirmwareImage, GRAPH};
 use bica_sim::setup::Frame;
 
 use bica_monitor::program::{ImageFiles, LocalWorld, Program};

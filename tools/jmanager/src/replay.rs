@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use bica_console::Failure;
-use bica_game::{ReplayOptions, replay, rerun};
+use bica_player_program::game::{ReplayOptions, replay, rerun};
 
 use bica_monitor::program::{Compared, Replay};
 
