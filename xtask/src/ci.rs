@@ -122,7 +122,7 @@ fn tests() -> Result<(), String> {
 /// # Errors
 /// If the installation fails.
 pub(crate) fn with_mujoco(wanted: bool) -> Result<&'static [&'static str], String> {
-    if wanted { mujoco::install().map(|()| &["bica-game/mujoco"][..]) } else { Ok(&[]) }
+    if wanted { mujoco::install().map(|()| &["bica-player-program/mujoco"][..]) } else { Ok(&[]) }
 }
 
 /// Plays games in the built-in world.

@@ -41,7 +41,7 @@ pub(crate) fn install() -> Result<(), String> {
 }
 
 /// Packages with code for MuJoCo; the step of the lints checks the others.
-const PACKAGES: [&str; 5] = ["bica-sim", "bica-evaluation", "bica-game", "bica-player-program", "jmanager"];
+const PACKAGES: [&str; 4] = ["bica-sim", "bica-evaluation", "bica-player-program", "jmanager"];
 
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
@@ -56,12 +56,9 @@ pub(crate) fn check() -> Result<(), String> {
     let lints = [&["clippy"], &packages[..], &["--all-targets"], &feature, &["--", "-D", "warnings"]].concat();
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
-    run(
-        "cargo",
-        &[&["test", "-p", "bica-player-program", "--test", "program"], &feature[..], &["mujoco"]].concat(),
-        &[],
-    )?;
-    for (package, test) in [("bica-game", "replay"), ("jmanager", "sessions")] {
+    const TESTS: [(&str, &str); 3] =
+        [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "sessions")];
+    for (package, test) in TESTS {
         run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
     }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();

@@ -47,7 +47,7 @@ pub(crate) fn run(variables: &[(&str, &str)]) -> Result<(), String> {
     compare(expected, &test(Kind::Slow, &["--workspace".to_owned()], variables)?)
 }
 
-/// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-game/mujoco`.
+/// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-player-program/mujoco`.
 ///
 /// # Errors
 /// As [`run`].
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn the_package_of_a_file_is_that_of_the_nearest_manifest() {
         assert_eq!(package(&root().join("xtask/src/slow_tests.rs")).as_deref(), Some("xtask"));
-        assert_eq!(package(&root().join("tools/game/tests/replay/games.rs")).as_deref(), Some("bica-game"));
+        assert_eq!(package(&root().join("tools/player/tests/replay/games.rs")).as_deref(), Some("bica-player-program"));
     }
 
     #[test]

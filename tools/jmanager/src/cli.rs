@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bica_game::FirmwareImage;
+use bica_player_program::game::FirmwareImage;
 use bica_sim::setup::Frame;
 use clap::{Parser, Subcommand};
 

@@ -10,7 +10,7 @@ mod world;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use bica_game::{FirmwareImage, GRAPH, rerun};
+use bica_player_program::game::{FirmwareImage, GRAPH, rerun};
 use bica_sim::setup::Frame;
 
 use bica_monitor::program::{ImageFiles, LocalWorld, Program};

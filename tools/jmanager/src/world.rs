@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bica_app::Failure;
-use bica_game::{
+use bica_player_program::game::{
     FirmwareImage, GRAPH, GameControl, NextStep, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled,
     settings,
 };

@@ -1,10 +1,12 @@
 //! The program `player`: games of the forward, its vision on recorded images, and the commands of every robot.
 //!
-//! A library beside the program, so that a test can parse every command that the documentation shows.
+//! A library beside the program, so that other programs can play games, and a test can parse every command that the
+//! documentation shows.
 
 mod calibrate;
 mod cli;
 mod colour_profile;
+pub mod game;
 mod play;
 mod see;
 mod trial;
@@ -22,7 +24,7 @@ pub fn app() -> App<Forward, ColourProfile> {
     App::new("player")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(cli::ABOUT).after_help(cli::AFTER))
         .kind("built-in")
-        .replay(bica_game::replay)
+        .replay(game::replay)
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
+use crate::game::{
+    FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
+};
 use bica::Setting;
 use bica_app::RecordArgs;
 use bica_app::{Console, Failure, Outcome};
-use bica_game::{
-    FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
-};
 use clap::ValueEnum;
 
 use crate::cli::{Play, World};
@@ -53,7 +53,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
 /// Returns the parameters of the command line and of the tune files of the world.
 fn settings(args: &Play) -> Result<&'static [Setting], Failure> {
     let kind = args.world.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
-    let settings = bica_game::settings(&args.tuning.layers(&GRAPH, &kind)?)?;
+    let settings = crate::game::settings(&args.tuning.layers(&GRAPH, &kind)?)?;
     if args.world == World::Firmware && !settings.is_empty() {
         let help = "leave out --set and tune files, or play in another world";
         return Err(Failure::new("the parameters of a firmware image are constants", help));

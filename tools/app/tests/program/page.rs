@@ -13,7 +13,7 @@ const FOREIGN: [&str; 9] = [
     "bica-vision",
     "bica-sim",
     "bica-player",
-    "bica-game",
+    "bica-player-program",
     "bica-evaluation",
     "bica-emulator",
     "jmanager",

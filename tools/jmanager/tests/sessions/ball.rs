@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use bica_game::{ReplayOptions, replay};
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch};
+use bica_player_program::game::{ReplayOptions, replay};
 
 use crate::sessions::page::Page;
 use crate::sessions::world::{pose_of, running, set_gain};

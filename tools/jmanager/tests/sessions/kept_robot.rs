@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use bica::Hold;
 use bica_app::Failure;
-use bica_game::{ReplayOptions, replay};
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
+use bica_player_program::game::{ReplayOptions, replay};
 use bica_recording::{Info, Recording};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};

@@ -4,9 +4,9 @@ use std::fs;
 use std::process::Command;
 use std::time::Duration;
 
-use bica_game::{RecordOptions, Rules, WorldKind, play_recorded};
 use bica_link::{NamedSetting, Plain};
 use bica_monitor::protocol::{Open, Request};
+use bica_player_program::game::{RecordOptions, Rules, WorldKind, play_recorded};
 use bica_recording::ImagePolicy;
 use bica_sim::setup::Frame;
 use serde_json::Value;

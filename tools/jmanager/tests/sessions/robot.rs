@@ -7,10 +7,10 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica::Hold;
-use bica_game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
 use bica_link::{Address, Client, ClientOptions, Plain};
 use bica_monitor::protocol::{Breakpoint, Open, Request, Watch, WatchImages};
 use bica_monitor::sessions::Options;
+use bica_player_program::game::{GameControl, NextStep, Rules, ServeOptions, WorldKind, play_controlled};
 use bica_sim::setup::Frame;
 use serde_json::{Value, json};
 

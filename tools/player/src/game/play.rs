@@ -1,0 +1,292 @@
+//! One game: the forward in a world, cycle by cycle, until a goal or the end of the time.
+
+use std::thread;
+use std::time::{Duration, Instant as Clock};
+
+use bica::runner::Runner;
+use bica::{Instant, Refusal, Tree};
+use bica_app::Failure;
+use bica_link::LinkRequests;
+use bica_motion::pose::Pose2;
+use bica_player::input::{HealthMonitor, RobotProfile};
+use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
+use bica_sim::SpectatorView;
+use glam::Vec2;
+
+use crate::game::control::{GameControl, NextStep};
+use crate::game::fingerprint::Fingerprint;
+use crate::game::firmware::FirmwareCheck;
+use crate::game::latency::Stopwatch;
+use crate::game::link::{GameLink, LinkQueue, LinkView, ServeOptions, send_truth};
+use crate::game::meter::Meter;
+use crate::game::observer::GameObserver;
+use crate::game::recording::{GameRecorder, RecordOptions, RecordingSummary};
+use crate::game::rules::Rules;
+use crate::game::scene::{GRAPH, Scene};
+use crate::game::summary::{GameSummary, Measurements};
+use crate::game::world_factory;
+
+/// Least distance between two points of the ball's path, m.
+const PATH_STEP: f32 = 0.03;
+
+/// Time between two looks for requests while the game is paused.
+const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
+
+/// Plays until a goal, the end of the time, or Ctrl-C.
+///
+/// # Errors
+/// If the world or the firmware cannot be started, an observer fails, or the firmware deviates from this program.
+pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSummary, Failure> {
+    play_recorded(rules, observer, None, None).map(|(summary, _)| summary)
+}
+
+/// Plays as [`play`], and on request records the game and serves it to monitors. A recording that ends early does not end the
+/// game.
+///
+/// # Errors
+/// As [`play`], or if the file cannot be made or the server cannot start.
+pub fn play_recorded(
+    rules: &Rules,
+    observer: &mut impl GameObserver,
+    record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
+) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
+    play_controlled(rules, observer, &mut (), record, serve)
+}
+
+/// Plays as [`play_recorded`], with control over each step: pause, single cycles, end.
+///
+/// # Errors
+/// As [`play_recorded`].
+pub fn play_controlled(
+    rules: &Rules,
+    observer: &mut impl GameObserver,
+    control: &mut impl GameControl,
+    record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
+) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
+    let mut game = Game::new(rules, record, serve, control.lets_operators_pause())?;
+    let began = Clock::now();
+    let mut paused = Duration::ZERO;
+    loop {
+        let asked = Clock::now();
+        let next = control.next(game.is_over(rules));
+        if next == NextStep::End {
+            break;
+        }
+        if game.runs_a_cycle(next) {
+            paused += asked.elapsed();
+            game.cycle()?;
+        } else {
+            thread::sleep(BETWEEN_REQUESTS);
+            paused += asked.elapsed();
+            game.runner.apply_requests();
+            game.place_ball(observer)?;
+            game.send_truth();
+            continue;
+        }
+        game.report(observer)?;
+        game.place_ball(observer)?;
+        if let Some(note) = control.note() {
+            game.recorder_mut().note(&note);
+        }
+        if let Some(reason) = game.recorder_mut().newly_ended() {
+            control.recording_ended(&reason);
+        }
+        if rules.realtime {
+            let ahead = game.now().saturating_sub(began.elapsed().saturating_sub(paused));
+            thread::sleep(ahead);
+        }
+    }
+    Ok(game.summarize(rules, began.elapsed()))
+}
+
+/// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder
+/// and the link, which come last.
+type LoopObservers<'a> = (FirmwareCheck, ((Meter, Stopwatch), (GameRecorder<'a>, LinkView)));
+
+struct Game<'a> {
+    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, LinkQueue, LoopObservers<'a>>,
+    link: GameLink,
+    cycles: u64,
+    tree_changes: u64,
+    fingerprint: Fingerprint,
+    /// Time of the last cycle.
+    cycle_time: Duration,
+    start: Pose2,
+    ball_path: Vec<Vec2>,
+    /// Number of events that the observer has received.
+    reported_events: usize,
+    seed: u64,
+}
+
+impl<'a> Game<'a> {
+    fn new(
+        rules: &Rules,
+        record: Option<RecordOptions<'a>>,
+        serve: Option<ServeOptions<'_>>,
+        can_pause: bool,
+    ) -> Result<Self, Failure> {
+        let world = world_factory::open(rules)?;
+        let image = world.shared_image();
+        let mut robot = Box::new(Forward::new());
+        let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
+        robot.get_mut::<RobotProfile>().set(rules.world.profile());
+        robot.get_mut::<GoalDetector>().attack(attacks);
+        let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
+        robot.set_params(rules.settings).map_err(refused)?;
+        let mut firmware = FirmwareCheck::new(rules.firmware.map(|image| image.start(attacks)).transpose()?);
+        let recorder = GameRecorder::new(record, rules, attacks, &robot, image.clone())?;
+        let (link, requests, view) = GameLink::start(serve, rules, image, can_pause, &mut firmware)?;
+        let measured = (Meter::new(&GRAPH), Stopwatch::default());
+        let observers = (firmware, (measured, (recorder, view)));
+        Ok(Self {
+            runner: Runner::new(robot, world).with_requests(requests).with_observer(observers),
+            link,
+            cycles: 0,
+            tree_changes: 0,
+            fingerprint: Fingerprint::new(),
+            cycle_time: Duration::ZERO,
+            start,
+            ball_path: vec![ball],
+            reported_events: 0,
+            seed: rules.seed,
+        })
+    }
+
+    fn now(&self) -> Duration {
+        self.runner.world().now()
+    }
+
+    fn meter(&self) -> &Meter {
+        let (_, ((meter, _), _)) = self.runner.observer();
+        meter
+    }
+
+    fn stopwatch(&self) -> &Stopwatch {
+        let (_, ((_, stopwatch), _)) = self.runner.observer();
+        stopwatch
+    }
+
+    fn view(&self) -> &LinkView {
+        let (_, (_, (_, view))) = self.runner.observer();
+        view
+    }
+
+    const fn recorder_mut(&mut self) -> &mut GameRecorder<'a> {
+        let (_, (_, (recorder, _))) = self.runner.observer_mut();
+        recorder
+    }
+
+    fn is_over(&self, rules: &Rules) -> bool {
+        self.runner.world().referee().goals() > 0 || self.now() >= rules.limit
+    }
+
+    /// Whether a cycle comes next: no operator has paused the game, nor does its control.
+    fn runs_a_cycle(&mut self, next: NextStep) -> bool {
+        let Some(requests) = self.runner.requests_mut() else { return true };
+        if next == NextStep::Pause {
+            requests.pause();
+        }
+        requests.begins_cycle()
+    }
+
+    fn cycle(&mut self) -> Result<(), Failure> {
+        self.cycle_time = self.now();
+        let command =
+            self.runner.cycle().map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
+        let (firmware, ((meter, _), (recorder, _))) = self.runner.observer_mut();
+        firmware.result()?;
+        recorder.costs(meter);
+        let ball = self.runner.world().referee().ball();
+        self.fingerprint.add(&command, ball);
+        self.cycles += 1;
+        self.send_truth();
+        self.tree_changes += u64::from(self.meter().changed());
+        if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
+            self.ball_path.push(ball);
+        }
+        Ok(())
+    }
+
+    /// Places the ball as the operator has requested it, before the next cycle.
+    fn place_ball(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
+        let mut is_placed = false;
+        while let Some(at) = self.runner.requests_mut().as_mut().and_then(LinkRequests::next_ball) {
+            let result = self.runner.world_mut().place_ball(at.into()).map_err(|error| error.to_string());
+            if result.is_ok() {
+                is_placed = true;
+                self.recorder_mut().ball_placed(at);
+            }
+            let now = Instant::from_micros(self.now().as_micros() as u64);
+            if let Some(requests) = self.runner.requests_mut() {
+                requests.ball_placed(now, result);
+            }
+        }
+        if is_placed {
+            self.send_truth();
+            observer.ball_placed(&self.scene())?;
+        }
+        Ok(())
+    }
+
+    /// Sends the true state to monitors that watch it.
+    fn send_truth(&self) {
+        send_truth(self.view(), self.cycle_time, self.runner.world().referee(), self.start);
+    }
+
+    fn scene(&self) -> Scene<'_> {
+        Scene {
+            seed: self.seed,
+            t: self.cycle_time.as_secs_f64(),
+            robot: self.runner.robot(),
+            referee: self.runner.world().referee(),
+            meter: self.meter(),
+            chain: self.stopwatch().latencies.last(),
+            cycle: self.cycles.saturating_sub(1),
+            start: self.start,
+            ball_path: &self.ball_path,
+        }
+    }
+
+    fn report(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
+        if let Some(view) = observer.view(self.now(), self.runner.world().referee()) {
+            let picture = self.runner.world_mut().render_from(&view.camera, view.width, view.height);
+            let picture = picture.map_err(|error| {
+                Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
+            })?;
+            observer.rendered(&self.scene(), &picture)?;
+        }
+        observer.cycle(&self.scene())?;
+        if self.meter().changed() {
+            observer.tree_changed(&self.scene())?;
+        }
+        let (referee, (_, (_, (recorder, _)))) = (self.runner.world().referee(), self.runner.observer());
+        for event in &referee.events()[self.reported_events..] {
+            recorder.event(event);
+            self.link.event(event);
+            observer.event(event)?;
+        }
+        self.reported_events = referee.events().len();
+        Ok(())
+    }
+
+    fn summarize(self, rules: &Rules, real: Duration) -> (GameSummary, Option<RecordingSummary>) {
+        let (robot, world, _, (firmware, ((meter, stopwatch), (recorder, _)))) = self.runner.into_parts();
+        let measurements = Measurements {
+            cycles: self.cycles,
+            tree_changes: self.tree_changes,
+            fingerprint: self.fingerprint,
+            latencies: stopwatch.latencies,
+            meter,
+        };
+        let summary = GameSummary {
+            fault: robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string()),
+            firmware: firmware.summarize(),
+            ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
+        };
+        let recording = recorder.finish(&format!("fingerprint {}", summary.fingerprint), summary.fault.as_deref());
+        (summary, recording)
+    }
+}

@@ -1,0 +1,76 @@
+//! A series of games on several threads.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Instant;
+
+use bica_app::{Batch, Console, Failure, Outcome, interrupt};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::game::album::Album;
+use crate::game::play::play;
+use crate::game::rules::Rules;
+use crate::game::series_summary::{self, SeriesSummary};
+use crate::game::summary::{GameResult, GameSummary};
+
+/// Size of a series.
+#[derive(Clone, Copy, Debug)]
+pub struct SeriesOptions {
+    /// Number of games.
+    pub games: u32,
+    /// Number of threads; by default one for each core.
+    pub threads: Option<u32>,
+    /// Number of games with a goal that makes the series a success; by default all.
+    pub at_least: Option<u32>,
+}
+
+/// Plays a series and prints its summary. Each game has a folder of pictures on request.
+///
+/// # Errors
+/// As [`play`], or if the output cannot be written.
+pub fn play_series(
+    rules: &Rules,
+    console: Console,
+    pictures: Option<&Path>,
+    options: &SeriesOptions,
+) -> Result<Outcome, Failure> {
+    let began = Instant::now();
+    let batch = Batch::new(rules.seed, options.games, options.threads);
+    let games = play_all(rules, pictures, &batch)?;
+    let series = SeriesSummary::new(&batch, games, began.elapsed().as_secs_f64());
+    series_summary::print(console, &series)?;
+    console.print_json(&series)?;
+    let required = options.at_least.unwrap_or(options.games) as usize;
+    Ok(if interrupt::requested() {
+        Outcome::Interrupted
+    } else if series.goals() >= required {
+        Outcome::Success
+    } else {
+        Outcome::Unsuccessful
+    })
+}
+
+/// Returns the games that were played to their end, in the order of their seeds.
+fn play_all(rules: &Rules, pictures: Option<&Path>, batch: &Batch) -> Result<Vec<GameSummary>, Failure> {
+    let (bar, goals) = (progress_bar(batch.runs), AtomicU32::new(0));
+    let games = batch.run(|seed| {
+        let album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{seed}")))).transpose();
+        let game = album.and_then(|mut album| play(&Rules { seed, ..*rules }, &mut album))?;
+        let won = u32::from(game.result == GameResult::Goal);
+        bar.set_message(format!("{} goals", goals.fetch_add(won, Ordering::Relaxed) + won));
+        bar.inc(1);
+        Ok(game)
+    });
+    bar.finish_and_clear();
+    Ok(games?.into_iter().filter(|game| game.result != GameResult::Interrupted).collect())
+}
+
+/// A bar on stderr; hidden where that is no terminal.
+fn progress_bar(games: u32) -> ProgressBar {
+    let style = ProgressStyle::with_template("[{bar:30}] {pos}/{len} games, {msg}, {eta} left");
+    let bar = ProgressBar::new(games.into());
+    if let Ok(style) = style {
+        bar.set_style(style.progress_chars("#."));
+    }
+    bar
+}

@@ -1,0 +1,70 @@
+//! One game, with its story.
+
+use std::path::Path;
+
+use bica_app::{Console, Failure, Outcome};
+use serde::Serialize;
+
+use crate::game::album::Album;
+use crate::game::film::Film;
+use crate::game::link::ServeOptions;
+use crate::game::play::play_recorded;
+use crate::game::recording::{RecordOptions, RecordingSummary};
+use crate::game::rules::Rules;
+use crate::game::story::{Story, TreeChange};
+use crate::game::summary::{GameResult, GameSummary};
+use crate::game::summary_text;
+
+/// JSON of a game.
+#[derive(Serialize)]
+struct GameReport<'a> {
+    schema: &'static str,
+    #[serde(flatten)]
+    summary: &'a GameSummary,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recording: Option<&'a RecordingSummary>,
+    story: &'a [TreeChange],
+}
+
+/// Plays a game, prints story and summary; on request writes pictures, a film and a recording, and serves monitors.
+///
+/// # Errors
+/// As [`play_recorded`], or if the output cannot be written.
+pub fn play_one(
+    rules: &Rules,
+    console: Console,
+    pictures: Option<&Path>,
+    film: Option<&Path>,
+    record: Option<RecordOptions<'_>>,
+    serve: Option<ServeOptions<'_>>,
+) -> Result<Outcome, Failure> {
+    let album = pictures.map(Album::new).transpose()?;
+    let recorder = film.map(Film::new).transpose()?;
+    let story = Story::new(console);
+    story.print_header()?;
+    let mut observers = (story, (album, recorder));
+    let (summary, recording) = play_recorded(rules, &mut observers, record, serve)?;
+    let (story, (album, recorder)) = observers;
+    summary_text::print(console, &summary)?;
+    if let Some((album, folder)) = album.zip(pictures) {
+        console.print("")?;
+        console.print_row("pictures", &format!("{} in {}", album.count(), folder.display()))?;
+    }
+    if let Some((recorder, path)) = recorder.zip(film) {
+        let count = recorder.finish()?;
+        console.print("")?;
+        console.print_row("film", &format!("{count} pictures in {}", path.display()))?;
+    }
+    if let Some(recording) = &recording {
+        console.print("")?;
+        console.print_row("recording", &recording.describe())?;
+    }
+    let recording = recording.as_ref();
+    let report = GameReport { schema: "bica-player/game/1", summary: &summary, recording, story: &story.changes };
+    console.print_json(&report)?;
+    Ok(match summary.result {
+        GameResult::Goal => Outcome::Success,
+        GameResult::NoGoal => Outcome::Unsuccessful,
+        GameResult::Interrupted => Outcome::Interrupted,
+    })
+}
