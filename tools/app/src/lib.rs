@@ -65,6 +65,6 @@ pub use clap;
 pub use console::*;
 pub use link::ServeArgs;
 pub use params::{Layer, TuningArgs};
-pub use record::{Images, RecordArgs};
+pub use record::{Images, RecordArgs, RecordedFile};
 pub use run::seconds;
 pub use world::WorldOptions;

@@ -1,12 +1,15 @@
 //! Addresses of links.
 
 use std::fmt;
-use std::net::{SocketAddr, ToSocketAddrs};
+use std::io::{self, ErrorKind};
+use std::net::{SocketAddr, TcpStream, ToSocketAddrs};
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::time::Duration;
 
 use crate::error::Error;
 use crate::memory::Memory;
+use crate::stream::Stream;
 
 /// Baud rate of a serial line whose address names none.
 const BAUD: u32 = 115_200;
@@ -52,6 +55,27 @@ impl fmt::Display for Address {
             Self::Tcp(address) => f.write_str(address),
             Self::Serial { path, baud } => write!(f, "{}@{baud}", path.display()),
             Self::Memory(_) => f.write_str("this process"),
+        }
+    }
+}
+
+impl Address {
+    /// Connects to the server there.
+    pub(crate) fn connect(&self, timeout: Duration) -> Result<Stream, Error> {
+        let failed = |error| Error::connect(self, error);
+        match self {
+            Self::Serial { path, baud } => Stream::open(path, *baud).map_err(failed),
+            Self::Memory(memory) => memory.connect(timeout).map_err(failed),
+            Self::Tcp(host) => {
+                let mut last = io::Error::new(ErrorKind::NotFound, "the host has no address");
+                for socket in resolve(host)? {
+                    match TcpStream::connect_timeout(&socket, timeout) {
+                        Ok(stream) => return Stream::tcp(stream).map_err(failed),
+                        Err(error) => last = error,
+                    }
+                }
+                Err(failed(last))
+            }
         }
     }
 }

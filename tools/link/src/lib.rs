@@ -21,6 +21,7 @@ mod client;
 mod error;
 mod frame;
 mod memory;
+mod pending;
 mod schema;
 mod server;
 mod stream;
@@ -34,6 +35,7 @@ pub use bica_wire::model::{
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
 pub use error::Error;
 pub use memory::Memory;
+pub use pending::Pending;
 pub use schema::decode as decode_info;
 pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};

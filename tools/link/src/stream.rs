@@ -8,9 +8,6 @@ use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::Duration;
 
-use crate::address::{Address, resolve};
-use crate::error::Error;
-
 /// A byte stream in both directions.
 #[derive(Debug)]
 pub(crate) enum Stream {
@@ -33,25 +30,6 @@ pub(crate) enum Reading {
 }
 
 impl Stream {
-    /// Connects to a server.
-    pub(crate) fn connect(address: &Address, timeout: Duration) -> Result<Self, Error> {
-        let failed = |error| Error::connect(address, error);
-        match address {
-            Address::Serial { path, baud } => Self::open(path, *baud).map_err(failed),
-            Address::Memory(memory) => memory.connect(timeout).map_err(failed),
-            Address::Tcp(host) => {
-                let mut last = io::Error::new(ErrorKind::NotFound, "the host has no address");
-                for socket in resolve(host)? {
-                    match TcpStream::connect_timeout(&socket, timeout) {
-                        Ok(stream) => return Self::tcp(stream).map_err(failed),
-                        Err(error) => last = error,
-                    }
-                }
-                Err(failed(last))
-            }
-        }
-    }
-
     /// Wraps a TCP connection.
     pub(crate) fn tcp(stream: TcpStream) -> io::Result<Self> {
         // Small packets must not wait for more.

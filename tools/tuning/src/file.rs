@@ -6,7 +6,8 @@ use bica::Value;
 use bica_wire::model::{Description, Invalid, Kind};
 use toml::de::{DeTable, DeValue};
 
-use crate::layers::Place;
+/// Index of a component, and of a parameter in it.
+pub(crate) type Place = (usize, usize);
 
 /// Returns parameters, values and line numbers of a tune file.
 pub(crate) fn parse(tree: &Description, file: &str, text: &str) -> Result<Vec<(Place, Value, usize)>, Invalid> {

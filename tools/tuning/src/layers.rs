@@ -7,10 +7,7 @@ use std::path::Path;
 use bica::{ComponentId, Graph, Setting, Tree};
 use bica_wire::model::{Component, Description, Invalid, NamedSetting, Param};
 
-use crate::file;
-
-/// Index of a component, and of a parameter in it.
-pub(crate) type Place = (usize, usize);
+use crate::file::{self, Place};
 
 /// Values over the defaults of a tree; each layer replaces values of the ones before it.
 #[derive(Clone, Debug)]

@@ -1,12 +1,12 @@
 //! Recording of a run.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 
 use bica_recording::{Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, create};
 use clap::{Args, ValueEnum};
 
-use crate::console::{Console, Failure};
+use crate::console::Failure;
 
 /// Arguments that say how a run is recorded.
 #[derive(Clone, Debug, Args)]
@@ -41,7 +41,8 @@ impl From<Images> for ImagePolicy {
 }
 
 /// File that a run is recorded to.
-pub(crate) struct RecordedFile {
+#[derive(Debug)]
+pub struct RecordedFile {
     path: PathBuf,
     /// Receives the reason if the recording ends before the run.
     ended: Receiver<String>,
@@ -55,12 +56,22 @@ impl RecordArgs {
         is_paced: bool,
     ) -> Result<Option<(RecordedFile, Recorder)>, Failure> {
         let Some(path) = &self.record else { return Ok(None) };
-        let help = if path.exists() && !self.force {
+        RecordedFile::start(path, self.force, &header(self.images.into()), is_paced).map(Some)
+    }
+}
+
+impl RecordedFile {
+    /// Makes the file, replaces an old one by `force`, and writes its header. `is_paced` is whether the run cannot wait for the disk.
+    ///
+    /// # Errors
+    /// If the file exists, or cannot be written.
+    pub fn start(path: &Path, force: bool, header: &Header, is_paced: bool) -> Result<(Self, Recorder), Failure> {
+        let help = if path.exists() && !force {
             "--force replaces an existing file"
         } else {
             "name a file that can be made, or written to, with --record"
         };
-        let file = create(path, self.force).map_err(|error| Failure::of_path("write", path, &error, help))?;
+        let file = create(path, force).map_err(|error| Failure::of_path("write", path, &error, help))?;
         let backpressure = if is_paced { Backpressure::Drop } else { Backpressure::Wait };
         let options = RecorderOptions { backpressure, ..RecorderOptions::default() };
         let (sender, ended) = channel();
@@ -68,27 +79,32 @@ impl RecordArgs {
             // The receiver is gone only when the run has ended.
             let _ = sender.send(reason.to_owned());
         };
-        let recorder = Recorder::start(file, &header(self.images.into()), options, on_end)
+        let recorder = Recorder::start(file, header, options, on_end)
             .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))?;
-        Ok(Some((RecordedFile { path: path.clone(), ended }, recorder)))
+        Ok((Self { path: path.to_owned(), ended }, recorder))
     }
-}
 
-impl RecordedFile {
+    /// The path of the file.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Returns the reason once if the recording has ended before the run.
-    pub(crate) fn newly_ended(&self) -> Option<String> {
+    #[must_use]
+    pub fn newly_ended(&self) -> Option<String> {
         self.ended.try_recv().ok()
     }
 
-    /// Closes the file and prints its length.
-    pub(crate) fn finish(self, recorder: Recorder, result: &str, console: Console) -> Result<(), Failure> {
-        let Report { cycles, bytes, dropped_images, reason } = recorder.finish(result);
+    /// Returns a line for people about the closed file.
+    #[must_use]
+    pub fn describe(&self, Report { cycles, bytes, dropped_images, reason }: &Report) -> String {
         let dropped = match dropped_images {
             0 => String::new(),
             count => format!("; {count} images dropped, the disk was too slow"),
         };
-        let ended = reason.map_or_else(String::new, |reason| format!("; it ended before the run: {reason}"));
-        let (megabytes, file) = (bytes as f64 * 1e-6, self.path.display());
-        console.print_row("recording", &format!("{cycles} cycles, {megabytes:.2} MB in {file}{dropped}{ended}"))
+        let ended = reason.as_ref().map_or_else(String::new, |reason| format!("; it ended before the run: {reason}"));
+        let (megabytes, file) = (*bytes as f64 * 1e-6, self.path.display());
+        format!("{cycles} cycles, {megabytes:.2} MB in {file}{dropped}{ended}")
     }
 }

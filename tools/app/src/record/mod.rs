@@ -15,8 +15,7 @@ use args::{InfoArgs, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
 pub(crate) use args::{Record, time};
-pub(crate) use file::RecordedFile;
-pub use file::{Images, RecordArgs};
+pub use file::{Images, RecordArgs, RecordedFile};
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {

@@ -71,7 +71,7 @@ where
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
     let (_, world, _, (story, (_, recorder))) = running.runner.into_parts();
     if let Some((file, recorder)) = file.zip(recorder) {
-        file.finish(recorder, end.text(), console)?;
+        console.print_row("recording", &file.describe(&recorder.finish(end.text())))?;
     }
     let mut text = String::new();
     world.report(&mut text).map_err(|fmt::Error| Failure::new("the world cannot write its report", "correct it"))?;

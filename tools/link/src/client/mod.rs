@@ -60,7 +60,7 @@ impl Client {
     /// # Errors
     /// [`Error::Connect`], [`Error::Schema`], [`Error::Timeout`], [`Error::Disconnected`], [`Error::Invalid`].
     pub fn connect(address: &Address, options: ClientOptions) -> Result<Self, Error> {
-        let stream = Stream::connect(address, options.timeout)?;
+        let stream = address.connect(options.timeout)?;
         stream.set_write_timeout(options.timeout).map_err(|error| Error::connect(address, error))?;
         let mut client = Self {
             address: address.clone(),

@@ -11,7 +11,7 @@ use bica_wire::message::ExtraKind;
 use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToMonitor, ToRobot};
 
 use super::MAX_MONITORS;
-use super::cycle_data::{Encoded, Watched};
+use super::cycle_data::{Encoded, EncodedPart, Watched};
 use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
 use super::outbox::{Batch, Message, Outbox};
@@ -261,9 +261,9 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
 fn write(connection: &Connection, mut stream: Stream) {
     let (mut packets, mut schemas) = (Packets::new(), BTreeSet::new());
     let mut sending: Option<Sending> = None;
-    while let Some(Batch { messages, data, image }) = connection.outbox.take(sending.is_some()) {
+    while let Some(Batch { mut waiting, image }) = connection.outbox.take(sending.is_some()) {
         let mut closing = false;
-        for message in messages {
+        while let Some(message) = waiting.message() {
             closing |= matches!(message, Message::Closing(_));
             // A message that does not fit into a packet is left out: the limits of the protocol exclude it.
             let _ = message.encode(&mut packets);
@@ -272,7 +272,12 @@ fn write(connection: &Connection, mut stream: Stream) {
                 return;
             }
         }
-        let _ = data.frame(&mut schemas, &mut packets);
+        let mut parts: Vec<_> = std::iter::from_fn(|| waiting.data()).collect();
+        // The snapshot, which has the time of the cycle, comes first.
+        parts.sort_by_key(EncodedPart::key);
+        for part in parts {
+            let _ = part.frame(&mut schemas, &mut packets);
+        }
         sending = sending.or_else(|| image.map(Sending::new));
         // Each part of an image comes after everything else, so an image delays nothing for long.
         sending.take_if(|sending| sending.push_part(&mut packets).unwrap_or(true));

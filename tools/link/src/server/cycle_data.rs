@@ -145,51 +145,50 @@ struct EncodedReading {
     places: Vec<Range<usize>>,
 }
 
-/// Data that waits for one monitor: the newest snapshot, and the newest value of everything else, with its place among the readings.
-#[derive(Debug, Default)]
-pub(super) struct Waiting {
-    snapshot: Option<Arc<Encoded>>,
-    values: BTreeMap<Key, (Arc<Encoded>, usize)>,
+/// Data of a cycle for one monitor: a snapshot, or a value.
+#[derive(Debug)]
+pub(super) struct EncodedPart {
+    data: Arc<Encoded>,
+    /// Place of the value among the readings; none for the snapshot.
+    reading: Option<usize>,
 }
 
-impl Waiting {
-    /// Adds what is due for the monitor in a cycle.
-    pub(super) fn add(&mut self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
-        if snapshot {
-            self.snapshot = Some(Arc::clone(data));
-        }
-        for (index, reading) in data.readings.iter().enumerate() {
-            if watched.get(&reading.key).is_some_and(|&every| data.cycle.is_multiple_of(every.into())) {
-                self.values.insert(reading.key, (Arc::clone(data), index));
-            }
-        }
+impl Encoded {
+    /// What is due for a monitor.
+    pub(super) fn parts(data: &Arc<Self>, snapshot: bool, watched: &Watched) -> impl Iterator<Item = EncodedPart> {
+        let is_due = |(_, reading): &(usize, &EncodedReading)| {
+            watched.get(&reading.key).is_some_and(|&every| data.cycle.is_multiple_of(every.into()))
+        };
+        let values = data.readings.iter().enumerate().filter(is_due).map(|(index, _)| Some(index));
+        let parts = snapshot.then_some(None).into_iter().chain(values);
+        parts.map(|reading| EncodedPart { data: Arc::clone(data), reading })
     }
+}
 
-    pub(super) fn is_empty(&self) -> bool {
-        self.snapshot.is_none() && self.values.is_empty()
+impl EncodedPart {
+    pub(super) fn key(&self) -> Key {
+        self.reading.map_or(Key::Snapshot, |index| self.data.readings[index].key)
     }
 
     /// Appends the packets; `schemas` are those that were sent.
     pub(super) fn frame(&self, schemas: &mut BTreeSet<Key>, packets: &mut Packets) -> Result<(), TooLarge> {
-        if let Some(data) = &self.snapshot {
-            data.snapshot.iter().try_for_each(|place| packets.push_encoded(&data.bytes[place.clone()]))?;
+        let data = &self.data;
+        let Some(index) = self.reading else {
+            return data.snapshot.iter().try_for_each(|place| packets.push_encoded(&data.bytes[place.clone()]));
+        };
+        let EncodedReading { key, schema, places } = &data.readings[index];
+        if let (Key::Info(component, info), Some(schema)) = (key, schema)
+            && schemas.insert(*key)
+        {
+            push_schema((*component, *info), schema, packets)?;
         }
-        for (data, index) in self.values.values() {
-            let EncodedReading { key, schema, places } = &data.readings[*index];
-            if let (Key::Info(component, info), Some(schema)) = (key, schema)
-                && schemas.insert(*key)
-            {
-                push_schema((*component, *info), schema, packets)?;
+        places.iter().try_for_each(|place| {
+            let bytes = &data.bytes[place.clone()];
+            match schema {
+                Some(_) => packets.push_encoded(bytes),
+                None => packets.push_robot(&FromRobot::MonitorExtra(bytes)),
             }
-            for place in places {
-                let bytes = &data.bytes[place.clone()];
-                match schema {
-                    Some(_) => packets.push_encoded(bytes)?,
-                    None => packets.push_robot(&FromRobot::MonitorExtra(bytes))?,
-                }
-            }
-        }
-        Ok(())
+        })
     }
 }
 
@@ -210,6 +209,7 @@ fn push_schema(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pending::Pending;
 
     /// Data of a cycle with the values of these outputs.
     fn encoded(cycle: u64, outputs: &[u16]) -> Arc<Encoded> {
@@ -219,13 +219,15 @@ mod tests {
 
     #[test]
     fn of_data_that_nobody_takes_the_newest_value_of_each_output_stays() {
-        let (mut waiting, watched) =
-            (Waiting::default(), Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]));
+        let mut waiting = Pending::<(), Key, EncodedPart>::default();
+        let watched = Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]);
         for cycle in 0..100 {
-            waiting.add(&encoded(cycle, &[0, 1]), true, &watched);
+            for part in Encoded::parts(&encoded(cycle, &[0, 1]), true, &watched) {
+                waiting.show(part.key(), part, |newer, _| newer);
+            }
         }
-        assert_eq!(waiting.snapshot.as_ref().map(|data| data.cycle), Some(99));
-        let cycles: Vec<_> = waiting.values.iter().map(|(&key, (data, _))| (key, data.cycle)).collect();
-        assert_eq!(cycles, [(Key::Info(0, 0), 99), (Key::Info(0, 1), 0)]);
+        let taken = std::iter::from_fn(|| waiting.data()).map(|part| (part.key(), part.data.cycle));
+        let expected = [(Key::Snapshot, 99), (Key::Info(0, 0), 99), (Key::Info(0, 1), 0)];
+        assert_eq!(taken.collect::<Vec<_>>(), expected);
     }
 }

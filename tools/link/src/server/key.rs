@@ -5,6 +5,8 @@ use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
 /// What a monitor watches besides states and images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Key {
+    /// The snapshot: states of all components.
+    Snapshot,
     /// An output: component and index.
     Info(u16, u16),
     /// The conditions of a component.

@@ -225,7 +225,7 @@ impl Control {
                 Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
                 Key::Costs => data.extras.extend(costs.read(info.cycle)),
                 // It is not known before the world has advanced.
-                Key::Truth => {}
+                Key::Snapshot | Key::Truth => {}
             }
         }
         data.watchers = self.watchers.shared();
@@ -254,7 +254,7 @@ impl Control {
             match key {
                 Key::Info(component, index) => data.read(tree, component, index),
                 Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
-                Key::Costs | Key::Truth => {}
+                Key::Snapshot | Key::Costs | Key::Truth => {}
             }
         }
         data.watchers = watchers;

@@ -1,6 +1,5 @@
 //! Messages that wait for a monitor.
 
-use std::collections::VecDeque;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use bica::Graph;
@@ -10,12 +9,11 @@ use bica_wire::message::{
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 
-use super::cycle_data::{Encoded, Waiting, Watched};
+use super::cycle_data::{Encoded, EncodedPart, Watched};
+use super::key::Key;
 use super::picture::Picture;
 use crate::frame::Packets;
-
-/// Largest number of messages in the lossless queue. A monitor that leaves more unread is disconnected.
-const MAX_STATE: usize = 1024;
+use crate::pending::Pending;
 
 /// Message of the lossless queue.
 #[derive(Clone, Debug)]
@@ -48,15 +46,13 @@ pub(super) struct Outbox {
 
 /// What the writer sends next.
 pub(super) struct Batch {
-    pub(super) messages: VecDeque<Message>,
-    pub(super) data: Waiting,
+    pub(super) waiting: Pending<Message, Key, EncodedPart>,
     pub(super) image: Option<Picture>,
 }
 
 #[derive(Debug, Default)]
 struct Queues {
-    state: VecDeque<Message>,
-    data: Waiting,
+    waiting: Pending<Message, Key, EncodedPart>,
     /// The newest image that was not begun.
     image: Option<Picture>,
     /// Whether the writer waits; waking it costs a call of the operating system.
@@ -68,10 +64,8 @@ impl Outbox {
     /// Adds a message to the lossless queue; returns whether there was room.
     pub(super) fn push(&self, message: Message) -> bool {
         let mut queues = self.lock();
-        let room = queues.state.len() < MAX_STATE;
-        if room {
-            queues.state.push_back(message);
-        }
+        // Each is small: their number is bounded.
+        let room = queues.waiting.push(message, 0);
         self.wake(queues);
         room
     }
@@ -79,7 +73,9 @@ impl Outbox {
     /// Adds data of a cycle, which replaces what was not sent.
     pub(super) fn show(&self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
         let mut queues = self.lock();
-        queues.data.add(data, snapshot, watched);
+        for part in Encoded::parts(data, snapshot, watched) {
+            queues.waiting.show(part.key(), part, |newer, _| newer);
+        }
         self.wake(queues);
     }
 
@@ -94,7 +90,7 @@ impl Outbox {
     /// `is_sending` an image.
     pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
         let mut queues = self.lock();
-        let is_idle = |queues: &Queues| queues.state.is_empty() && queues.data.is_empty() && queues.image.is_none();
+        let is_idle = |queues: &Queues| queues.waiting.is_empty() && queues.image.is_none();
         while !is_sending && is_idle(&queues) && !queues.closed {
             queues.sleeps = true;
             queues = self.filled.wait(queues).unwrap_or_else(PoisonError::into_inner);
@@ -102,8 +98,7 @@ impl Outbox {
         queues.sleeps = false;
         let queues = &mut *queues;
         (!queues.closed).then(|| Batch {
-            messages: std::mem::take(&mut queues.state),
-            data: std::mem::take(&mut queues.data),
+            waiting: std::mem::take(&mut queues.waiting),
             image: if is_sending { None } else { queues.image.take() },
         })
     }
@@ -157,18 +152,5 @@ impl Message {
             Self::Reached(reached) => packets.push_extra(&ToMonitorExtra::Reached(*reached)),
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_messages_that_nobody_takes_none_is_lost_until_there_is_no_room() {
-        let outbox = Outbox::default();
-        assert!((0..MAX_STATE).all(|_| outbox.push(Message::Closing("end"))));
-        assert!(!outbox.push(Message::Closing("end")));
-        assert_eq!(outbox.take(false).expect("it is not closed").messages.len(), MAX_STATE);
     }
 }

@@ -3,38 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::process::Command;
-use std::sync::{Arc, Condvar, Mutex};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::time::Instant;
 
 use serde_json::Value;
 
 use super::cargo::{Workspace, cargo};
+use super::checks::Checks;
 use super::files::Files;
-use super::process::{self, Group, LastLines};
+use super::process::{self, LastLines};
 use crate::pages::lock;
 use crate::protocol::{Check, CheckState, CodeLevel, CodeMessage, Failed, ToPage};
-
-/// Time from a save to the check.
-const AFTER: Duration = Duration::from_millis(200);
-
-/// What is to be checked.
-#[derive(Default)]
-pub(super) struct Checks {
-    state: Mutex<State>,
-    changed: Condvar,
-}
-
-#[derive(Default)]
-struct State {
-    /// Files whose packages are to be checked.
-    wanted: BTreeSet<PathBuf>,
-    due: Option<Instant>,
-    running: Option<Group>,
-    /// Whether the running check is of old text.
-    outdated: bool,
-    ended: bool,
-    last: Option<Check>,
-}
 
 /// How a check ended.
 enum Outcome {
@@ -42,64 +21,6 @@ enum Outcome {
     Failed(Failed),
     /// A newer edit came, or the server ends.
     GivenUp,
-}
-
-impl Checks {
-    /// Checks the packages of files soon. A check that runs is given up.
-    pub(super) fn want(&self, paths: impl IntoIterator<Item = PathBuf>) {
-        let mut state = lock(&self.state);
-        state.wanted.extend(paths);
-        state.due = Some(Instant::now() + AFTER);
-        state.outdated = true;
-        if let Some(group) = state.running {
-            group.kill();
-        }
-        self.changed.notify_all();
-    }
-
-    /// Ends the check that runs, and the thread.
-    pub(super) fn end(&self) {
-        let mut state = lock(&self.state);
-        state.ended = true;
-        if let Some(group) = state.running {
-            group.kill();
-        }
-        self.changed.notify_all();
-    }
-
-    /// The last message of it.
-    pub(super) fn last(&self) -> Option<Check> {
-        lock(&self.state).last.clone()
-    }
-
-    /// Waits for what is to be checked; `None` at the end.
-    fn next(&self) -> Option<BTreeSet<PathBuf>> {
-        let mut state = lock(&self.state);
-        loop {
-            if state.ended {
-                return None;
-            }
-            let left = state.due.map(|due| due.saturating_duration_since(Instant::now()));
-            if left == Some(Duration::ZERO) && !state.wanted.is_empty() {
-                (state.due, state.outdated) = (None, false);
-                return Some(std::mem::take(&mut state.wanted));
-            }
-            let wait = left.unwrap_or(Duration::from_mins(1)).max(Duration::from_millis(1));
-            let waited = self.changed.wait_timeout(state, wait);
-            state = waited.unwrap_or_else(std::sync::PoisonError::into_inner).0;
-        }
-    }
-
-    fn is_outdated(&self) -> bool {
-        let state = lock(&self.state);
-        state.outdated || state.ended
-    }
-
-    fn set_running(&self, group: Option<Group>) -> bool {
-        let mut state = lock(&self.state);
-        state.running = group;
-        state.outdated || state.ended
-    }
 }
 
 /// Checks until the end.

@@ -7,19 +7,21 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use bica_vicode::cli::width_of;
 use bica_vicode::{Document, FileError, Folder};
 
-use super::check::Checks;
+use super::checks::Checks;
 use super::file::OpenFile;
-use super::{limits, search};
+use super::limits;
+use super::stamp::Stamp;
 use crate::pages::PageId;
 use crate::pages::{Pages, lock};
-use crate::protocol::Failed;
+use crate::protocol::{Failed, SourceFile};
 
 /// All open files, each with one document for all pages.
 pub(super) struct Files {
     pub(super) folder: Folder,
     pub(super) pages: Arc<Pages>,
     pub(super) checks: Option<Arc<Checks>>,
-    pub(super) cache: Mutex<search::Cache>,
+    /// What was found in files, by name.
+    pub(super) cache: Mutex<BTreeMap<String, (Stamp, Option<SourceFile>)>>,
     /// Names of the files of each change of several files.
     pub(super) groups: Mutex<Vec<Vec<String>>>,
     open: Mutex<BTreeMap<String, OpenFile>>,

@@ -7,6 +7,7 @@
 
 mod cargo;
 mod check;
+mod checks;
 mod create;
 mod default;
 mod draw;
@@ -32,7 +33,7 @@ use bica_link::Param;
 use bica_vicode::Folder;
 use serde_json::{Value, json};
 
-use self::check::Checks;
+use self::checks::Checks;
 use self::create::New;
 use self::files::Files;
 pub(crate) use self::run::Host;

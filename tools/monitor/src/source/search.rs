@@ -1,6 +1,5 @@
 //! Files below the folder of sources.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -19,9 +18,6 @@ const MAX_SOURCES: usize = 10_000;
 const MAX_DEPTH: usize = 24;
 /// Largest number of uses that are listed.
 const MAX_USES: usize = 1000;
-
-/// What was found in files, by name.
-pub(super) type Cache = BTreeMap<String, (Stamp, Option<SourceFile>)>;
 
 /// All Rust files below a folder, sorted. Links, hidden folders and folders of builds are left out.
 fn walk(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {

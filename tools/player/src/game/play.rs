@@ -104,10 +104,10 @@ pub fn play_controlled(
 
 /// Observers of the loop. The stopwatch measures neither the firmware, which comes first, nor the end of a cycle in the recorder
 /// and the link, which come last.
-type LoopObservers<'a> = (FirmwareCheck, ((Meter, Stopwatch), (GameRecorder<'a>, LinkView)));
+type LoopObservers = (FirmwareCheck, ((Meter, Stopwatch), (GameRecorder, LinkView)));
 
-struct Game<'a> {
-    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, LinkQueue, LoopObservers<'a>>,
+struct Game {
+    runner: Runner<Box<Forward>, Box<dyn SpectatorView>, LinkQueue, LoopObservers>,
     link: GameLink,
     cycles: u64,
     tree_changes: u64,
@@ -121,10 +121,10 @@ struct Game<'a> {
     seed: u64,
 }
 
-impl<'a> Game<'a> {
+impl Game {
     fn new(
         rules: &Rules,
-        record: Option<RecordOptions<'a>>,
+        record: Option<RecordOptions<'_>>,
         serve: Option<ServeOptions<'_>>,
         can_pause: bool,
     ) -> Result<Self, Failure> {
@@ -174,7 +174,7 @@ impl<'a> Game<'a> {
         view
     }
 
-    const fn recorder_mut(&mut self) -> &mut GameRecorder<'a> {
+    const fn recorder_mut(&mut self) -> &mut GameRecorder {
         let (_, (_, (recorder, _))) = self.runner.observer_mut();
         recorder
     }

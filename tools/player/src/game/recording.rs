@@ -1,17 +1,14 @@
 //! Recording of a game.
 
 use std::path::Path;
-use std::sync::mpsc::{Receiver, Sender, channel};
 
 use bica::runner::{Cycle, Observer, Request};
 use bica::{Probe, Refusal};
-use bica_app::Failure;
+use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{
-    Backpressure, ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, RecorderOptions, Report, SetUp, create,
-};
+use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, Report, SetUp};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -53,56 +50,45 @@ pub struct RecordingSummary {
     pub reason: Option<String>,
     /// Length of the file, bytes; it depends on the speed of the computer.
     pub wall_bytes: u64,
+    /// A line for people.
+    #[serde(skip)]
+    pub(crate) text: String,
 }
 
 impl RecordingSummary {
-    fn new(path: &Path, report: Report) -> Self {
+    fn new(file: &RecordedFile, report: Report) -> Self {
+        let text = file.describe(&report);
         let Report { cycles, bytes, dropped_images, reason } = report;
-        let file = path.display().to_string();
-        Self { file, recorded_cycles: cycles, dropped_images, reason, wall_bytes: bytes }
-    }
-
-    /// Returns a line for people.
-    pub(crate) fn describe(&self) -> String {
-        let Self { file, recorded_cycles, dropped_images, reason, wall_bytes } = self;
-        let size = *wall_bytes as f64 * 1e-6;
-        let dropped = match dropped_images {
-            0 => String::new(),
-            count => format!("; {count} images dropped, the disk was too slow"),
-        };
-        let ended = reason.as_ref().map_or_else(String::new, |reason| format!("; it ended before the game: {reason}"));
-        format!("{recorded_cycles} cycles, {size:.2} MB in {file}{dropped}{ended}")
+        let file = file.path().display().to_string();
+        Self { file, recorded_cycles: cycles, dropped_images, reason, wall_bytes: bytes, text }
     }
 }
 
 /// Observer that records a game, if that is requested.
-pub(crate) struct GameRecorder<'a> {
+pub(crate) struct GameRecorder {
     recorder: Option<Recorder>,
-    path: Option<&'a Path>,
-    /// Receives the reason if the recording ends before the game.
-    ended: Receiver<String>,
+    file: Option<RecordedFile>,
     /// Runs and time of each component at the last record of costs.
     costs: Vec<ComponentCosts>,
     cycles: u64,
 }
 
-impl<'a> GameRecorder<'a> {
+impl GameRecorder {
     /// Makes the file and writes its header.
     pub(crate) fn new(
-        options: Option<RecordOptions<'a>>,
+        options: Option<RecordOptions<'_>>,
         rules: &Rules,
         attacks: GoalColour,
         robot: &Forward,
         image: SharedImage,
     ) -> Result<Self, Failure> {
-        let (sender, ended) = channel();
-        let open = |options: RecordOptions<'a>| {
-            let header = recording_header(rules, attacks, options.images).of_robot(robot);
-            let recorder = open(&options, &header, rules, sender.clone())?;
-            Ok::<_, Failure>(recorder.sharing_blobs(move |pixels| image.owner_of(pixels)))
+        let start = |RecordOptions { path, images, force }: RecordOptions<'_>| {
+            let header = recording_header(rules, attacks, images).of_robot(robot);
+            let (file, recorder) = RecordedFile::start(path, force, &header, rules.realtime)?;
+            Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };
-        let (path, recorder) = (options.map(|options| options.path), options.map(open).transpose()?);
-        Ok(Self { recorder, path, ended, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
+        let (file, recorder) = options.map(start).transpose()?.unzip();
+        Ok(Self { recorder, file, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
     }
 
     /// Records an event of the referee.
@@ -128,7 +114,7 @@ impl<'a> GameRecorder<'a> {
 
     /// Returns the reason once if the recording has ended before the game.
     pub(crate) fn newly_ended(&self) -> Option<String> {
-        self.ended.try_recv().ok()
+        self.file.as_ref().and_then(RecordedFile::newly_ended)
     }
 
     /// Records the costs of the components once a second.
@@ -149,35 +135,12 @@ impl<'a> GameRecorder<'a> {
 
     /// Closes the file.
     pub(crate) fn finish(self, result: &str, fault: Option<&str>) -> Option<RecordingSummary> {
-        let (recorder, path) = self.recorder.zip(self.path)?;
+        let (recorder, file) = self.recorder.zip(self.file)?;
         if let Some(fault) = fault {
             recorder.log(LogLine { level: 4, text: format!("fault: {fault}") });
         }
-        Some(RecordingSummary::new(path, recorder.finish(result)))
+        Some(RecordingSummary::new(&file, recorder.finish(result)))
     }
-}
-
-fn open(
-    options: &RecordOptions<'_>,
-    header: &Header,
-    rules: &Rules,
-    ended: Sender<String>,
-) -> Result<Recorder, Failure> {
-    let RecordOptions { path, force, .. } = *options;
-    let help = if path.exists() && !force {
-        "--force replaces an existing file"
-    } else {
-        "name a file that can be made, or written to, with --record"
-    };
-    let file = create(path, force).map_err(|error| Failure::of_path("write", path, &error, help))?;
-    // Without a clock nothing has to be lost.
-    let backpressure = if rules.realtime { Backpressure::Drop } else { Backpressure::Wait };
-    let on_end = move |reason: &str| {
-        // The receiver is gone only when the game has ended.
-        let _ = ended.send(reason.to_owned());
-    };
-    Recorder::start(file, header, RecorderOptions { backpressure, ..RecorderOptions::default() }, on_end)
-        .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))
 }
 
 /// Returns the header of a game's recording, without parameters and information.
@@ -208,9 +171,9 @@ pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy)
     Header::new(&GRAPH, set_up, images)
 }
 
-impl Probe for GameRecorder<'_> {}
+impl Probe for GameRecorder {}
 
-impl Observer<Forward> for GameRecorder<'_> {
+impl Observer<Forward> for GameRecorder {
     fn requested(&mut self, now: bica::Instant, request: &Request<'_>) {
         Observer::<Forward>::requested(&mut self.recorder, now, request);
     }

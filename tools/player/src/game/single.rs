@@ -57,7 +57,7 @@ pub fn play_one(
     }
     if let Some(recording) = &recording {
         console.print("")?;
-        console.print_row("recording", &recording.describe())?;
+        console.print_row("recording", &recording.text)?;
     }
     let recording = recording.as_ref();
     let report = GameReport { schema: "bica-player/game/1", summary: &summary, recording, story: &story.changes };
