@@ -17,14 +17,14 @@ const TYPE_BYTES: usize = 512;
 /// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document, variants and arguments what
 /// they belong to.
 #[must_use]
-pub const fn describe(graph: &'static Graph) -> GraphItems {
+pub const fn describe(graph: &Graph) -> GraphItems<'_> {
     GraphItems { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 }
 }
 
 /// The items that describe a tree. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
 #[derive(Clone, Debug)]
-pub struct GraphItems {
-    graph: &'static Graph,
+pub struct GraphItems<'g> {
+    graph: &'g Graph,
     list: List,
     /// Index of the component.
     node: usize,
@@ -69,9 +69,9 @@ impl List {
     }
 }
 
-impl FusedIterator for GraphItems {}
+impl FusedIterator for GraphItems<'_> {}
 
-impl Iterator for GraphItems {
+impl Iterator for GraphItems<'_> {
     type Item = GraphItem<'static>;
 
     fn next(&mut self) -> Option<GraphItem<'static>> {
@@ -85,7 +85,7 @@ impl Iterator for GraphItems {
     }
 }
 
-impl GraphItems {
+impl GraphItems<'_> {
     /// Returns what still follows the last listed item.
     fn attachment(&mut self) -> Option<GraphItem<'static>> {
         if !self.doc.is_empty() {

@@ -3,20 +3,16 @@
 use crate::cli::Peers;
 use crate::process::run;
 
-const MANIFEST: [&str; 3] = ["--manifest-path", "benches/peers/Cargo.toml", "--locked"];
-const TARGET: [&str; 2] = ["--target-dir", "target/peers"];
+const MANIFEST: [&str; 2] = ["--manifest-path", "benches/peers/Cargo.toml"];
 
 /// Builds everything, measures times, allocations and program sizes, and checks the claims.
 ///
 /// # Errors
 /// If a build fails, or a claim does not hold.
 pub(crate) fn measure(selected: &Peers) -> Result<(), String> {
-    // The first build takes minutes, so its progress is shown.
-    cargo("build", &["--release", "--workspace"])?;
-    let program = ["--quiet", "--release", "--package", "peers-run", "--"];
     let options = [(selected.quick, "--quick"), (selected.slow, "--slow")];
-    let options: Vec<&str> = options.into_iter().filter_map(|(selected, word)| selected.then_some(word)).collect();
-    cargo("run", &[&program[..], &options].concat())
+    let options = options.into_iter().filter_map(|(selected, word)| selected.then_some(word));
+    run("python3", &["benches/scripts/peers.py"].into_iter().chain(options).collect::<Vec<_>>(), &[])
 }
 
 /// Checks that all designs but copper-rs compute the same results, and that the claims are judged correctly.
@@ -24,11 +20,12 @@ pub(crate) fn measure(selected: &Peers) -> Result<(), String> {
 /// # Errors
 /// If a check fails.
 pub(crate) fn check() -> Result<(), String> {
-    run("cargo", &["fmt", "--all", "--check", MANIFEST[0], MANIFEST[1]], &[])?;
-    cargo("clippy", &["--quiet", "--package", "peers", "--all-targets", "--", "-D", "warnings"])?;
-    cargo("test", &["--quiet", "--package", "peers", "--lib", "--test", "*"])
+    run("python3", &["benches/scripts/test_peers.py"], &[])?;
+    run("cargo", &["fmt", "--check", MANIFEST[0], MANIFEST[1]], &[])?;
+    cargo("clippy", &["--quiet", "--all-targets", "--", "-D", "warnings"])?;
+    cargo("test", &["--quiet", "--lib"])
 }
 
 fn cargo(what: &str, more: &[&str]) -> Result<(), String> {
-    run("cargo", &[&[what], &MANIFEST[..], &TARGET, more].concat(), &[])
+    run("cargo", &[&[what], &MANIFEST[..], &["--locked", "--target-dir", "target/peers"], more].concat(), &[])
 }

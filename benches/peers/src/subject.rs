@@ -12,15 +12,6 @@ pub trait Subject {
     fn result(&self) -> u64;
 }
 
-/// Results after each of the first `cycles` cycles.
-pub fn results(subject: &mut impl Subject, cycles: u64) -> Vec<u64> {
-    let after = |cycle| {
-        subject.cycle(cycle * CYCLE_US);
-        subject.result()
-    };
-    (0..cycles).map(after).collect()
-}
-
 /// Complete program around a subject, for the measurement of its size.
 pub fn show(mut subject: impl Subject) {
     for cycle in 0..1000 {

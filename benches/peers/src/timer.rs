@@ -6,6 +6,18 @@ pub trait Timer {
     fn time<T>(&mut self, part: usize, work: impl FnOnce() -> T) -> T;
 }
 
+/// Reads the counter that Copper reads.
+#[cfg(feature = "copper")]
+pub use cu29::clock::read_raw_counter as counter;
+
+/// Without Copper: ns.
+#[cfg(not(feature = "copper"))]
+#[must_use]
+pub fn counter() -> u64 {
+    static START: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
+    START.elapsed().as_nanos() as u64
+}
+
 /// No measurement.
 impl Timer for () {
     #[inline]

@@ -38,11 +38,10 @@ pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the fun
 pub(crate) const CONDITIONAL: &str =
     "the tree calls this function in every build: remove the condition, or put it on the component and on its tree";
 
-pub(crate) fn two_functions(name: &str) -> String {
-    format!(
-        "the tree calls `{name}` in every build: keep one `{name}` without a condition, and call from it a helper that \
-         exists under each condition"
-    )
+messages! {
+    two_functions(name) =
+        "the tree calls `{name}` in every build: keep one `{name}` without a condition, and call from it a helper \
+         that exists under each condition";
 }
 
 pub(crate) fn role_twice(role: &str) -> String {
@@ -53,12 +52,9 @@ pub(crate) fn role_twice(role: &str) -> String {
     }
 }
 
-pub(crate) fn misspelt_attribute(found: &str, ours: &str) -> String {
-    format!("there is no attribute `{found}`: did you mean `#[{ours}]`?")
-}
-
-pub(crate) fn bare_attribute(role: &str) -> String {
-    format!("this attribute has no path: write `#[{role}]`")
+messages! {
+    misspelt_attribute(found, ours) = "there is no attribute `{found}`: did you mean `#[{ours}]`?";
+    bare_attribute(role) = "this attribute has no path: write `#[{role}]`";
 }
 
 pub(crate) fn no_arguments(role: &str) -> String {
@@ -69,21 +65,16 @@ pub(crate) fn no_arguments(role: &str) -> String {
     )
 }
 
-pub(crate) fn hook_states(role: &str) -> String {
-    format!("a hook names its states: write `#[{role}(state)]` or `#[{role}(one | other)]`")
+messages! {
+    hook_states(role) = "a hook names its states: write `#[{role}(state)]` or `#[{role}(one | other)]`";
 }
 
 // Items beside the block.
-pub(crate) fn plain_item(attribute: &str) -> String {
-    format!("`#[{attribute}]` belongs on a struct or an enum: move it there, or remove it")
-}
-
-pub(crate) fn plain_options(attribute: &str) -> String {
-    format!("write `#[{attribute}]`, or `#[{attribute}(crate = bica_core)]` for another path of the framework")
-}
-
-pub(crate) fn component_doc(name: &str) -> String {
-    format!("`{name}` has no doc comment that its component could have: write one above it, `/// ...`")
+messages! {
+    plain_item(attribute) = "`#[{attribute}]` belongs on a struct or an enum: move it there, or remove it";
+    plain_options(attribute) =
+        "write `#[{attribute}]`, or `#[{attribute}(crate = bica_core)]` for another path of the framework";
+    component_doc(name) = "`{name}` has no doc comment that its component could have: write one above it, `/// ...`";
 }
 
 // Outputs and calls for an operator.
@@ -96,20 +87,11 @@ pub(crate) const MODULATION_FORM: &str =
     "`#[modulation]` takes no options: describe each argument by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
 
-pub(crate) fn frame_form(key: &str) -> String {
-    format!("`{key}` is the name of a frame: write `{key} = \"robot\"`")
-}
-
-pub(crate) fn frame_in_itself(frame: &str) -> String {
-    format!("the frame `{frame}` has no place in itself: name another frame in `frame` or `child`")
-}
-
-pub(crate) fn info_value(name: &str) -> String {
-    format!("`{name}` returns no value: add `-> Type`")
-}
-
-pub(crate) fn operator_doc(role: &str, name: &str) -> String {
-    format!("`{name}` has `#[{role}]` but no doc comment: describe it for an operator, `/// ...`")
+messages! {
+    frame_form(key) = "`{key}` is the name of a frame: write `{key} = \"robot\"`";
+    frame_in_itself(frame) = "the frame `{frame}` has no place in itself: name another frame in `frame` or `child`";
+    info_value(name) = "`{name}` returns no value: add `-> Type`";
+    operator_doc(role, name) = "`{name}` has `#[{role}]` but no doc comment: describe it for an operator, `/// ...`";
 }
 
 pub(crate) fn argument_form(key: &str) -> String {
@@ -126,42 +108,27 @@ pub(crate) fn argument_form(key: &str) -> String {
 pub(crate) const STEP_AND_STATES: &str = "a state machine has no `step`, because it runs the function of its state: \
                                            rename this function, or make it a `#[state]`";
 
-pub(crate) fn no_initial(first: &str) -> String {
-    format!(
-        "no state is initial: mark the one in which the machine starts, perhaps `{first}`, with `#[state(initial)]`"
-    )
+messages! {
+    no_initial(first) =
+        "no state is initial: mark the one in which the machine starts, perhaps `{first}`, with `#[state(initial)]`";
 }
 
 pub(crate) fn unknown_state(found: &str, nearest: Option<&str>, known: &str) -> String {
     format!("no state is called `{found}`: {}", meant(nearest, known))
 }
 
-pub(crate) fn from_nowhere(state: &str) -> String {
-    format!("`*` is every state except `{state}`, and there is no other: add one, or remove this transition")
-}
-
-pub(crate) fn two_initial(first: &str) -> String {
-    format!("state `{first}` is already initial: remove `initial` from one of the two")
-}
-
-pub(crate) fn unreachable(state: &str) -> String {
-    format!("state `{state}` cannot be reached: add a `#[transition(... -> {state})]`, or remove the state")
-}
-
-pub(crate) fn dead_end(state: &str) -> String {
-    format!("no transition leaves state `{state}`: add a `#[transition({state} -> ...)]`, or mark it `#[state(last)]`")
-}
-
-pub(crate) fn last_but_left(state: &str) -> String {
-    format!("state `{state}` is marked `last`, but this transition leaves it: remove one of the two")
-}
-
-pub(crate) fn without_states(role: &str) -> String {
-    format!("`#[{role}]` is for a state machine, and there is no `#[state]` here: add the states, or remove it")
-}
-
-pub(crate) fn not_called_step(name: &str) -> String {
-    format!("no tree calls `{name}`: rename it to `step`, or to a name that is less similar")
+messages! {
+    from_nowhere(state) =
+        "`*` is every state except `{state}`, and there is no other: add one, or remove this transition";
+    two_initial(first) = "state `{first}` is already initial: remove `initial` from one of the two";
+    unreachable(state) =
+        "state `{state}` cannot be reached: add a `#[transition(... -> {state})]`, or remove the state";
+    dead_end(state) =
+        "no transition leaves state `{state}`: add a `#[transition({state} -> ...)]`, or mark it `#[state(last)]`";
+    last_but_left(state) = "state `{state}` is marked `last`, but this transition leaves it: remove one of the two";
+    without_states(role) =
+        "`#[{role}]` is for a state machine, and there is no `#[state]` here: add the states, or remove it";
+    not_called_step(name) = "no tree calls `{name}`: rename it to `step`, or to a name that is less similar";
 }
 
 // Signatures.
@@ -172,20 +139,13 @@ pub(crate) const GENERIC: &str =
 pub(crate) const LIFETIMES: &str =
     "a link is borrowed for this call only: remove the lifetimes here and in the arguments";
 
-pub(crate) fn lifetime(name: &str) -> String {
-    format!("a link is borrowed for this call only: remove `{name}`")
-}
-
-pub(crate) fn receiver(function: &str, receiver: &str) -> String {
-    format!("the tree owns the component and `{function}` borrows it: write `{receiver}` as the first argument")
-}
-
-pub(crate) fn returns_nothing(function: &str) -> String {
-    format!("`{function}` must return nothing: store the result in a field, which other components can read")
-}
-
-pub(crate) fn returns_bool(function: &str) -> String {
-    format!("transition `{function}` must return whether it is taken: write `-> bool`")
+messages! {
+    lifetime(name) = "a link is borrowed for this call only: remove `{name}`";
+    receiver(function, receiver) =
+        "the tree owns the component and `{function}` borrows it: write `{receiver}` as the first argument";
+    returns_nothing(function) =
+        "`{function}` must return nothing: store the result in a field, which other components can read";
+    returns_bool(function) = "transition `{function}` must return whether it is taken: write `-> bool`";
 }
 
 // Arguments.
@@ -200,53 +160,27 @@ pub(crate) const RATE_IN_CONDITION: &str =
     "a transition cannot modulate a rate: move this argument to a state, or to an `#[entry]` or `#[exit]` hook";
 pub(crate) const RATE_OF_WHAT: &str = "a rate belongs to a component: write `&mut Rate<Child>`";
 
-pub(crate) fn name_alone(name: &str) -> String {
-    format!("the type itself stands here, without `&`: write `{name}`")
-}
-
-pub(crate) fn time(written: &str) -> String {
-    format!("the time can only be read: write `&{written}`")
-}
-
-pub(crate) fn rate(of: &str) -> String {
-    format!("a rate is modulated, not read: write `&mut Rate<{of}>`")
-}
-
-pub(crate) fn owned(written: &str) -> String {
-    format!("a component is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it")
-}
-
-pub(crate) fn owned_condition(written: &str) -> String {
-    format!("a component is borrowed: write `&{written}`")
-}
-
-pub(crate) fn owned_time(written: &str) -> String {
-    format!("the time is borrowed: write `&{written}`")
-}
-
-pub(crate) fn owned_rate(written: &str) -> String {
-    format!("a rate is borrowed to be modulated: write `&mut {written}`")
-}
-
-pub(crate) fn value(written: &str) -> String {
-    format!("`{written}` is no component: keep the value in a field of `self`, or in the component that provides it")
+messages! {
+    name_alone(name) = "the type itself stands here, without `&`: write `{name}`";
+    time(written) = "the time can only be read: write `&{written}`";
+    rate(of) = "a rate is modulated, not read: write `&mut Rate<{of}>`";
+    owned(written) = "a component is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it";
+    owned_condition(written) = "a component is borrowed: write `&{written}`";
+    owned_time(written) = "the time is borrowed: write `&{written}`";
+    owned_rate(written) = "a rate is borrowed to be modulated: write `&mut {written}`";
+    value(written) =
+        "`{written}` is no component: keep the value in a field of `self`, or in the component that provides it";
 }
 
 pub(crate) fn value_of_library(written: &str) -> String {
     format!("{}; a component of this name is written with its path, `&self::{written}`", value(written))
 }
 
-pub(crate) fn wrapped(written: &str, inner: &str) -> String {
-    format!(
-        "`{written}` is no link, because the tree owns the component: write `&{inner}` to read it, `&mut {inner}` to \
-         modulate it"
-    )
-}
-
-pub(crate) fn no_component(written: &str) -> String {
-    format!("`{written}` is no link to a component: write `&Name` to read one, `&mut Name` to modulate one")
-}
-
-pub(crate) fn two_links(written: &str) -> String {
-    format!("two links to `{written}` in one signature: keep one; `&mut` can also read")
+messages! {
+    wrapped(written, inner) =
+        "`{written}` is no link, because the tree owns the component: write `&{inner}` to read it, `&mut {inner}` \
+         to modulate it";
+    no_component(written) =
+        "`{written}` is no link to a component: write `&Name` to read one, `&mut Name` to modulate one";
+    two_links(written) = "two links to `{written}` in one signature: keep one; `&mut` can also read";
 }

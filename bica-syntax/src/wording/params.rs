@@ -6,12 +6,9 @@ pub(crate) const PARAMS_STRUCT: &str =
 pub(crate) const PARAMS_GENERIC: &str = "parameters have concrete types: remove this";
 pub(crate) const CHECK_FORM: &str = "a rule is a `const fn` of the struct: write `check = Self::name`";
 
-pub(crate) fn params_doc(name: &str) -> String {
-    format!("`{name}` has no doc comment: write above it what these parameters adjust, `/// ...`")
-}
-
-pub(crate) fn param_doc(name: &str) -> String {
-    format!("parameter `{name}` has no doc comment: write above it what it means, `/// ...`")
+messages! {
+    params_doc(name) = "`{name}` has no doc comment: write above it what these parameters adjust, `/// ...`";
+    param_doc(name) = "parameter `{name}` has no doc comment: write above it what it means, `/// ...`";
 }
 
 // The fields.
@@ -30,8 +27,8 @@ pub(crate) fn no_param(name: &str, kind: &str) -> String {
     format!("field `{name}` is no parameter yet: add `#[param({example})]`")
 }
 
-pub(crate) fn no_default(name: &str) -> String {
-    format!("parameter `{name}` has no default: add `default = ...` to its `#[param(...)]`")
+messages! {
+    no_default(name) = "parameter `{name}` has no default: add `default = ...` to its `#[param(...)]`";
 }
 
 pub(crate) fn no_range(name: &str, kind: &str) -> String {
@@ -59,12 +56,9 @@ pub(crate) fn no_kind(written: &str, instead: Option<&str>) -> String {
     }
 }
 
-pub(crate) fn for_numbers(key: &str, kind: &str) -> String {
-    format!("`{key}` is for numbers, and `{kind}` is none: remove `{key}`")
-}
-
-pub(crate) fn alias(kind: &str, instead: &str) -> String {
-    format!("`#[derive(Params)]` reads names and takes `{kind}` for an enum: write {instead} instead")
+messages! {
+    for_numbers(key, kind) = "`{key}` is for numbers, and `{kind}` is none: remove `{key}`";
+    alias(kind, instead) = "`#[derive(Params)]` reads names and takes `{kind}` for an enum: write {instead} instead";
 }
 
 pub(crate) fn does_not_fit(number: i128, kind: &str, min: i64, max: i64) -> String {
@@ -75,12 +69,9 @@ pub(crate) fn without_point(number: i128) -> String {
     format!("a number of the type `f32` has a point: write `{number}.0`")
 }
 
-pub(crate) fn with_point(kind: &str) -> String {
-    format!("a number of the type `{kind}` is whole: write one, or make the parameter an `f32`")
-}
-
-pub(crate) fn choice_default(kind: &str) -> String {
-    format!("the default of an enum is one of its variants: write `default = {kind}::Variant`")
+messages! {
+    with_point(kind) = "a number of the type `{kind}` is whole: write one, or make the parameter an `f32`";
+    choice_default(kind) = "the default of an enum is one of its variants: write `default = {kind}::Variant`";
 }
 
 // Enums.
@@ -90,21 +81,16 @@ pub(crate) const CHOICE_ENUM: &str =
 pub(crate) const CHOICE_CHECK: &str =
     "a rule is for the values of a struct with `#[derive(Params)]`: move it there, or remove it";
 
-pub(crate) fn variant_fields(name: &str) -> String {
-    format!("variant `{name}` has fields, but a choice is only a name: remove them")
+messages! {
+    variant_fields(name) = "variant `{name}` has fields, but a choice is only a name: remove them";
 }
 
 // The argument.
 pub(crate) const TUNED_OF_WHAT: &str = "`Tuned` holds a struct with `#[derive(Params)]`: write `&Tuned<Name>`";
 
-pub(crate) fn tuned(written: &str) -> String {
-    format!("parameters are only read, an operator sets them: write `&{written}`")
-}
-
-pub(crate) fn tuned_parameter(name: &str) -> String {
-    format!("`{name}` can be any type, but the parameters of a component are fixed: write the name of a struct")
-}
-
-pub(crate) fn owned_tuned(written: &str) -> String {
-    format!("parameters are borrowed: write `&{written}`")
+messages! {
+    tuned(written) = "parameters are only read, an operator sets them: write `&{written}`";
+    tuned_parameter(name) =
+        "`{name}` can be any type, but the parameters of a component are fixed: write the name of a struct";
+    owned_tuned(written) = "parameters are borrowed: write `&{written}`";
 }

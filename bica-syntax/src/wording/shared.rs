@@ -13,16 +13,10 @@ pub(super) fn meant(nearest: Option<&str>, known: &str) -> String {
     nearest.map_or_else(|| format!("there is {known}"), |nearest| format!("did you mean `{nearest}`?"))
 }
 
-pub(crate) fn crate_form(example: &str) -> String {
-    format!("this is the path of the framework, no text: write `{example}`")
-}
-
-pub(crate) fn not_positive(key: &str) -> String {
-    format!("`{key}` must be above zero")
-}
-
-pub(crate) fn too_large(key: &str) -> String {
-    format!("`{key}` must be finite: this number is too large for `f32`")
+messages! {
+    crate_form(example) = "this is the path of the framework, no text: write `{example}`";
+    not_positive(key) = "`{key}` must be above zero";
+    too_large(key) = "`{key}` must be finite: this number is too large for `f32`";
 }
 
 pub(crate) fn no_number(key: &str) -> String {
@@ -46,8 +40,8 @@ pub(crate) fn unit_after(key: &str, unit: &str, converted: Option<&str>) -> Stri
     format!("`{key}` is in {of}, as its name says: {remedy}")
 }
 
-pub(crate) fn not_whole(key: &str) -> String {
-    format!("`{key}` needs a whole number of milliseconds: `{key} = 1500`")
+messages! {
+    not_whole(key) = "`{key}` needs a whole number of milliseconds: `{key} = 1500`";
 }
 
 pub(crate) fn too_long(key: &str) -> String {

@@ -25,14 +25,8 @@ pub(crate) fn derived(name: &str) -> String {
     }
 }
 
-pub(crate) fn colon(key: &str) -> String {
-    format!("a colon follows the name of a field: `{key}: ...`")
-}
-
-pub(crate) fn missing(key: &str, example: &str) -> String {
-    format!("the tree has no `{key}`: add `{key}: {example}`")
-}
-
-pub(crate) fn listed_twice(component: &str) -> String {
-    format!("`{component}` is listed twice, but a tree has one instance of a component: remove one")
+messages! {
+    colon(key) = "a colon follows the name of a field: `{key}: ...`";
+    missing(key, example) = "the tree has no `{key}`: add `{key}: {example}`";
+    listed_twice(component) = "`{component}` is listed twice, but a tree has one instance of a component: remove one";
 }

@@ -1,15 +1,28 @@
-//! Assembly of a description from the items that a robot sends.
+//! Assembly of a description from items: those of a tree of this program, or those that a robot sends.
 
 use std::borrow::ToOwned;
+use std::format;
 use std::string::String;
 use std::vec::Vec;
 
 use bica_core::Value;
-use bica_core::graph::LinkKind;
+use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
 use super::{Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants};
+use crate::describe;
 use crate::message::GraphItem;
+
+impl Description {
+    /// Describes a tree of this program.
+    #[must_use]
+    pub fn of(graph: &Graph) -> Self {
+        let mut builder = Builder::default();
+        // The items of a graph are complete and in order.
+        let described = describe(graph).find_map(|item| builder.add(&item).ok().flatten()).unwrap_or_default();
+        Self { hash: format!("{:016x}", hash(graph)), ..described }
+    }
+}
 
 /// What the next doc comment belongs to.
 #[derive(Clone, Copy, Debug, Default)]

@@ -6,7 +6,6 @@
 
 mod builder;
 mod find;
-mod graph;
 mod invalid;
 mod param;
 mod plain;

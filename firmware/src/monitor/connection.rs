@@ -35,7 +35,7 @@ pub(super) struct Connection {
     pub(super) params: u64,
     pub(super) first_param: u16,
     /// Rest of the description.
-    pub(super) description: Option<GraphItems>,
+    pub(super) description: Option<GraphItems<'static>>,
     /// A snapshot in every n-th cycle; 0: none.
     pub(super) every: u16,
     /// Next part of the snapshot that is due; `None`: none is due.

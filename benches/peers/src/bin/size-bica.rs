@@ -1,8 +1,5 @@
 //! Program with a chain of ten, with BICA.
 
-use peers::framework::{BicaSubject, Chain10};
-use peers::subject::show;
-
 fn main() {
-    show(BicaSubject::<Chain10, _>::new(()));
+    peers::subject::show(peers::framework::BicaSubject::<peers::framework::Chain10, _>::new(()));
 }

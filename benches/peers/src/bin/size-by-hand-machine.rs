@@ -1,8 +1,5 @@
 //! Program with a machine of five states, written by hand.
 
-use peers::machine::ByHand;
-use peers::subject::show;
-
 fn main() {
-    show(ByHand::new(()));
+    peers::subject::show(peers::machine::ByHand::new(()));
 }

@@ -1,8 +1,5 @@
 //! Program with a chain of ten, written by hand.
 
-use peers::plain::Chain;
-use peers::subject::show;
-
 fn main() {
-    show(Chain::<_, 10, false>::new(()));
+    peers::subject::show(peers::plain::Chain::<_, 10, false>::new(()));
 }

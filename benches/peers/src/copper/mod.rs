@@ -1,10 +1,35 @@
-//! The applications.
+//! The same workloads with copper-rs: one application for each graph, described in `config/`.
+//!
+//! The set-up follows its documents and benchmarks: release build, default features, a graph in RON,
+//! `run_one_iteration` on the started application. The log of messages and task states is off, which is its fastest
+//! setting.
+
+mod task;
 
 use cu29::prelude::{CuResult, RobotClock};
-use peers::part::combine;
-use peers::subject::Subject;
 
-use crate::task::results;
+use crate::case::Case;
+use crate::part::combine;
+use crate::subject::Subject;
+
+/// All cases, with Copper's clock and with its mock clock for tests.
+///
+/// # Errors
+/// If Copper rejects an application.
+pub fn cases() -> Result<Vec<Case>, String> {
+    let clocks = [("copper-rs (always timed)", RobotClock::new()), ("copper-rs, clock mocked", RobotClock::mock().0)];
+    let cases = clocks.into_iter().map(|(design, clock)| {
+        Ok([
+            Case::new::<false>(design, "chain of 3", chain_3(clock.clone())?),
+            Case::new::<false>(design, "chain of 10", chain_10(clock.clone())?),
+            Case::new::<false>(design, "chain of 100", chain_100(clock.clone())?),
+            Case::new::<false>(design, "diamond", diamond(clock.clone())?),
+            Case::new::<false>(design, "tree of 25", forward(clock)?),
+        ])
+    });
+    let cases = cases.collect::<CuResult<Vec<_>>>().map_err(|error| format!("copper-rs failed to start: {error}"))?;
+    Ok(cases.into_iter().flatten().collect())
+}
 
 /// Started application as a benchmark subject.
 macro_rules! application {
@@ -43,7 +68,6 @@ macro_rules! application {
         ///
         /// # Errors
         /// If Copper rejects the application.
-        /// What Copper has against it.
         pub fn $name(clock: RobotClock) -> CuResult<impl Subject> {
             $name::Copper::start(clock)
         }
@@ -73,6 +97,6 @@ application! {
 
 /// Result of one output, or a mixture of several.
 fn result<const N: usize>() -> u64 {
-    let outputs = results::<N>();
+    let outputs = task::results::<N>();
     if let [one] = outputs[..] { one } else { combine(0, outputs) }
 }
