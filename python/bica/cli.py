@@ -9,8 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from types import FrameType
 
+from bica.errors import BicaError
 from bica.parameters import Setting
-from bica.program import Program, ProgramError
+from bica.program import Program
 
 INTERRUPTED = 130
 
@@ -25,7 +26,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("interrupted; the same command continues", file=sys.stderr)
         return INTERRUPTED
-    except (ProgramError, ValueError, OSError, ImportError, RuntimeError) as error:
+    except (BicaError, OSError, ImportError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
 
@@ -90,5 +91,9 @@ def _series(args: argparse.Namespace) -> int:
 def _settings(words: Sequence[str]) -> dict[str, Setting]:
     pairs = [word.partition("=") for word in words]
     if wrong := [name for name, equals, value in pairs if not equals or not value]:
-        raise ValueError(f"`--set {wrong[0]}` has no value\n  help: write --set Component.name=value")
+        raise BicaError(f"`--set {wrong[0]}` has no value\n  help: write --set Component.name=value")
     return {name: value for name, _, value in pairs}
+
+
+if __name__ == "__main__":
+    sys.exit(main())

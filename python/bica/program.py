@@ -17,6 +17,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
+from bica.errors import BicaError
 from bica.parameters import Parameter, Setting, assignments, parameters_of
 
 #: Exit codes with which a program has printed its result: the aim was reached, or not.
@@ -25,7 +26,7 @@ RESULT_CODES = (0, 1)
 REFUSED = 2
 
 
-class ProgramError(Exception):
+class ProgramError(BicaError):
     """A program could not be run, refused its arguments, crashed or took too long."""
 
     def __init__(self, message: str, *, code: int | None = None) -> None:

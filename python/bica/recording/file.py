@@ -13,11 +13,13 @@ from mcap.exceptions import McapError
 from mcap.reader import make_reader
 from mcap.records import Channel, Message, Schema
 
+from bica.errors import BicaError
+
 #: Format of recordings that this package reads.
 FORMAT = 5
 
 
-class RecordingError(ValueError):
+class RecordingError(BicaError):
     """A file is no recording, or is damaged."""
 
 

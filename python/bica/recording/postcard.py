@@ -9,6 +9,8 @@ import struct
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from bica.errors import BicaError
+
 #: Length from which on texts and bytes are not in a message of sensor values, but large data of its own.
 MIN_BLOB = 128
 
@@ -16,7 +18,7 @@ MIN_BLOB = 128
 Decoder = Callable[[bytes, int], tuple[Any, int]]
 
 
-class DecodeError(ValueError):
+class DecodeError(BicaError):
     """Bytes or a schema are not as expected."""
 
 

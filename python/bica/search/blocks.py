@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
+from bica.errors import BicaError
 from bica.search.game import Game, Task
 from bica.search.spread import Lost, Spread
 from bica.search.store import Store
@@ -14,7 +15,7 @@ from bica.search.store import Store
 MAX_LOST = 5
 
 
-class BlockError(Exception):
+class BlockError(BicaError):
     """A block was lost too often."""
 
 

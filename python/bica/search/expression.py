@@ -13,10 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from bica.errors import BicaError
+
 Columns = Mapping[str, np.ndarray]
 
 
-class ExpressionError(ValueError):
+class ExpressionError(BicaError):
     """An expression is wrong, or cannot be evaluated on these results."""
 
 

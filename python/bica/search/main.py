@@ -63,7 +63,7 @@ def _facts(study: Study, optimizer: Optimizer, blocks: Blocks) -> list[str]:
     pruned = sum(trial.state.name == "PRUNED" for trial in ended)
     refused = sum("refused" in trial.user_attrs for trial in optimizer.trials())
     return [
-        f"{study.sampler}: {len(ended)} candidates, {pruned} of them pruned, {refused} more failed",
+        f"{study.sampler}: {len(ended)} candidates, {pruned} of them pruned, {refused} failed",
         f"{len(games)} games stored, {blocks.new_games} of them played by this run in {blocks.elapsed_s:.0f} s",
         f"{sum(len(game.repeated) for game in games)} tries of programs repeated, {_failed(games)} games failed in all tries, "
         f"{len(blocks.store.lost())} blocks lost and played again",

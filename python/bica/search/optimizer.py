@@ -10,6 +10,7 @@ import optuna
 from optuna.distributions import BaseDistribution, CategoricalDistribution, FloatDistribution, IntDistribution
 from optuna.trial import FrozenTrial, Trial, TrialState
 
+from bica.errors import BicaError
 from bica.parameters import Setting, parsed
 from bica.search.store import Store
 from bica.search.study import Range, Study
@@ -19,8 +20,10 @@ CMA_PENALTY = 1000.0
 #: Digits of a searched number: a tune file stays readable.
 DIGITS = 4
 
+ENDED = (TrialState.COMPLETE, TrialState.PRUNED)
 
-class StudyChangedError(Exception):
+
+class StudyChangedError(BicaError):
     """A stored study does not belong to the study file."""
 
 
@@ -40,8 +43,9 @@ class Optimizer:
 
     def _open(self) -> optuna.Study:
         options = {} if self._store.is_local else {"pool_pre_ping": True}
+        in_memory = self._store.is_in_memory
         return optuna.create_study(
-            storage=optuna.storages.RDBStorage(self._store.url, engine_kwargs=options),
+            storage=None if in_memory else optuna.storages.RDBStorage(self._store.url, engine_kwargs=options),
             study_name=self._study.name,
             load_if_exists=True,
             directions=["minimize"] * len(self._study.objectives),
@@ -77,8 +81,8 @@ class Optimizer:
         return self._store.patiently(lambda: self._optuna.get_trials(deepcopy=False))
 
     def ended(self) -> list[FrozenTrial]:
-        """Return the candidates with all games, or pruned."""
-        return [trial for trial in self.trials() if trial.state in (TrialState.COMPLETE, TrialState.PRUNED)]
+        """Return the candidates with all games, pruned, or refused by the program."""
+        return [each for each in self.trials() if each.state in ENDED or "refused" in each.user_attrs]
 
     def ask(self) -> Trial:
         """Return the next candidate."""

@@ -16,6 +16,7 @@ from typing import IO, TypeVar
 import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 
+from bica.errors import BicaError
 from bica.search.game import Game
 
 T = TypeVar("T")
@@ -42,7 +43,7 @@ _lost = sa.Table(
 )
 
 
-class StoreError(Exception):
+class StoreError(BicaError):
     """A store cannot be used."""
 
 
@@ -68,6 +69,11 @@ class Store:
             raise StoreError(f"cannot open the store `{url}`: {_first_line(error)}") from error
 
     @property
+    def is_in_memory(self) -> bool:
+        """Whether nothing is kept after the process."""
+        return self.url == "sqlite://"
+
+    @property
     def is_local(self) -> bool:
         """Whether the store is a SQLite file, which only one process may use."""
         return self.engine.dialect.name == "sqlite"
@@ -82,6 +88,8 @@ class Store:
 
     def _lock(self) -> None:
         taken = f"another process drives the study `{self.study}` in `{self.url}`\n  help: wait for its end, or stop it"
+        if self.is_in_memory:
+            return
         if self.is_local:
             self._file = Path(f"{self.engine.url.database}.lock").open("w")  # noqa: SIM115 - open as long as the store
             try:
@@ -99,8 +107,8 @@ class Store:
         if self._guard is not None:
             try:
                 self._guard.scalar(sa.select(1))
-            except sa.exc.DBAPIError:
-                self._guard.invalidate()
+            except sa.exc.SQLAlchemyError:
+                self._guard.close()
                 self._lock()
 
     def patiently(self, action: Callable[[], T]) -> T:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
+from bica.errors import BicaError
 from bica.parameters import Parameter
 from bica.program import Program
 from bica.search.expression import Constraint, Expression, ExpressionError
@@ -19,7 +20,7 @@ T = TypeVar("T")
 SAMPLERS = ("tpe", "cma-es", "nsga-ii", "random")
 
 
-class StudyError(Exception):
+class StudyError(BicaError):
     """A study file is wrong."""
 
 

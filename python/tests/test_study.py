@@ -1,0 +1,37 @@
+"""Study files."""
+
+import pytest
+from conftest import StudyFile
+
+from bica.search.study import StudyError, read_study
+
+
+def test_ranges_are_those_of_the_descriptions(study_file: StudyFile) -> None:
+    study = read_study(study_file())
+    speed, gain = study.parameters["Walk.speed"], study.parameters["Walk.gain"]
+    assert (speed.minimum, speed.maximum, gain.minimum, gain.maximum) == (0.0, 1.0, 0.1, 4.5)
+    assert study.defaults == {"Walk.speed": 0.8, "Walk.gain": 4.0}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("first = 900", "first = 103", "share seed 103"),
+        ("Walk.gain", "Walk.gian", "no parameter `Walk.gian`"),
+        ("max = 4.5", "max = 9.0", "within 0.1 to 5"),
+        ("max = 4.5", "most = 4.5", "`parameters.Walk.gain.most` is unknown"),
+        ('"tpe"', '"best"', "samplers are tpe, cma-es"),
+        ("block = 2", 'block = "2"', "`seeds.block` has to be of type int"),
+        ("mean(cost)", "cost.real", "not allowed"),
+        ("first = 900, ", "", "`seeds.final` needs `first`"),
+        ('kind = "tpe"', 'kind = "cma-es"\n[parameters."Walk.careful"]\n[x]', "cma-es needs numbers"),
+    ],
+)
+def test_a_wrong_entry_is_named(study_file: StudyFile, old: str, new: str, message: str) -> None:
+    if "careful" in new:
+        old, new = '"Walk.gain" = { max = 4.5 }', '"Walk.careful" = {}\n[sampler]\nkind = "cma-es"'
+        path = study_file((old, new), ('[sampler]\nkind = "tpe"\ncandidates = 6\n', ""))
+    else:
+        path = study_file((old, new))
+    with pytest.raises(StudyError, match=message):
+        read_study(path)
