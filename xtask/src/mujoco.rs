@@ -61,7 +61,7 @@ pub(crate) fn check() -> Result<(), String> {
         &[&["test", "-p", "bica-player-program", "--test", "program"], &feature[..], &["mujoco"]].concat(),
         &[],
     )?;
-    for (package, test) in [("bica-game", "replay"), ("jmanager", "sessions")] {
+    for (package, test) in [("bica-game", "replay"), ("jmanager", "main")] {
         run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
     }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
