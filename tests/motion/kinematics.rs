@@ -97,17 +97,17 @@ fn difference(pose: &Affine3A, reference: reference::Matrix) -> f64 {
     most
 }
 
-fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
+pub(crate) fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
     let turn = |m: Mat3A, n: Mat3A| (m - n).to_cols_array().into_iter().fold(0.0_f32, |most, v| most.max(v.abs()));
     (a.translation - b.translation).length().max(turn(a.matrix3, b.matrix3))
 }
 
 /// Any angles within the limits.
-fn any_angles() -> impl Strategy<Value = Joints> {
+pub(crate) fn any_angles<M: RobotModel>() -> impl Strategy<Value = Joints> {
     prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
         let mut angles = Joints::all(0.0);
         for joint in Joint::ALL {
-            let range = Nao::LIMITS[joint];
+            let range = M::LIMITS[joint];
             angles[joint] = range.min + (range.max - range.min) * shares[joint.index()];
         }
         angles
@@ -116,7 +116,7 @@ fn any_angles() -> impl Strategy<Value = Joints> {
 
 /// Any angles within the limits with knees that do not bend backwards, which the inverse kinematics can return.
 fn any_bent_angles() -> impl Strategy<Value = Joints> {
-    any_angles().prop_map(|mut angles| {
+    any_angles::<Nao>().prop_map(|mut angles| {
         for joint in [Joint::LKneePitch, Joint::RKneePitch] {
             angles[joint] = angles[joint].max(0.0);
         }
@@ -247,7 +247,7 @@ proptest! {
     #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
-    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles()) {
+    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles::<Nao>()) {
         let skeleton = Skeleton::<Nao>::of(&angles);
         for side in Side::BOTH {
             let foot = reference::foot(side, &angles);
@@ -303,7 +303,7 @@ proptest! {
     }
 
     #[test]
-    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles()) {
+    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles::<Nao>()) {
         let mirrored = angles.mirrored();
         prop_assert_eq!(mirrored.mirrored(), angles);
         let (here, there) = (Skeleton::<Nao>::of(&angles), Skeleton::<Nao>::of(&mirrored));
@@ -319,7 +319,7 @@ proptest! {
     }
 
     #[test]
-    fn the_support_sole_lies_flat_on_the_ground(angles in any_angles()) {
+    fn the_support_sole_lies_flat_on_the_ground(angles in any_angles::<Nao>()) {
         for support in Side::BOTH {
             let ground = ground_from_robot::<Nao>(support, &angles);
             let [own, other] = [support, support.other()].map(|side| ground * kinematics::sole::<Nao>(side, &angles));
@@ -330,17 +330,6 @@ proptest! {
             let heading = |pose: &Affine3A| pose.matrix3.x_axis.y.atan2(pose.matrix3.x_axis.x);
             let sum = heading(&own) + heading(&other);
             prop_assert!(sum.abs() < 1e-4 || (sum.abs() - 2.0 * PI).abs() < 1e-4, "{sum}");
-        }
-    }
-
-    #[test]
-    fn clamped_angles_keep_the_limits(wild in prop::array::uniform25(-10.0_f32..10.0)) {
-        let clamped = Joints(wild).clamp_to_limits::<Nao>();
-        prop_assert!(clamped.within_limits::<Nao>());
-        prop_assert_eq!(clamped.clamp_to_limits::<Nao>(), clamped);
-        for joint in Joint::ALL {
-            let (before, after) = (wild[joint.index()], clamped[joint]);
-            prop_assert!(!Nao::LIMITS[joint].contains(before) || before.to_bits() == after.to_bits());
         }
     }
 }

@@ -11,20 +11,12 @@ use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::{Phase, Velocity, Walk};
-use glam::{Affine3A, Vec2, Vec3};
+use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
+use crate::motion::kinematics::{any_angles, distance};
 use crate::motion::tall::Tall;
 use crate::motion::world::{CYCLE, World, gap};
-
-fn any_angles() -> impl Strategy<Value = Joints> {
-    prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
-        Joints(std::array::from_fn(|i| {
-            let range = Tall::LIMITS.0[i];
-            range.min + (range.max - range.min) * shares[i]
-        }))
-    })
-}
 
 /// The ankle of the tall model, from its own lengths, with elementary rotations in f64.
 fn reference_ankle(side: Side, angles: &Joints) -> [f64; 3] {
@@ -40,16 +32,11 @@ fn reference_ankle(side: Side, angles: &Joints) -> [f64; 3] {
     [x, y + sign * 0.075, z]
 }
 
-fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
-    let turn = (a.matrix3 - b.matrix3).to_cols_array().into_iter().fold(0.0_f32, |most, v| most.max(v.abs()));
-    (a.translation - b.translation).length().max(turn)
-}
-
 proptest! {
     #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
-    fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles()) {
+    fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles::<Tall>()) {
         for side in Side::BOTH {
             let found = kinematics::ankle::<Tall>(side, &angles).translation.to_array();
             let expected = reference_ankle(side, &angles);
@@ -60,7 +47,7 @@ proptest! {
     }
 
     #[test]
-    fn inverse_kinematics_invert_the_forward_kinematics_of_the_model(angles in any_angles()) {
+    fn inverse_kinematics_invert_the_forward_kinematics_of_the_model(angles in any_angles::<Tall>()) {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
         for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
             let mut found = Joints::all(0.0);
@@ -107,20 +94,14 @@ fn the_second_model_stands_as_its_gait_plans() {
             planned[joint]
         );
     }
-    assert!(Tall::STAND.within_limits_of(Tall::JOINTS));
+    assert!(is_within_limits(&Tall::STAND));
     let world = World::<Tall>::standing(Tall::STAND);
     assert!((world.robot.translation.z - 0.3225).abs() < 1e-5, "{}", world.robot.translation.z);
     assert!(world.margin() > 0.03, "the mass is {} m inside the soles", world.margin());
 }
 
-trait WithinLimits {
-    fn within_limits_of(&self, joints: &[Joint]) -> bool;
-}
-
-impl WithinLimits for Joints {
-    fn within_limits_of(&self, joints: &[Joint]) -> bool {
-        joints.iter().all(|&joint| Tall::LIMITS[joint].contains(self[joint]))
-    }
+fn is_within_limits(angles: &Joints) -> bool {
+    Tall::JOINTS.iter().all(|&joint| Tall::LIMITS[joint].contains(angles[joint]))
 }
 
 #[test]
@@ -142,7 +123,7 @@ fn the_second_model_walks_as_requested_within_its_limits() {
                 (start, begin) = (world.ground(), odometry.pose());
             }
             let targets = walk.step(request, &feedback, CYCLE).joints();
-            assert!(targets.within_limits_of(Tall::JOINTS), "{request:?}: {targets:?}");
+            assert!(is_within_limits(&targets), "{request:?}: {targets:?}");
             for joint in Tall::JOINTS.iter().copied() {
                 let speed = (targets[joint] - last[joint]).abs() / CYCLE;
                 assert!(speed <= 1.25 * Tall::MAX_SPEEDS[joint], "{request:?}: {joint:?} at {speed} rad/s");
@@ -172,7 +153,7 @@ fn the_second_model_kicks_and_returns_to_its_stand() {
         let mut farthest = 0.0_f32;
         while !motion.is_done() {
             let targets = motion.step(&world.body(), CYCLE).joints();
-            assert!(targets.within_limits_of(Tall::JOINTS), "{targets:?}");
+            assert!(is_within_limits(&targets), "{targets:?}");
             world.step(&targets);
             assert!(world.margin() > 0.005, "the mass is {} m inside the soles", world.margin());
             farthest = farthest.max(world.sole(foot).translation.x);

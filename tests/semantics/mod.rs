@@ -1,9 +1,86 @@
-//! Semantics of activation trees: the events of trees, compared with one model of the rules.
+//! Semantics of activation trees: the events of trees that are written with the macros, in random scripts, compared with a model.
 //!
-//! [`rules`] is the model. [`random`] compares it with trees written with the macros, in random scripts that tick the tree, set
-//! flags that transitions read, change rates and hold components; components record their calls, times and values.
-//! [`exhaustive`] compares it with every small tree in every short sequence of cycles.
+//! [`rules`] is the model. Scripts tick the tree, set flags that transitions read, change rates and hold components; components
+//! record their calls, times and values.
 
-mod exhaustive;
-mod random;
+mod event;
+mod graph;
+mod play;
 mod rules;
+mod script;
+mod test_tree;
+mod trees;
+mod unit;
+
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+
+use play::play;
+use script::{Script, Stress, scripts};
+
+/// Number of random scripts for each test: 200, or `BICA_TEST_CASES`, which is 1000 in CI.
+fn cases() -> u32 {
+    std::env::var("BICA_TEST_CASES").map_or(200, |cases| cases.parse().expect("BICA_TEST_CASES is a number"))
+}
+
+/// Compares a tree with its model in random scripts. One function for all trees: each copy of the runner of proptest takes time
+/// to compile.
+///
+/// # Panics
+/// If they differ; the message contains the smallest script that was found.
+#[track_caller]
+fn check(test: &'static str, stress: Stress, play: fn(&Script) -> Result<(), TestCaseError>) {
+    let config =
+        ProptestConfig { source_file: Some(file!()), test_name: Some(test), ..ProptestConfig::with_cases(cases()) };
+    let mut runner = TestRunner::new(config);
+    if let Err(error) = runner.run(&scripts(stress), |script| play(&script)) {
+        panic!("{error}\n{runner}");
+    }
+}
+
+/// Generates a module with a test for each tree.
+macro_rules! on_trees {
+    ($(#[$doc:meta])* $module:ident, $stress:expr) => {
+        on_trees!(
+            $(#[$doc])* $module, $stress,
+            diamond: Diamond, generic: Generic, modulated: Modulated, resume: Resume, swap: Swap, timers: Timers
+        );
+    };
+    ($(#[$doc:meta])* $module:ident, $stress:expr, $($name:ident: $tree:ident),*) => {
+        $(#[$doc])*
+        mod $module {
+            use super::*;
+
+            $(
+                #[test]
+                fn $name() {
+                    check(concat!(module_path!(), "::", stringify!($name)), $stress, play::<trees::$name::$tree>);
+                }
+            )*
+        }
+    };
+}
+
+on_trees!(
+    /// Transitions at a steady clock, with a few changed rates.
+    transitions,
+    Stress { flags: 10, rates: 1, ..Stress::default() }
+);
+
+on_trees!(
+    /// Rates that components set for their children, and that are set from outside.
+    rates,
+    Stress { flags: 4, rates: 4, ..Stress::default() }
+);
+
+on_trees!(
+    /// Components held active and latent.
+    holds,
+    Stress { flags: 4, rates: 1, holds: 8, jumps: false }
+);
+
+on_trees!(
+    /// All of it, with a clock that jumps and goes back.
+    jumps,
+    Stress { flags: 6, rates: 6, holds: 4, jumps: true }
+);

@@ -57,7 +57,7 @@ pub(crate) fn check() -> Result<(), String> {
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
     const TESTS: [(&str, &str); 3] =
-        [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "sessions")];
+        [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "main")];
     for (package, test) in TESTS {
         run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
     }

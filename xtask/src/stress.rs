@@ -20,7 +20,7 @@ pub(crate) fn repeat(options: &Stress) -> Result<(), String> {
         series(&mut counts, "cargo test --workspace", options.workspace, || capture("cargo", &test, &[]))
     })
     .and_then(|()| {
-        let test = ["test", "--quiet", "--package", "jmanager", "--test", "sessions"];
+        let test = ["test", "--quiet", "--package", "jmanager", "--test", "main", "sessions::"];
         series(&mut counts, "sessions", options.sessions, || capture("cargo", &test, &[]))
     })
     .and_then(|()| {

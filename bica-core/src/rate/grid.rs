@@ -47,12 +47,6 @@ impl Grid<'_> {
         self.fraction.set(0);
     }
 
-    /// Returns the time since the grid point and the time that a run may be early, rounded to clock ticks.
-    pub(crate) fn age(self, now: u64) -> u64 {
-        let is_above_half = self.fraction.get() >= 1 << 31;
-        now.wrapping_sub(self.origin.get()).wrapping_sub(u64::from(is_above_half))
-    }
-
     /// Returns whether a run is due, and if so moves the grid on.
     #[inline]
     pub(crate) fn is_due(self, now: u64, period: &Period, tolerance: Tolerance) -> bool {

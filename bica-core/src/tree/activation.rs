@@ -141,23 +141,6 @@ impl Activation {
         self.was_visited(last) || matches!(self.value.get(), LEAVING | INTERRUPTED)
     }
 
-    /// Whether the component is latent, also if it is held latent.
-    pub(crate) fn is_known_latent(&self) -> bool {
-        matches!(self.value.get(), LATENT | HELD_LATENT)
-    }
-
-    /// Value relative to the parity of the last tick, and hold.
-    pub(crate) fn relative(&self, last: Parity) -> u16 {
-        let value = self.value.get();
-        let value = if value & !READS_PERIOD <= Parity::ODD.0 { value ^ last.0 } else { value };
-        u16::from(value) | (self.hold.get() as u16) << 8
-    }
-
-    pub(crate) fn copy_from(&self, other: &Self) {
-        self.value.set(other.value.get());
-        self.hold.set(other.hold.get());
-    }
-
     pub(crate) fn held(&self) -> Hold {
         self.hold.get()
     }

@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use embassy_time::{Duration, Instant};
 
-use super::activation::{Activation, Parity};
+use super::activation::Activation;
 use crate::rate::{Grid, Period, Tolerance};
 
 /// In place of a state index: the component was never active, or its history was discarded.
@@ -125,23 +125,6 @@ impl ComponentState {
     pub(crate) fn enter(&self, state: usize, now: Instant) {
         self.state.set(state as u16);
         self.entered.set(now.as_ticks());
-    }
-
-    /// Takes over what is stored of a component of another tree.
-    pub(crate) fn copy_from(&self, other: &Self) {
-        self.origin.set(other.origin.get());
-        self.fraction.set(other.fraction.get());
-        self.ran.set(other.ran.get());
-        self.entered.set(other.entered.get());
-        self.state.set(other.state.get());
-        self.activation.copy_from(&other.activation);
-    }
-
-    /// Activation relative to the parity of the last tick, and above it the age of the grid point in clock ticks if the component
-    /// is not latent.
-    pub(crate) fn relative(&self, parity: Parity, now: Instant) -> u64 {
-        let age = if self.activation.is_known_latent() { 0 } else { self.grid().age(now.as_ticks()) };
-        u64::from(self.activation.relative(parity)) | age << 16
     }
 
     /// Returns the index of the state of an active state machine.

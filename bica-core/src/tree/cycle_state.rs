@@ -91,24 +91,6 @@ impl CycleState {
         }
     }
 
-    /// All but parity and time.
-    pub(crate) fn relative(&self) -> u64 {
-        let flags = u64::from(self.rechecks_left.get())
-            | u64::from(self.interrupted.get()) << 8
-            | u64::from(self.steady.get()) << 9;
-        flags | u64::from(self.held_active.get()) << 16
-    }
-
-    pub(crate) fn copy_from(&self, other: &Self) {
-        self.now.set(other.now.get());
-        self.parity.set(other.parity.get());
-        self.previous.set(other.previous.get());
-        self.rechecks_left.set(other.rechecks_left.get());
-        self.interrupted.set(other.interrupted.get());
-        self.steady.set(other.steady.get());
-        self.held_active.set(other.held_active.get());
-    }
-
     /// Begins a cycle. If the tree `keeps_parity`, a steady tick has the parity of the previous one.
     #[inline]
     pub(crate) fn begin(&self, now: Instant, keeps_parity: bool) {

@@ -58,32 +58,6 @@ impl<T: Layout> Engine<T> {
         self.component_state(component).is_some_and(|state| state.activation().is_active(last))
     }
 
-    /// Takes over what the engine of another tree stores from cycle to cycle, without the components and their rates.
-    ///
-    /// For tests that explore the sequences of ticks as a tree.
-    pub fn copy_state_from(&mut self, other: &Self) {
-        self.store.cycle_state().copy_from(other.store.cycle_state());
-        for index in order::<T>().map(ComponentId::new) {
-            if let (Some(state), Some(other)) = (self.component_state(index), other.component_state(index)) {
-                state.copy_from(other);
-            }
-        }
-    }
-
-    /// Returns all that decides about visits and runs in the coming cycles: first what the components share, then one value for
-    /// each component. Instants are relative to the last tick and rounded to clock ticks. Left out are the states of
-    /// machines, the times in them, and the grids of latent components, which start anew.
-    ///
-    /// For tests that explore the states of trees as a graph.
-    pub fn relative_state(&self) -> impl Iterator<Item = u64> {
-        let cycle_state = self.store.cycle_state();
-        let component = |index| {
-            let state = self.component_state(ComponentId::new(index));
-            state.map_or(0, |state| state.relative(cycle_state.parity(), cycle_state.now()))
-        };
-        core::iter::once(cycle_state.relative()).chain(order::<T>().map(component))
-    }
-
     fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
         T::component_state(self.store.slots(), component.index())
     }

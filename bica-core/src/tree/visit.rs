@@ -5,14 +5,11 @@
 //! itself (`recursion_limit`, 128): a long chain of components would exceed that. As functions of the generated
 //! implementations each component has its own.
 
-/// The functions of `Has<$component>` that visit the component; `$pass` is the macro that calls `MemberOf::pass`.
+/// The functions of `Has<$component>` that visit the component.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __visit_functions {
     ($component:ty) => {
-        $crate::__visit_functions!($component, __pass);
-    };
-    ($component:ty, $pass:ident) => {
         #[inline]
         fn visit<__P: $crate::__private::Probe>(cycle: &mut $crate::__private::Cycle<'_, Self, __P>) {
             if !const { $crate::__private::is_shared::<Self, $component>() } {
@@ -36,7 +33,7 @@ macro_rules! __visit_functions {
                     if !visit.due {
                         cycle.skip::<$component>();
                     }
-                    $crate::$pass!($component, cycle, visit);
+                    $crate::__pass!($component, cycle, visit);
                     if visit.due {
                         cycle.end_run::<$component>();
                     }
@@ -51,7 +48,7 @@ macro_rules! __visit_functions {
             };
             if !outcome.is_closed() {
                 let visit = $crate::__private::Visit { due: true, entering: outcome.is_entering() };
-                $crate::$pass!($component, cycle, visit);
+                $crate::__pass!($component, cycle, visit);
                 cycle.end_run::<$component>();
             }
         }
@@ -64,7 +61,7 @@ macro_rules! __visit_functions {
         ) {
             if const { $crate::__private::is_fixed::<Self, $component>(__PLAN) } {
                 let is_due = cycle.visit_steady::<$component>();
-                $crate::$pass!($component, cycle, is_due, __PLAN);
+                $crate::__pass!($component, cycle, is_due, __PLAN);
                 if is_due {
                     cycle.end_run::<$component>();
                 }
@@ -84,7 +81,7 @@ macro_rules! __visit_functions {
             }
             cycle.skip::<$component>();
             let visit = $crate::__private::Visit { due: false, entering: false };
-            $crate::$pass!($component, cycle, visit);
+            $crate::__pass!($component, cycle, visit);
             $crate::__private::VisitOutcome::CLOSED
         }
     };
@@ -116,16 +113,4 @@ macro_rules! __pass {
         }
         pass::<Self, __P, $plan>($cycle, $is_due);
     }};
-}
-
-/// As `__pass`, for a component that names parameters of the impl block; a function in between could not name them.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __pass_of_generic {
-    ($component:ty, $cycle:ident, $visit:ident) => {
-        <$component as $crate::__private::MemberOf<Self>>::pass($cycle, $visit)
-    };
-    ($component:ty, $cycle:ident, $is_due:ident, $plan:ident) => {
-        <$component as $crate::__private::MemberOf<Self>>::pass_steady::<__P, $plan>($cycle, $is_due)
-    };
 }

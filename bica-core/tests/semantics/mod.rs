@@ -12,7 +12,6 @@ mod params;
 mod paths;
 mod rate;
 mod requests;
-mod steady;
 mod stopwatch;
 mod text;
 mod time;

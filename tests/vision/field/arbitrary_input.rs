@@ -108,21 +108,6 @@ proptest! {
     }
 
     #[test]
-    fn equal_sightings_give_equal_poses_bit_for_bit(steps in prop::collection::vec((pose(), sightings()), 1..6)) {
-        let (mut one, mut other) = (Localizer::<60>::new(1), Localizer::<60>::new(1));
-        for (motion, sightings) in steps {
-            for localizer in [&mut one, &mut other] {
-                localizer.advance(motion);
-                localizer.see(sightings.clone());
-            }
-        }
-        let bits = |localizer: &Localizer<60>| {
-            localizer.particles().map(|pose| [pose.position.x, pose.position.y, pose.heading].map(f32::to_bits))
-        };
-        prop_assert_eq!(bits(&one), bits(&other));
-    }
-
-    #[test]
     fn detections_in_any_image_are_finite_and_in_range(bytes in picture(), camera in camera()) {
         let frame = Frame::new(160, 120, &bytes).expect("a frame");
         let end = FieldBoundary::find(&frame, &BUILT_IN_TABLE);

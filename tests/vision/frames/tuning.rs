@@ -6,16 +6,14 @@ use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_vision::ball::{BallFinder, BallTuning};
-use bica_vision::field_boundary::{BoundaryTuning, FieldBoundary};
+use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::goal::{GoalFinder, GoalTuning};
-use bica_vision::lines::{self, LineTuning};
 use bica_vision::own_body::OwnBody;
 use bica_vision::profile::BUILT_IN_TABLE;
 use bica_vision::projection::{Camera, Intrinsics, Mounting};
-use bica_vision::robots::{self, RobotTuning};
 use glam::{Affine3A, Vec2, Vec3};
 
-use super::canvas::{CARPET, Canvas, LINE, ORANGE, RED, YELLOW};
+use super::canvas::{Canvas, ORANGE, YELLOW};
 
 /// Camera at a height of 0.5 m, pitched down by `pitch` rad.
 fn camera(pitch: f32) -> Camera {
@@ -38,24 +36,6 @@ fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallTuning) -> bool {
             .find_tuned(frame, &BUILT_IN_TABLE, &end, None, own, tuning)
             .is_some()
     })
-}
-
-#[test]
-fn a_half_hidden_ball_needs_a_low_threshold_of_confidence() {
-    for (radius, small) in [(30.0, false), (5.0, true)] {
-        let mut canvas = Canvas::field(320, 240, 40.0);
-        let centre = Vec2::new(160.0, 150.0);
-        canvas.disc(ORANGE, centre, radius);
-        canvas.paint(LINE, |at| at.y - centre.y - 0.5 * radius);
-        let confidence = |large: f32, little: f32| BallTuning {
-            min_confidence: large,
-            min_confidence_if_small: little,
-            ..BallTuning::DEFAULT
-        };
-        assert!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.1, 0.1)), "radius {radius}");
-        assert_eq!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.1, 0.99)), !small, "radius {radius}");
-        assert_eq!(has_ball(&canvas, &OwnBody::NONE, &confidence(0.99, 0.1)), small, "radius {radius}");
-    }
 }
 
 #[test]
@@ -94,49 +74,6 @@ fn a_thick_post_needs_a_high_threshold_of_width() {
 }
 
 #[test]
-fn a_faint_line_needs_a_low_threshold_of_contrast() {
-    let mut canvas = Canvas::field(320, 240, 30.0);
-    let faint = bica_vision::frame::Pixel::new(CARPET.y + 50, 126, 129);
-    canvas.bar(faint, Vec2::new(60.0, 140.0), Vec2::new(260.0, 150.0), 6.0);
-    for (min_rise, found) in [(12, true), (60, false)] {
-        let tuning = LineTuning { min_rise, ..LineTuning::DEFAULT };
-        let lines = canvas.with_frame(|frame| {
-            let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
-            lines::find_tuned(frame, &BUILT_IN_TABLE, &end, None, &tuning)
-        });
-        assert_eq!(!lines.is_empty(), found, "{min_rise}: {lines:?}");
-    }
-}
-
-#[test]
-fn a_narrow_field_needs_a_low_threshold_of_green() {
-    let canvas = Canvas::field(320, 240, 228.0);
-    for (min_green, found) in [(0.03, true), (0.1, false)] {
-        let tuning = BoundaryTuning { min_green, ..BoundaryTuning::DEFAULT };
-        let end = canvas.with_frame(|frame| FieldBoundary::find_tuned(frame, &BUILT_IN_TABLE, None, &tuning));
-        assert_eq!(end.top().is_some(), found, "{min_green}");
-    }
-}
-
-#[test]
-fn a_low_robot_needs_a_low_threshold_of_height() {
-    let camera = camera(0.2);
-    let pixel = |at: Vec3| camera.pixel(at).expect("in front of the camera");
-    let mut canvas = Canvas::field(320, 240, 0.0);
-    let (foot, top) = (Vec3::new(1.5, 0.0, 0.0), Vec3::new(1.5, 0.0, 0.28));
-    canvas.bar(LINE, pixel(foot), pixel(top), 50.0);
-    canvas.bar(RED, pixel(foot.midpoint(top)), pixel(top), 12.0);
-    for (min_height, found) in [(0.35, false), (0.2, true)] {
-        let tuning = RobotTuning { min_height, ..RobotTuning::DEFAULT };
-        let robots = canvas.with_frame(|frame| {
-            let end = FieldBoundary::find(frame, &BUILT_IN_TABLE);
-            robots::find_tuned(frame, &BUILT_IN_TABLE, &end, Some(&camera), &tuning)
-        });
-        assert_eq!(!robots.is_empty(), found, "{min_height}");
-    }
-}
-
-#[test]
 fn a_corrected_mounting_turns_the_camera_and_scales_its_focal_length() {
     let nominal = camera(0.2);
     assert_eq!(nominal.corrected(&Mounting::EXACT), nominal);
@@ -148,14 +85,4 @@ fn a_corrected_mounting_turns_the_camera_and_scales_its_focal_length() {
     let long = nominal.corrected(&Mounting { focal_scale: 1.5, ..Mounting::EXACT });
     assert_eq!(long.intrinsics().focal, 1.5 * nominal.intrinsics().focal);
     assert_eq!(long.pose(), nominal.pose());
-}
-
-#[test]
-fn a_thicker_body_covers_more_of_the_image() {
-    let own = own_body();
-    let share = |margin: f32| own.clone().grown(margin).image_share();
-    assert_eq!(own.clone().grown(0.0), own);
-    assert!(share(0.0) > 0.02 && share(0.0) < 0.9, "{}", share(0.0));
-    assert!(share(0.05) > share(0.0) + 0.02 && share(-0.02) < share(0.0), "{} {}", share(0.05), share(-0.02));
-    assert_eq!(OwnBody::NONE.image_share().to_bits(), 0.0_f32.to_bits());
 }

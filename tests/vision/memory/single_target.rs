@@ -43,16 +43,6 @@ proptest! {
     }
 
     #[test]
-    fn confidence_halves_in_a_half_life(half_life in 0.5_f32..20.0, steps in 1_u16..400) {
-        let mut memory = Memory::new(half_life);
-        memory.see(Vec2::X, &sharp(), 1.0);
-        for _ in 0..steps {
-            memory.advance(Pose2::ORIGIN, half_life / f32::from(steps));
-        }
-        prop_assert!((memory.confidence() - 0.5).abs() < 1e-3);
-    }
-
-    #[test]
     fn memory_is_finite_for_any_input(
         half_life in number(),
         spread in prop::array::uniform4(number()),
@@ -125,16 +115,4 @@ fn covariance_matches_the_error_of_the_position() {
     println!("squared Mahalanobis distance: mean {mean:.2} (2 expected), within 95 %: {inside:.3}");
     assert!((1.2..2.6).contains(&mean), "{mean}");
     assert!(inside > 0.92, "{inside}");
-}
-
-/// Odometry drifts by about a tenth of the distance, and more in turns.
-#[test]
-fn confidence_halves_over_distance_and_turn() {
-    for (way, turn) in [(0.1, 0.0), (0.0, 0.2), (0.0, -0.2)] {
-        let mut memory = Memory::new(f32::MAX);
-        memory.see(Vec2::X, &sharp(), 1.0);
-        let motion = Pose2 { position: Vec2::X * way, heading: turn };
-        (0..30).for_each(|_| memory.advance(motion, 0.01));
-        assert!((memory.confidence() - 0.5).abs() < 1e-3, "{motion:?}: {}", memory.confidence());
-    }
 }

@@ -1,9 +1,7 @@
 //! Rates and errors of the memories change how long and how exactly objects are remembered.
 
 use bica_motion::pose::Pose2;
-use bica_vision::memory::ball::BallMemory;
-use bica_vision::memory::multi_target::MultiTargetMemory;
-use bica_vision::memory::{BallMemoryTuning, Memory, MemoryTuning};
+use bica_vision::memory::{Memory, MemoryTuning};
 use bica_vision::uncertainty::{largest, round};
 use glam::Vec2;
 
@@ -49,32 +47,4 @@ fn errors_of_the_odometry_widen_the_remembered_position() {
     let wide = MemoryTuning { turn_error: 0.1, ..exact };
     assert!((deviation(&far, ahead).powi(2) - deviation(&exact, ahead).powi(2) - 0.09).abs() < 1e-4);
     assert!((deviation(&wide, turned).powi(2) - deviation(&exact, turned).powi(2) - 0.04).abs() < 1e-4);
-}
-
-#[test]
-fn all_remembered_objects_are_forgotten_at_the_same_rate() {
-    let mut robots = MultiTargetMemory::<3>::new(1.0);
-    robots.see(Vec2::new(1.0, 0.0), &round(0.05), 0.8);
-    robots.set_tuning(&MemoryTuning { half_life: 100.0, ..MemoryTuning::DEFAULT });
-    robots.see(Vec2::new(2.0, 1.0), &round(0.05), 0.8);
-    robots.advance(Pose2::ORIGIN, 20.0);
-    assert_eq!(robots.places().count(), 2);
-    robots.set_tuning(&MemoryTuning { half_life: 1.0, ..MemoryTuning::DEFAULT });
-    robots.advance(Pose2::ORIGIN, 20.0);
-    assert_eq!(robots.places().count(), 0);
-}
-
-#[test]
-fn a_ball_rolls_farther_on_a_smooth_carpet() {
-    let rolled = |deceleration: f32| {
-        let mut ball = BallMemory::new(10.0);
-        ball.set_tuning(&BallMemoryTuning { deceleration, ..BallMemoryTuning::DEFAULT });
-        for step in 0..30_u8 {
-            ball.see(Vec2::new(1.0 + 0.03 * f32::from(step), 0.0), &round(0.01), 0.9);
-            ball.advance(Pose2::ORIGIN, 1.0 / 30.0);
-        }
-        assert!(ball.is_rolling());
-        ball.predict(5.0).expect("remembered").position.x
-    };
-    assert!(rolled(0.15) > rolled(0.3) + 0.3, "{} {}", rolled(0.15), rolled(0.3));
 }

@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 
-use crate::semantics::random::test_tree::test_tree;
-use crate::semantics::random::unit::{Unit, unit};
+use crate::semantics::test_tree::test_tree;
+use crate::semantics::unit::{Unit, unit};
 
 unit!(Root() {
     fn step(&mut self, time: &Time, coarse: &mut Filter<3>, fine: &Filter<5>) {

@@ -2,12 +2,12 @@
 
 use std::vec::IntoIter;
 
-use bica::graph::{Graph, LinkKind, Transition};
+use bica::graph::{Graph, Transition};
 
 use super::event::{Event, Read, Times};
+use super::rules::{self, Memory};
 use super::test_tree::Hook;
 use super::unit::{bit, mix};
-use crate::semantics::rules::{self, Memory, Subject};
 
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;
@@ -37,11 +37,11 @@ pub(crate) struct Data {
 
 /// Model of a tree.
 pub(crate) struct Model {
-    graph: Graph,
+    pub(super) graph: Graph,
     hooks: &'static [Hook],
     pub(crate) memories: Vec<Memory>,
     pub(crate) components: Vec<Data>,
-    activators_first: Vec<usize>,
+    pub(super) activators_first: Vec<usize>,
     now: u64,
     /// Actual events that the model has not yet expected.
     events: IntoIter<Event>,
@@ -78,7 +78,7 @@ impl Model {
     pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Comparison {
         (self.now, self.events) = (now, events.into_iter());
         self.expect(&Event::CycleBegin(now))?;
-        rules::cycle(self)?;
+        self.cycle()?;
         self.expect(&Event::CycleEnd)?;
         self.events.next().map_or(Ok(()), |event| Err(format!("{event:?} after the expected end")))
     }
@@ -186,39 +186,9 @@ impl Model {
     }
 }
 
-impl Subject for Model {
-    type Difference = String;
-
-    fn memories(&mut self) -> &mut [Memory] {
-        &mut self.memories
-    }
-
-    fn activator(&self, place: usize) -> usize {
-        self.activators_first[place]
-    }
-
-    fn root(&self) -> usize {
-        self.graph.root
-    }
-
-    fn links(&self, of: usize) -> usize {
-        self.graph.nodes[of].links.len()
-    }
-
-    fn child(&self, of: usize, link: usize, kind: LinkKind) -> Option<usize> {
-        let link = &self.graph.nodes[of].links[link];
-        (link.kind == kind && (link.state.is_none() || link.state == self.memories[of].state)).then_some(link.to)
-    }
-
-    fn initial(&self, of: usize) -> Option<usize> {
-        self.graph.nodes[of].states.iter().position(|state| state.initial)
-    }
-
-    fn resumes(&self, of: usize) -> bool {
-        self.graph.nodes[of].resume
-    }
-
-    fn start(&mut self, of: usize, entering: bool) {
+impl Model {
+    /// Starts the times of a component that becomes active; `entering` unless it resumes a state.
+    pub(super) fn start(&mut self, of: usize, entering: bool) {
         let data = &mut self.components[of];
         data.grid = i128::from(self.now) << FRACTION_BITS;
         (data.ran, data.started) = (self.now, true);
@@ -227,10 +197,12 @@ impl Subject for Model {
         }
     }
 
+    /// Whether an active component runs in this cycle; its next run is then due a period later.
+    ///
     /// A component that runs in every cycle does not use the grid.
     ///
     /// Comparisons are in whole ticks; differences of instants are taken modulo 2⁶⁴, as signed numbers.
-    fn is_due(&mut self, of: usize) -> bool {
+    pub(super) fn is_due(&mut self, of: usize) -> bool {
         let cycle = SECOND / f64::from(self.graph.cycle_hz);
         let share = self.graph.nodes[of].hz.map_or(1.0, |hz| hz / self.graph.cycle_hz);
         let (early, late) = if share > 0.5 { (cycle / 2.0, cycle / 2.0) } else { (cycle / 4.0, 0.0) };
@@ -257,7 +229,8 @@ impl Subject for Model {
         true
     }
 
-    fn event(&mut self, event: rules::Event) -> Comparison {
+    /// Takes an event.
+    pub(super) fn event(&mut self, event: rules::Event) -> Comparison {
         let name = |index: usize| self.graph.nodes[index].name;
         match event {
             rules::Event::Start(index) => {
@@ -278,7 +251,8 @@ impl Subject for Model {
         }
     }
 
-    fn decide(&mut self, of: usize, entering: bool) -> Result<Option<usize>, String> {
+    /// Runs a component up to its transition, and returns the new state.
+    pub(super) fn decide(&mut self, of: usize, entering: bool) -> Result<Option<usize>, String> {
         self.expect(&Event::Begin(of))?;
         let Some(state) = self.memories[of].state else { return Ok(None) };
         if entering {
@@ -290,7 +264,8 @@ impl Subject for Model {
         Ok(Some(transition.to))
     }
 
-    fn step(&mut self, of: usize, moved: bool) -> Comparison {
+    /// Runs the step of a component, or of its state, which it has just entered if `moved`.
+    pub(super) fn step(&mut self, of: usize, moved: bool) -> Comparison {
         if let Some(state) = self.memories[of].state.filter(|_| moved) {
             self.expect(&Event::Begin(of))?;
             self.hooks(of, state, true)?;

@@ -1,6 +1,5 @@
 //! Test trees.
 
-pub(crate) mod deep;
 pub(crate) mod diamond;
 pub(crate) mod generic;
 pub(crate) mod modulated;

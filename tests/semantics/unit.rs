@@ -98,13 +98,13 @@ impl Unit {
 macro_rules! unit {
     ($name:ident($($attributes:tt)*) { $($functions:tt)* }) => {
         pub(crate) struct $name {
-            pub(crate) unit: crate::semantics::random::unit::Unit,
+            pub(crate) unit: crate::semantics::unit::Unit,
         }
 
         #[component($($attributes)*)]
         impl $name {
             pub(crate) const fn new() -> Self {
-                Self { unit: crate::semantics::random::unit::Unit::new(stringify!($name)) }
+                Self { unit: crate::semantics::unit::Unit::new(stringify!($name)) }
             }
 
             #[start]

@@ -24,17 +24,17 @@ pub(crate) trait TestTree: Tree + Default {
 /// Implements [`TestTree`] for a tree: its components in the order of its list, and its hooks.
 macro_rules! test_tree {
     ($tree:ty: [$($component:ty),* $(,)?] $(, entry: [$($of:ident.$state:ident: $entry:ident),*])? $(, exit: [$($eof:ident.$estate:ident: $exit:ident),*])?) => {
-        impl crate::semantics::random::test_tree::TestTree for $tree {
-            const HOOKS: &'static [crate::semantics::random::test_tree::Hook] = &[
-                $($(crate::semantics::random::test_tree::Hook {
+        impl crate::semantics::test_tree::TestTree for $tree {
+            const HOOKS: &'static [crate::semantics::test_tree::Hook] = &[
+                $($(crate::semantics::test_tree::Hook {
                     of: stringify!($of), state: stringify!($state), entry: true, name: stringify!($entry),
                 },)*)?
-                $($(crate::semantics::random::test_tree::Hook {
+                $($(crate::semantics::test_tree::Hook {
                     of: stringify!($eof), state: stringify!($estate), entry: false, name: stringify!($exit),
                 },)*)?
             ];
 
-            fn unit(&mut self, index: usize) -> &mut crate::semantics::random::unit::Unit {
+            fn unit(&mut self, index: usize) -> &mut crate::semantics::unit::Unit {
                 $(if index == <$tree>::id::<$component>().index() {
                     return &mut self.get_mut::<$component>().unit;
                 })*

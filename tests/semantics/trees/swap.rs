@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 
-use crate::semantics::random::test_tree::test_tree;
-use crate::semantics::random::unit::unit;
+use crate::semantics::test_tree::test_tree;
+use crate::semantics::unit::unit;
 
 unit!(Chooser(hz = 50) {
     #[state(initial)]

@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 
-use crate::semantics::random::test_tree::test_tree;
-use crate::semantics::random::unit::unit;
+use crate::semantics::test_tree::test_tree;
+use crate::semantics::unit::unit;
 
 unit!(Switch() {
     #[state(initial)]
