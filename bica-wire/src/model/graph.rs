@@ -2,11 +2,15 @@
 
 use std::borrow::ToOwned;
 use std::format;
+use std::vec::Vec;
 
+use bica_core::action::Action;
 use bica_core::graph::{self, Graph, Node};
 use bica_core::{info, modulation, params};
 
-use super::{Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants};
+use super::{
+    Component, Description, Info, Link, Modulation, Param, Place, Placement, State, Transition, Variant, Variants,
+};
 
 impl Description {
     /// Describes a tree of this program.
@@ -21,7 +25,15 @@ impl Description {
             tunable: graph.tunable,
             root: graph.root,
             components: graph.nodes.iter().map(Component::from).collect(),
+            actions: Vec::new(),
         }
+    }
+
+    /// Adds what can be done in the world.
+    #[must_use]
+    pub fn with_actions(self, actions: &[Action]) -> Self {
+        let action = |Action { call, moves }: &Action| Modulation { moves: moves.map(str::to_owned), ..call.into() };
+        Self { actions: actions.iter().map(action).collect(), ..self }
     }
 }
 
@@ -73,6 +85,7 @@ fn of_group(group: &str, param: &params::Param) -> Param {
         unit: param.unit.map(str::to_owned),
         kind: param.kind.map(|variants| Variants(variants.iter().map(variant).collect())),
         default: param.default,
+        place: param.hint.place().map(Place::from),
         value: None,
     }
 }
@@ -90,6 +103,7 @@ impl From<&modulation::Modulation> for Modulation {
             name: modulation.name.to_owned(),
             doc: modulation.doc.to_owned(),
             arguments: modulation.arguments.iter().map(|argument| of_group("", argument)).collect(),
+            moves: None,
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+use bica::action::Action;
 use bica::runner::{Cycle, Observer, Request};
 use bica::{Probe, Refusal};
 use bica_app::Failure;
@@ -18,7 +19,6 @@ use serde::Serialize;
 
 use crate::event;
 use crate::meter::Meter;
-use crate::replay::BALL;
 use crate::rules::{Rules, WorldKind};
 use crate::scene::GRAPH;
 
@@ -92,12 +92,12 @@ impl<'a> GameRecorder<'a> {
         options: Option<RecordOptions<'a>>,
         rules: &Rules,
         attacks: GoalColour,
-        robot: &Forward,
+        (robot, actions): (&Forward, &[Action]),
         image: SharedImage,
     ) -> Result<Self, Failure> {
         let (sender, ended) = channel();
         let open = |options: RecordOptions<'a>| {
-            let header = recording_header(rules, attacks, options.images).of_robot(robot);
+            let header = recording_header(rules, attacks, options.images).with_actions(actions).of_robot(robot);
             let recorder = open(&options, &header, rules, sender.clone())?;
             Ok::<_, Failure>(recorder.sharing_blobs(move |pixels| image.owner_of(pixels)))
         };
@@ -109,13 +109,6 @@ impl<'a> GameRecorder<'a> {
     pub(crate) fn event(&self, event: &TimedEvent) {
         if let Some(recorder) = &self.recorder {
             recorder.event(event::recorded(event));
-        }
-    }
-
-    /// Records that the ball was placed before the next cycle, m, field frame.
-    pub(crate) fn ball_placed(&mut self, at: [f32; 2]) {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.world_changed(BALL, &at);
         }
     }
 
