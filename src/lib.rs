@@ -61,23 +61,26 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Blob, Component, ComponentId, Duration, Format, Graph, Has, Hold, Instant, Key, ParamEnum, Params, ParamsOf, Probe,
-    Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, graph, info, modulation, params, probe, rate,
-    refusal, stopwatch, visual,
+    Axis, Blob, Component, ComponentId, Duration, Format, Graph, Has, Hint, Hold, Instant, Key, ParamEnum, Params,
+    ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, action, graph, info,
+    modulation, params, probe, rate, refusal, stopwatch, visual,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};
-pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, message, output};
+pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, world_actions};
 #[doc(inline)]
 pub use bica_runner as runner;
 
 /// What files of components, and the program around a tree, use.
 pub mod prelude {
+    pub use bica_core::action::Actions;
     pub use bica_core::{
         Blob, Component, ComponentId, Duration, Format, Has, Hold, Instant, ParamEnum, Params, Probe, Rate, Refusal,
         Time, Tree, Tuned, Value,
     };
-    pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, message, output};
+    pub use bica_macros::{
+        ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, world_actions,
+    };
     pub use bica_runner::{Robot, Runner, World};
     pub use core::convert::Infallible;
 }

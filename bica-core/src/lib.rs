@@ -55,6 +55,7 @@
 //! exceeds them.
 #![no_std]
 
+pub mod action;
 pub mod blob;
 pub mod check;
 mod component;
@@ -65,6 +66,7 @@ pub mod info;
 mod key;
 pub mod modulation;
 pub mod params;
+mod place;
 pub mod probe;
 pub mod rate;
 pub mod render;
@@ -86,6 +88,7 @@ pub use id::ComponentId;
 pub use key::Key;
 pub use params::refusal::{self, Refusal};
 pub use params::{ParamEnum, Params, Setting, Tuned, Value};
+pub use place::{Axis, Hint, Place};
 pub use probe::Probe;
 pub use rate::Rate;
 pub use stopwatch::Stopwatch;

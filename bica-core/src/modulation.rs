@@ -26,7 +26,8 @@
 //! # Ok::<(), bica_core::Refusal>(())
 //! ```
 
-use crate::params::Param;
+use crate::params::{Param, Value};
+use crate::refusal::Reason;
 
 /// Description of a modulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,4 +39,18 @@ pub struct Modulation {
     /// The arguments. One that declares no default has the number of its range that is nearest to zero, `false`, or the
     /// first variant.
     pub arguments: &'static [Param],
+}
+
+impl Modulation {
+    /// Checks the values of a call. The error has the index and the name of what is refused.
+    pub(crate) fn check(&self, values: &[Value]) -> Result<(), (usize, &'static str, Reason)> {
+        let (expected, found) = (self.arguments.len(), values.len());
+        if expected != found {
+            return Err((0, self.name, Reason::ArgumentCount { expected, found }));
+        }
+        let mut pairs = self.arguments.iter().zip(values).enumerate();
+        pairs.try_for_each(|(entry, (argument, value))| {
+            argument.kind.accepts(*value).map_err(|reason| (entry, argument.name, reason))
+        })
+    }
 }

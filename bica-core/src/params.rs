@@ -73,6 +73,7 @@ pub use declare::{
 
 use crate::graph::Doc;
 use crate::id::ComponentId;
+use crate::place::Hint;
 
 /// Parameters of a component; `#[derive(Params)]` implements it.
 #[diagnostic::on_unimplemented(
@@ -166,7 +167,7 @@ pub struct ParamGroup {
     pub params: &'static [Param],
 }
 
-/// Description of a parameter, or of an argument of a modulation.
+/// Description of a parameter, or of an argument of a modulation or an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Param {
     /// The field's name.
@@ -179,6 +180,8 @@ pub struct Param {
     pub kind: Kind,
     /// The default value.
     pub default: Value,
+    /// Place from which a tool may take the value of an argument.
+    pub hint: Hint,
 }
 
 /// One entry of a batch: a value for a parameter.

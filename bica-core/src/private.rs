@@ -3,6 +3,7 @@
 pub use crate::__message as message;
 pub use crate::__output as output;
 pub use crate::__visit_functions as visit_functions;
+pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
@@ -12,6 +13,7 @@ pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
     assert_range, assert_rule, assert_step, natural_default, variant,
 };
+pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};

@@ -1,5 +1,5 @@
 //! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]`,
-//! `#[message]` and `#[derive(ComponentDoc)]`.
+//! `#[message]`, `#[world_actions]` and `#[derive(ComponentDoc)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
 //! and the wording of every message are the crate `bica-syntax`, which tools use too; `expand` has one file for each thing
@@ -13,6 +13,7 @@
 //! left to the compiler: to traits with messages of their own and to constant functions such as
 //! `bica_core::check::check`.
 
+mod actions;
 mod component;
 mod expand;
 mod params;
@@ -63,6 +64,12 @@ pub fn output(options: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn message(options: TokenStream, item: TokenStream) -> TokenStream {
     plain_item::message(options.into(), &item.into()).into()
+}
+
+#[doc = include_str!("../doc/world_actions.md")]
+#[proc_macro_attribute]
+pub fn world_actions(options: TokenStream, item: TokenStream) -> TokenStream {
+    actions::run(options.into(), &item.into()).into()
 }
 
 #[cfg(doctest)]

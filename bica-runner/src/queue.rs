@@ -21,6 +21,7 @@ impl From<Request<'_>> for OwnedRequest {
             Request::Modulate { component, modulation, arguments } => {
                 Self::Modulate { component, modulation, arguments: arguments.to_vec() }
             }
+            Request::World { action, arguments } => Self::World { action, arguments: arguments.to_vec() },
         }
     }
 }

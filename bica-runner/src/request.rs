@@ -1,10 +1,11 @@
 //! Requests of operators and tools to a running robot.
 
+use bica_core::action::{self, Actions};
 use bica_core::params::{Setting, Value};
 use bica_core::refusal::{Reason, Refusal};
 use bica_core::{ComponentId, Hold, Instant, Key, Tree};
 
-/// Change of the tree from outside, applied between two cycles. `S` contains settings, and `V` values: borrowed in the loop
+/// Change of the tree or of its world from outside, applied between two cycles. `S` contains settings, and `V` values: borrowed in the loop
 /// ([`Request`]), on the heap in a tool (`OwnedRequest`), of bounded size in a message.
 ///
 /// All changes except the sensor values are requests, so a recording of requests and sensor values is complete.
@@ -36,6 +37,13 @@ pub enum Change<S, V> {
         /// One value for each argument.
         arguments: V,
     },
+    /// Performs an action of the world.
+    World {
+        /// Index in the list of the world's [`actions`](crate::World::actions).
+        action: u16,
+        /// One value for each argument.
+        arguments: V,
+    },
 }
 
 /// A change with borrowed values.
@@ -52,6 +60,7 @@ impl<S: AsRef<[Setting]>, V: AsRef<[Value]>> Change<S, V> {
             &Self::Modulate { component, modulation, ref arguments } => {
                 Change::Modulate { component, modulation, arguments: arguments.as_ref() }
             }
+            &Self::World { action, ref arguments } => Change::World { action, arguments: arguments.as_ref() },
         }
     }
 }
@@ -67,6 +76,7 @@ impl<'a> Request<'a> {
             Self::Modulate { component, modulation, arguments } => {
                 Change::Modulate { component, modulation, arguments: arguments.try_into().ok()? }
             }
+            Self::World { action, arguments } => Change::World { action, arguments: arguments.try_into().ok()? },
         })
     }
 
@@ -83,11 +93,20 @@ impl<'a> Request<'a> {
         Ok(Self::Modulate { component, modulation: index as u16, arguments })
     }
 
-    /// Applies the request to a tree.
+    /// Applies the request to a tree without a world.
     ///
     /// # Errors
-    /// If the tree has no such component, parameter or modulation, or does not accept a value or a rate; then nothing changes.
+    /// As [`apply_in`](Self::apply_in).
     pub fn apply<T: Tree>(self, tree: &mut T) -> Result<(), Refusal> {
+        self.apply_in(tree, None)
+    }
+
+    /// Applies the request to a tree, or to its world.
+    ///
+    /// # Errors
+    /// If the tree has no such component, parameter or modulation, the world no such action, or a value or a rate is not accepted; then
+    /// nothing changes.
+    pub fn apply_in<T: Tree>(self, tree: &mut T, world: Option<&mut dyn Actions>) -> Result<(), Refusal> {
         match self {
             Self::Hold { component, hold } => tree.hold_at(component, hold),
             Self::Rate { component, hz } => {
@@ -98,6 +117,7 @@ impl<'a> Request<'a> {
             Self::Modulate { component, modulation, arguments } => {
                 tree.modulate(component, usize::from(modulation), arguments)
             }
+            Self::World { action, arguments } => action::perform(world, usize::from(action), arguments),
         }
     }
 }

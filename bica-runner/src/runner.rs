@@ -2,6 +2,7 @@
 
 use core::ops::DerefMut;
 
+use bica_core::action::Actions;
 use bica_core::refusal::Refusal;
 use bica_core::{Instant, Tree};
 
@@ -87,13 +88,13 @@ where
         &mut self.robot
     }
 
-    /// Applies one request between two cycles.
+    /// Applies one request to the tree between two cycles.
     ///
     /// # Errors
-    /// If the tree refuses the request; then nothing changes.
+    /// If the tree refuses the request, or if it is to the world; then nothing changes.
     #[inline]
     pub fn request(&mut self, now: Instant, request: Request<'_>) -> Result<(), Refusal> {
-        apply(&mut *self.robot, &mut self.observer, now, request)
+        apply(&mut *self.robot, None, &mut self.observer, now, request)
     }
 
     /// Writes sensor values into the tree: the first half of a cycle, for values that are received as messages.
@@ -151,7 +152,8 @@ where
     #[inline]
     fn take_requests(&mut self, now: Instant) {
         while let Some(request) = self.requests.next(now) {
-            let result = apply(&mut *self.robot, &mut self.observer, now, request);
+            let world = if let Request::World { .. } = request { self.world.actions() } else { None };
+            let result = apply(&mut *self.robot, world, &mut self.observer, now, request);
             self.requests.answered(now, result);
         }
     }
@@ -160,11 +162,12 @@ where
 #[inline]
 fn apply<R: Robot, O: Observer<R>>(
     robot: &mut R,
+    world: Option<&mut dyn Actions>,
     observer: &mut O,
     now: Instant,
     request: Request<'_>,
 ) -> Result<(), Refusal> {
-    let result = request.apply(robot);
+    let result = request.apply_in(robot, world);
     match &result {
         Ok(()) => observer.requested(now, &request),
         Err(refusal) => observer.refused(now, &request, refusal),

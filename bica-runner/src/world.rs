@@ -3,6 +3,7 @@
 use core::fmt;
 
 use bica_core::Instant;
+use bica_core::action::Actions;
 
 use crate::robot::Robot;
 
@@ -19,6 +20,12 @@ pub trait World<R: Robot> {
 
     /// Applies a command for one cycle. A simulation advances by one cycle.
     fn act(&mut self, command: &R::Command);
+
+    /// What an operator can do in this world, such as to push the robot; nothing by default. The attribute macro `world_actions`
+    /// makes actions of methods; then this returns `Some(self)`.
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        None
+    }
 
     /// Whether the run has ended, as a game after its last minute. A program that runs worlds asks before each cycle.
     fn is_over(&self) -> bool {
@@ -47,6 +54,10 @@ macro_rules! forward_to_target {
 
         fn act(&mut self, command: &R::Command) {
             (**self).act(command);
+        }
+
+        fn actions(&mut self) -> Option<&mut dyn Actions> {
+            (**self).actions()
         }
 
         fn is_over(&self) -> bool {

@@ -15,6 +15,11 @@ pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, repo
     if syn::parse2::<DeriveInput>(item.clone()).is_err() {
         report.add(item, wording::plain_item(attribute));
     }
+    krate(attribute, options, report)
+}
+
+/// Reads the options `crate = path`.
+pub(crate) fn krate(attribute: &str, options: TokenStream, report: &mut Report) -> Path {
     let parser = |input: syn::parse::ParseStream| {
         if input.is_empty() {
             return Ok(parse_quote!(::bica));

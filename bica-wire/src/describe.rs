@@ -2,6 +2,10 @@
 
 use core::iter::FusedIterator;
 
+#[cfg(feature = "std")]
+use bica_core::Place;
+#[cfg(feature = "std")]
+use bica_core::action::Action;
 use bica_core::graph::{Graph, LinkKind, Node};
 use bica_core::params::{Kind, Param, Variant};
 
@@ -14,11 +18,24 @@ const DOC_BYTES: usize = 512;
 const TYPE_BYTES: usize = 512;
 
 /// Describes a tree: the tree, its components, then for each component its links, states, transitions, parameters,
-/// information and modulations, then [`GraphItem::End`]. Doc comments follow what they document, variants and arguments what
-/// they belong to.
+/// information and modulations, then the actions of its world, then [`GraphItem::End`]. Doc comments follow what they
+/// document, variants and arguments what they belong to.
 #[must_use]
 pub const fn describe(graph: &Graph) -> GraphItems<'_> {
-    GraphItems { graph, list: List::Tree, node: 0, index: 0, doc: "", variants: &[], arguments: &[], count: 0 }
+    GraphItems {
+        graph,
+        list: List::Tree,
+        node: 0,
+        index: 0,
+        doc: "",
+        variants: &[],
+        arguments: &[],
+        #[cfg(feature = "std")]
+        place: None,
+        #[cfg(feature = "std")]
+        actions: &[],
+        count: 0,
+    }
 }
 
 /// The items that describe a tree. It is a plain cursor, because a chain of iterators needs kilobytes of stack.
@@ -36,6 +53,12 @@ pub struct GraphItems<'g> {
     variants: &'static [Variant],
     /// Arguments that follow the last item.
     arguments: &'static [Param],
+    /// Place of the last argument. A microcontroller sends none, and the code for it would take its memory.
+    #[cfg(feature = "std")]
+    place: Option<Place<'static>>,
+    /// Actions that follow.
+    #[cfg(feature = "std")]
+    actions: &'static [Action],
     /// Number of items so far.
     count: u32,
 }
@@ -75,13 +98,38 @@ impl Iterator for GraphItems<'_> {
     type Item = GraphItem<'static>;
 
     fn next(&mut self) -> Option<GraphItem<'static>> {
-        if let Some(item) = self.attachment().or_else(|| self.listed()) {
+        let item = self.attachment().or_else(|| self.listed());
+        #[cfg(feature = "std")]
+        let item = item.or_else(|| self.action());
+        if let Some(item) = item {
             self.count += 1;
             return Some(item);
         }
         let ends = self.list != List::End;
         self.list = List::End;
         ends.then_some(GraphItem::End { items: self.count })
+    }
+}
+
+#[cfg(feature = "std")]
+impl GraphItems<'_> {
+    /// Lists the actions of a world alone, without [`GraphItem::End`].
+    pub(crate) fn of_actions(actions: &'static [Action]) -> Self {
+        const NONE: Graph =
+            Graph { name: "", doc: "", cycle_hz: 0.0, budget_ms: None, tunable: false, root: 0, nodes: &[] };
+        Self { list: List::End, ..describe(&NONE) }.with_actions(actions)
+    }
+
+    /// Adds the actions of the tree's world.
+    #[must_use]
+    pub fn with_actions(self, actions: &'static [Action]) -> Self {
+        Self { actions, ..self }
+    }
+
+    fn action(&mut self) -> Option<GraphItem<'static>> {
+        let (Action { call, moves }, rest) = self.actions.split_first()?;
+        (self.actions, self.doc, self.arguments) = (rest, call.doc, call.arguments);
+        Some(GraphItem::Action { name: call.name, moves: *moves })
     }
 }
 
@@ -93,12 +141,20 @@ impl GraphItems<'_> {
             self.doc = self.doc.get(text.len()..).unwrap_or_default();
             return Some(GraphItem::Doc { text });
         }
+        #[cfg(feature = "std")]
+        if let Some(place) = self.place.take() {
+            return Some(GraphItem::Place(place));
+        }
         if let Some((variant, rest)) = self.variants.split_first() {
             (self.variants, self.doc) = (rest, variant.doc);
             return Some(GraphItem::Variant { name: variant.name });
         }
         let (argument, rest) = self.arguments.split_first()?;
         self.arguments = rest;
+        #[cfg(feature = "std")]
+        {
+            self.place = argument.hint.place();
+        }
         let (kind, default) = self.begin_param(argument);
         Some(GraphItem::Argument { name: argument.name, unit: argument.unit, kind, default })
     }

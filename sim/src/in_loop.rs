@@ -1,5 +1,6 @@
 //! The worlds as the plant of a [`Runner`](bica_runner::Runner).
 
+use bica_core::action::Actions;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
@@ -26,6 +27,10 @@ macro_rules! controlled {
 
             fn act(&mut self, command: &Command) {
                 World::act(self, command);
+            }
+
+            fn actions(&mut self) -> Option<&mut dyn Actions> {
+                Some(World::actions(self))
             }
         }
     };

@@ -19,6 +19,7 @@
 
 #![cfg_attr(test, expect(clippy::float_cmp, reason = "values that must be exact are compared exactly"))]
 
+mod actions;
 mod camera;
 mod field;
 mod in_loop;
@@ -40,7 +41,6 @@ mod spectator;
 mod transform;
 mod world;
 
-pub use placement::PlacementError;
 pub use referee::Referee;
 pub use segmentation::PixelLabel;
 pub use shared_image::SharedImage;

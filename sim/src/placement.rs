@@ -1,6 +1,4 @@
-//! Places at which a person can put the ball.
-
-use core::fmt;
+//! Places at which a person can put something.
 
 use bica_motion::model::simulation::SimulatedModel;
 use glam::Vec2;
@@ -9,52 +7,42 @@ use crate::field::{BALL_RADIUS, CORNER};
 use crate::obstacle::GOALS;
 use crate::referee::{Posture, Referee};
 
-/// The reason why the ball cannot be placed at a position, m, field frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PlacementError {
-    /// The position is beyond the lines of the field, or not finite.
-    OffField(Vec2),
-    /// The ball would overlap a goal post.
-    InPost(Vec2),
-    /// The ball would overlap a robot.
-    InRobot(Vec2),
-}
-
-impl fmt::Display for PlacementError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::OffField(at) | Self::InPost(at) | Self::InRobot(at)) = self;
-        write!(f, "the ball cannot be placed at x {}, y {} m: ", at.x, at.y)?;
-        match self {
-            Self::OffField(_) => {
-                let Vec2 { x, y } = CORNER;
-                write!(f, "x must be from -{x} to {x} m, y from -{y} to {y} m")
-            }
-            Self::InPost(_) => f.write_str("a goal post is there"),
-            Self::InRobot(_) => f.write_str("a robot is there"),
-        }
-    }
-}
-
-impl core::error::Error for PlacementError {}
+/// Reasons why something cannot be put at a position.
+pub(crate) const OFF_FIELD: &str = "this is beyond the lines of the field";
+pub(crate) const IN_POST: &str = "a goal post is there";
+pub(crate) const IN_ROBOT: &str = "a robot is there";
+const ON_BALL: &str = "the ball is there";
 
 /// Checks that the ball can lie at a position, m, field frame: in play, and apart from all posts and robots.
-pub(crate) fn check<M: SimulatedModel>(at: Vec2, referee: &Referee) -> Result<(), PlacementError> {
-    // False for NaN.
-    let is_on_field = at.x.abs() <= CORNER.x && at.y.abs() <= CORNER.y;
-    if !is_on_field {
-        return Err(PlacementError::OffField(at));
-    }
-    if GOALS.iter().any(|obstacle| obstacle.overlap(at, BALL_RADIUS).is_some()) {
-        return Err(PlacementError::InPost(at));
-    }
+pub(crate) fn check_ball<M: SimulatedModel>(at: Vec2, referee: &Referee) -> Result<(), &'static str> {
     let own_radius = match referee.posture() {
         Posture::Upright => M::EXTENTS.standing,
         Posture::Down(_) => M::EXTENTS.lying,
     };
-    let others = referee.others().iter().map(|other| (other.position, M::EXTENTS.standing));
-    let mut robots = others.chain([(referee.robot().position, own_radius)]);
-    if robots.any(|(robot, radius)| robot.distance(at) < radius + BALL_RADIUS) {
-        return Err(PlacementError::InRobot(at));
+    check::<M>(at, BALL_RADIUS, referee)?;
+    if referee.robot().position.distance(at) < own_radius + BALL_RADIUS { Err(IN_ROBOT) } else { Ok(()) }
+}
+
+/// Checks that the robot can stand at a position, m, field frame: in play, and apart from posts, other robots and the ball.
+pub(crate) fn check_robot<M: SimulatedModel>(at: Vec2, referee: &Referee) -> Result<(), &'static str> {
+    let radius = M::EXTENTS.standing;
+    check::<M>(at, radius, referee)?;
+    if referee.ball().distance(at) < radius + BALL_RADIUS { Err(ON_BALL) } else { Ok(()) }
+}
+
+/// Checks that there is room for something with a radius, m, apart from the robot and the ball.
+fn check<M: SimulatedModel>(at: Vec2, radius: f32, referee: &Referee) -> Result<(), &'static str> {
+    // False for NaN.
+    let is_on_field = at.x.abs() <= CORNER.x && at.y.abs() <= CORNER.y;
+    if !is_on_field {
+        return Err(OFF_FIELD);
+    }
+    if GOALS.iter().any(|obstacle| obstacle.overlap(at, radius).is_some()) {
+        return Err(IN_POST);
+    }
+    let mut others = referee.others().iter();
+    if others.any(|other| other.position.distance(at) < M::EXTENTS.standing + radius) {
+        return Err(IN_ROBOT);
     }
     Ok(())
 }
@@ -80,27 +68,32 @@ mod tests {
     fn field_includes_lines_and_excludes_goals() {
         let referee = referee(Posture::Upright);
         for at in [(3.0, 0.0), (-3.0, 2.0), (0.0, -2.0), (-3.0, 0.6), (3.0, 0.8)] {
-            assert_eq!(check::<TestModel>(Vec2::from(at), &referee), Ok(()), "{at:?}");
+            assert_eq!(check_ball::<TestModel>(Vec2::from(at), &referee), Ok(()), "{at:?}");
         }
         for at in [(3.001, 0.0), (-3.2, 0.0), (0.0, 2.001), (f32::NAN, 0.0), (0.0, f32::NEG_INFINITY)] {
-            let refused = check::<TestModel>(Vec2::from(at), &referee);
-            assert!(matches!(refused, Err(PlacementError::OffField(_))), "{at:?}");
+            assert_eq!(check_ball::<TestModel>(Vec2::from(at), &referee), Err(OFF_FIELD), "{at:?}");
         }
-        let error = PlacementError::OffField(Vec2::new(3.5, -1.0));
-        let text = "the ball cannot be placed at x 3.5, y -1 m: x must be from -3 to 3 m, y from -2 to 2 m";
-        assert_eq!(error.to_string(), text);
     }
 
     #[test]
     fn post_or_robot_occupies_its_place() {
         let (standing, lying) = (referee(Posture::Upright), referee(Posture::Down(Direction::Front)));
         let post = Vec2::new(3.0, -0.7);
-        assert_eq!(check::<TestModel>(post, &standing), Err(PlacementError::InPost(post)));
+        assert_eq!(check_ball::<TestModel>(post, &standing), Err(IN_POST));
         for (at, standing_refuses) in [((1.1, 1.1), true), ((-2.0, 0.18), true), ((-2.0, 0.19), false)] {
             let at = Vec2::from(at);
-            assert_eq!(check::<TestModel>(at, &standing) == Err(PlacementError::InRobot(at)), standing_refuses, "{at}");
-            assert_eq!(check::<TestModel>(at, &lying), Err(PlacementError::InRobot(at)), "{at}");
+            assert_eq!(check_ball::<TestModel>(at, &standing) == Err(IN_ROBOT), standing_refuses, "{at}");
+            assert_eq!(check_ball::<TestModel>(at, &lying), Err(IN_ROBOT), "{at}");
         }
-        assert_eq!(check::<TestModel>(Vec2::new(-1.5, 0.0), &lying), Ok(()));
+        assert_eq!(check_ball::<TestModel>(Vec2::new(-1.5, 0.0), &lying), Ok(()));
+    }
+
+    #[test]
+    fn robot_stands_apart_from_posts_robots_and_ball() {
+        let referee = referee(Posture::Upright);
+        let check = |at: (f32, f32)| check_robot::<TestModel>(Vec2::from(at), &referee);
+        assert_eq!((check((-2.0, 0.1)), check((0.5, -1.0))), (Ok(()), Ok(())), "its own place is free");
+        assert_eq!((check((0.1, 0.1)), check((1.1, 1.2))), (Err(ON_BALL), Err(IN_ROBOT)));
+        assert_eq!((check((3.0, 0.6)), check((0.0, 2.1))), (Err(IN_POST), Err(OFF_FIELD)));
     }
 }

@@ -2,10 +2,11 @@
 
 use core::time::Duration;
 
+use bica_core::action::Actions;
+use bica_motion::pose::Pose2;
 use bica_motion::robot::{Command, Sensors};
 use glam::Vec2;
 
-use crate::placement::PlacementError;
 use crate::referee::Referee;
 use crate::shared_image::SharedImage;
 
@@ -44,15 +45,29 @@ pub trait World {
     /// Executes a command for one control cycle ([`CYCLE`]).
     fn act(&mut self, command: &Command);
 
+    /// What an operator can do in this world between two cycles.
+    fn actions(&mut self) -> &mut dyn Actions;
+
     /// Puts the ball at a position on the field, m, field frame, at rest, as a person does between two cycles. This
     /// cancels a pending return into play. A placement is not an event: it is never a goal, an out or a touch. Images
     /// that were read earlier in this cycle do not show it.
     ///
     /// # Errors
     ///
-    /// If the position is beyond the lines of the field, as in a goal, or if a post or a robot is there. The ball then stays as it
-    /// is.
-    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError>;
+    /// If the position is beyond the lines of the field, as in a goal, or if a post or a robot is there; as text. The ball then
+    /// stays as it is.
+    fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str>;
+
+    /// Puts the robot on its feet at a pose, field frame, at rest, as a person does between two cycles. It is not an event.
+    ///
+    /// # Errors
+    ///
+    /// If the position is beyond the lines of the field, or if a post, another robot or the ball is there; as text. The robot then
+    /// stays where it is.
+    fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str>;
+
+    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. Values that are not finite are ignored.
+    fn add_velocity(&mut self, velocity: Vec2);
 
     /// Access to the pixels of the newest image without a copy. The default has no image.
     fn shared_image(&self) -> SharedImage {

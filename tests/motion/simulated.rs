@@ -141,7 +141,7 @@ fn image_shows_other_robot_as_tall_as_model() {
 #[test]
 fn ball_has_no_place_within_extents_of_model() {
     let mut world = world(Vec2::new(1.5, 1.0));
-    let refused = |world: &mut KinematicWorld<Tall>, y| world.place_ball(Vec2::new(0.0, y)).is_err();
+    let refused = |world: &mut KinematicWorld<Tall>, y| world.put_ball(Vec2::new(0.0, y)).is_err();
     assert!(refused(&mut world, 0.24) && !refused(&mut world, 0.26));
     let mut leaning = Tall::STAND;
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
@@ -156,6 +156,6 @@ fn ball_has_no_place_within_extents_of_model() {
     let at = world.referee().robot().position;
     assert!((at.distance(upright) - 0.33).abs() < 0.01, "the robot fell from {upright} to {at}");
     for (y, is_refused) in [(0.62, true), (0.65, false)] {
-        assert_eq!(world.place_ball(at + y * Vec2::Y).is_err(), is_refused, "{y}");
+        assert_eq!(world.put_ball(at + y * Vec2::Y).is_err(), is_refused, "{y}");
     }
 }

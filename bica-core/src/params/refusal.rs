@@ -5,6 +5,7 @@ use core::fmt;
 
 use super::ParamGroup;
 use super::kind::Value;
+use crate::action::Action;
 use crate::graph::Node;
 use crate::modulation::Modulation;
 
@@ -20,9 +21,9 @@ use crate::modulation::Modulation;
 pub struct Refusal {
     /// Index of the setting in its batch, or of the argument of a modulation, that is refused.
     pub entry: usize,
-    /// The component; empty if the tree has no such component.
+    /// The component, or `world`; empty if the tree has no such component.
     pub component: &'static str,
-    /// The parameter, the modulation or its argument; empty if the component has no such one, or if several
+    /// The parameter, the modulation, the action or its argument; empty if the component has no such one, or if several
     /// parameters are concerned.
     pub name: &'static str,
     /// The reason.
@@ -50,7 +51,12 @@ pub enum Reason {
         /// Its modulations.
         modulations: &'static [Modulation],
     },
-    /// The modulation takes another number of arguments.
+    /// The world has no such action.
+    UnknownAction {
+        /// Its actions.
+        actions: &'static [Action],
+    },
+    /// The modulation or action takes another number of arguments.
     ArgumentCount {
         /// Number of its arguments.
         expected: usize,
@@ -106,6 +112,9 @@ impl fmt::Display for Reason {
             }
             Self::UnknownModulation { modulations } => {
                 list(f, "modulation", &mut modulations.iter().map(|modulation| modulation.name))
+            }
+            Self::UnknownAction { actions } => {
+                list(f, "world action", &mut actions.iter().map(|action| action.call.name))
             }
             Self::ArgumentCount { expected, found } => write!(f, "{found} arguments, but it takes {expected}"),
             Self::WrongKind { expected, found } => {

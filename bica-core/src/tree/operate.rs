@@ -70,14 +70,8 @@ pub(super) fn modulate<T: Tree>(
 ) -> Result<(), Refusal> {
     let (component, index) = find::<T>(component, modulation)?;
     let modulation = &T::GRAPH.nodes[component.index()].modulations[index];
-    let refuse = |entry, name, reason| Err(refused::<T>(entry, component, name, reason));
-    let (expected, found) = (modulation.arguments.len(), arguments.len());
-    if expected != found {
-        return refuse(0, modulation.name, Reason::ArgumentCount { expected, found });
-    }
-    for (entry, (argument, value)) in modulation.arguments.iter().zip(arguments).enumerate() {
-        argument.kind.accepts(*value).or_else(|reason| refuse(entry, argument.name, reason))?;
-    }
+    let checked = modulation.check(arguments);
+    checked.map_err(|(entry, name, reason)| refused::<T>(entry, component, name, reason))?;
     T::member(component.index(), Call { tree, index, arguments });
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! The impl block of a component.
 
+pub mod actions;
 mod arguments;
 mod attributes;
 pub mod block;

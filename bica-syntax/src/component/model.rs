@@ -75,7 +75,7 @@ pub struct Placement {
     pub child: Option<String>,
 }
 
-/// A method with `#[modulation]`.
+/// A method with `#[modulation]`, or the call of an action.
 pub struct Modulation {
     /// Name of the function.
     pub name: Ident,

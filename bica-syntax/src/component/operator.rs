@@ -1,4 +1,4 @@
-//! `#[info]` and `#[modulation]`: outputs and calls for an operator.
+//! `#[info]`, `#[modulation]` and the calls of `#[action]`: outputs and calls for an operator.
 
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -13,7 +13,7 @@ use crate::report::Report;
 use crate::{text, wording};
 
 /// The attributes of an argument.
-const KEYS: [&str; 4] = ["range", "unit", "step", "default"];
+const KEYS: [&str; 5] = ["range", "unit", "step", "default", "place"];
 
 /// Reads a getter.
 pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
@@ -44,13 +44,18 @@ pub(super) fn modulation(
     if !matches!(attribute.meta, Meta::Path(_)) {
         report.add(attribute, wording::MODULATION_FORM);
     }
-    let (name, doc) = described(function, "modulation", report);
-    signature::read_operator(&function.signature, own, "&mut self", report);
     if let ReturnType::Type(_, kind) = &function.signature.output
         && text::written(kind) != "()"
     {
-        report.add(kind, wording::returns_nothing(&text::name(&name)));
+        report.add(kind, wording::returns_nothing(&text::name(&function.signature.ident)));
     }
+    call(function, "modulation", own, report)
+}
+
+/// Reads a method that an operator may call, whatever it returns, and takes the attributes of its arguments off.
+pub(super) fn call(function: &mut Function, role: &str, own: &Type, report: &mut Report) -> Option<Modulation> {
+    let (name, doc) = described(function, role, report);
+    signature::read_operator(&function.signature, own, "&mut self", report);
     let mut all = Vec::new();
     for input in &mut function.signature.inputs {
         if let FnArg::Typed(input) = input {
@@ -97,7 +102,7 @@ fn nearest(name: &Ident) -> Option<&'static str> {
     text::nearest(&name.to_string(), KEYS.into_iter())
 }
 
-/// `#[range(a..=b)]`, `#[unit("m")]`, `#[step(0.1)]`, `#[default(0.5)]`
+/// `#[range(a..=b)]`, `#[unit("m")]`, `#[step(0.1)]`, `#[default(0.5)]`, `#[place("field.x")]`
 fn key(attribute: &Attribute, keys: &mut Keys) -> syn::Result<()> {
     let written = text::written(attribute.path());
     if !KEYS.contains(&written.as_str()) {
@@ -111,6 +116,7 @@ fn key(attribute: &Attribute, keys: &mut Keys) -> syn::Result<()> {
         "range" => keys.range = Some(field::range(value)?),
         "unit" => keys.unit = Some(field::unit(&value)?),
         "step" => keys.step = Some(value),
+        "place" => keys.place = Some(field::place(&value)?),
         _ => keys.default = Some(value),
     }
     Ok(())

@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Type};
 
-use super::model::{Field, Kind, Number, NumberKind};
+use super::model::{Field, Kind, Number, NumberKind, Place};
 use crate::report::Report;
 use crate::types::plain;
 use crate::{number, text, wording};
@@ -48,6 +48,8 @@ pub(crate) struct Keys {
     pub(crate) range: Option<(Expr, Expr, ExprRange)>,
     pub(crate) unit: Option<String>,
     pub(crate) step: Option<Expr>,
+    /// Only of an argument.
+    pub(crate) place: Option<Place>,
 }
 
 /// Reads `#[param(...)]`; `None` with a mistake reported.
@@ -118,10 +120,35 @@ pub(crate) fn unit(value: &Expr) -> syn::Result<String> {
     }
 }
 
+/// The coordinates of a place, and the variants that they are.
+const AXES: [(&str, &str); 5] = [("x", "X"), ("y", "Y"), ("heading", "Heading"), ("column", "Column"), ("row", "Row")];
+
+/// `"field.x"`
+pub(crate) fn place(value: &Expr) -> syn::Result<Place> {
+    let read = |text: &str| {
+        let (frame, axis) = text.rsplit_once('.').filter(|(frame, _)| !frame.is_empty())?;
+        let (_, variant) = AXES.into_iter().find(|(name, _)| *name == axis)?;
+        Some(Place { frame: frame.to_owned(), axis: variant })
+    };
+    let place = match value {
+        Expr::Lit(ExprLit { lit: Lit::Str(place), .. }) => read(&place.value()),
+        _ => None,
+    };
+    place.ok_or_else(|| syn::Error::new_spanned(value, wording::PLACE_FORM))
+}
+
 /// A parameter from its parts; `None` with a mistake reported.
 pub(crate) fn field(name: &Ident, doc: String, ty: &Type, keys: Keys, report: &mut Report) -> Option<Field> {
     let kind = kind(name, ty, &keys, report)?;
-    Some(Field { name: name.clone(), doc, unit: keys.unit, ty: ty.clone(), kind, default: keys.default })
+    Some(Field {
+        name: name.clone(),
+        doc,
+        unit: keys.unit,
+        ty: ty.clone(),
+        kind,
+        default: keys.default,
+        place: keys.place,
+    })
 }
 
 fn kind(name: &Ident, ty: &Type, keys: &Keys, report: &mut Report) -> Option<Kind> {

@@ -23,7 +23,7 @@ pub struct Params {
     pub krate: Path,
 }
 
-/// A parameter: a field of a struct, or an argument of a modulation.
+/// A parameter: a field of a struct, or an argument of a modulation or an action.
 #[derive(Clone)]
 pub struct Field {
     /// Name.
@@ -38,6 +38,17 @@ pub struct Field {
     pub kind: Kind,
     /// The default; an argument of a modulation may have none.
     pub default: Option<Expr>,
+    /// The place of an argument.
+    pub place: Option<Place>,
+}
+
+/// Place of an argument.
+#[derive(Clone)]
+pub struct Place {
+    /// Name of the frame.
+    pub frame: String,
+    /// Name of the coordinate, as a variant of `bica_core::Axis`.
+    pub axis: &'static str,
 }
 
 /// Kind of a parameter.

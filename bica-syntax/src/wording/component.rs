@@ -87,6 +87,13 @@ pub(crate) const MODULATION_FORM: &str =
     "`#[modulation]` takes no options: describe each argument by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
 
+pub(crate) const PLACE_FORM: &str =
+    "a place is a coordinate in a frame (`x`, `y`, `heading`, `column` or `row`): write `#[place(\"field.x\")]`";
+pub(crate) const ACTION_FORM: &str =
+    "write `#[action]`, or `#[action(moves = \"cup\")]` with the item of the true state that it moves";
+pub(crate) const WORLD_ACTIONS: &str =
+    "`#[world_actions]` belongs on an impl block of a world: write it above `impl Room { ... }`";
+
 messages! {
     frame_form(key) = "`{key}` is the name of a frame: write `{key} = \"robot\"`";
     frame_in_itself(frame) = "the frame `{frame}` has no place in itself: name another frame in `frame` or `child`";
@@ -99,6 +106,7 @@ pub(crate) fn argument_form(key: &str) -> String {
         "range" => "#[range(0.0..=1.0)]",
         "unit" => "#[unit(\"m/s\")]",
         "step" => "#[step(0.01)]",
+        "place" => "#[place(\"field.x\")]",
         _ => "#[default(0.5)]",
     };
     format!("the value of `{key}` stands in parentheses: write `{example}`")

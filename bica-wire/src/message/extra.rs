@@ -35,8 +35,6 @@ impl Offers {
     pub const TRUTH: Self = Self(1 << 4);
     /// Camera images.
     pub const IMAGES: Self = Self(1 << 5);
-    /// A simulated world whose ball can be placed: [`FromMonitorExtra::World`].
-    pub const BALL: Self = Self(1 << 6);
 
     /// Returns all that is in one of both sets.
     #[must_use]
@@ -52,7 +50,7 @@ impl Offers {
 }
 
 /// A message of a monitor about what only a program on a computer offers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum FromMonitorExtra {
     /// Sets how often something is sent to this monitor.
     Watch {
@@ -67,12 +65,12 @@ pub enum FromMonitorExtra {
         /// Number of the image.
         number: u32,
     },
-    /// Requests a change of a simulated world. It is answered as a [`Request`](super::Request).
+    /// Requests a change of a simulated world's time. It is answered as a [`Request`](super::Request).
     World(WorldRequest),
 }
 
-/// A request of the operator to a simulated world.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+/// A request of the operator about the time of a simulated world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct WorldRequest {
     /// Number that the answer repeats, one of the numbers of [`Request`](super::Request)s.
     pub number: u32,
@@ -84,8 +82,8 @@ pub struct WorldRequest {
     pub change: WorldChange,
 }
 
-/// A change of a simulated world. It stays when the lease ends.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
+/// A change of a simulated world's time. It stays when the lease ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum WorldChange {
     /// Pauses after the present cycle. Requests are still applied.
     Pause,
@@ -95,13 +93,6 @@ pub enum WorldChange {
     Step {
         /// Number of cycles, in addition to those that are left.
         cycles: u32,
-    },
-    /// Puts the ball at a position on the field, at rest, before the next cycle.
-    Ball {
-        /// Position along the field, to the attacked goal, m.
-        x: f32,
-        /// Position across the field, to the left, m.
-        y: f32,
     },
 }
 

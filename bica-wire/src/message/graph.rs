@@ -1,5 +1,6 @@
 //! The graph of a tree.
 
+use bica_core::Place;
 use bica_core::params::Kind;
 use bica_core::visual::Placement;
 use postcard_schema::Schema;
@@ -129,7 +130,16 @@ pub enum GraphItem<'a> {
         /// Name.
         name: &'a str,
     },
-    /// An argument of the last modulation.
+    /// An action of a simulated world. Actions follow all components, in the order of their indices.
+    Action {
+        /// Name.
+        name: &'a str,
+        /// Item of the true state that it moves.
+        moves: Option<&'a str>,
+    },
+    /// Place from which a tool may take the value of the last argument. A microcontroller sends none.
+    Place(Place<'a>),
+    /// An argument of the last modulation or action.
     Argument {
         /// Name.
         name: &'a str,

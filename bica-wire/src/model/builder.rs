@@ -6,11 +6,12 @@ use std::string::String;
 use std::vec::Vec;
 
 use bica_core::Value;
+use bica_core::action::Action;
 use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
 use super::{Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants};
-use crate::describe;
+use crate::describe::{GraphItems, describe};
 use crate::message::GraphItem;
 
 impl Description {
@@ -21,6 +22,17 @@ impl Description {
         // The items of a graph are complete and in order.
         let described = describe(graph).find_map(|item| builder.add(&item).ok().flatten()).unwrap_or_default();
         Self { hash: format!("{:016x}", hash(graph)), ..described }
+    }
+
+    /// Adds what can be done in the world.
+    #[must_use]
+    pub fn with_actions(self, actions: &'static [Action]) -> Self {
+        let mut builder = Builder { description: self, ..Builder::default() };
+        for item in GraphItems::of_actions(actions) {
+            // An argument and a doc comment follow their action.
+            let _ = builder.put(&item);
+        }
+        builder.description
     }
 }
 
@@ -35,10 +47,17 @@ enum Last {
     Param(usize),
     ParamVariant(usize),
     Info(usize),
-    Modulation(usize),
-    Argument(usize),
-    ArgumentVariant(usize),
+    Call(Owner),
+    Argument(Owner),
+    ArgumentVariant(Owner),
     Link,
+}
+
+/// What the last modulation or action belongs to.
+#[derive(Clone, Copy, Debug)]
+enum Owner {
+    Component(usize),
+    World,
 }
 
 /// Builds a description from [`GraphItem`]s.
@@ -119,17 +138,23 @@ impl Builder {
                 self.last = Last::Info(component.into());
             }
             GraphItem::Modulation { component, name, .. } => {
-                let (name, doc) = (name.to_owned(), String::new());
-                self.at(component)?.modulations.push(Modulation { name, doc, arguments: Vec::new() });
-                self.last = Last::Modulation(component.into());
+                self.at(component)?.modulations.push(call(name, None));
+                self.last = Last::Call(Owner::Component(component.into()));
+            }
+            GraphItem::Action { name, moves } => {
+                self.description.actions.push(call(name, moves));
+                self.last = Last::Call(Owner::World);
             }
             GraphItem::Argument { name, unit, ref kind, default } => {
-                let (Last::Modulation(of) | Last::Argument(of) | Last::ArgumentVariant(of)) = self.last else {
+                let (Last::Call(of) | Last::Argument(of) | Last::ArgumentVariant(of)) = self.last else {
                     return None;
                 };
-                let arguments = &mut self.description.components.get_mut(of)?.modulations.last_mut()?.arguments;
-                arguments.push(param("", name, unit, kind, default));
+                last_call(&mut self.description, of)?.arguments.push(param("", name, unit, kind, default));
                 self.last = Last::Argument(of);
+            }
+            GraphItem::Place(place) => {
+                let Last::Argument(of) = self.last else { return None };
+                last_call(&mut self.description, of)?.arguments.last_mut()?.place = Some(place.into());
             }
         }
         Some(())
@@ -142,8 +167,7 @@ impl Builder {
                 (self.description.components.get_mut(of)?.params.last_mut()?, Last::ParamVariant(of))
             }
             Last::Argument(of) | Last::ArgumentVariant(of) => {
-                let modulation = self.description.components.get_mut(of)?.modulations.last_mut()?;
-                (modulation.arguments.last_mut()?, Last::ArgumentVariant(of))
+                (last_call(&mut self.description, of)?.arguments.last_mut()?, Last::ArgumentVariant(of))
             }
             _ => return None,
         };
@@ -154,22 +178,28 @@ impl Builder {
     }
 
     fn doc(&mut self) -> Option<&mut String> {
-        let components = &mut self.description.components;
+        let description = &mut self.description;
         Some(match self.last {
-            Last::Tree => &mut self.description.doc,
-            Last::Component(of) => &mut components.get_mut(of)?.doc,
-            Last::State(of) => &mut components.get_mut(of)?.states.last_mut()?.doc,
-            Last::Transition(of) => &mut components.get_mut(of)?.transitions.last_mut()?.doc,
-            Last::Param(of) => &mut components.get_mut(of)?.params.last_mut()?.doc,
-            Last::ParamVariant(of) => last_variant(components.get_mut(of)?.params.last_mut()?)?,
-            Last::Info(of) => &mut components.get_mut(of)?.info.last_mut()?.doc,
-            Last::Modulation(of) => &mut components.get_mut(of)?.modulations.last_mut()?.doc,
-            Last::Argument(of) => &mut components.get_mut(of)?.modulations.last_mut()?.arguments.last_mut()?.doc,
-            Last::ArgumentVariant(of) => {
-                last_variant(components.get_mut(of)?.modulations.last_mut()?.arguments.last_mut()?)?
-            }
+            Last::Call(of) => &mut last_call(description, of)?.doc,
+            Last::Argument(of) => &mut last_call(description, of)?.arguments.last_mut()?.doc,
+            Last::ArgumentVariant(of) => last_variant(last_call(description, of)?.arguments.last_mut()?)?,
+            Last::Tree => &mut description.doc,
+            Last::Component(of) => &mut description.components.get_mut(of)?.doc,
+            Last::State(of) => &mut description.components.get_mut(of)?.states.last_mut()?.doc,
+            Last::Transition(of) => &mut description.components.get_mut(of)?.transitions.last_mut()?.doc,
+            Last::Param(of) => &mut description.components.get_mut(of)?.params.last_mut()?.doc,
+            Last::ParamVariant(of) => last_variant(description.components.get_mut(of)?.params.last_mut()?)?,
+            Last::Info(of) => &mut description.components.get_mut(of)?.info.last_mut()?.doc,
             Last::Link => return None,
         })
+    }
+}
+
+/// Returns the last modulation or action of its owner.
+fn last_call(description: &mut Description, of: Owner) -> Option<&mut Modulation> {
+    match of {
+        Owner::Component(of) => description.components.get_mut(of)?.modulations.last_mut(),
+        Owner::World => description.actions.last_mut(),
     }
 }
 
@@ -188,6 +218,12 @@ fn param(group: &str, name: &str, unit: Option<&str>, kind: &Kind<u16>, default:
         unit: unit.map(str::to_owned),
         kind: kind.map(|_| Variants::default()),
         default,
+        place: None,
         value: None,
     }
+}
+
+fn call(name: &str, moves: Option<&str>) -> Modulation {
+    let (name, moves) = (name.to_owned(), moves.map(str::to_owned));
+    Modulation { name, doc: String::new(), arguments: Vec::new(), moves }
 }

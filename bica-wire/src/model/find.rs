@@ -46,6 +46,16 @@ impl Description {
         })
     }
 
+    /// Finds an action of the world by name.
+    ///
+    /// # Errors
+    /// As [`component`](Self::component).
+    pub fn action(&self, name: &str) -> Result<usize, Invalid> {
+        let names: Vec<_> = self.actions.iter().map(|action| action.name.as_str()).collect();
+        let unknown = || Invalid::new(format!("the world has no action `{name}`"), remedy(name, &names, "it"));
+        find(name, &names).ok_or_else(unknown)
+    }
+
     /// Returns the name of a state of a component.
     #[must_use]
     pub fn state(&self, component: usize, state: Option<usize>) -> Option<&str> {

@@ -15,6 +15,7 @@ use std::borrow::ToOwned;
 use std::string::String;
 use std::vec::Vec;
 
+pub use bica_core::Axis;
 pub use bica_core::graph::LinkKind;
 use bica_core::visual;
 pub use builder::Builder;
@@ -24,7 +25,7 @@ pub use plain::Plain;
 pub use request::{NamedRequest, NamedSetting};
 use serde::{Deserialize, Serialize};
 
-/// Description of a robot's tree.
+/// Description of a robot's tree, and of what can be done in its world.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Description {
     /// Name.
@@ -43,6 +44,9 @@ pub struct Description {
     pub root: usize,
     /// The components.
     pub components: Vec<Component>,
+    /// What an operator can do in the simulated world; empty without one.
+    #[serde(default)]
+    pub actions: Vec<Modulation>,
 }
 
 /// A component.
@@ -145,7 +149,7 @@ impl From<visual::Placement<'_>> for Placement {
     }
 }
 
-/// A modulation.
+/// A modulation, or an action of a world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Modulation {
     /// Name.
@@ -154,4 +158,22 @@ pub struct Modulation {
     pub doc: String,
     /// Arguments.
     pub arguments: Vec<Param>,
+    /// Item of the world's true state that an action moves to the place of its arguments.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moves: Option<String>,
+}
+
+/// Place from which a tool may take the value of an argument.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Place {
+    /// Name of the frame.
+    pub frame: String,
+    /// The coordinate.
+    pub axis: Axis,
+}
+
+impl From<bica_core::Place<'_>> for Place {
+    fn from(bica_core::Place { frame, axis }: bica_core::Place<'_>) -> Self {
+        Self { frame: frame.to_owned(), axis }
+    }
 }

@@ -1,4 +1,4 @@
-//! Parameters, and arguments of modulations.
+//! Parameters, and arguments of modulations and actions.
 
 use std::borrow::ToOwned;
 use std::format;
@@ -10,7 +10,7 @@ use bica_core::params;
 use bica_core::refusal::Reason;
 use serde::{Deserialize, Serialize};
 
-use super::{Invalid, Plain};
+use super::{Invalid, Place, Plain};
 
 /// Kind and range of a parameter.
 pub type Kind = params::Kind<Variants>;
@@ -55,6 +55,8 @@ pub struct Param {
     pub kind: Kind,
     /// Default value.
     pub default: Value,
+    /// Place from which a tool may take the value of an argument.
+    pub place: Option<Place>,
     /// Current value of a parameter.
     pub value: Option<Value>,
 }
@@ -142,6 +144,8 @@ struct Flat {
     variants: Option<Variants>,
     default: Plain,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    place: Option<Place>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     value: Option<Plain>,
 }
 
@@ -157,8 +161,8 @@ impl From<Param> for Flat {
             Kind::Choice { variants } => (None, None, None, Some(variants)),
         };
         let [min, max, step] = [min, max, step].map(|value| value.map(Plain::from));
-        let Param { group, name, doc, unit, .. } = param;
-        Self { group, name, doc, unit, kind, min, max, step, variants, default, value }
+        let Param { group, name, doc, unit, place, .. } = param;
+        Self { group, name, doc, unit, kind, min, max, step, variants, default, place, value }
     }
 }
 
@@ -170,8 +174,8 @@ impl TryFrom<Flat> for Param {
         let kind = flat.kind().ok_or_else(|| wrong("kind or range"))?;
         let value = |plain: &Plain| plain.value(&kind).map_err(|_| wrong("value"));
         let (default, value) = (value(&flat.default)?, flat.value.as_ref().map(value).transpose()?);
-        let Flat { group, name, doc, unit, .. } = flat;
-        Ok(Self { group, name, doc, unit, kind, default, value })
+        let Flat { group, name, doc, unit, place, .. } = flat;
+        Ok(Self { group, name, doc, unit, kind, default, place, value })
     }
 }
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Description, Invalid, Modulation, Param, Plain};
 
-/// A request with the names of components, parameters, modulations and variants: its form in text and JSON.
+/// A request with the names of components, parameters, modulations, actions and variants: its form in text and JSON.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 pub enum NamedRequest {
@@ -45,6 +45,13 @@ pub enum NamedRequest {
         /// One value for each argument.
         arguments: Vec<Plain>,
     },
+    /// Performs an action of the simulated world.
+    World {
+        /// Action.
+        action: String,
+        /// One value for each argument.
+        arguments: Vec<Plain>,
+    },
 }
 
 /// A parameter and its new value.
@@ -74,7 +81,16 @@ impl Description {
                 OwnedRequest::Params(settings.iter().enumerate().map(one).collect::<Result<_, _>>()?)
             }
             NamedRequest::Modulate { component, modulation, arguments } => {
-                self.call(&format!("{component}.{modulation}"), arguments)?
+                let path = format!("{component}.{modulation}");
+                let (component, index) = self.modulation(&path)?;
+                let arguments = values_of(&path, &self.components[component].modulations[index], arguments)?;
+                let component = ComponentId::new(component);
+                OwnedRequest::Modulate { component, modulation: index as u16, arguments }
+            }
+            NamedRequest::World { action, arguments } => {
+                let index = self.action(action)?;
+                let arguments = values_of(action, &self.actions[index], arguments)?;
+                OwnedRequest::World { action: index as u16, arguments }
             }
         })
     }
@@ -99,21 +115,6 @@ impl Description {
         Ok(OwnedRequest::Rate { component: ComponentId::new(index), hz })
     }
 
-    fn call(&self, path: &str, values: &[Plain]) -> Result<OwnedRequest, Invalid> {
-        let (component, modulation) = self.modulation(path)?;
-        let Modulation { arguments, .. } = &self.components[component].modulations[modulation];
-        if arguments.len() != values.len() {
-            let names: Vec<_> = arguments.iter().map(|argument| argument.name.as_str()).collect();
-            let what = format!("`{path}` takes {} arguments, found {}", arguments.len(), values.len());
-            return Err(Invalid::new(what, format!("give these: {}", names.join(", "))));
-        }
-        let one = |(entry, (argument, value)): (usize, (&Param, &Plain))| {
-            argument.value_of(value).map_err(|invalid| invalid.at(entry))
-        };
-        let arguments = arguments.iter().zip(values).enumerate().map(one).collect::<Result<_, _>>()?;
-        Ok(OwnedRequest::Modulate { component: ComponentId::new(component), modulation: modulation as u16, arguments })
-    }
-
     /// Returns the effective values in the answer to a request as JSON contains them.
     #[must_use]
     pub fn plain_values(&self, request: Request<'_>, values: &[Value]) -> Vec<Plain> {
@@ -135,18 +136,15 @@ impl Description {
             Request::Params(settings) => {
                 NamedRequest::Set { settings: settings.iter().map(|setting| self.named_setting(*setting)).collect() }
             }
-            Request::Modulate { component, modulation, arguments: values } => {
+            Request::Modulate { component, modulation, arguments } => {
                 let owner = self.components.get(component.index());
                 let called = owner.and_then(|owner| owner.modulations.get(usize::from(modulation)));
-                let argument = |index: usize| called.and_then(|called| called.arguments.get(index));
-                let one = |(index, &value): (usize, &Value)| {
-                    argument(index).map_or_else(|| value.into(), |argument| argument.plain(value))
-                };
-                NamedRequest::Modulate {
-                    component: self.name(component),
-                    modulation: called.map_or_else(|| format!("{modulation}"), |called| called.name.clone()),
-                    arguments: values.iter().enumerate().map(one).collect(),
-                }
+                let (modulation, arguments) = named_call(called, modulation, arguments);
+                NamedRequest::Modulate { component: self.name(component), modulation, arguments }
+            }
+            Request::World { action, arguments } => {
+                let (action, arguments) = named_call(self.actions.get(usize::from(action)), action, arguments);
+                NamedRequest::World { action, arguments }
             }
         }
     }
@@ -165,6 +163,29 @@ impl Description {
         let found = self.components.get(component.index());
         found.map_or_else(|| format!("{component}"), |component| component.name.clone())
     }
+}
+
+/// Returns the values of the arguments of a modulation or action, which `path` names.
+fn values_of(path: &str, Modulation { arguments, .. }: &Modulation, values: &[Plain]) -> Result<Vec<Value>, Invalid> {
+    if arguments.len() != values.len() {
+        let names: Vec<_> = arguments.iter().map(|argument| argument.name.as_str()).collect();
+        let what = format!("`{path}` takes {} arguments, found {}", arguments.len(), values.len());
+        return Err(Invalid::new(what, format!("give these: {}", names.join(", "))));
+    }
+    let one = |(entry, (argument, value)): (usize, (&Param, &Plain))| {
+        argument.value_of(value).map_err(|invalid| invalid.at(entry))
+    };
+    arguments.iter().zip(values).enumerate().map(one).collect()
+}
+
+/// Returns the name of a modulation or action, which has an index, and the plain forms of its values.
+fn named_call(called: Option<&Modulation>, index: u16, values: &[Value]) -> (String, Vec<Plain>) {
+    let argument = |index: usize| called.and_then(|called| called.arguments.get(index));
+    let one = |(index, &value): (usize, &Value)| {
+        argument(index).map_or_else(|| value.into(), |argument| argument.plain(value))
+    };
+    let name = called.map_or_else(|| format!("{index}"), |called| called.name.clone());
+    (name, values.iter().enumerate().map(one).collect())
 }
 
 impl NamedSetting {
@@ -203,12 +224,23 @@ impl fmt::Display for NamedRequest {
                 settings.iter().try_for_each(|setting| write!(f, " {setting}"))
             }
             Self::Modulate { component, modulation, arguments } => {
-                write!(f, "call {component}.{modulation}(")?;
-                for (index, argument) in arguments.iter().enumerate() {
-                    write!(f, "{}{argument}", if index == 0 { "" } else { ", " })?;
-                }
-                f.write_str(")")
+                write!(f, "call {component}.{modulation}")?;
+                write_values(f, arguments)
+            }
+            Self::World { action, arguments } => {
+                write!(f, "act {action}")?;
+                write_values(f, arguments)
             }
         }
     }
+}
+
+/// `(0.5, true)`
+fn write_values(f: &mut fmt::Formatter<'_>, values: &[Plain]) -> fmt::Result {
+    let mut before = "(";
+    for value in values {
+        write!(f, "{before}{value}")?;
+        before = ", ";
+    }
+    f.write_str(if values.is_empty() { "()" } else { ")" })
 }

@@ -156,7 +156,7 @@ impl Lease {
         match change {
             Change::Hold { component, hold } => self.holds.set(*component, *hold != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, hz.is_some()),
-            Change::Params(_) | Change::Modulate { .. } => {}
+            Change::Params(_) | Change::Modulate { .. } | Change::World { .. } => {}
         }
     }
 

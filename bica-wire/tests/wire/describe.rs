@@ -1,10 +1,12 @@
 //! The description of a tree.
 
+use bica_core::action::Action;
 use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
 use bica_core::visual::Placement;
+use bica_core::{Axis, Hint, Place};
 use bica_wire::message::{GraphItem, Value};
 use bica_wire::model::{Builder, Description};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
@@ -19,6 +21,7 @@ const GAIN: Param = Param {
     unit: Some("1/s"),
     kind: Kind::F32 { min: 0.0, max: 1.0, step: Some(0.5) },
     default: params::Value::F32(0.5),
+    hint: Hint::new("field", Axis::X),
 };
 
 const SIDE: Param = Param {
@@ -29,9 +32,15 @@ const SIDE: Param = Param {
         variants: &[Variant { name: "Left", doc: "" }, Variant { name: "Right", doc: "Of the robot." }],
     },
     default: params::Value::Choice(1),
+    hint: Hint::NONE,
 };
 
 const PLACEMENT: Placement<'static> = Placement { shape: "Pose2", frame: "field", child: Some("robot") };
+
+static ACTIONS: [Action; 2] = [
+    Action { call: Modulation { name: "wait", doc: "", arguments: &[] }, moves: None },
+    Action { call: Modulation { name: "place", doc: "Puts it.", arguments: &[GAIN, SIDE] }, moves: Some("cup") },
+];
 
 static GRAPH: Graph = Graph {
     name: "Pair",
@@ -66,7 +75,8 @@ static GRAPH: Graph = Graph {
 
 #[test]
 fn every_part_of_the_graph_is_described_once_and_in_order() {
-    let items: Vec<_> = describe(&GRAPH).collect();
+    let items: Vec<_> = describe(&GRAPH).with_actions(&ACTIONS).collect();
+    let place = GraphItem::Place(Place { frame: "field", axis: Axis::X });
     let doc = |text| GraphItem::Doc { text };
     let (kind, default) = (Kind::F32 { min: 0.0, max: 1.0, step: Some(0.5) }, Value::F32(0.5));
     let expected = [
@@ -100,11 +110,22 @@ fn every_part_of_the_graph_is_described_once_and_in_order() {
         doc("Looks."),
         GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },
         doc("Part of the way."),
+        place.clone(),
         GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
         GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false },
         GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true },
         GraphItem::Transition { component: 1, from: 0, to: 1, name: "wakes", after_ms: Some(500) },
-        GraphItem::End { items: 19 },
+        GraphItem::Action { name: "wait", moves: None },
+        GraphItem::Action { name: "place", moves: Some("cup") },
+        doc("Puts it."),
+        GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },
+        doc("Part of the way."),
+        place,
+        GraphItem::Argument { name: "side", unit: None, kind: Kind::Choice { variants: 2 }, default: Value::Choice(1) },
+        GraphItem::Variant { name: "Left" },
+        GraphItem::Variant { name: "Right" },
+        doc("Of the robot."),
+        GraphItem::End { items: 30 },
     ];
     assert_eq!(items, expected);
 }

@@ -99,6 +99,8 @@ fn messages_of_monitors_have_the_documented_bytes() {
     let arguments = [Value::I32(-1), Value::Choice(6)].into_iter().collect();
     let call = Change::Modulate { component: ComponentId::new(4), modulation: 5, arguments };
     assert_eq!(request(call), [5, 1, 2, 3, 3, 4, 5, 2, 1, 1, 4, 6]);
+    let arguments = [Value::Bool(true)].into_iter().collect();
+    assert_eq!(request(Change::World { action: 5, arguments }), [5, 1, 2, 3, 4, 5, 1, 1, 1]);
 
     let to = |message: &ToMonitor<'_>| postcard::to_stdvec(message).expect("serializable");
     let info = CycleInfo { cycle: 1, time_us: 2, sensed: 3, images: 4, overruns: 5 };
@@ -140,7 +142,6 @@ fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
     assert_eq!(world(WorldChange::Pause), [2, 1, 2, 3, 0]);
     assert_eq!(world(WorldChange::Resume), [2, 1, 2, 3, 1]);
     assert_eq!(world(WorldChange::Step { cycles: 7 }), [2, 1, 2, 3, 2, 7]);
-    assert_eq!(world(WorldChange::Ball { x: 1.0, y: -2.0 }), [2, 1, 2, 3, 3, 0, 0, 128, 63, 0, 0, 0, 192]);
 
     let to = |message: &ToMonitorExtra<'_>| postcard::to_stdvec(message).expect("serializable");
     let values = [None, Some(ConditionState { holds: true, since_us: 5 })].into_iter().collect();

@@ -240,5 +240,6 @@ fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str)
             (batch.first().map(|setting| setting.component.index() as u16), "operator: set", "operator: refused: set")
         }
         Change::Modulate { component, .. } => (number(component), "operator: call", "operator: refused: call"),
+        Change::World { .. } => (None, "", "operator: refused: no world"),
     }
 }

@@ -2,8 +2,10 @@
 
 use core::time::Duration;
 
+use bica_core::action::Actions;
 use bica_motion::joints::Joint;
 use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, CameraId, Command, Image, Sensors};
 use glam::{Affine3A, Vec2};
 
@@ -13,7 +15,7 @@ use super::render::{PosedRobot, Renderer, Scene};
 use super::{ball_motion, collision};
 use crate::layout::Layout;
 use crate::obstacle::{GOALS, Obstacle};
-use crate::placement::{self, PlacementError};
+use crate::placement;
 use crate::random::{Random, Stream};
 use crate::referee::rules::Rules;
 use crate::referee::{Posture, Referee};
@@ -192,12 +194,36 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
         self.move_ball(previous_soles, now);
     }
 
-    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
-        placement::check::<M>(at, &self.referee)?;
+    fn actions(&mut self) -> &mut dyn Actions {
+        self
+    }
+
+    fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
+        placement::check_ball::<M>(at, &self.referee)?;
         self.ball = Ball::at(at, self.ball.rolling_deceleration);
         self.rules.cancel_return();
         self.referee.set_ball(at, Vec2::ZERO);
         Ok(())
+    }
+
+    fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
+        placement::check_robot::<M>(at.position, &self.referee)?;
+        self.body.stand_at(at);
+        self.buttons = Buttons::default();
+        self.previous_cameras = cameras(&self.body);
+        self.referee.set_robot(self.body.pose(), self.body.posture());
+        Ok(())
+    }
+
+    fn add_velocity(&mut self, velocity: Vec2) {
+        if !velocity.is_finite() {
+            return;
+        }
+        if let Some(event) = self.body.push(velocity) {
+            self.referee.record(self.now(), event);
+        }
+        self.resolve_collisions();
+        self.referee.set_robot(self.body.pose(), self.body.posture());
     }
 
     fn shared_image(&self) -> SharedImage {

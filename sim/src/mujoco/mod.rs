@@ -16,7 +16,7 @@
 //! let stand = Command::new(M::STAND, 1.0);
 //! for cycle in 0..500 {
 //!     if cycle == 200 {
-//!         world.push(Vec2::new(0.0, 0.2));
+//!         world.add_velocity(Vec2::new(0.0, 0.2));
 //!     }
 //!     world.act(&stand);
 //! }

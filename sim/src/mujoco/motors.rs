@@ -42,6 +42,12 @@ impl Motors {
         Self { pending: VecDeque::new(), acting: (angles, Joints::all(1.0)), delay, gains, limits }
     }
 
+    /// Holds these angles at full stiffness until the next command acts.
+    pub(crate) fn hold(&mut self, angles: Joints) {
+        self.pending.clear();
+        self.acting = (angles, Joints::all(1.0));
+    }
+
     /// Accepts a command. Targets are clamped to the joint limits; a joint with a target or stiffness that is not finite gets no
     /// stiffness.
     pub(crate) fn command<M: RobotModel>(&mut self, command: &Command) {

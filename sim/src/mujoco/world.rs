@@ -3,6 +3,7 @@
 use core::marker::PhantomData;
 use core::time::Duration;
 
+use bica_core::action::Actions;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
 use bica_motion::model::simulation::MujocoModel;
@@ -25,7 +26,7 @@ use super::state::{angles, ideal_measurement, place, pose, stand, write};
 use crate::field::BALL_RADIUS;
 use crate::layout::Layout;
 use crate::motor_heat::MotorHeat;
-use crate::placement::{self, PlacementError};
+use crate::placement;
 use crate::random::{Random, Stream};
 use crate::referee::Referee;
 use crate::referee::rules::Rules;
@@ -117,17 +118,6 @@ impl<M: MujocoModel> MujocoWorld<M> {
         };
         world.previous_cameras = world.cameras();
         Ok(world)
-    }
-
-    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. For experiments.
-    ///
-    /// Values that are not finite are ignored.
-    pub fn push(&mut self, velocity: Vec2) {
-        if velocity.is_finite() {
-            let own = &mut self.data.qvel_mut()[self.torso.velocity..][..2];
-            own[0] += f64::from(velocity.x);
-            own[1] += f64::from(velocity.y);
-        }
     }
 
     /// Injects a permanent fault. For experiments.
@@ -307,14 +297,43 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
         self.update_referee(contacts);
     }
 
-    fn place_ball(&mut self, at: Vec2) -> Result<(), PlacementError> {
-        placement::check::<M>(at, &self.referee)?;
+    fn actions(&mut self) -> &mut dyn Actions {
+        self
+    }
+
+    fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
+        placement::check_ball::<M>(at, &self.referee)?;
         place(&mut self.data, self.ball, at);
         // The next image is drawn from quantities that are derived from the positions.
         self.data.forward();
         self.rules.cancel_return();
         self.referee.set_ball(at, Vec2::ZERO);
         Ok(())
+    }
+
+    fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
+        placement::check_robot::<M>(at.position, &self.referee)?;
+        stand::<M>(&mut self.data, self.torso, &self.drives, at);
+        let of_ball = self.ball.velocity..self.ball.velocity + 6;
+        for (index, velocity) in self.data.qvel_mut().iter_mut().enumerate() {
+            if !of_ball.contains(&index) {
+                *velocity = 0.0;
+            }
+        }
+        self.data.forward();
+        self.motors.hold(M::STAND);
+        self.fall_monitor = FallMonitor::new(at.heading);
+        self.previous_cameras = self.cameras();
+        self.referee.set_robot(at, self.fall_monitor.posture());
+        Ok(())
+    }
+
+    fn add_velocity(&mut self, velocity: Vec2) {
+        if velocity.is_finite() {
+            let own = &mut self.data.qvel_mut()[self.torso.velocity..][..2];
+            own[0] += f64::from(velocity.x);
+            own[1] += f64::from(velocity.y);
+        }
     }
 
     fn shared_image(&self) -> SharedImage {

@@ -52,13 +52,13 @@ fn placed_ball_lies_still_and_is_no_event() {
     let mut world = rolling(1, Vec2::new(-1.5, -1.0), Vec2::new(1.0, 0.0));
     stand(&mut world, 20);
     for at in [Vec2::new(3.0, 0.0), Vec2::new(-1.6, 1.5), Vec2::new(0.4, -2.0)] {
-        world.place_ball(at).expect("a free place");
+        world.put_ball(at).expect("a free place");
         assert_eq!((world.referee().ball(), world.referee().ball_velocity()), (at, Vec2::ZERO));
         stand(&mut world, 100);
         assert!((world.referee().ball() - at).length() < 0.005, "{at}: {}", world.referee().ball());
     }
     for at in [Vec2::new(3.2, 0.0), Vec2::new(-2.0, 1.4), Vec2::new(3.0, 0.7)] {
-        world.place_ball(at).expect_err("no place for the ball");
+        world.put_ball(at).expect_err("no place for the ball");
     }
     assert_eq!(world.referee().events(), []);
     assert!((world.referee().ball() - Vec2::new(0.4, -2.0)).length() < 0.005);
@@ -71,7 +71,7 @@ fn placement_after_out_cancels_return() {
         stand(&mut world, 1);
     }
     let at = Vec2::new(1.0, 1.0);
-    world.place_ball(at).expect("a free place");
+    world.put_ball(at).expect("a free place");
     stand(&mut world, 300);
     assert!((world.referee().ball() - at).length() < 0.005, "{}", world.referee().ball());
     assert_eq!(world.referee().events().len(), 1);

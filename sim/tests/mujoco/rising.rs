@@ -15,7 +15,7 @@ use crate::support::{alone, blind, stand};
 /// detected side on which the robot lies.
 fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
     stand(world, 50);
-    world.push(push);
+    world.add_velocity(push);
     let (mut detector, mut detected, mut hit) = (FallDetector::<Nao>::new(), false, false);
     for _ in 0..300 {
         hit |= world.body_touches_floor();

@@ -29,7 +29,7 @@ fn robot_falls_in_direction_of_push() {
     ] {
         let mut world = alone(1, &blind());
         stand(&mut world, 100);
-        world.push(push);
+        world.add_velocity(push);
         stand(&mut world, 200);
         assert_eq!(world.referee().posture(), Posture::Down(fall));
         assert_eq!(world.referee().falls(), 1);
@@ -51,7 +51,7 @@ fn slippery_floor_increases_the_displacement() {
     let slide = |friction| {
         let mut world = alone(1, &Physics { friction, ..blind() });
         stand(&mut world, 50);
-        world.push(Vec2::new(0.0, 0.35));
+        world.add_velocity(Vec2::new(0.0, 0.35));
         stand(&mut world, 100);
         world.referee().robot().position.y
     };

@@ -85,10 +85,11 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     run: &WorldRun,
 ) -> Result<(), Failure> {
     let set_up = options.set_up(registered.name);
-    let world = registered.open(options)?;
+    let mut world = registered.open(options)?;
+    let actions = world.actions().map_or(&[][..], |actions| actions.list());
     let mut robot = Box::<R>::default();
     layers.apply(&mut *robot)?;
-    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).of_robot(&*robot);
+    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
     // Sensor values are not stored: the same world is made again from its set-up.
     let record = RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, force: true };
     let started = record.start(header, true).unwrap_or_else(|failure| {
@@ -96,7 +97,7 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
         None
     });
     let (file, recorder) = started.unzip();
-    let offers = ServerOptions { offers: Offers::PAUSE, ..ServerOptions::default() };
+    let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
     let (_server, requests, view) = LinkServer::start::<R>(&run.address(), offers)?;
     let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
     while !run.is_ended() {

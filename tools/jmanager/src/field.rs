@@ -4,7 +4,7 @@ use bica::visual::{Circle, List, Point2, Polyline, Pose2, Rectangle, Segment};
 use bica_field::FIELD;
 use bica_link::Description;
 use bica_monitor::program::Scene;
-use bica_monitor::protocol::{Drawn, Placed};
+use bica_monitor::protocol::Drawn;
 use bica_wire::message::Truth;
 use glam::Vec2;
 
@@ -70,7 +70,6 @@ fn corners(of: &Rectangle) -> impl Iterator<Item = Point2> {
 fn truth(truth: &Truth) -> Vec<Drawn> {
     let circle = |[x, y]: [f32; 2], radius: f32| Circle { x, y, radius };
     let pose = |[x, y, heading]: [f32; 3]| Pose2 { x, y, heading };
-    let [length, width] = FIELD.field_corner().to_array();
     let others: List<Circle, 16> = truth.others.iter().map(|&other| circle(other, ROBOT)).collect();
     let goal = |attacked: bool| {
         let [start, end] = FIELD.goal_posts(attacked).map(|Vec2 { x, y }| Point2 { x, y });
@@ -78,13 +77,12 @@ fn truth(truth: &Truth) -> Vec<Drawn> {
         let drawn = Drawn::new(if attacked { "attacked goal" } else { "own goal" }, FRAME, &Segment { start, end });
         Drawn { colour: Some(colour), line_width: Some(FIELD.post_diameter()), ..drawn }
     };
-    let placed = Placed { request: "place_ball", reach: [length, width] };
     vec![
         goal(true),
         goal(false),
         Drawn { child: Some("odometry"), ..Drawn::new("start", FRAME, &pose(truth.start)) },
         Drawn::new("robot", FRAME, &pose(truth.robot)),
         Drawn::new("other robots", FRAME, &others),
-        Drawn { placed: Some(placed), ..Drawn::new("ball", FRAME, &circle(truth.ball, FIELD.ball_radius())) },
+        Drawn::new("ball", FRAME, &circle(truth.ball, FIELD.ball_radius())),
     ]
 }

@@ -77,7 +77,7 @@ impl Error {
             }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { code: RefusalCode::World, .. } => {
-                "only a simulated world can be changed, and its ball lies on the field, where nothing stands"
+                "only a simulated world can be changed; the command `link ADDR describe` prints what can be done in it"
             }
             Self::Refused { .. } => "the command `link ADDR describe` prints names, kinds and ranges",
             Self::Unknown(Invalid { help, .. }) => help,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use bica::action::Action;
 use bica::{ComponentId, Graph};
 use bica_wire::Recordable;
 use bica_wire::model::Description;
@@ -128,6 +129,12 @@ impl Header {
             self.schemas.push(schemas.collect());
         }
         self
+    }
+
+    /// Adds what can be done in the world.
+    #[must_use]
+    pub fn with_actions(self, actions: &'static [Action]) -> Self {
+        Self { tree: self.tree.with_actions(actions), ..self }
     }
 
     /// Whether the recorded world was a simulated one, which may run again.

@@ -1,7 +1,8 @@
 //! Requests in a recording.
 
+use bica::Value;
 use bica::runner::{OwnedRequest, Request};
-use bica_wire::model::Description;
+use bica_wire::model::{Description, Modulation, NamedRequest};
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -12,10 +13,10 @@ pub enum RequestRecord {
     Tree(OwnedRequest),
     /// The simulated world is changed.
     World {
-        /// Name of the change, such as `ball`.
+        /// Name of the action.
         name: String,
-        /// Its values, in the order and units that the world defines.
-        values: Vec<f32>,
+        /// One value for each argument.
+        values: Vec<Value>,
     },
     /// A request of which only the text is known. Such a run cannot be replayed.
     Unknown {
@@ -24,13 +25,19 @@ pub enum RequestRecord {
     },
 }
 
-impl From<&Request<'_>> for RequestRecord {
-    fn from(request: &Request<'_>) -> Self {
-        Self::Tree(OwnedRequest::from(*request))
-    }
-}
-
 impl RequestRecord {
+    /// The record of a request to a robot, or to its world with these actions.
+    #[must_use]
+    pub fn new(request: Request<'_>, actions: &[Modulation]) -> Self {
+        match request {
+            Request::World { action, arguments } => {
+                let action = actions.get(usize::from(action)).map(|action| action.name.clone());
+                Self::World { name: action.unwrap_or_default(), values: arguments.to_vec() }
+            }
+            request => Self::Tree(OwnedRequest::from(request)),
+        }
+    }
+
     /// Returns the request as text, with the names of the tree.
     #[must_use]
     pub fn describe(&self, tree: &Description) -> String {
@@ -38,8 +45,12 @@ impl RequestRecord {
             Self::Tree(request) => tree.named(request.borrow()).to_string(),
             Self::Unknown { text } => text.clone(),
             Self::World { name, values } => {
-                let values: Vec<_> = values.iter().map(f32::to_string).collect();
-                format!("world {name}({})", values.join(", "))
+                let arguments = tree.action(name).map_or(&[][..], |index| &tree.actions[index].arguments);
+                let plain = |(index, &value): (usize, &Value)| {
+                    arguments.get(index).map_or_else(|| value.into(), |argument| argument.plain(value))
+                };
+                let arguments = values.iter().enumerate().map(plain).collect();
+                NamedRequest::World { action: name.clone(), arguments }.to_string()
             }
         }
     }

@@ -6,7 +6,7 @@ mod hooks;
 mod machine;
 mod member;
 mod node;
-mod operator;
+pub(crate) mod operator;
 mod step;
 mod stub;
 mod tuning;

@@ -33,19 +33,8 @@ fn placed_at(info: &Info, Placement { frame, child }: &Placement) -> TokenStream
 }
 
 fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
-    let each = all.iter().map(|modulation| {
-        let (name, doc) = (text::name(&modulation.name), &modulation.doc);
-        let arguments = modulation.arguments.iter().map(|field| {
-            let default = field.default.as_ref().map(|default| quote!(#default));
-            describe::param(p, field, default.as_ref())
-        });
-        quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), arguments: &[#(#arguments),*] })
-    });
-    let checks = all.iter().enumerate().flat_map(|(index, modulation)| {
-        modulation.arguments.iter().enumerate().flat_map(move |(place, field)| {
-            describe::checks(p, field, &quote!(list[#index].arguments[#place])).into_iter().map(|(_, check)| check)
-        })
-    });
+    let each = all.iter().map(|modulation| description(p, modulation));
+    let checks = all.iter().enumerate().flat_map(|(index, modulation)| checks(p, modulation, &quote!(list[#index])));
     quote! {
         const MODULATIONS: &'static [#p::Modulation] = {
             let list: &'static [#p::Modulation] = const { &[#(#each),*] };
@@ -53,6 +42,24 @@ fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
             list
         };
     }
+}
+
+/// `Modulation { ... }`
+pub(crate) fn description(p: &TokenStream, modulation: &Modulation) -> TokenStream {
+    let (name, doc) = (text::name(&modulation.name), &modulation.doc);
+    let arguments = modulation.arguments.iter().map(|field| {
+        let default = field.default.as_ref().map(|default| quote!(#default));
+        describe::param(p, field, default.as_ref())
+    });
+    quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), arguments: &[#(#arguments),*] })
+}
+
+/// The checks of the arguments that `described` describes.
+pub(crate) fn checks(p: &TokenStream, modulation: &Modulation, described: &TokenStream) -> Vec<TokenStream> {
+    let each = modulation.arguments.iter().enumerate().flat_map(|(place, field)| {
+        describe::checks(p, field, &quote!(#described.arguments[#place])).into_iter().map(|(_, check)| check)
+    });
+    each.collect()
 }
 
 /// The functions of `impl MemberOf`.
@@ -84,22 +91,8 @@ fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
 
 fn call(p: &TokenStream, modulations: &[Modulation]) -> TokenStream {
     let arms = modulations.iter().enumerate().map(|(index, modulation)| {
-        let name = &modulation.name;
-        let names: Vec<Ident> = (0..modulation.arguments.len()).map(|place| format_ident!("a{place}")).collect();
-        let values = modulation
-            .arguments
-            .iter()
-            .zip(&names)
-            .map(|(field, name)| describe::from_value(p, field, &quote!(*#name)));
-        quote! {
-            (#index, [#(#names),*]) => {
-                #(
-                    let #names = #values;
-                    let ::core::option::Option::Some(#names) = #names else { return };
-                )*
-                this.#name(#(#names),*);
-            }
-        }
+        let called = |name: &Ident, values: &[Ident]| quote!(this.#name(#(#values),*););
+        arm(p, index, modulation, &quote!(return), called)
     });
     quote! {
         fn modulate(tree: &mut __T, index: usize, arguments: &[#p::Value]) {
@@ -108,6 +101,30 @@ fn call(p: &TokenStream, modulations: &[Modulation]) -> TokenStream {
                 #(#arms)*
                 _ => {}
             }
+        }
+    }
+}
+
+/// The arm of a match over index and values that calls a method: `called` writes the call. `refused` leaves the function for a value
+/// of another kind, which does not come.
+pub(crate) fn arm(
+    p: &TokenStream,
+    index: usize,
+    modulation: &Modulation,
+    refused: &TokenStream,
+    called: impl FnOnce(&Ident, &[Ident]) -> TokenStream,
+) -> TokenStream {
+    let names: Vec<Ident> = (0..modulation.arguments.len()).map(|place| format_ident!("a{place}")).collect();
+    let pairs = modulation.arguments.iter().zip(&names);
+    let values = pairs.map(|(field, name)| describe::from_value(p, field, &quote!(*#name)));
+    let call = called(&modulation.name, &names);
+    quote! {
+        (#index, [#(#names),*]) => {
+            #(
+                let #names = #values;
+                let ::core::option::Option::Some(#names) = #names else { #refused };
+            )*
+            #call
         }
     }
 }

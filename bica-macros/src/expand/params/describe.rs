@@ -5,17 +5,24 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use crate::expand::quoting::{at, option, placed};
 use bica_syntax::params::field::variant;
-use bica_syntax::params::model::{Field, Kind, Number, NumberKind};
+use bica_syntax::params::model::{Field, Kind, Number, NumberKind, Place};
 use bica_syntax::text;
 
 /// `Param { ... }`; `default` is the default value in Rust, if there is one.
 pub(crate) fn param(p: &TokenStream, field: &Field, default: Option<&TokenStream>) -> TokenStream {
     let (name, doc, unit) = (text::name(&field.name), &field.doc, option(field.unit.as_ref()));
     let (kind, default) = (kind(p, field), value(p, field, default));
+    let hint = hint(p, field.place.as_ref());
     quote! {{
         let kind = #kind;
-        #p::Param { name: #name, doc: #p::Doc::new(#doc), unit: #unit, kind, default: #default }
+        #p::Param { name: #name, doc: #p::Doc::new(#doc), unit: #unit, kind, default: #default, hint: #hint }
     }}
+}
+
+fn hint(p: &TokenStream, place: Option<&Place>) -> TokenStream {
+    let Some(Place { frame, axis }) = place else { return quote!(#p::Hint::NONE) };
+    let axis = format_ident!("{axis}");
+    quote!(#p::Hint::new(#frame, #p::Axis::#axis))
 }
 
 fn kind(p: &TokenStream, field: &Field) -> TokenStream {

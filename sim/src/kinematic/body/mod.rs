@@ -29,6 +29,10 @@ use crate::transform::{fall_direction, ground_pose};
 const MAX_UNBALANCED: u32 = 15;
 /// Minimum stiffness of a pitch joint of the legs that carries the robot, 0 to 1.
 const MIN_STIFFNESS: f32 = 0.05;
+/// Speed of a push from which on a standing robot falls, m/s (our estimate).
+const TOPPLING_SPEED: f32 = 0.5;
+/// Time for which a robot that is pushed slides with the velocity of the push, s (our estimate).
+const SLIDING: f32 = 0.1;
 /// Slip of a foot at touchdown: standard deviation along each axis, m.
 const SLIP_POSITION: f32 = 0.003;
 /// Slip of a foot at touchdown: standard deviation of the heading, rad.
@@ -130,6 +134,31 @@ impl<M: SimulatedModel> Body<M> {
             State::Fallen(fallen) => fallen.shift(by),
         }
         self.update_pose();
+    }
+
+    /// Puts the body on its feet with its robot frame above `place`, at rest. Its motors stay as warm as they are.
+    pub(crate) fn stand_at(&mut self, place: Pose2) {
+        self.motors.hold(M::STAND);
+        self.skeleton = Skeleton::<M>::of(self.motors.angles());
+        self.state = State::Standing(Stance::under(place, &self.skeleton), 0);
+        self.update_pose();
+        self.inertial_unit = InertialUnit::still(self.robot);
+        self.measure();
+    }
+
+    /// Pushes the body with a velocity, m/s, field frame. A standing robot falls if the push is strong, and slides otherwise. Returns
+    /// the event of a fall.
+    pub(crate) fn push(&mut self, velocity: Vec2) -> Option<Event> {
+        let heading = ground_pose(&self.robot).heading;
+        if let State::Standing(..) = self.state
+            && velocity.length() >= TOPPLING_SPEED
+        {
+            let fall = fall_direction(rotate(velocity, -heading));
+            self.state = State::Fallen(Fallen::new(fall, self.robot, heading));
+            return Some(Event::Fall(fall));
+        }
+        self.shift(SLIDING * velocity);
+        None
     }
 
     /// Reads all sensors; to be called once per cycle, at its end.

@@ -40,6 +40,12 @@ impl Motors {
         Self { angles, waiting, heat: MotorHeat::new::<M>() }
     }
 
+    /// Brings all motors to rest at these angles; they stay as warm as they are.
+    pub(crate) fn hold(&mut self, angles: Joints) {
+        self.angles = angles;
+        self.waiting.iter_mut().for_each(|waiting| *waiting = (angles, Joints::all(1.0)));
+    }
+
     /// True angles, rad.
     pub(crate) const fn angles(&self) -> &Joints {
         &self.angles

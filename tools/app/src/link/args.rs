@@ -26,7 +26,7 @@ pub(crate) struct Link {
 
 #[derive(Clone, Debug, Subcommand)]
 pub(super) enum LinkAction {
-    /// Print components, parameters with their values, information and modulations
+    /// Print components, parameters with their values, information and modulations, and the actions of a simulated world
     Describe {
         /// Components to print [default: all]
         #[arg(value_name = "COMPONENT")]
@@ -56,14 +56,14 @@ pub(super) enum LinkAction {
         #[arg(value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
         cycles: u32,
     },
-    /// Place the ball of a simulated world on its field, at rest
-    Ball {
-        /// Position along the field, to the attacked goal, m; -3 to 3
-        #[arg(value_name = "X", allow_negative_numbers = true)]
-        x: f32,
-        /// Position across the field, to the left, m; -2 to 2
-        #[arg(value_name = "Y", allow_negative_numbers = true)]
-        y: f32,
+    /// Perform an action of a simulated world, such as to push the robot; without a name, print what can be done
+    Act {
+        /// Name of the action
+        #[arg(value_name = "NAME")]
+        action: Option<String>,
+        /// Its arguments, in order
+        #[arg(value_name = "VALUE", allow_hyphen_values = true)]
+        arguments: Vec<String>,
     },
     /// Set parameters, all or none; they stay
     Set {

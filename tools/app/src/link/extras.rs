@@ -1,4 +1,4 @@
-//! What only a program on a computer offers: the world's time and ball, conditions, costs, the true state, images.
+//! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
 
 use std::fs;
 use std::path::Path;
@@ -59,17 +59,6 @@ impl Monitor {
             };
             monitor.console.print_row(&format!("cycle {cycle}"), text)?;
             monitor.line("bica/link-world/1", json!({ "cycle": cycle, "paused": paused }))?;
-            Ok(Outcome::Success)
-        })
-    }
-
-    /// Places the ball of a simulated world.
-    pub(super) fn place_ball(&mut self, at: [f32; 2]) -> Result<Outcome, Failure> {
-        self.operate(|monitor| {
-            let cycle = monitor.client.place_ball(at)?.cycle;
-            let [x, y] = at;
-            monitor.console.print_row(&format!("cycle {cycle}"), &format!("the ball lies at {x}, {y} m"))?;
-            monitor.line("bica/link-ball/1", json!({ "cycle": cycle, "ball": at }))?;
             Ok(Outcome::Success)
         })
     }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_link::{Client, ClientOptions, Component, Error, Event, Param, Plain, Snapshot};
+use bica_link::{Client, ClientOptions, Component, Error, Event, Modulation, Param, Plain, Snapshot};
 use bica_wire::message::WorldChange;
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
@@ -39,7 +39,11 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         LinkAction::Pause => monitor.world(WorldChange::Pause),
         LinkAction::Resume => monitor.world(WorldChange::Resume),
         LinkAction::Step { cycles } => monitor.world(WorldChange::Step { cycles: *cycles }),
-        LinkAction::Ball { x, y } => monitor.place_ball([*x, *y]),
+        LinkAction::Act { action: None, .. } => monitor.list_actions(),
+        LinkAction::Act { action: Some(action), arguments } => {
+            let (action, arguments) = (action.clone(), plain(arguments));
+            monitor.call(&NamedRequest::World { action, arguments }, "done")
+        }
         LinkAction::Set { settings } => monitor.set(settings),
         LinkAction::Hold { component, hold, seconds } => {
             monitor.keep(&NamedRequest::Hold { component: component.clone(), hold: *hold }, *seconds)
@@ -91,7 +95,21 @@ impl Monitor {
         for component in &description.components {
             describe_component(self.console, component)?;
         }
+        if names.is_empty() {
+            describe_actions(self.console, &description.actions)?;
+        }
         self.line("bica/link-description/1", description)?;
+        Ok(Outcome::Success)
+    }
+
+    /// Prints what can be done in the world.
+    fn list_actions(&self) -> Result<Outcome, Failure> {
+        let actions = &self.client.description().actions;
+        if actions.is_empty() {
+            self.console.print("nothing can be done in the world")?;
+        }
+        describe_actions(self.console, actions)?;
+        self.line("bica/link-actions/1", json!({ "actions": actions }))?;
         Ok(Outcome::Success)
     }
 
@@ -249,14 +267,17 @@ impl Monitor {
                 "write it as `Component.name`",
             ));
         };
-        let request = self.find(&NamedRequest::Modulate {
-            component: component.to_owned(),
-            modulation: modulation.to_owned(),
-            arguments: arguments.iter().cloned().map(Plain::Name).collect(),
-        })?;
+        let (component, modulation) = (component.to_owned(), modulation.to_owned());
+        let arguments = plain(arguments);
+        self.call(&NamedRequest::Modulate { component, modulation, arguments }, "called")
+    }
+
+    /// Requests a change that is over when it is answered.
+    fn call(&mut self, request: &NamedRequest, done: &str) -> Result<Outcome, Failure> {
+        let request = self.find(request)?;
         self.operate(|monitor| {
             let answer = monitor.request(&request)?;
-            monitor.console.print_row(&format!("cycle {}", answer.cycle), "called")?;
+            monitor.console.print_row(&format!("cycle {}", answer.cycle), done)?;
             monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))?;
             Ok(Outcome::Success)
         })
@@ -296,16 +317,30 @@ fn describe_component(console: Console, component: &Component) -> Result<(), Fai
         let text = format!("{}: {}{unit}", info.name, info.type_name);
         console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&info.doc))))?;
     }
-    for modulation in &component.modulations {
-        let argument = |argument: &Param| {
-            let unit = argument.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();
-            format!("{}{unit} ({})", argument.name, argument.range())
-        };
-        let arguments: Vec<_> = modulation.arguments.iter().map(argument).collect();
-        let text = format!("{}({})", modulation.name, arguments.join(", "));
-        console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&modulation.doc))))?;
+    component.modulations.iter().try_for_each(|modulation| describe_call(console, modulation))
+}
+
+fn describe_actions(console: Console, actions: &[Modulation]) -> Result<(), Failure> {
+    if !actions.is_empty() {
+        console.print(&format!("\n{}", console.styled(Style::Strong, "world")))?;
     }
-    Ok(())
+    actions.iter().try_for_each(|action| describe_call(console, action))
+}
+
+/// Prints a modulation or an action.
+fn describe_call(console: Console, call: &Modulation) -> Result<(), Failure> {
+    let argument = |argument: &Param| {
+        let unit = argument.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();
+        format!("{}{unit} ({})", argument.name, argument.range())
+    };
+    let arguments: Vec<_> = call.arguments.iter().map(argument).collect();
+    let text = format!("{}({})", call.name, arguments.join(", "));
+    console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&call.doc))))
+}
+
+/// Values as the command line contains them.
+fn plain(values: &[String]) -> Vec<Plain> {
+    values.iter().cloned().map(Plain::Name).collect()
 }
 
 fn first_line(doc: &str) -> &str {

@@ -4,9 +4,8 @@ use std::fmt;
 #[cfg(feature = "monitor")]
 use std::path::Path;
 
-use bica::Instant;
-use bica::runner::{Robot, World};
-use bica_recording::{Header, Recordable, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject};
+use bica::runner::Robot;
+use bica_recording::{Header, Recordable, RepeatedWorld, ReplayOptions, ReplayReport, Subject};
 use bica_tuning::Layers;
 use bica_wire::model::Invalid;
 
@@ -72,32 +71,5 @@ fn world<R: Robot + 'static>(
         let what = format!("the recording is of the world `{name}`, which this program does not have");
         Failure::new(what, REPLAY_HELP)
     })?;
-    Ok(Box::new(Again(world.open(&WorldOptions::of_set_up(&header.set_up)?)?)))
-}
-
-/// World that runs again.
-struct Again<R: Robot>(Box<dyn World<R>>);
-
-impl<R: Robot> World<R> for Again<R> {
-    fn now(&self) -> Instant {
-        self.0.now()
-    }
-
-    fn sensors(&mut self) -> R::Sensors<'_> {
-        self.0.sensors()
-    }
-
-    fn act(&mut self, command: &R::Command) {
-        self.0.act(command);
-    }
-}
-
-impl<R: Robot> RepeatedWorld<R> for Again<R> {
-    fn change(&mut self, name: &str, _values: &[f32]) -> Result<(), String> {
-        Err(format!("the world has no change `{name}`"))
-    }
-
-    fn take_events(&mut self) -> Vec<RunEvent> {
-        Vec::new()
-    }
+    Ok(Box::new(world.open(&WorldOptions::of_set_up(&header.set_up)?)?))
 }

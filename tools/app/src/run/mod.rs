@@ -7,6 +7,7 @@ mod story;
 
 use std::fmt;
 
+use bica::action::Action;
 use bica::runner::Robot;
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
@@ -41,13 +42,14 @@ where
     let registered = worlds.iter().find(|world| world.name == args.world).ok_or_else(unknown)?;
     let options = WorldOptions::new(args.seed, &args.option)?;
     let set_up = options.set_up(registered.name);
-    let world = registered.open(&options)?;
+    let mut world = registered.open(&options)?;
+    let actions = world.actions().map_or(&[][..], |actions| actions.list());
     let mut robot = Box::<R>::default();
     args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
     let console = Console::new(args.json);
     let is_paced = args.realtime || registered.is_device || (args.link.serve.is_some() && !args.link.unpaced);
-    let (server, requests, view) = serve::<R>(args, registered.is_device, is_paced, console)?;
-    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).of_robot(&*robot);
+    let (server, requests, view) = serve::<R>(args, registered.is_device, actions, is_paced, console)?;
+    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
     let (file, recorder) = args.record.start(header, is_paced)?.unzip();
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);
@@ -91,12 +93,14 @@ type Served<R> = (Option<LinkServer>, Option<LinkRequests>, Option<LinkObserver<
 fn serve<R: Robot>(
     args: &RunArgs<impl Layer>,
     is_device: bool,
+    actions: &'static [Action],
     realtime: bool,
     console: Console,
 ) -> Result<Served<R>, Failure> {
     let Some(address) = &args.link.serve else { return Ok((None, None, None)) };
     let offers = if is_device { Offers::default() } else { Offers::PAUSE };
-    let options = ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, ..ServerOptions::default() };
+    let options =
+        ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
     let (server, requests, observer) = LinkServer::start::<R>(address, options)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     Ok((Some(server), Some(requests), Some(observer)))

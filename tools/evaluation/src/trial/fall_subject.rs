@@ -98,7 +98,7 @@ impl FallSubject {
 
     /// Pushes the robot: changes the velocity of its torso, m/s, field frame.
     pub(super) fn push(&mut self, velocity: Vec2) {
-        self.runner.world_mut().push(velocity);
+        self.runner.world_mut().add_velocity(velocity);
     }
 
     /// Returns the time from the fall to the get-up by the referee, s.

@@ -5,6 +5,7 @@ use std::f32::consts::{PI, TAU};
 use bica_app::Failure;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::Velocity;
+use bica_sim::World;
 use bica_sim::mujoco::Physics;
 use glam::Vec2;
 
@@ -151,7 +152,7 @@ pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
             let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
             for _ in 0..10 {
                 walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
-                walker.world.push(speed * Vec2::from_angle(rng.between(0.0, TAU)));
+                walker.world.add_velocity(speed * Vec2::from_angle(rng.between(0.0, TAU)));
             }
             walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
             Ok(walker.fall())

@@ -113,7 +113,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
     let robot = Robot::start("127.0.0.1:0");
     let (page, description) = attached(&robot.address);
     let info = page.session(|one| one["connection"] == "connected");
-    for capability in ["operate", "pause", "ball", "truth", "images", "costs", "conditions"] {
+    for capability in ["operate", "pause", "truth", "images", "costs", "conditions"] {
         assert_eq!(info["can"][capability], true, "{capability}");
     }
     let components = description["components"].as_array().unwrap();
@@ -192,7 +192,6 @@ fn a_read_only_server_refuses_every_change() {
         Request::Note { text: "a".to_owned() },
         Request::Acquire {},
         Request::Pause {},
-        Request::PlaceBall { x: 1.0, y: 0.5 },
         Request::Restart { seed: None },
         Request::KeepRecording { name: "a".to_owned() },
         Request::SaveTune { params: vec![(0, 0)], name: "a".to_owned() },

@@ -1,4 +1,4 @@
-//! Requests to a simulated world.
+//! Requests about the time of a simulated world.
 
 use bica_wire::message::{FromMonitorExtra, Offers, WorldChange, WorldRequest};
 
@@ -14,25 +14,6 @@ impl Client {
         self.require(Offers::PAUSE, "to stop its time")?;
         let number = self.send_world_with(change, self.lease().lease, self.expires_us())?;
         self.answer(number)
-    }
-
-    /// Puts the ball of a simulated world at a position, m, field frame, as the operator, and waits for the answer.
-    ///
-    /// # Errors
-    /// [`Error::NotOffered`], [`Error::Refused`], [`Error::Timeout`], [`Error::Disconnected`].
-    pub fn place_ball(&mut self, at: [f32; 2]) -> Result<Answered, Error> {
-        self.require(Offers::BALL, "to place the ball")?;
-        let number = self.send_ball(at)?;
-        self.answer(number)
-    }
-
-    /// Requests a position of the ball, m, field frame, and returns the number of the request; the answer follows as
-    /// [`Event::Answer`](super::Event::Answer).
-    ///
-    /// # Errors
-    /// [`Error::Disconnected`].
-    pub fn send_ball(&mut self, [x, y]: [f32; 2]) -> Result<u32, Error> {
-        self.send_world_with(WorldChange::Ball { x, y }, self.lease().lease, self.expires_us())
     }
 
     /// Sends a change of the world with the number of a lease and an expiry in the robot's time, µs, also to a robot that does

@@ -218,7 +218,7 @@ fn decode(packet: &Packet<'_>) -> Option<Incoming> {
 fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
     let command = match message {
         Incoming::Describe => {
-            connection.push(hub, Message::Describe(hub.graph));
+            connection.push(hub, Message::Describe(hub.graph, hub.options.actions));
             return true;
         }
         Incoming::Extra(FromMonitorExtra::ImageTaken { .. }) => {

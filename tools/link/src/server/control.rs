@@ -1,6 +1,6 @@
 //! State of the link in the loop, shared by its two halves.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::BTreeSet;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::sync::Arc;
 use std::time::Duration;
@@ -27,16 +27,6 @@ pub(super) struct Applied {
     pub(super) change: Change,
 }
 
-/// A placement of the ball that the loop has not applied yet.
-#[derive(Debug)]
-pub(super) struct Placement {
-    pub(super) connection: u64,
-    pub(super) number: u32,
-    pub(super) arrived: u64,
-    /// Requested position, m, field frame.
-    pub(super) at: [f32; 2],
-}
-
 /// State of the link in the loop. Only the loop's thread locks it, so it never waits.
 #[derive(Debug)]
 pub(super) struct Control {
@@ -54,8 +44,6 @@ pub(super) struct Control {
     pub(super) outgoing: Outgoing,
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
-    /// Placements of the ball that the loop applies before the next cycle.
-    pub(super) placements: VecDeque<Placement>,
     /// Components whose parameters every monitor gets at the end of the cycle.
     pub(super) changed: BTreeSet<u16>,
     /// Connections that get all parameters at the end of the cycle.
@@ -80,7 +68,6 @@ impl Control {
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence),
             applied: Vec::new(),
-            placements: VecDeque::new(),
             changed: BTreeSet::new(),
             readers: BTreeSet::new(),
             next: CycleInfo::default(),
@@ -221,16 +208,13 @@ impl Control {
         self.hub.offers().contains(Offers::PAUSE)
     }
 
-    /// Pauses, continues or steps the world, or plans a placement of its ball.
+    /// Pauses, continues or steps the world.
     fn change_world(&mut self, now: bica::Instant, connection: u64, arrived: u64, request: WorldRequest) {
         let time = self.lease_time(now);
         let WorldRequest { number, lease, expires_us, change } = request;
-        let (offer, not_offered) = match change {
-            WorldChange::Ball { .. } => (Offers::BALL, "the ball can be placed only in a simulated world"),
-            _ => (Offers::PAUSE, "time can be stopped only in a simulated world"),
-        };
-        if !self.hub.offers().contains(offer) {
-            self.refuse(connection, number, arrived, RefusalCode::World, 0, not_offered.to_owned());
+        if !self.can_pause() {
+            let text = "time can be stopped only in a simulated world".to_owned();
+            self.refuse(connection, number, arrived, RefusalCode::World, 0, text);
             return;
         }
         let admitted = if self.watch_only {
@@ -246,35 +230,12 @@ impl Control {
             WorldChange::Pause => "operator: pause".to_owned(),
             WorldChange::Resume => "operator: resume".to_owned(),
             WorldChange::Step { cycles } => format!("operator: step {cycles}"),
-            WorldChange::Ball { x, y } => {
-                self.placements.push_back(Placement { connection, number, arrived, at: [x, y] });
-                return;
-            }
         };
         self.pace.change(change);
         let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
         self.tell(connection, Message::Answer { number, cycle, arrived, result });
         self.log(now, 2, &text);
         self.announce_world();
-    }
-
-    /// Answers a placement of the ball.
-    pub(super) fn ball_placed(&mut self, now: bica::Instant, placement: &Placement, result: Result<(), String>) {
-        let Placement { connection, number, arrived, at: [x, y] } = *placement;
-        let text = format!("operator: ball at {x}, {y} m");
-        match result {
-            Ok(()) => {
-                let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));
-                self.tell(connection, Message::Answer { number, cycle, arrived, result });
-                self.log(now, 2, &text);
-                self.watchers.owe_truth();
-            }
-            Err(reason) => {
-                self.log(now, 3, &format!("{text} refused: {reason}"));
-                self.refuse(connection, number, arrived, RefusalCode::World, 0, reason);
-            }
-        }
-        self.hand_over();
     }
 
     /// Sends the state of the world to every monitor.

@@ -65,10 +65,10 @@ pub(super) enum Command {
 #[derive(Debug)]
 pub(super) struct Hub {
     pub(super) graph: &'static Graph,
-    /// Description of the same tree, for texts.
+    /// Description of the same tree and its world, for texts.
     pub(super) description: Description,
     tree_hash: u64,
-    options: ServerOptions,
+    pub(super) options: ServerOptions,
     /// For messages that only watch, and for the others.
     watches: SyncSender<Inbound>,
     inbox: SyncSender<Inbound>,
@@ -100,7 +100,7 @@ impl Hub {
         let (watches, watch_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
         let hub = Self {
             graph,
-            description: Description::of(graph),
+            description: Description::of(graph).with_actions(options.actions),
             tree_hash,
             options: *options,
             watches,

@@ -26,6 +26,7 @@ use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use bica::action::Action;
 use bica::runner::Robot;
 use bica_wire::message::{Offers, WorldChange};
 
@@ -59,10 +60,11 @@ pub struct ServerOptions {
     /// Whether all monitors may only watch: nobody gets the lease.
     pub watch_only: bool,
     /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::TRUTH`]
-    /// if it calls [`LinkObserver::truth`], [`Offers::BALL`] if it asks [`LinkRequests::next_ball`], [`Offers::IMAGES`]
-    /// with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
+    /// if it calls [`LinkObserver::truth`], [`Offers::IMAGES`] with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
     /// silence by the clock of this computer.
     pub offers: Offers,
+    /// What an operator can do in the world of the loop: the list of its [`actions`](bica::runner::World::actions).
+    pub actions: &'static [Action],
 }
 
 impl Default for ServerOptions {
@@ -73,6 +75,7 @@ impl Default for ServerOptions {
             silence: Duration::from_secs(3),
             watch_only: false,
             offers: Offers::default(),
+            actions: &[],
         }
     }
 }

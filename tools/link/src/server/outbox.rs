@@ -3,6 +3,7 @@
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 use bica::Graph;
+use bica::action::Action;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, Reached, RefusalCode, Taken,
     Value, WorldState,
@@ -19,7 +20,7 @@ use crate::pending::Pending;
 #[derive(Clone, Debug)]
 pub(super) enum Message {
     Attached(Attached<'static>),
-    Describe(&'static Graph),
+    Describe(&'static Graph, &'static [Action]),
     Lease(LeaseState),
     Params(Vec<ParamValues>),
     Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
@@ -128,8 +129,9 @@ impl Message {
     pub(super) fn encode(&self, packets: &mut Packets) -> Result<(), TooLarge> {
         match self {
             Self::Attached(attached) => packets.push(&ToMonitor::Attached(*attached)),
-            Self::Describe(graph) => {
-                describe(graph).try_for_each(|item| packets.push_robot(&FromRobot::GraphItem(item)))
+            Self::Describe(graph, actions) => {
+                let mut items = describe(graph).with_actions(actions);
+                items.try_for_each(|item| packets.push_robot(&FromRobot::GraphItem(item)))
             }
             Self::Lease(lease) => packets.push(&ToMonitor::Lease(*lease)),
             Self::Params(parts) => parts.iter().try_for_each(|values| packets.push(&ToMonitor::Params(values.clone()))),

@@ -18,13 +18,12 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// Applies a change of the world's time; others change nothing here.
+    /// Applies a change of the world's time.
     pub(super) const fn change(&mut self, change: WorldChange) {
         match change {
             WorldChange::Pause => (self.paused, self.steps) = (true, 0),
             WorldChange::Resume => (self.paused, self.steps) = (false, 0),
             WorldChange::Step { cycles } => (self.paused, self.steps) = (true, self.steps.saturating_add(cycles)),
-            WorldChange::Ball { .. } => {}
         }
     }
 

@@ -8,7 +8,7 @@ use bica::runner::{Request, Requests};
 use bica::{Instant, Refusal};
 use bica_wire::message::{Change, RefusalCode, WorldChange};
 
-use super::control::{Applied, Control, Placement};
+use super::control::{Applied, Control};
 use super::hub::{Command, Inbound};
 
 /// Largest number of messages that are handled before one cycle, besides those that only watch.
@@ -26,8 +26,6 @@ pub struct LinkRequests {
     /// Number of messages that may still be handled before this cycle.
     budget: usize,
     current: Option<Current>,
-    /// The placement that the last call of `next_ball` returned.
-    placing: Option<Placement>,
 }
 
 /// The request that the last call of `next` returned.
@@ -41,7 +39,7 @@ enum Current {
 impl LinkRequests {
     pub(super) fn new(inboxes: [Receiver<Inbound>; 2], control: Arc<Mutex<Control>>) -> Self {
         let [inbox, watches] = inboxes;
-        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None, placing: None }
+        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None }
     }
 
     /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
@@ -56,23 +54,6 @@ impl LinkRequests {
         control.pace.change(WorldChange::Pause);
         control.announce_world();
         control.hand_over();
-    }
-
-    /// Returns the position, m, field frame, at which the operator requests the ball of a simulated world to lie; `None` without a
-    /// further request. Such requests come with those for the tree. The loop asks after a cycle, and after
-    /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests), changes its world, and reports the result to
-    /// [`ball_placed`](Self::ball_placed).
-    pub fn next_ball(&mut self) -> Option<[f32; 2]> {
-        self.placing = lock(&self.control).placements.pop_front();
-        self.placing.as_ref().map(|placement| placement.at)
-    }
-
-    /// Answers the request that the last [`next_ball`](Self::next_ball) returned: the ball lies there from the next cycle on, or why it
-    /// cannot. `now` is the instant of the next cycle.
-    pub fn ball_placed(&mut self, now: Instant, result: Result<(), String>) {
-        if let Some(placement) = self.placing.take() {
-            lock(&self.control).ball_placed(now, &placement, result);
-        }
     }
 
     /// Returns the next request and handles all messages before it.
@@ -128,6 +109,9 @@ impl Requests for LinkRequests {
                 if let Change::Params(batch) = &applied.change {
                     control.changed.extend(batch.iter().map(|setting| setting.component.index() as u16));
                 }
+                if let Change::World { .. } = applied.change {
+                    control.watchers.owe_truth();
+                }
                 control.applied.push(*applied);
                 control.log(now, 2, &format!("operator: {text}"));
             }
@@ -135,7 +119,9 @@ impl Requests for LinkRequests {
                 let Applied { connection, number, arrived, .. } = *applied;
                 let (entry, reason) = (refusal.entry as u16, refusal.to_string());
                 control.log(now, 3, &format!("operator: {text} refused: {reason}"));
-                control.refuse(connection, number, arrived, RefusalCode::Tree, entry, reason);
+                let is_of_world = matches!(applied.change, Change::World { .. });
+                let code = if is_of_world { RefusalCode::World } else { RefusalCode::Tree };
+                control.refuse(connection, number, arrived, code, entry, reason);
             }
         }
     }

@@ -17,7 +17,7 @@ use bica_wire::message::{
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 
 use crate::robot::{CART, CartTree};
-use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, snapshot};
+use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, placed, snapshot};
 
 const PAUSE: WorldChange = WorldChange::Pause;
 const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: 0 };
@@ -331,7 +331,7 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
     let session = Session::start_world();
     let (mut watcher, mut operator) = (session.client(), session.client());
     // The cart waits while the wall is near, and approaches it when it is far.
-    let (near, far) = ([0.1, 0.0], [3.0, 0.0]);
+    let [near, far] = [0.1, 3.0].map(|x| [Value::F32(x)]);
     watcher.watch_extra(ExtraKind::Taken, 1).unwrap();
     // The stop that is reached, and the transition that was reported before it.
     let reached = |client: &mut Client| {
@@ -349,14 +349,14 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
     for at in [StopAt::Transition(0), StopAt::State(1)] {
         watcher.watch_extra(ExtraKind::Stop(stop(at)), 1).unwrap();
         watcher.acquire(false).unwrap();
-        watcher.place_ball(near).unwrap();
+        watcher.request(placed(&near)).unwrap();
         let (Reached { time_us, stop: found, paused }, taken) = reached(&mut watcher);
         assert_eq!((found, paused), (stop(at), true));
         assert_eq!(taken, Some(Taken { time_us, component: 0, transition: 0 }));
         thread::sleep(Duration::from_millis(50));
         assert_eq!(session.cycles(), time_us / CYCLE_US + 1, "{at:?}");
         watcher.watch_extra(ExtraKind::Stop(stop(at)), 0).unwrap();
-        watcher.place_ball(far).unwrap();
+        watcher.request(placed(&far)).unwrap();
         watcher.change_world(WorldChange::Resume).unwrap();
         let is_back = |event| matches!(event, Event::Taken(Taken { transition: 1, .. })).then_some(());
         event(&mut watcher, "the way back", is_back);
@@ -364,7 +364,7 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
     }
     operator.acquire(false).unwrap();
     watcher.watch_extra(ExtraKind::Stop(stop(StopAt::State(1))), 1).unwrap();
-    operator.place_ball(near).unwrap();
+    operator.request(placed(&near)).unwrap();
     assert!(!reached(&mut watcher).0.paused);
     session.run(20);
 }

@@ -3,8 +3,8 @@
 //! The loops here run as fast as they can, and their robot's time advances by 10 ms in a cycle. So what is compared is cycles,
 //! and a clock of the computer limits only how long a failing test waits.
 
+mod actions;
 mod attacks;
-mod ball;
 mod extras;
 mod faults;
 mod monitors;

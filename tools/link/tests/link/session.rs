@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use bica::Probe;
+use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
+use bica::{Probe, Value, world_actions};
 use bica_link::{
     Client, ClientOptions, Event, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, ServerOptions, Snapshot,
 };
@@ -48,6 +49,10 @@ impl World<CartTree> for Wall {
             self.distance += 1.0;
         }
         self.cycle += 1;
+    }
+
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        Some(self)
     }
 }
 
@@ -102,22 +107,30 @@ impl Observer<CartTree> for Counter {
     }
 }
 
-/// Largest distance at which the wall can be placed: it stands for the ball of a simulated world.
+/// Largest distance at which the wall can be placed.
 pub(crate) const FARTHEST: f32 = 3.0;
 
-type Loop = Runner<Box<CartTree>, Wall, LinkRequests, (Counter, LinkObserver<CartTree>)>;
-
-fn place_ball(runner: &mut Loop) {
-    while let Some([x, _]) = runner.requests_mut().next_ball() {
-        let now = runner.world().now();
-        let is_near = x <= FARTHEST;
-        if is_near {
-            runner.world_mut().distance = x;
+/// What an operator can do with the wall.
+#[world_actions]
+impl Wall {
+    /// Places the wall.
+    #[action(moves = "wall")]
+    fn place_wall(
+        &mut self,
+        #[range(0.0..=FARTHEST)]
+        #[unit("m")]
+        #[place("road.x")]
+        x: f32,
+    ) -> Result<(), &'static str> {
+        if x < 0.01 {
+            return Err("the cart is there");
         }
-        let result = if is_near { Ok(()) } else { Err("it is too far".to_owned()) };
-        runner.requests_mut().ball_placed(now, result);
+        self.distance = x;
+        Ok(())
     }
 }
+
+type Loop = Runner<Box<CartTree>, Wall, LinkRequests, (Counter, LinkObserver<CartTree>)>;
 
 /// A loop with a server.
 pub(crate) struct Session {
@@ -134,9 +147,10 @@ impl Session {
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world() -> Self {
-        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES).with(Offers::BALL);
-        let silence = Duration::from_secs(1_000_000);
-        Self::serve(&"127.0.0.1:0".parse().unwrap(), ServerOptions { silence, offers, ..ServerOptions::default() })
+        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES);
+        let (silence, actions) = (Duration::from_secs(1_000_000), Wall::new().list());
+        let options = ServerOptions { silence, offers, actions, ..ServerOptions::default() };
+        Self::serve(&"127.0.0.1:0".parse().unwrap(), options)
     }
 
     pub(crate) fn start_with(address: &bica_link::Address, silence: Duration) -> Self {
@@ -169,7 +183,6 @@ impl Session {
                 in_loop.is_paused.store(false, Ordering::SeqCst);
                 if !runner.requests_mut().begins_cycle() {
                     runner.apply_requests();
-                    place_ball(&mut runner);
                     send_truth(&runner, time_us);
                     thread::sleep(Duration::from_millis(1));
                     continue;
@@ -178,7 +191,6 @@ impl Session {
                 commands.push(runner.cycle().expect("no sensor value is rejected").to_bits());
                 send_truth(&runner, time_us);
                 in_loop.cycles.fetch_add(1, Ordering::SeqCst);
-                place_ball(&mut runner);
                 thread::sleep(Duration::from_micros(500));
             }
             commands
@@ -270,4 +282,9 @@ pub(crate) fn snapshot(client: &mut Client, expected: &str, condition: impl Fn(&
         Event::Snapshot(snapshot) if condition(&snapshot) => Some(snapshot),
         _ => None,
     })
+}
+
+/// Requests a place of the wall.
+pub(crate) const fn placed(x: &[Value; 1]) -> Request<'_> {
+    Request::World { action: 0, arguments: x }
 }

@@ -10,6 +10,7 @@ import { bind } from '../lib/keys.js';
 import { classified, cursor, seek, session, watch } from '../lib/store.js';
 import { css, theme } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle, download } from '../lib/ui.js';
+import { inImage, useActions } from './actions.js';
 
 export function Camera({ visible }) {
   const shown = session.value;
@@ -42,6 +43,13 @@ export function Camera({ visible }) {
     return last.current;
   };
   const handlers = usePicture(image, zoom, pointer);
+  const at = ({ currentTarget: { clientWidth, clientHeight }, offsetX, offsetY }) => {
+    const one = image();
+    if (!one) return null;
+    const [column, row] = placed(one, clientWidth, clientHeight, zoom.value).pixel(offsetX, offsetY);
+    return ({ axis }) => ({ column, row })[axis];
+  };
+  const { handlers: opens, menu } = useActions({ shown, list: inImage(shown), at });
   if (!shown || !shown.info.value.can.images) {
     return html`<${Empty} what="No images" help=${shown ? 'This session sends no images. A world, a recording with images, or a robot that sends its camera does.' : 'Open a session first.'} />`;
   }
@@ -91,7 +99,7 @@ export function Camera({ visible }) {
       <${Menu} label="Save" title="Save the image">
         <button class="item" disabled=${!one} onClick=${() => savePng(one)}>as PNG</button><button class="item" disabled=${!one} onClick=${() => download(`image-${one.number}.yuyv`, new Blob([one.pixels]))}>as YUYV</button><//>
     <//>
-    <div class="fill picture"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Camera image" ...${handlers} /></div>`;
+    <div class="fill picture"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Camera image" ...${{ ...handlers, ...opens }} />${menu}</div>`;
 }
 
 /** Moves the cursor by one image. */

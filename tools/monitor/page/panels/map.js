@@ -1,14 +1,15 @@
 // The map: the scenery and true state of a world, and all outputs that have a place, in one frame.
 
-import { html, useEffect, useMemo, useSignal } from '../lib/dom.js';
+import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { number, words } from '../lib/format.js';
-import { IDENTITY, colourOf, flat, headingOf, inverse, located, times, visuals } from '../lib/frames.js';
+import { IDENTITY, applied, colourOf, flat, headingOf, inverse, located, times, visuals } from '../lib/frames.js';
 import { drawPart, partsOf, pointsOf } from '../lib/shapes.js';
 import { cursor, session, watch } from '../lib/store.js';
 import { css, curveColour } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
-import { PlaceMenu, useDrag } from './map/place.js';
+import { ActionsMenu, onGround, useActions } from './actions.js';
+import { useDrag } from './map/place.js';
 
 const TRAIL = 400;
 /** Distance around everything that is drawn, m, without a scenery. */
@@ -31,6 +32,10 @@ export function GroundMap({ visible }) {
   const mapIn = (width, height) => mapOf(seen.bounds ?? [-MARGIN, -MARGIN, MARGIN, MARGIN], width, height, turned.value);
   // What a world lets place is in its frame.
   const isFixed = fixed.value === null || fixed.value === shown?.scenery[0]?.frame;
+  const geometry = useRef(null);
+  const list = onGround(shown);
+  const at = (event) => geometry.current?.(mapIn(event.currentTarget.clientWidth, event.currentTarget.clientHeight).at(event.offsetX, event.offsetY));
+  const { handlers: opens, menu } = useActions({ shown, list, at });
   const { dragged, handlers } = useDrag({ shown, mapOf: (element) => mapIn(element.clientWidth, element.clientHeight), visible: truthShown.value && isFixed });
   useEffect(() => {
     if (!visible.value || !description) return undefined;
@@ -47,6 +52,15 @@ export function GroundMap({ visible }) {
   const colour = (component) => curveColour(colourOf(description, component));
   const root = place(shown.scenery[0]?.frame ?? truth()[0]?.frame ?? main).root;
   const view = frames.includes(fixed.value) ? fixed.value : root;
+  /** What a point of the view is in the frame of an argument; nothing in a frame that has no place in the view. */
+  geometry.current = (point) => (of) => {
+    const now = located(outputs, read, truth());
+    const { matrix, root: own } = now(of.frame);
+    const [x, y] = applied(times(inverse(matrix), now(view).matrix), point);
+    return own === now(view).root ? { x, y }[of.axis] : undefined;
+  };
+  /** Where the item is that an action moves. */
+  const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value[axis];
   const reads = () => {
     void [shown.truth.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
     outputs.forEach((output) => read(output));
@@ -87,14 +101,14 @@ export function GroundMap({ visible }) {
   return html`<${Bar} label="Map">
       <span class="dim place"><${Where} ...${{ place, frame: main, root }} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
-      ${truth().filter(({ placed }) => placed && shown.info.value.can.ball).map((item) => html`<${PlaceMenu} key=${item.name} ...${{ shown, item }} />`)}
+      <${ActionsMenu} ...${{ shown, list, known: here }} />
       <${Menu} label="Layers" title="What the map shows">
         <label>Fixed frame <select aria-label="Fixed frame" onChange=${(event) => { fixed.value = event.target.value; }}>${frames.map((frame) => html`<option selected=${frame === view}>${frame}</option>`)}</select></label>
         ${outputs.map(({ component, name, info }, number) => html`<${Toggle} on=${!hidden.value.has(number)} label=${`${name} · ${words(info.name)}`} title=${`${info.doc} Frame: ${info.frame}.`} colour=${colour(component)} onChange=${() => toggle(number)} />`)}
         <${Toggle} on=${turned.value} label="Turned by 180°" title="Turn the map by 180°" onChange=${(on) => { turned.value = on; }} />
         <button class="item" onClick=${seen.clear}>Clear the trails</button><//>
     <//>
-    <div class="fill field"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Map of the ground" ...${handlers} /></div>`;
+    <div class="fill field"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Map of the ground" ...${{ ...handlers, ...opens }} />${menu}</div>`;
 }
 
 /** The frame in which most outputs are given: the robot's. */

@@ -25,18 +25,6 @@ pub struct Drawn {
     /// Width of its lines, m; none: it is filled, or the page chooses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line_width: Option<f32>,
-    /// How the operator moves it; none: not at all.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub placed: Option<Placed>,
-}
-
-/// How the operator moves something: by a request with the fields `session`, `x` and `y`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Placed {
-    /// `type` of the request.
-    pub request: &'static str,
-    /// Largest x and y, of which the smallest are the negative, m.
-    pub reach: [f32; 2],
 }
 
 impl Drawn {
@@ -47,7 +35,6 @@ impl Drawn {
     #[must_use]
     pub fn new<V: Visual + Information>(name: &'static str, frame: &'static str, value: &V) -> Self {
         let value = serde_json::to_value(value).expect("a visual type can be written as JSON");
-        let (shape, child, colour, line_width, placed) = (V::NAME, None, None, None, None);
-        Self { name, shape, frame, child, value, colour, line_width, placed }
+        Self { name, shape: V::NAME, frame, child: None, value, colour: None, line_width: None }
     }
 }

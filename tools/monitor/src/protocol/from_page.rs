@@ -84,7 +84,7 @@ pub enum Request {
     Release {},
     /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
     Keep {},
-    /// Requests a change of the tree. [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
+    /// Requests a change of the tree, or an action of its world. [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
     Operate {
         /// The request, with names.
         request: NamedRequest,
@@ -97,13 +97,6 @@ pub enum Request {
     Step {
         /// Number of cycles.
         cycles: u32,
-    },
-    /// Places the ball of a simulated world on its field, at rest, before the next cycle. [`{"cycle": number}`: the first cycle with it]
-    PlaceBall {
-        /// Position along the field, to the attacked goal, m.
-        x: f32,
-        /// Position across the field, to the left, m.
-        y: f32,
     },
     /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
     /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).

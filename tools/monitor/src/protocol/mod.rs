@@ -24,7 +24,7 @@ mod world;
 
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
-pub use drawn::{Drawn, Placed};
+pub use drawn::Drawn;
 pub use from_page::{FromPage, Request};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};

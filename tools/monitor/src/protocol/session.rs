@@ -82,12 +82,10 @@ pub enum Control {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[expect(clippy::struct_excessive_bools, reason = "each is an independent capability, a field of a JSON object")]
 pub struct Capabilities {
-    /// Requests: parameters, holds, rates, modulations.
+    /// Requests: parameters, holds, rates, modulations, actions of the world.
     pub operate: bool,
     /// Pause and step, and restart if the world is of this process.
     pub pause: bool,
-    /// The ball can be placed.
-    pub ball: bool,
     /// The true state is known.
     pub truth: bool,
     /// Images come.

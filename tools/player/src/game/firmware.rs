@@ -145,7 +145,8 @@ impl Probe for FirmwareCheck {}
 
 impl Observer<Forward> for FirmwareCheck {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
-        if self.controller.is_some() {
+        // The world is this program's.
+        if self.controller.is_some() && !matches!(request, Request::World { .. }) {
             self.changes.push(request.store());
         }
     }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use bica::action::Action;
 use bica_app::Failure;
 use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
@@ -44,6 +45,7 @@ impl GameLink {
     pub(crate) fn start(
         options: Option<ServeOptions<'_>>,
         rules: &Rules,
+        actions: &'static [Action],
         image: SharedImage,
         can_pause: bool,
         firmware: &mut FirmwareCheck,
@@ -56,8 +58,8 @@ impl GameLink {
         // from the image's.
         let watch_only = firmware.is_watch_only()?;
         let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
-        let offers = Offers::TRUTH.with(Offers::IMAGES).with(Offers::BALL).with(pause);
-        let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, ..defaults };
+        let offers = Offers::TRUTH.with(Offers::IMAGES).with(pause);
+        let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, actions, ..defaults };
         let (server, requests, observer) = LinkServer::start::<Forward>(address, options)?;
         started(server.address())?;
         let observer = observer.with_images(image_of).sharing_images(move |pixels| image.owner_of(pixels));

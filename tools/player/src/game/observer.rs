@@ -31,14 +31,6 @@ pub trait GameObserver {
         Ok(())
     }
 
-    /// The operator has placed the ball after this cycle.
-    ///
-    /// # Errors
-    /// If the game has to end.
-    fn ball_placed(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
-        Ok(())
-    }
-
     /// The tree changed in this cycle.
     ///
     /// # Errors
@@ -76,10 +68,6 @@ impl<O: GameObserver> GameObserver for Option<O> {
         self.as_mut().map_or(Ok(()), |observer| observer.cycle(scene))
     }
 
-    fn ball_placed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |observer| observer.ball_placed(scene))
-    }
-
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.as_mut().map_or(Ok(()), |observer| observer.tree_changed(scene))
     }
@@ -102,11 +90,6 @@ impl<A: GameObserver, B: GameObserver> GameObserver for (A, B) {
     fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         self.0.cycle(scene)?;
         self.1.cycle(scene)
-    }
-
-    fn ball_placed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.0.ball_placed(scene)?;
-        self.1.ball_placed(scene)
     }
 
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {

@@ -4,9 +4,8 @@ use std::thread;
 use std::time::{Duration, Instant as Clock};
 
 use bica::runner::Runner;
-use bica::{Instant, Refusal, Tree};
+use bica::{Refusal, Tree};
 use bica_app::Failure;
-use bica_link::LinkRequests;
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
 use bica_player::perception::GoalDetector;
@@ -82,12 +81,10 @@ pub fn play_controlled(
             thread::sleep(BETWEEN_REQUESTS);
             paused += asked.elapsed();
             game.runner.apply_requests();
-            game.place_ball(observer)?;
             game.send_truth();
             continue;
         }
         game.report(observer)?;
-        game.place_ball(observer)?;
         if let Some(note) = control.note() {
             game.recorder_mut().note(&note);
         }
@@ -128,7 +125,8 @@ impl Game {
         serve: Option<ServeOptions<'_>>,
         can_pause: bool,
     ) -> Result<Self, Failure> {
-        let world = world_factory::open(rules)?;
+        let mut world = world_factory::open(rules)?;
+        let actions = world.actions().list();
         let image = world.shared_image();
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
@@ -137,8 +135,8 @@ impl Game {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let mut firmware = FirmwareCheck::new(rules.firmware.map(|image| image.start(attacks)).transpose()?);
-        let recorder = GameRecorder::new(record, rules, attacks, &robot, image.clone())?;
-        let (link, requests, view) = GameLink::start(serve, rules, image, can_pause, &mut firmware)?;
+        let recorder = GameRecorder::new(record, rules, attacks, (&robot, actions), image.clone())?;
+        let (link, requests, view) = GameLink::start(serve, rules, actions, image, can_pause, &mut firmware)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (firmware, (measured, (recorder, view)));
         Ok(Self {
@@ -206,27 +204,6 @@ impl Game {
         self.tree_changes += u64::from(self.meter().changed());
         if self.ball_path.last().is_none_or(|last| last.distance(ball) > PATH_STEP) {
             self.ball_path.push(ball);
-        }
-        Ok(())
-    }
-
-    /// Places the ball as the operator has requested it, before the next cycle.
-    fn place_ball(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
-        let mut is_placed = false;
-        while let Some(at) = self.runner.requests_mut().as_mut().and_then(LinkRequests::next_ball) {
-            let result = self.runner.world_mut().place_ball(at.into()).map_err(|error| error.to_string());
-            if result.is_ok() {
-                is_placed = true;
-                self.recorder_mut().ball_placed(at);
-            }
-            let now = Instant::from_micros(self.now().as_micros() as u64);
-            if let Some(requests) = self.runner.requests_mut() {
-                requests.ball_placed(now, result);
-            }
-        }
-        if is_placed {
-            self.send_truth();
-            observer.ball_placed(&self.scene())?;
         }
         Ok(())
     }

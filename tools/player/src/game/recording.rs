@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use bica::action::Action;
 use bica::runner::{Cycle, Observer, Request};
 use bica::{Probe, Refusal};
 use bica_app::{Failure, RecordedFile};
@@ -15,7 +16,6 @@ use serde::Serialize;
 
 use crate::game::event;
 use crate::game::meter::Meter;
-use crate::game::replay::BALL;
 use crate::game::rules::{Rules, WorldKind};
 use crate::game::scene::GRAPH;
 
@@ -79,11 +79,11 @@ impl GameRecorder {
         options: Option<RecordOptions<'_>>,
         rules: &Rules,
         attacks: GoalColour,
-        robot: &Forward,
+        (robot, actions): (&Forward, &'static [Action]),
         image: SharedImage,
     ) -> Result<Self, Failure> {
         let start = |RecordOptions { path, images, force }: RecordOptions<'_>| {
-            let header = recording_header(rules, attacks, images).of_robot(robot);
+            let header = recording_header(rules, attacks, images).with_actions(actions).of_robot(robot);
             let (file, recorder) = RecordedFile::start(path, force, &header, rules.realtime)?;
             Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };
@@ -95,13 +95,6 @@ impl GameRecorder {
     pub(crate) fn event(&self, event: &TimedEvent) {
         if let Some(recorder) = &self.recorder {
             recorder.event(event::recorded(event));
-        }
-    }
-
-    /// Records that the ball was placed before the next cycle, m, field frame.
-    pub(crate) fn ball_placed(&mut self, at: [f32; 2]) {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.world_changed(BALL, &at);
         }
     }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
+use bica::action::Actions;
 use bica::runner::World;
 use bica::{Instant, Tree};
 use bica_app::{Failure, interrupt};
@@ -27,9 +28,6 @@ use crate::game::world_factory;
 
 /// Number of bytes after which the progress bar moves.
 const PROGRESS_STEP: u64 = 1 << 16;
-
-/// Name of the placement of the ball among the changes of the world; its values are x and y, m, field frame.
-pub(crate) const BALL: &str = "ball";
 
 /// Runs the code again on a recording, or compares two recordings.
 ///
@@ -154,16 +152,13 @@ impl World<Forward> for Field {
     fn act(&mut self, command: &Command) {
         World::<Forward>::act(&mut self.world, command);
     }
+
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        World::<Forward>::actions(&mut self.world)
+    }
 }
 
 impl RepeatedWorld<Forward> for Field {
-    fn change(&mut self, name: &str, values: &[f32]) -> Result<(), String> {
-        match (name, values) {
-            (BALL, &[x, y]) => self.world.place_ball([x, y].into()).map_err(|error| error.to_string()),
-            _ => Err(format!("the world has no change `{name}` of {} values", values.len())),
-        }
-    }
-
     fn take_events(&mut self) -> Vec<RunEvent> {
         let events = &self.world.referee().events()[self.events..];
         self.events += events.len();

@@ -225,24 +225,30 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     let (code, _, errors) = game.monitor(&["pause"]);
     assert_eq!(code, Some(0), "{errors}");
     for at in [["2.5", "-1.5"], ["-2.875", "1.5"]] {
-        let (code, lines, errors) = game.monitor(&["ball", at[0], at[1]]);
+        let (code, lines, errors) = game.monitor(&["act", "place_ball", at[0], at[1]]);
         assert_eq!(code, Some(0), "{errors}");
-        assert_eq!(lines[0]["schema"], "bica/link-ball/1");
-        let expected: [f64; 2] = at.map(|number| number.parse().expect("a number"));
-        assert_eq!(lines[0]["ball"], serde_json::json!(expected));
+        assert_eq!(lines[0]["schema"], "bica/link-done/1");
         let (_, stepped, errors) = game.monitor(&["step", "10"]);
         let cycle = lines[0]["cycle"].as_u64().expect("a number");
         assert_eq!(stepped[0]["cycle"].as_u64(), Some(cycle + 10), "{errors}");
     }
     for (args, error) in [
-        (&["ball", "3.5", "0"][..], "x must be from -3 to 3 m, y from -2 to 2 m"),
-        (&["ball", "3", "0.7"], "a goal post is there"),
-        (&["ball", "NaN", "0"], "x must be from -3 to 3 m"),
+        (&["act", "place_ball", "3.5", "0"][..], "3.5 is outside -3..=3"),
+        (&["act", "place_ball", "3", "0.7"], "a goal post is there"),
+        (&["act", "place_ball", "NaN", "0"], "the value is not finite"),
+        (&["act", "place_ball", "1"], "give these: x, y"),
+        (&["act", "place_bal", "1", "0"], "did you mean `place_ball`?"),
     ] {
         let (code, _, errors) = game.monitor(args);
         assert_eq!(code, Some(2), "{args:?}");
         assert!(errors.contains(error), "{args:?}: {errors}");
     }
+    let (_, lines, errors) = game.monitor(&["act"]);
+    assert_eq!(
+        (&lines[0]["schema"], &lines[0]["actions"][0]["name"]),
+        (&"bica/link-actions/1".into(), &"place_ball".into()),
+        "{errors}"
+    );
     assert_eq!(game.monitor(&["resume"]).0, Some(0));
     let (code, lines, errors) = game.monitor(&["watch", "--truth", "--count", "20"]);
     assert_eq!(code, Some(0), "{errors}");
@@ -251,7 +257,7 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     game.finish();
     let info = run(&["record", "info", file, "--json"]).json();
     let requests: Vec<_> = info["requests"].as_array().expect("a list").iter().map(|one| &one["request"]).collect();
-    assert_eq!(requests, ["world ball(2.5, -1.5)", "world ball(-2.875, 1.5)"]);
+    assert_eq!(requests, ["act place_ball(2.5, -1.5)", "act place_ball(-2.875, 1.5)"]);
     let replayed = run(&["replay", file, "--json"]);
     assert_eq!(replayed.code, Some(0), "{}", replayed.stdout);
 }

@@ -99,7 +99,7 @@ mod with_mujoco {
         robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
         for cycle in 0..2600 {
             match cycle {
-                100 => world.push(Vec2::new(-2.3, 0.0)),
+                100 => world.add_velocity(Vec2::new(-2.3, 0.0)),
                 50 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}

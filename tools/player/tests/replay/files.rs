@@ -73,14 +73,15 @@ pub(crate) fn recorded(
     images: ImagePolicy,
 ) -> Runner<Box<Forward>, KinematicWorld<Model>, RequestQueue, Recorder> {
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let world = KinematicWorld::<Model>::new(&setup).expect("valid");
+    let mut world = KinematicWorld::<Model>::new(&setup).expect("valid");
+    let actions = World::actions(&mut world).list();
     let attacks = world.referee().attacks();
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<RobotProfile>().set(rules.world.profile());
     robot.get_mut::<GoalDetector>().attack(attacks);
     let target = File::create(&file.0).expect("room");
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    let header = recording_header(rules, attacks, images).of_robot(&*robot);
+    let header = recording_header(rules, attacks, images).with_actions(actions).of_robot(&*robot);
     let recorder = Recorder::start(target, &header, options, |_| {}).expect("room");
     Runner::new(robot, world).with_requests(RequestQueue::new()).with_observer(recorder)
 }

@@ -2,11 +2,10 @@
 
 use std::fs::{self, File};
 
-use bica::runner::OwnedRequest;
-use bica::{ComponentId, Hold};
+use bica::runner::{OwnedRequest, Request};
+use bica::{ComponentId, Hold, Value};
 use bica_player_program::game::{ReplayOptions, replay, rerun};
 use bica_recording::{Channel, ImagePolicy, Info, RequestRecord, RunningFingerprint, Tick};
-use bica_sim::World;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -24,12 +23,10 @@ fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
         while rng.next_u32().is_multiple_of(16) {
             // A part of the positions is refused.
             let at = [6.6, 4.4].map(|width| (f32::from(rng.next_u32() as u16) / 65_536.0 - 0.5) * width);
-            if runner.world_mut().place_ball(at.into()).is_ok() {
-                runner.observer_mut().world_changed("ball", &at);
-                count += 1;
-            }
+            runner.requests_mut().push(Request::World { action: 0, arguments: &at.map(Value::F32) });
         }
         runner.cycle().expect("images fit");
+        count += runner.requests_mut().take_answers().into_iter().filter(Result::is_ok).count();
     }
     let report = runner.into_parts().3.finish("");
     assert_eq!((report.cycles, report.reason), (CYCLES, None));
@@ -44,9 +41,9 @@ fn change(file: &Temporary, mut change: impl FnMut([f32; 2]) -> Option<[f32; 2]>
         Channel::Requests => {
             let mut request: RequestRecord = postcard::from_bytes(data).expect("a request");
             if let RequestRecord::World { values, .. } = &mut request {
-                let &mut [ref mut x, ref mut y] = &mut values[..] else { panic!("a place: {values:?}") };
-                if let Some(at) = change([*x, *y]) {
-                    [*x, *y] = at;
+                let [Value::F32(x), Value::F32(y)] = values[..] else { panic!("a place: {values:?}") };
+                if let Some(at) = change([x, y]) {
+                    *values = at.map(Value::F32).to_vec();
                 } else {
                     let released = OwnedRequest::Hold { component: ComponentId::new(0), hold: Hold::Tree };
                     request = RequestRecord::Tree(released);
@@ -77,7 +74,11 @@ fn games_with_placements_replay_bit_for_bit() {
         assert_eq!(replayed.cycles, CYCLES);
         let info = Info::read(File::open(&file.0).expect("recorded")).expect("a recording");
         assert_eq!(info.requests.len(), count);
-        assert!(info.requests.iter().all(|request| request.request.starts_with("world ball(")), "{:?}", info.requests);
+        assert!(
+            info.requests.iter().all(|request| request.request.starts_with("act place_ball(")),
+            "{:?}",
+            info.requests
+        );
     }
 }
 
@@ -106,7 +107,7 @@ fn a_placement_that_the_world_refuses_is_a_difference() {
     });
     let first = replayed.first_difference.expect("there is no such place");
     assert_eq!((first.field.as_str(), first.repeated.as_str()), ("requests", ""), "{first:?}");
-    assert!(first.recorded.starts_with("world ball(9, "), "{first:?}");
+    assert!(first.recorded.starts_with("act place_ball(9, "), "{first:?}");
 }
 
 #[test]

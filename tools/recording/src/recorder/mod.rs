@@ -14,6 +14,7 @@ use bica::refusal::Refusal;
 use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_wire::Recordable;
+use bica_wire::model::Modulation;
 use crc32fast::Hasher;
 
 use crate::header::{Header, ImagePolicy};
@@ -88,6 +89,8 @@ pub struct Recorder {
     information_bytes: usize,
     /// Size of the largest sensor values and command so far, encoded.
     message_bytes: usize,
+    /// Actions of the world.
+    actions: Vec<Modulation>,
     requests: Vec<RequestRecord>,
     sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
@@ -131,6 +134,7 @@ impl Recorder {
             information_every: options.information_every,
             information_bytes: 0,
             message_bytes: 0,
+            actions: header.tree.actions.clone(),
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
@@ -145,9 +149,9 @@ impl Recorder {
         self
     }
 
-    /// Records that the simulated world was changed before the next cycle.
-    pub fn world_changed(&mut self, name: &str, values: &[f32]) {
-        self.requests.push(RequestRecord::World { name: name.to_owned(), values: values.to_vec() });
+    /// Records a request that the observed loop has not applied itself.
+    pub(crate) fn add_request(&mut self, request: RequestRecord) {
+        self.requests.push(request);
     }
 
     /// Records an event of the run.
@@ -224,7 +228,7 @@ impl Probe for Recorder {}
 
 impl<R: Recordable> Observer<R> for Recorder {
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
-        self.requests.push(RequestRecord::from(request));
+        self.requests.push(RequestRecord::new(*request, &self.actions));
     }
 
     fn refused(&mut self, _now: Instant, _request: &Request<'_>, refusal: &Refusal) {

@@ -52,7 +52,7 @@ where
             let result = again.request(&recorded, request);
             let recorder = again.runner.observer_mut();
             match (result, request) {
-                (Ok(()), RequestRecord::World { name, values }) => recorder.world_changed(name, values),
+                (Ok(()), RequestRecord::World { .. }) => recorder.add_request(request.clone()),
                 (Ok(()), _) => {}
                 (Err(WorldRefusal::World(error)), _) => {
                     recorder.log(LogLine { level: 3, text: format!("request refused: {error}") });

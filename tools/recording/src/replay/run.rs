@@ -3,8 +3,9 @@
 use std::fmt::Display;
 use std::path::Path;
 
+use bica::action::perform;
 use bica::runner::{Cycle, Observer, Robot, Runner, World};
-use bica::{Instant, Probe};
+use bica::{Instant, Probe, Refusal};
 use bica_wire::Recordable;
 use crc32fast::Hasher;
 
@@ -84,8 +85,8 @@ where
     pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), WorldRefusal> {
         match request {
             RequestRecord::World { name, values } => {
-                let changed = self.world.as_mut().map_or(Ok(()), |world| world.change(name, values));
-                changed.map_err(WorldRefusal::World)
+                let Some(world) = &mut self.world else { return Ok(()) };
+                perform(world.actions(), name.as_str(), values).map_err(WorldRefusal::World)
             }
             RequestRecord::Tree(request) => {
                 // The observer receives the refusal.
@@ -135,8 +136,8 @@ where
 
 /// Reason why a recorded request is not applied.
 pub(super) enum WorldRefusal {
-    /// The world refuses it, as text.
-    World(String),
+    /// The world refuses it.
+    World(Refusal),
     /// The program does not know it.
     Unknown(Invalid),
 }

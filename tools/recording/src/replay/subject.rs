@@ -13,15 +13,13 @@ use crate::message::RunEvent;
 
 /// Simulated world that runs again.
 pub trait RepeatedWorld<R: Robot>: World<R> {
-    /// Changes the world as it was changed in the recorded run.
-    ///
-    /// # Errors
-    /// If the world refuses the change, because the repeated run is another one, or does not know it.
-    fn change(&mut self, name: &str, values: &[f32]) -> Result<(), String>;
-
-    /// Returns the events since the last call.
-    fn take_events(&mut self) -> Vec<RunEvent>;
+    /// Returns the events since the last call; none by default.
+    fn take_events(&mut self) -> Vec<RunEvent> {
+        Vec::new()
+    }
 }
+
+impl<R: Robot> RepeatedWorld<R> for Box<dyn World<R>> {}
 
 /// Robot and world at the start of a run that is repeated.
 pub struct Subject<R> {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
 use bica_recording::{
-    Header, ImagePolicy, Info, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, RunEvent, Subject, replay, rerun,
+    Header, ImagePolicy, Info, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun,
 };
 
 use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
@@ -49,15 +49,7 @@ impl World<Cart> for Room {
     }
 }
 
-impl RepeatedWorld<Cart> for Room {
-    fn change(&mut self, name: &str, _values: &[f32]) -> Result<(), String> {
-        Err(format!("there is no `{name}`"))
-    }
-
-    fn take_events(&mut self) -> Vec<RunEvent> {
-        Vec::new()
-    }
-}
+impl RepeatedWorld<Cart> for Room {}
 
 /// Returns the cart at its start with another gain, and the room.
 fn subject(gain: Option<f32>) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, bica_wire::model::Invalid> {

@@ -12,7 +12,8 @@ export function Modulations({ component, index }) {
     ${component.modulations.map((modulation, number) => html`<${Modulation} key=${modulation.name} ...${{ modulation, component: index, number, name: component.name }} />`)}</section>`;
 }
 
-const initial = (argument) => argument.default ?? ('min' in argument ? Math.min(Math.max(0, argument.min), argument.max) : argument.kind === 'bool' ? false : argument.variants?.[0]?.name);
+/** The value of an argument before anybody sets it. */
+export const initial = (argument) => argument.default ?? ('min' in argument ? Math.min(Math.max(0, argument.min), argument.max) : argument.kind === 'bool' ? false : argument.variants?.[0]?.name);
 
 function Modulation({ modulation, component, number: place, name }) {
   const values = useSignal(modulation.arguments.map(initial));

@@ -1,21 +1,19 @@
-// What the operator may place in a simulated world: it is dragged on the map, or placed by numbers.
+// Dragging of what an action of a simulated world moves.
 
-import { html, useRef, useSignal } from '../../lib/dom.js';
+import { useRef, useSignal } from '../../lib/dom.js';
 import { request } from '../../lib/connection.js';
-import { command, cursor, notify, operate } from '../../lib/store.js';
-import { Menu } from '../../lib/ui.js';
+import { cursor, notify, operate } from '../../lib/store.js';
+import { mover, valuesAt } from '../actions.js';
 
 /** Distance from the pointer at which something is taken, px. */
 const REACH = 14;
 /** Time between two requests while it is dragged. */
 const REPEAT_MS = 50;
 
-const metres = (value) => Math.round(value * 1000) / 1000;
-
 /** Sends a position; returns the error, or null. */
-async function place(session, { request: name }, [x, y]) {
+async function place(session, call, [x, y], item) {
   try {
-    await request(name, { session, x, y });
+    await request('operate', { session, request: call.request(valuesAt(call, ({ axis }) => ({ ...item, x, y })[axis])) });
     return null;
   } catch (error) {
     return error;
@@ -29,24 +27,32 @@ async function follow(session, drag) {
   while (!drag.done || sent !== drag.to) {
     if (sent !== drag.to) {
       sent = drag.to;
-      error = await place(session, drag.placed, sent);
+      error = await place(session, drag.call, sent, drag.item);
     }
     if (!drag.done) await new Promise((resolve) => { setTimeout(resolve, REPEAT_MS); });
   }
   if (error) notify('error', error.text ?? String(error), error.help ?? '');
 }
 
+/** A position within the ranges of the arguments that take it. */
+const within = (call, at) => ['x', 'y'].map((axis, index) => {
+  const { min, max } = call.arguments.find(({ place: of }) => of?.axis === axis);
+  return Math.min(Math.max(at[index], min), max);
+});
+
 /**
- * Dragging of what a world lets place. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn.
+ * Dragging of what a world lets move. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn.
  * Returns the handlers of the canvas and where something is dragged, or null.
  */
 export function useDrag({ shown, mapOf, visible }) {
   const dragged = useSignal(null);
   const state = useRef(null);
   const near = (event) => {
-    if (!visible || !shown?.info.value.can.ball) return undefined;
+    if (!visible || !shown?.info.value.can.operate) return undefined;
     const map = mapOf(event.currentTarget);
-    return shown.truth.value?.truth.find(({ placed, value }) => placed && Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY) < REACH);
+    const distance = ({ value }) => Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY);
+    const items = (shown.truth.value?.truth ?? []).filter((item) => distance(item) < REACH && mover(shown, item));
+    return items.sort((one, other) => distance(one) - distance(other))[0];
   };
   const end = () => {
     if (!state.current) return;
@@ -64,7 +70,7 @@ export function useDrag({ shown, mapOf, visible }) {
       event.currentTarget.setPointerCapture(event.pointerId);
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       // It keeps its distance from the pointer.
-      state.current = { drag: { to: null, done: false, placed: item.placed }, offset: [item.value.x - at[0], item.value.y - at[1]] };
+      state.current = { drag: { to: null, done: false, call: mover(shown, item), item: item.value }, offset: [item.value.x - at[0], item.value.y - at[1]] };
     },
     onPointerMove: (event) => {
       const moving = state.current;
@@ -75,8 +81,7 @@ export function useDrag({ shown, mapOf, visible }) {
       event.currentTarget.style.cursor = 'grabbing';
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       const begins = moving.drag.to === null;
-      const { reach } = moving.drag.placed;
-      moving.drag.to = at.map((value, axis) => metres(Math.min(Math.max(value + moving.offset[axis], -reach[axis]), reach[axis])));
+      moving.drag.to = within(moving.drag.call, at.map((value, axis) => value + moving.offset[axis]));
       dragged.value = moving.drag.to;
       if (!begins) return;
       follow(shown.id, moving.drag).finally(() => {
@@ -89,30 +94,4 @@ export function useDrag({ shown, mapOf, visible }) {
     onLostPointerCapture: end,
   };
   return { dragged, handlers };
-}
-
-/** The menu in which something is placed by numbers. */
-export function PlaceMenu({ shown, item }) {
-  const { name, placed: { request: type, reach } } = item;
-  const title = name[0].toUpperCase() + name.slice(1);
-  const x = useSignal('');
-  const y = useSignal('');
-  const read = () => {
-    const at = shown.truth.value?.truth.find((one) => one.name === name)?.value;
-    if (at) [x.value, y.value] = [at.x, at.y].map((value) => value.toFixed(3));
-  };
-  const submit = (event) => {
-    event.preventDefault();
-    const at = [x.value, y.value].map((text) => (text.trim() === '' ? NaN : Number(text.trim().replace('−', '-'))));
-    if (!at.every(Number.isFinite)) {
-      notify('error', `“${x.value}” and “${y.value}” are no position`, 'give two numbers of metres, as -1.5');
-      return;
-    }
-    command(type, { x: at[0], y: at[1] }, `the ${name} lies at ${at[0]}, ${at[1]} m`);
-  };
-  const field = (label, value) => html`<label>${label} <input class="short" inputmode="decimal" autocomplete="off" aria-label=${`${title} ${label}`} value=${value.value} onInput=${(event) => { value.value = event.target.value; }} /></label>`;
-  return html`<${Menu} label=${title} title=${`Place the ${name}`} onOpen=${read}>
-    <form class="form" onSubmit=${submit}>${field('x', x)}${field('y', y)}<button>Place</button></form>
-    <p class="hint">Metres in the frame of the world: x from −${reach[0]} to ${reach[0]}, y from −${reach[1]} to ${reach[1]}. It can also be dragged on the map.</p>
-  <//>`;
 }

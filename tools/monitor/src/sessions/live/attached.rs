@@ -312,7 +312,6 @@ fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
     Capabilities {
         operate: offers.contains(Offers::OPERATE) && !read_only,
         pause: offers.contains(Offers::PAUSE.with(Offers::OPERATE)) && !read_only,
-        ball: offers.contains(Offers::BALL) && !read_only,
         truth: offers.contains(Offers::TRUTH),
         images: offers.contains(Offers::IMAGES),
         costs: offers.contains(Offers::COSTS),

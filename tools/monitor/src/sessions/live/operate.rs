@@ -70,17 +70,9 @@ impl Attached<'_> {
                 let help = "wait for the answers; a paused world answers when it goes on";
                 answer(Err(Failed::new(format!("{MAX_PENDING} requests have no answer yet"), help)));
             }
-            Request::PlaceBall { x, y, .. } if self.session.shared().can.ball => {
-                let number = self.client.send_ball([x, y])?;
-                self.expect_answer(number, Pending { page, id, request: None });
-            }
-            Request::PlaceBall { .. } => {
-                let help = "only the ball of a simulated world can be placed";
-                answer(Err(Failed::new("the ball cannot be placed there", help)));
-            }
             Request::Operate { request } => match self.client.description().request(&request) {
                 Ok(request) => match self.client.send_request(request.borrow()) {
-                    Ok(number) => self.expect_answer(number, Pending { page, id, request: Some(request) }),
+                    Ok(number) => self.expect_answer(number, Pending { page, id, request }),
                     Err(bica_link::Error::Unknown(invalid)) => answer(Err(invalid.into())),
                     Err(error) => return Err(error),
                 },
@@ -207,18 +199,16 @@ impl Attached<'_> {
     pub(super) fn answered(&mut self, answer: Answered) {
         let Some(Pending { page, id, request }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
-        let result = match (refused, request) {
-            (Some((_, entry, text)), Some(_)) => {
+        let result = match refused {
+            Some((_, entry, text)) => {
                 let help = "values must be in their ranges, and requests come from the page in control".to_owned();
                 Err(Failed { entry: Some(entry), ..Failed::new(text, help) })
             }
-            (Some((.., text)), None) => Err(Failed::new(text, "place it where it is in play and nothing stands")),
-            (None, Some(request)) => {
+            None => {
                 self.remember(&request, &values);
                 let values = self.client.description().plain_values(request.borrow(), &values);
                 Ok(json!({ "cycle": cycle, "values": values }))
             }
-            (None, None) => Ok(json!({ "cycle": cycle })),
         };
         self.session.pages.answer(page, id, result);
     }

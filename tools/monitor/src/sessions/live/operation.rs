@@ -12,8 +12,7 @@ use crate::protocol::Failed;
 pub(super) struct Pending {
     pub(super) page: PageId,
     pub(super) id: u32,
-    /// None for a placement of the ball.
-    pub(super) request: Option<OwnedRequest>,
+    pub(super) request: OwnedRequest,
 }
 
 /// A page that waits for the lease.

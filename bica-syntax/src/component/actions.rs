@@ -1,0 +1,72 @@
+//! The impl block of a world with `#[world_actions]`.
+
+use proc_macro2::{Ident, TokenStream};
+use syn::parse::ParseStream;
+use syn::{Attribute, LitStr, Meta, Path, Token};
+
+use super::block::{Block, Function, Item};
+use super::model::Modulation;
+use super::operator;
+use crate::report::Report;
+use crate::{plain_item, wording};
+
+/// An impl block with actions.
+pub struct WorldActions {
+    /// The block without our attributes.
+    pub block: Block,
+    /// The actions.
+    pub actions: Vec<Action>,
+    /// The crate that generated code uses.
+    pub krate: Path,
+}
+
+/// A method with `#[action]`.
+pub struct Action {
+    /// Name, doc comment and arguments.
+    pub call: Modulation,
+    /// Item of the true state that it moves.
+    pub moves: Option<String>,
+}
+
+/// Reads the item; `None` with the mistake reported if it is no impl block of a type.
+pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> Option<WorldActions> {
+    let krate = plain_item::krate("world_actions", options, report);
+    let Some(mut block) = Block::read(item).filter(|block| block.header.trait_.is_none()) else {
+        report.add(item, wording::WORLD_ACTIONS);
+        return None;
+    };
+    let own = (*block.header.self_ty).clone();
+    let mut actions = Vec::new();
+    for item in &mut block.items {
+        let Item::Function(function) = item else { continue };
+        let Some(attribute) = take(function) else { continue };
+        let call = operator::call(function, "action", &own, report);
+        let moves = report.take(moves(&attribute));
+        actions.extend(call.zip(moves).map(|(call, moves)| Action { call, moves }));
+    }
+    Some(WorldActions { block, actions, krate })
+}
+
+/// Takes the attribute `#[action]` off a function.
+fn take(function: &mut Function) -> Option<Attribute> {
+    function.attributes.extract_if(.., |one| one.path().is_ident("action")).last()
+}
+
+/// `#[action]`, `#[action(moves = "cup")]`
+fn moves(attribute: &Attribute) -> syn::Result<Option<String>> {
+    let list = match &attribute.meta {
+        Meta::Path(_) => return Ok(None),
+        Meta::List(list) => list,
+        Meta::NameValue(_) => return Err(syn::Error::new_spanned(attribute, wording::ACTION_FORM)),
+    };
+    let item = |input: ParseStream| {
+        let form = |found: syn::Error| syn::Error::new(found.span(), wording::ACTION_FORM);
+        let key: Ident = input.parse().map_err(form)?;
+        if key != "moves" {
+            return Err(syn::Error::new(key.span(), wording::ACTION_FORM));
+        }
+        input.parse::<Token![=]>().map_err(form)?;
+        input.parse::<LitStr>().map_err(form).map(|item| item.value())
+    };
+    list.parse_args_with(item).map(Some)
+}

@@ -1,0 +1,82 @@
+//! What an operator can do in a world: place the ball and the robot, and push the robot.
+
+use core::f32::consts::PI;
+
+use bica_motion::model::simulation::SimulatedModel;
+use bica_motion::pose::Pose2;
+use glam::Vec2;
+
+use crate::field::CORNER;
+use crate::kinematic::KinematicWorld;
+use crate::world::World;
+
+/// Makes the actions of a world.
+macro_rules! operated {
+    ($world:ty, $model:ident: $bound:path) => {
+        #[bica_macros::world_actions(crate = bica_core)]
+        impl<$model: $bound> $world {
+            /// Puts the ball at a place, at rest.
+            #[action(moves = "ball")]
+            pub fn place_ball(
+                &mut self,
+                /// Position along the field, to the attacked goal.
+                #[range(-CORNER.x..=CORNER.x)]
+                #[unit("m")]
+                #[place("field.x")]
+                x: f32,
+                /// Position across the field, to the left.
+                #[range(-CORNER.y..=CORNER.y)]
+                #[unit("m")]
+                #[place("field.y")]
+                y: f32,
+            ) -> Result<(), &'static str> {
+                self.put_ball(Vec2::new(x, y))
+            }
+
+            /// Puts the robot on its feet somewhere else, as a person does who carries it.
+            #[action(moves = "robot")]
+            pub fn place_robot(
+                &mut self,
+                /// Position along the field, to the attacked goal.
+                #[range(-CORNER.x..=CORNER.x)]
+                #[unit("m")]
+                #[place("field.x")]
+                x: f32,
+                /// Position across the field, to the left.
+                #[range(-CORNER.y..=CORNER.y)]
+                #[unit("m")]
+                #[place("field.y")]
+                y: f32,
+                /// Heading, 0 toward the attacked goal.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                #[place("field.heading")]
+                heading: f32,
+            ) -> Result<(), &'static str> {
+                self.put_robot(Pose2::new(x, y, heading))
+            }
+
+            /// Pushes the robot at its torso.
+            #[action]
+            pub fn push(
+                &mut self,
+                /// Direction, 0 toward the attacked goal.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                #[place("field.heading")]
+                direction: f32,
+                /// Change of the torso's velocity.
+                #[range(0.0..=2.0)]
+                #[unit("m/s")]
+                #[default(0.3)]
+                speed: f32,
+            ) {
+                self.add_velocity(speed * Vec2::from_angle(direction));
+            }
+        }
+    };
+}
+
+operated!(KinematicWorld<M>, M: SimulatedModel);
+#[cfg(feature = "mujoco")]
+operated!(crate::mujoco::MujocoWorld<M>, M: bica_motion::model::simulation::MujocoModel);
