@@ -13,7 +13,7 @@ const REPEAT_MS = 50;
 const metres = (value) => Math.round(value * 1000) / 1000;
 
 /** Sends a position; returns the error, or null. */
-async function place(session, { request: name }, [x, y]) {
+async function place(session, name, [x, y]) {
   try {
     await request(name, { session, x, y });
     return null;
@@ -29,7 +29,7 @@ async function follow(session, drag) {
   while (!drag.done || sent !== drag.to) {
     if (sent !== drag.to) {
       sent = drag.to;
-      error = await place(session, drag.placed, sent);
+      error = await place(session, drag.action, sent);
     }
     if (!drag.done) await new Promise((resolve) => { setTimeout(resolve, REPEAT_MS); });
   }
@@ -46,7 +46,7 @@ export function useDrag({ shown, mapOf, visible }) {
   const near = (event) => {
     if (!visible || !shown?.info.value.can.ball) return undefined;
     const map = mapOf(event.currentTarget);
-    return shown.truth.value?.truth.find(({ placed, value }) => placed && Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY) < REACH);
+    return shown.truth.value?.truth.find(({ moved_by: action, value }) => action && value && Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY) < REACH);
   };
   const end = () => {
     if (!state.current) return;
@@ -64,7 +64,7 @@ export function useDrag({ shown, mapOf, visible }) {
       event.currentTarget.setPointerCapture(event.pointerId);
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       // It keeps its distance from the pointer.
-      state.current = { drag: { to: null, done: false, placed: item.placed }, offset: [item.value.x - at[0], item.value.y - at[1]] };
+      state.current = { drag: { to: null, done: false, action: item.moved_by }, offset: [item.value.x - at[0], item.value.y - at[1]] };
     },
     onPointerMove: (event) => {
       const moving = state.current;
@@ -75,8 +75,7 @@ export function useDrag({ shown, mapOf, visible }) {
       event.currentTarget.style.cursor = 'grabbing';
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       const begins = moving.drag.to === null;
-      const { reach } = moving.drag.placed;
-      moving.drag.to = at.map((value, axis) => metres(Math.min(Math.max(value + moving.offset[axis], -reach[axis]), reach[axis])));
+      moving.drag.to = at.map((value, axis) => metres(value + moving.offset[axis]));
       dragged.value = moving.drag.to;
       if (!begins) return;
       follow(shown.id, moving.drag).finally(() => {
@@ -93,7 +92,7 @@ export function useDrag({ shown, mapOf, visible }) {
 
 /** The menu in which something is placed by numbers. */
 export function PlaceMenu({ shown, item }) {
-  const { name, placed: { request: type, reach } } = item;
+  const { name, moved_by: type } = item;
   const title = name[0].toUpperCase() + name.slice(1);
   const x = useSignal('');
   const y = useSignal('');
@@ -113,6 +112,6 @@ export function PlaceMenu({ shown, item }) {
   const field = (label, value) => html`<label>${label} <input class="short" inputmode="decimal" autocomplete="off" aria-label=${`${title} ${label}`} value=${value.value} onInput=${(event) => { value.value = event.target.value; }} /></label>`;
   return html`<${Menu} label=${title} title=${`Place the ${name}`} onOpen=${read}>
     <form class="form" onSubmit=${submit}>${field('x', x)}${field('y', y)}<button>Place</button></form>
-    <p class="hint">Metres in the frame of the world: x from −${reach[0]} to ${reach[0]}, y from −${reach[1]} to ${reach[1]}. It can also be dragged on the map.</p>
+    <p class="hint">Metres in the frame of the world. It can also be dragged on the map.</p>
   <//>`;
 }
