@@ -57,7 +57,9 @@ fn an_action_is_in_force_in_the_cycle_of_its_answer() {
         logged(&mut watcher, &format!("operator: act place_wall({x})"));
         operator.change_world(WorldChange::Step { cycles: 1 }).unwrap();
         let distance = event(&mut watcher, "the true state of the step", |event| match event {
-            Event::Truth(truth) if truth.time_us == 10_000 * answer.cycle => Some(truth.robot[0]),
+            Event::Truth(truth) if truth.time_us == 10_000 * answer.cycle => {
+                truth.items[0].value["x"].as_f64().map(|x| x as f32)
+            }
             _ => None,
         });
         // In a cycle the cart drives at most 3 cm, and the wall moves by 1 m in each 300th one.
