@@ -4,6 +4,7 @@ use core::fmt;
 
 use bica_core::Instant;
 use bica_core::action::Actions;
+use bica_core::visual::Scene;
 
 use crate::robot::Robot;
 
@@ -40,6 +41,17 @@ pub trait World<R: Robot> {
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         Ok(())
     }
+
+    /// Shows what does not move, such as walls, once before the first cycle; nothing by default.
+    ///
+    /// Neither this nor [`truth`](Self::truth) reaches the robot: only monitors see it.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn scenery(&self, scene: &mut dyn Scene) {}
+
+    /// Shows the true state after the last cycle, such as the pose of the robot; nothing by default. It shows the same items each
+    /// time, of which values may be missing: a list may be empty.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn truth(&self, scene: &mut dyn Scene) {}
 }
 
 macro_rules! forward_to_target {
@@ -66,6 +78,14 @@ macro_rules! forward_to_target {
 
         fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
             (**self).report(out)
+        }
+
+        fn scenery(&self, scene: &mut dyn Scene) {
+            (**self).scenery(scene);
+        }
+
+        fn truth(&self, scene: &mut dyn Scene) {
+            (**self).truth(scene);
         }
     };
 }

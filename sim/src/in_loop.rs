@@ -1,11 +1,13 @@
 //! The worlds as the plant of a [`Runner`](bica_runner::Runner).
 
 use bica_core::action::Actions;
+use bica_core::visual::Scene;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
 
 use crate::kinematic::KinematicWorld;
+use crate::scene::{show_field, show_truth};
 use crate::spectator::SpectatorView;
 use crate::world::World;
 
@@ -31,6 +33,14 @@ macro_rules! controlled {
 
             fn actions(&mut self) -> Option<&mut dyn Actions> {
                 Some(World::actions(self))
+            }
+
+            fn scenery(&self, scene: &mut dyn Scene) {
+                show_field(scene);
+            }
+
+            fn truth(&self, scene: &mut dyn Scene) {
+                show_truth(World::referee(self), scene);
             }
         }
     };

@@ -32,6 +32,7 @@ mod obstacle;
 mod placement;
 mod random;
 pub mod referee;
+mod scene;
 mod segmentation;
 mod sensor_model;
 pub mod setup;

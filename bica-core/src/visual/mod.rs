@@ -41,12 +41,14 @@ mod image;
 mod list;
 mod plane;
 mod scan;
+mod scene;
 mod space;
 
 pub use image::{CameraCalibration, ImageCircle, ImagePoint, ImagePolyline, ImageSegment};
 pub use list::List;
 pub use plane::{Circle, Ellipse, Point2, Polyline, Pose2, Rectangle, Segment};
 pub use scan::Scan;
+pub use scene::{Scene, SceneItem, Shape};
 pub use space::{Point3, Pose3, Quaternion};
 
 /// Visual type and frames of an output.
@@ -91,7 +93,11 @@ impl<V: Visual> Visual for Option<V> {
     const NAME: &'static str = V::NAME;
 }
 
-impl<V: Visual> Visual for &V {
+impl<V: Visual + ?Sized> Visual for &V {
+    const NAME: &'static str = V::NAME;
+}
+
+impl<V: Visual> Visual for [V] {
     const NAME: &'static str = V::NAME;
 }
 

@@ -7,14 +7,12 @@ use heapless::Vec;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-use super::ImageChunk;
+use super::{ImageChunk, ScenePart};
 
 /// Largest number of conditions in one [`Conditions`].
 pub const MAX_CONDITIONS: usize = 64;
 /// Largest number of components in one [`ComponentCosts`].
 pub const MAX_COSTS: usize = 32;
-/// Largest number of other robots in a [`Truth`].
-pub const MAX_OTHERS: usize = 32;
 /// Number of cycles in which costs are measured for one [`Costs`].
 pub const COSTS_CYCLES: u16 = 50;
 
@@ -146,10 +144,12 @@ pub enum ToMonitorExtra<'a> {
     Costs(Costs),
     /// A part of costs.
     ComponentCosts(ComponentCosts),
-    /// True state of the world.
-    Truth(Truth),
+    /// A part of what the world shows.
+    #[serde(borrow)]
+    Scene(ScenePart<'a>),
     /// The beginning of an image.
-    Image(ImageHead),
+    #[serde(borrow)]
+    Image(ImageHead<'a>),
     /// A part of the image whose beginning was sent last.
     #[serde(borrow)]
     ImageChunk(ImageChunk<'a>),
@@ -159,6 +159,9 @@ pub enum ToMonitorExtra<'a> {
     Taken(Taken),
     /// A stop was reached.
     Reached(Reached),
+    /// How the run has ended, for people, such as `the world ended after 12.00 s`: sent when it ends, and when a monitor attaches
+    /// after that.
+    Result(&'a str),
 }
 
 /// A component has taken a transition.
@@ -251,34 +254,15 @@ pub struct ComponentCost {
     pub overrun_us: u64,
 }
 
-/// True state of a simulated world, in the field frame: origin in the middle, x to the attacked goal, y to the left; m and rad.
-///
-/// It goes from the simulator to monitors only; no message to a robot can contain it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
-pub struct Truth {
-    /// Instant of the cycle after which it was read, µs.
-    pub time_us: u64,
-    /// Pose of the robot: x, y, heading.
-    pub robot: [f32; 3],
-    /// Position of the ball.
-    pub ball: [f32; 2],
-    /// Positions of other robots.
-    pub others: Vec<[f32; 2], MAX_OTHERS>,
-    /// Pose of the robot when its odometry began: x, y, heading.
-    pub start: [f32; 3],
-    /// Whether the attacked goal is blue, else yellow.
-    pub attacks_blue: bool,
-}
-
 /// The beginning of an image in YUYV, 2 bytes for each pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
-pub struct ImageHead {
+pub struct ImageHead<'a> {
     /// Number of the image since the start, from 0; also the number in its chunks.
     pub number: u32,
     /// Instant of the cycle that took it in, µs.
     pub time_us: u64,
-    /// Whether it is of the bottom camera, else of the top camera.
-    pub bottom_camera: bool,
+    /// Name of its camera.
+    pub camera: &'a str,
     /// Width, px.
     pub width: u16,
     /// Height, px.

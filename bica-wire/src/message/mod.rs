@@ -10,6 +10,7 @@ mod image;
 mod monitor;
 mod operator;
 mod robot;
+mod scene;
 mod session;
 
 use postcard_schema::Schema;
@@ -20,8 +21,8 @@ pub use bica_core::params::{Setting, Value};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use extra::{
     COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
-    ImageHead, MAX_CONDITIONS, MAX_COSTS, MAX_OTHERS, Offers, Reached, Stop, StopAt, Taken, ToMonitorExtra, Truth,
-    WorldChange, WorldRequest, WorldState,
+    ImageHead, MAX_CONDITIONS, MAX_COSTS, Offers, Reached, Stop, StopAt, Taken, ToMonitorExtra, WorldChange,
+    WorldRequest, WorldState,
 };
 pub use graph::GraphItem;
 pub use image::{BlobsInfo, ImageChunk};
@@ -33,6 +34,7 @@ pub use operator::{
     Answer, AnswerResult, Change, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,
 };
 pub use robot::{Command, Sensors};
+pub use scene::{SCENE_PART_BYTES, SceneContent, SceneDeclaration, SceneKind, ScenePart};
 pub use session::{ClockMode, Hello, Identity};
 
 /// A message from the host.

@@ -3,21 +3,23 @@
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
 //! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
-//! their frames.
+//! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result.
 
 use bica_core::ComponentId;
+use bica_core::visual::SceneItem;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, BlobsInfo, Change, ClockMode, Command, ComponentCost, ComponentCosts,
     ComponentState, ComponentStates, ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello,
     Hold, Identity, ImageChunk, ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request,
-    Sensors, Setting, StackUsage, Truth, Value, Watch, WatchInfo, WorldChange, WorldRequest, WorldState,
+    SceneContent, SceneDeclaration, SceneKind, ScenePart, Sensors, Setting, StackUsage, Value, Watch, WatchInfo,
+    WorldChange, WorldRequest, WorldState,
 };
 use bica_wire::{
     Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x2ed1_f2dd_52ab_8390;
+const GOLDEN_SCHEMA: u64 = 0x2fa8_9502_bbcd_c1de;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -152,15 +154,19 @@ fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
     let cost = ComponentCost { runs: 1, mean_us: 0.0, max_us: 1.0, overruns: 2, overrun_us: 3 };
     let costs = ComponentCosts { cycle: 1, first: 2, costs: [cost].into_iter().collect() };
     assert_eq!(to(&ToMonitorExtra::ComponentCosts(costs)), [2, 1, 2, 1, 1, 0, 0, 0, 0, 0, 0, 128, 63, 2, 3]);
-    let others = [[0.0, 0.0]].into_iter().collect();
-    let truth = Truth { time_us: 1, others, attacks_blue: true, ..Truth::default() };
-    let bytes = [&[3, 1][..], &[0; 20], &[1], &[0; 20], &[1]].concat();
-    assert_eq!(to(&ToMonitorExtra::Truth(truth)), bytes);
-    let head = ImageHead { number: 1, time_us: 2, bottom_camera: true, width: 3, height: 4 };
-    assert_eq!(to(&ToMonitorExtra::Image(head)), [4, 1, 2, 1, 3, 4]);
+    let content = SceneContent::Values { time_us: 2 };
+    let part = ScenePart { scene: SceneKind::Truth, number: 1, content, last: true, bytes: &[9] };
+    assert_eq!(to(&ToMonitorExtra::Scene(part)), [3, 1, 1, 1, 2, 1, 1, 9]);
+    let item = SceneItem::new("a", "b").place_of("c").colour([1, 2, 3]).line_width(1.0).moved_by("d");
+    let declaration = postcard::to_stdvec(&SceneDeclaration { item, shape: "e", schema: &[9] }).expect("serializable");
+    let (names, colour) = ([1, 97, 1, 98, 1, 1, 99], [1, 1, 2, 3]);
+    assert_eq!(declaration, [&names[..], &colour, &[1, 0, 0, 128, 63, 1, 1, 100, 1, 101, 1, 9]].concat());
+    let head = ImageHead { number: 1, time_us: 2, camera: "a", width: 3, height: 4 };
+    assert_eq!(to(&ToMonitorExtra::Image(head)), [4, 1, 2, 1, 97, 3, 4]);
     let chunk = ImageChunk { image_id: 1, offset: 2, bytes: &[9] };
     assert_eq!(to(&ToMonitorExtra::ImageChunk(chunk)), [5, 1, 2, 1, 9]);
     assert_eq!(to(&ToMonitorExtra::World(WorldState { paused: true, steps: 1, cycle: 2 })), [6, 1, 1, 2]);
+    assert_eq!(to(&ToMonitorExtra::Result("a")), [9, 1, 97]);
     assert_eq!(postcard::to_stdvec(&ToRobot::MonitorExtra(&[0])), Ok(vec![7, 1, 0]));
     assert_eq!(postcard::to_stdvec(&FromRobot::MonitorExtra(&[0])), Ok(vec![6, 1, 0]));
 }

@@ -4,8 +4,9 @@ use bica_core::ComponentId;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
     ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, MAX_ARGUMENTS,
-    MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_OTHERS, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
-    ParamValues, RefusalCode, Request, SCHEMA_PART_BYTES, Setting, Truth, Value, Watch, WatchInfo,
+    MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES, ParamValues,
+    RefusalCode, Request, SCENE_PART_BYTES, SCHEMA_PART_BYTES, SceneContent, SceneKind, ScenePart, Setting, Value,
+    Watch, WatchInfo,
 };
 use bica_wire::{CHUNK_BYTES, Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToMonitorExtra, ToRobot};
 use proptest::prelude::*;
@@ -69,11 +70,12 @@ fn largest_extras() -> Vec<ToMonitorExtra<'static>> {
     let values = [condition; MAX_CONDITIONS].into_iter().collect();
     let cost = ComponentCost { runs: u32::MAX, mean_us: 1.0, max_us: 1.0, overruns: u32::MAX, overrun_us: u64::MAX };
     let costs = [cost; MAX_COSTS].into_iter().collect();
-    let others = [[1.0; 2]; MAX_OTHERS].into_iter().collect();
+    let (scene, content) = (SceneKind::Truth, SceneContent::Values { time_us });
+    let part = ScenePart { scene, number: u32::MAX, content, last: true, bytes: &[1; SCENE_PART_BYTES] };
     vec![
         ToMonitorExtra::Conditions(Conditions { cycle, time_us, component, first, values }),
         ToMonitorExtra::ComponentCosts(ComponentCosts { cycle, first, costs }),
-        ToMonitorExtra::Truth(Truth { time_us, others, ..Truth::default() }),
+        ToMonitorExtra::Scene(part),
         ToMonitorExtra::ImageChunk(ImageChunk { image_id: u32::MAX, offset: u32::MAX, bytes: CHUNK }),
     ]
 }

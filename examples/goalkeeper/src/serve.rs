@@ -6,21 +6,18 @@ use std::time::{Duration, Instant};
 use bica::Setting;
 use bica::runner::Runner;
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_field::GoalColour;
 use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
-use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Sensors};
+use bica_motion::robot::Sensors;
 use bica_player::Model;
+use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Frame;
 use bica_sim::shot::Shot;
-use bica_sim::{Referee, World};
-use bica_wire::message::{Offers, Truth};
+use bica_wire::message::Offers;
 use glam::Vec2;
 
 use crate::Keeper;
 use crate::shots::{self, Attempt, Plan};
-use crate::skills::START;
 use crate::story::Story;
 
 /// Level of informative lines in the log of a link.
@@ -43,9 +40,9 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failure> {
     let mut shot = plan.shot(plan.seed, 0);
     let world = shots::world(plan.seed, shot.from, frame)?;
-    let offers = Offers::TRUTH.with(Offers::IMAGES).with(Offers::PAUSE);
+    let offers = Offers::IMAGES.with(Offers::PAUSE);
     let options = ServerOptions { anywhere, offers, ..ServerOptions::default() };
-    let (server, requests, observer) = LinkServer::start::<Keeper>(address, options)?;
+    let (server, requests, observer) = LinkServer::start_in_world::<Keeper>(address, options, &world)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     let keeper = shots::goalkeeper(&world, settings)?;
     let observers = (Story::new(), observer.with_images(image_of));
@@ -69,19 +66,17 @@ pub(crate) fn run(
 /// Plays one shot in real time, with the operator's pauses.
 fn play(game: &mut Game, attempt: &mut Attempt, console: Console) -> Result<(), Failure> {
     let (mut began, start) = (Instant::now(), game.world().now());
-    let mut cycle = start;
     while attempt.advance(game.world_mut())? && !interrupt::requested() {
         if !game.requests_mut().begins_cycle() {
             let paused = Instant::now();
             game.apply_requests();
-            send_truth(game, cycle);
+            show_truth(game);
             thread::sleep(PAUSED);
             began += paused.elapsed();
             continue;
         }
-        cycle = game.world().now();
         shots::cycle(game)?;
-        send_truth(game, cycle);
+        show_truth(game);
         for line in game.observer_mut().0.take() {
             console.print(&line)?;
         }
@@ -105,29 +100,15 @@ fn next(plan: &Plan, number: &mut u32, world: &mut KinematicWorld<Model>) -> Sho
 /// Returns the image in sensor values.
 fn image_of<'a>(sensors: &'a Sensors<'_>) -> Option<LinkImage<'a>> {
     sensors.image.as_ref().map(|image| LinkImage {
-        bottom_camera: image.camera == CameraId::Bottom,
+        camera: image.camera.frame(),
         width: image.width,
         height: image.height,
         yuyv: image.yuyv,
     })
 }
 
-/// Sends the true state after a cycle to monitors that watch it.
-fn send_truth(game: &Game, cycle: Duration) {
+/// Sends the true state after the last cycle to monitors that watch it.
+fn show_truth(game: &Game) {
     let (_, observer) = game.observer();
-    if observer.wants_truth() {
-        observer.truth(|| truth(game.world().referee(), cycle));
-    }
-}
-
-fn truth(referee: &Referee, cycle: Duration) -> Truth {
-    let pose = |pose: Pose2| [pose.position.x, pose.position.y, pose.heading];
-    Truth {
-        time_us: cycle.as_micros() as u64,
-        robot: pose(referee.robot()),
-        ball: referee.ball().into(),
-        others: referee.others().iter().map(|other| other.position.into()).collect(),
-        start: pose(START),
-        attacks_blue: referee.attacks() == GoalColour::SkyBlue,
-    }
+    observer.show_truth(game.world());
 }

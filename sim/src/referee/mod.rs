@@ -28,6 +28,7 @@ pub enum Posture {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Referee {
     attacks: GoalColour,
+    start: Pose2,
     robot: Pose2,
     posture: Posture,
     ball: Vec2,
@@ -41,7 +42,7 @@ impl Referee {
     #[must_use]
     pub const fn new(attacks: GoalColour, robot: Pose2, ball: Vec2, others: Vec<Pose2>) -> Self {
         let posture = Posture::Upright;
-        Self { attacks, robot, posture, ball, ball_velocity: Vec2::ZERO, others, events: Vec::new() }
+        Self { attacks, start: robot, robot, posture, ball, ball_velocity: Vec2::ZERO, others, events: Vec::new() }
     }
 
     /// Sets the robot's true pose and posture. For implementations of worlds.
@@ -63,6 +64,12 @@ impl Referee {
     #[must_use]
     pub const fn attacks(&self) -> GoalColour {
         self.attacks
+    }
+
+    /// True pose of the robot at the start.
+    #[must_use]
+    pub const fn start(&self) -> Pose2 {
+        self.start
     }
 
     /// True pose of the robot frame, projected to the ground, in the field frame.

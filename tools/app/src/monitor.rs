@@ -98,10 +98,11 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     });
     let (file, recorder) = started.unzip();
     let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
-    let (_server, requests, view) = LinkServer::start::<R>(&run.address(), offers)?;
+    let (server, requests, view) = LinkServer::start_in_world::<R>(&run.address(), offers, &*world)?;
     let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
     while !run.is_ended() {
-        if running.end(is_done, None).is_some() && run.over() {
+        if let Some(end) = running.end(is_done, None).filter(|_| run.over()) {
+            server.set_result(&running.result(end));
             running.runner.requests_mut().iter_mut().for_each(LinkRequests::pause);
         }
         running.step()?;

@@ -2,7 +2,6 @@
 
 mod cli;
 mod colours;
-mod field;
 mod images;
 mod run;
 mod world;
@@ -49,7 +48,6 @@ pub fn program(options: SoccerOptions) -> Program {
         worlds: worlds.collect(),
         rerun: Some(Box::new(|recording, set, out, progress| rerun(recording, set, out, progress).map(drop))),
         images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
-        scene: Some(Box::new(field::Field)),
         extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],
     }
 }

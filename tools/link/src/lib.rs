@@ -32,7 +32,7 @@ pub use bica_wire::model::{
     Component, Description, Info, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Param, Placement, Plain,
     State, Transition, Variant, Variants,
 };
-pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Snapshot};
+pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Shown, Snapshot, Truth};
 pub use error::Error;
 pub use memory::Memory;
 pub use pending::Pending;

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use bica_link::{Costs, Event, Image};
-use bica_wire::message::{ConditionState, ExtraKind, Truth, WorldChange};
-use serde_json::json;
+use bica_link::{Costs, Event, Image, Truth};
+use bica_wire::message::{ConditionState, ExtraKind, WorldChange};
+use serde_json::{Value, json};
 
 use super::Monitor;
 use super::args::WatchExtras;
@@ -121,31 +121,39 @@ impl Monitor {
     }
 
     fn show_truth(&self, truth: &Truth) -> Result<(), Failure> {
-        let ([x, y, heading], [ball_x, ball_y]) = (truth.robot, truth.ball);
-        let text = format!("robot {x:.2} {y:.2} m, {heading:.2} rad, ball {ball_x:.2} {ball_y:.2} m");
-        self.console.print_row(&format!("{:.2} s", truth.time_us as f64 * 1e-6), &text)?;
-        let line = json!({
-            "time_us": truth.time_us, "robot": truth.robot, "ball": truth.ball, "others": &truth.others[..],
-            "start": truth.start, "attacks_blue": truth.attacks_blue,
-        });
-        self.line("bica/link-truth/1", line)
+        let items: Vec<_> = truth.items.iter().map(|item| format!("{} {}", item.name, numbers(&item.value))).collect();
+        self.console.print_row(&format!("{:.2} s", truth.time_us as f64 * 1e-6), &items.join(", "))?;
+        self.line("bica/link-truth/2", json!({ "time_us": truth.time_us, "items": truth.items }))
     }
 
-    fn save_image(&self, Image { head, yuyv }: &Image, folder: &Path) -> Result<(), Failure> {
+    fn save_image(&self, image: &Image, folder: &Path) -> Result<(), Failure> {
+        let Image { number, time_us, camera, width, height, yuyv } = image;
         // An image of which a part was lost on the line is empty.
         if yuyv.is_empty() {
             return Ok(());
         }
-        let path = folder.join(format!("{}_{}x{}.yuyv", head.number, head.width, head.height));
+        let path = folder.join(format!("{number}_{width}x{height}.yuyv"));
         let failed =
             |error| Failure::new(format!("{}: {error}", path.display()), "make room, or choose another folder");
         fs::write(&path, yuyv).map_err(failed)?;
         let line = json!({
-            "number": head.number, "time_us": head.time_us, "bottom_camera": head.bottom_camera,
-            "width": head.width, "height": head.height, "path": path,
+            "number": number, "time_us": time_us, "camera": camera, "width": width, "height": height, "path": path,
         });
-        self.console
-            .print_row(&format!("{:.2} s", head.time_us as f64 * 1e-6), &format!("image {}", path.display()))?;
-        self.line("bica/link-image/1", line)
+        let row = format!("image {} of {camera}", path.display());
+        self.console.print_row(&format!("{:.2} s", *time_us as f64 * 1e-6), &row)?;
+        self.line("bica/link-image/2", line)
+    }
+}
+
+/// The numbers in a value, for people.
+fn numbers(value: &Value) -> String {
+    let joined = |texts: Vec<String>| texts.join(" ");
+    match value {
+        Value::Array(values) => joined(values.iter().map(numbers).collect()),
+        Value::Object(fields) => {
+            joined(fields.iter().map(|(name, value)| format!("{name} {}", numbers(value))).collect())
+        }
+        Value::Number(number) => format!("{:.2}", number.as_f64().unwrap_or(f64::NAN)),
+        _ => String::new(),
     }
 }

@@ -8,7 +8,7 @@ mod story;
 use std::fmt;
 
 use bica::action::Action;
-use bica::runner::Robot;
+use bica::runner::{Robot, World};
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
@@ -48,7 +48,7 @@ where
     args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
     let console = Console::new(args.json);
     let is_paced = args.realtime || registered.is_device || (args.link.serve.is_some() && !args.link.unpaced);
-    let (server, requests, view) = serve::<R>(args, registered.is_device, actions, is_paced, console)?;
+    let (server, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
     let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
     let (file, recorder) = args.record.start(header, is_paced)?.unzip();
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
@@ -69,6 +69,7 @@ where
         }
     };
     // Monitors get the last values before the result is printed.
+    server.iter().for_each(|server| server.set_result(&running.result(end)));
     drop(server);
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
     let (_, world, _, (story, (_, recorder))) = running.runner.into_parts();
@@ -92,6 +93,7 @@ type Served<R> = (Option<LinkServer>, Option<LinkRequests>, Option<LinkObserver<
 /// Starts the server, if that is requested.
 fn serve<R: Robot>(
     args: &RunArgs<impl Layer>,
+    world: &dyn World<R>,
     is_device: bool,
     actions: &'static [Action],
     realtime: bool,
@@ -101,7 +103,7 @@ fn serve<R: Robot>(
     let offers = if is_device { Offers::default() } else { Offers::PAUSE };
     let options =
         ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
-    let (server, requests, observer) = LinkServer::start::<R>(address, options)?;
+    let (server, requests, observer) = LinkServer::start_in_world::<R>(address, options, world)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     Ok((Some(server), Some(requests), Some(observer)))
 }

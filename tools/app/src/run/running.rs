@@ -83,6 +83,11 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         }
     }
 
+    /// How the run has ended, for people.
+    pub(crate) fn result(&self, end: End) -> String {
+        format!("{} after {:.2} s", end.text(), self.elapsed().as_micros() as f64 * 1e-6)
+    }
+
     /// Prints the changes of state since the last call.
     pub(super) fn print(&mut self, console: Console) -> Result<(), Failure> {
         self.runner.observer_mut().0.as_mut().map_or(Ok(()), |story| story.print(console))
@@ -93,6 +98,10 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         let begins_cycle = self.begins_cycle();
         if begins_cycle {
             self.cycle()?;
+        }
+        let (_, (view, _)) = self.runner.observer();
+        if let Some(view) = view {
+            view.show_truth(&**self.runner.world());
         }
         Ok(begins_cycle)
     }

@@ -1,10 +1,11 @@
 //! What a client receives.
 
 use bica_wire::message::{
-    self, ComponentCost, ComponentState, ConditionState, CycleInfo, ImageHead, LeaseState, Reached, RefusalCode, Taken,
-    Truth, Value, WorldState,
+    self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, Reached, RefusalCode, Taken, Value,
+    WorldState,
 };
 
+use super::scene::{Shown, Truth};
 use crate::error::Error;
 
 /// What a client receives.
@@ -53,7 +54,9 @@ pub enum Event {
     /// Costs of the components and of the cycle.
     Costs(Costs),
     /// True state of a simulated world.
-    Truth(Box<Truth>),
+    Truth(Truth),
+    /// What does not move in the robot's world.
+    Scenery(Vec<Shown>),
     /// A camera image. The robot sends the next one after this event was taken.
     Image(Image),
     /// Whether a simulated world is paused.
@@ -62,6 +65,8 @@ pub enum Event {
     Taken(Taken),
     /// A stop was reached.
     Reached(Reached),
+    /// How the run has ended, for people.
+    Result(String),
 }
 
 /// Costs of the components and of the cycle.
@@ -76,8 +81,16 @@ pub struct Costs {
 /// A camera image.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Image {
-    /// Number, time, camera and size.
-    pub head: ImageHead,
+    /// Number of the image since the start, from 0.
+    pub number: u32,
+    /// Instant of the cycle that took it in, µs.
+    pub time_us: u64,
+    /// Name of its camera.
+    pub camera: String,
+    /// Width, px.
+    pub width: u16,
+    /// Height, px.
+    pub height: u16,
     /// Pixels in YUYV, 2 bytes for each.
     pub yuyv: Vec<u8>,
 }

@@ -28,6 +28,8 @@ const fn key(event: &Event) -> Option<Key> {
         Event::Truth(_) => (6, 0, 0),
         Event::Image(_) => (7, 0, 0),
         Event::World(_) => (8, 0, 0),
+        Event::Scenery(_) => (9, 0, 0),
+        Event::Result(_) => (10, 0, 0),
         Event::Log { .. } | Event::Answer(_) | Event::Taken(_) | Event::Reached(_) => return None,
     })
 }

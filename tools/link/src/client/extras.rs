@@ -4,6 +4,7 @@ use bica_wire::ToMonitorExtra;
 use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead};
 
 use super::event::{Costs, Event, Image};
+use super::scene::Scenes;
 use bica_wire::model::Description;
 
 /// Largest image, bytes.
@@ -16,6 +17,7 @@ pub(super) struct Extras {
     conditions: Option<Conditions>,
     more_conditions: Vec<Option<bica_wire::message::ConditionState>>,
     image: Option<Image>,
+    scenes: Scenes,
 }
 
 impl Extras {
@@ -28,9 +30,12 @@ impl Extras {
                 None
             }
             ToMonitorExtra::ComponentCosts(part) => self.costs(&part, description.components.len()),
-            ToMonitorExtra::Truth(truth) => Some(Event::Truth(Box::new(truth))),
+            ToMonitorExtra::Scene(part) => self.scenes.add(&part),
+            ToMonitorExtra::Result(text) => Some(Event::Result(text.to_owned())),
             ToMonitorExtra::Image(head) => {
-                self.image = (size(&head) <= MAX_IMAGE).then(|| Image { head, yuyv: Vec::new() });
+                let ImageHead { number, time_us, camera, width, height } = head;
+                let image = Image { number, time_us, camera: camera.to_owned(), width, height, yuyv: Vec::new() };
+                self.image = (size(&image) <= MAX_IMAGE).then_some(image);
                 None
             }
             ToMonitorExtra::ImageChunk(chunk) => self.chunk(&chunk),
@@ -77,19 +82,18 @@ impl Extras {
 
     fn chunk(&mut self, chunk: &ImageChunk<'_>) -> Option<Event> {
         let image = self.image.as_mut()?;
-        let size = size(&image.head);
-        let continues = image.head.number == chunk.image_id && image.yuyv.len() == chunk.offset as usize;
+        let size = size(image);
+        let continues = image.number == chunk.image_id && image.yuyv.len() == chunk.offset as usize;
         if !continues || image.yuyv.len() + chunk.bytes.len() > size {
             // It can never be complete; the robot waits until it is taken.
-            let head = image.head;
-            self.image = None;
-            return Some(Event::Image(Image { head, yuyv: Vec::new() }));
+            let broken = self.image.take()?;
+            return Some(Event::Image(Image { yuyv: Vec::new(), ..broken }));
         }
         image.yuyv.extend_from_slice(chunk.bytes);
         (image.yuyv.len() == size).then(|| self.image.take().map(Event::Image)).flatten()
     }
 }
 
-fn size(head: &ImageHead) -> usize {
-    2 * usize::from(head.width) * usize::from(head.height)
+fn size(image: &Image) -> usize {
+    2 * usize::from(image.width) * usize::from(image.height)
 }

@@ -5,6 +5,7 @@ mod events;
 mod extras;
 mod inbox;
 mod options;
+mod scene;
 mod wait;
 mod watch;
 mod world;
@@ -27,6 +28,7 @@ use inbox::Inbox;
 
 pub use event::{Answered, Costs, Event, Image, Snapshot};
 pub use options::ClientOptions;
+pub use scene::{Shown, Truth};
 
 /// Time between two messages to the robot, if there is nothing else to send.
 const HEARTBEAT: Duration = Duration::from_millis(500);
@@ -279,7 +281,7 @@ impl Client {
     fn next_event(&mut self) -> Result<Option<Event>, Error> {
         let event = self.inbox.events.pop();
         if let Some(Event::Image(image)) = &event {
-            self.send_extra(FromMonitorExtra::ImageTaken { number: image.head.number })?;
+            self.send_extra(FromMonitorExtra::ImageTaken { number: image.number })?;
         }
         Ok(event)
     }

@@ -68,7 +68,7 @@ impl Connection {
     /// Adds an image, which replaces one that was not begun. For threads that may wait, not for the loop.
     pub(super) fn show_image(&self, picture: Picture) {
         self.image_ms.store(self.began.elapsed().as_millis() as u64, Ordering::Relaxed);
-        self.image.store(picture.head.number.into(), Ordering::Relaxed);
+        self.image.store(picture.number.into(), Ordering::Relaxed);
         self.outbox.show_image(picture);
     }
 

@@ -14,6 +14,7 @@ use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
 use super::outbox::{AnswerKind, Message};
 use super::pace::{LoopClock, Pace};
+use super::scene::WorldScenes;
 use super::stops::Stops;
 use super::watcher::Watcher;
 use super::watchers::Watchers;
@@ -38,6 +39,7 @@ pub(super) struct Control {
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
     pub(super) stops: Stops,
+    pub(super) shown: WorldScenes,
     /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
     pub(super) stands: bool,
     /// What the distributor gets at the end of the cycle.
@@ -55,7 +57,7 @@ pub(super) struct Control {
 }
 
 impl Control {
-    pub(super) fn new(hub: Arc<Hub>, options: ServerOptions) -> Self {
+    pub(super) fn new(hub: Arc<Hub>, options: ServerOptions, shown: WorldScenes) -> Self {
         Self {
             hub,
             by_robot: options.realtime && !options.offers.contains(Offers::PAUSE),
@@ -64,6 +66,7 @@ impl Control {
             pace: Pace::default(),
             watchers: Watchers::default(),
             stops: Stops::default(),
+            shown,
             stands: false,
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence),
@@ -137,6 +140,9 @@ impl Control {
                 if self.can_pause() {
                     self.tell(id, Message::World(self.pace.state(self.next.cycle)));
                 }
+                let announced: Vec<_> = self.shown.announced().cloned().map(Message::Scene).collect();
+                let result = self.hub.result().map(Message::Result);
+                announced.into_iter().chain(result).for_each(|message| self.tell(id, message));
             }
             Command::Watch(watch) => self.watchers.watch(id, watch.every),
             Command::WatchImages(every) => self.watchers.watch_images(id, every),

@@ -27,7 +27,7 @@ fn run(hub: &Hub, exchange: &Exchange) {
         received.data.iter_mut().for_each(distribute);
         if let Some(Shot { watchers, picture }) = received.shot.take() {
             // The same image may have been handed over twice.
-            let ready = watchers.iter().filter(|watcher| watcher.connection.is_ready_for_image(picture.head.number));
+            let ready = watchers.iter().filter(|watcher| watcher.connection.is_ready_for_image(picture.number));
             ready.for_each(|watcher| watcher.connection.show_image(picture.clone()));
         }
     }

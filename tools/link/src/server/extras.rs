@@ -1,11 +1,10 @@
 //! What only a program on a computer offers: conditions, costs, the true state.
 
-use bica_wire::message::{
-    ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, MAX_CONDITIONS, MAX_COSTS, Truth,
-};
+use bica_wire::message::{ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, MAX_CONDITIONS, MAX_COSTS};
 use bica_wire::{ToMonitorExtra, TooLarge};
 
 use super::key::Key;
+use super::scene::Sent;
 
 /// Data of one cycle that only a program on a computer offers.
 #[derive(Debug)]
@@ -17,7 +16,7 @@ pub(super) enum Extra {
         values: Vec<Option<ConditionState>>,
     },
     Costs(Costs, Vec<ComponentCost>),
-    Truth(Box<Truth>),
+    Truth(Sent),
 }
 
 impl Extra {
@@ -52,7 +51,7 @@ impl Extra {
                 }
                 Ok(())
             }
-            Self::Truth(truth) => message(&ToMonitorExtra::Truth((**truth).clone())),
+            Self::Truth(truth) => truth.messages(message),
         }
     }
 }

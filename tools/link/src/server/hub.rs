@@ -88,6 +88,8 @@ pub(super) struct Hub {
     pub(super) unknown: AtomicU32,
     pub(super) rejected: AtomicU32,
     pub(super) too_slow: AtomicU32,
+    /// How the run has ended.
+    result: Mutex<Option<Arc<str>>>,
 }
 
 impl Hub {
@@ -117,6 +119,7 @@ impl Hub {
             unknown: AtomicU32::new(0),
             rejected: AtomicU32::new(0),
             too_slow: AtomicU32::new(0),
+            result: Mutex::default(),
         };
         (hub, [receiver, watch_receiver])
     }
@@ -136,6 +139,18 @@ impl Hub {
     pub(super) fn offers(&self) -> Offers {
         let operate = if self.options.watch_only { Offers::default() } else { Offers::OPERATE };
         self.options.offers.with(operate).with(Offers::CONDITIONS).with(Offers::COSTS)
+    }
+
+    /// How the run has ended.
+    pub(super) fn result(&self) -> Option<Arc<str>> {
+        self.result.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Sets how the run has ended, and sends it to every monitor.
+    pub(super) fn set_result(&self, text: &str) {
+        let text: Arc<str> = text.into();
+        *self.result.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&text));
+        self.exchange.push_to_all(Message::Result(text));
     }
 
     /// Returns a number that no other connection of this server has.

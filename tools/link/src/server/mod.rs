@@ -16,6 +16,7 @@ mod outbox;
 mod pace;
 mod picture;
 mod requests;
+mod scene;
 mod snapshot;
 mod stops;
 mod watcher;
@@ -27,13 +28,14 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use bica::action::Action;
-use bica::runner::Robot;
+use bica::runner::{Robot, World};
 use bica_wire::message::{Offers, WorldChange};
 
 use crate::address::Address;
 use crate::error::Error;
 use control::Control;
 use hub::Hub;
+use scene::{EncodedScene, WorldScenes};
 
 pub use hub::LinkStats;
 pub use observer::LinkObserver;
@@ -59,8 +61,8 @@ pub struct ServerOptions {
     pub silence: Duration,
     /// Whether all monitors may only watch: nobody gets the lease.
     pub watch_only: bool,
-    /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::TRUTH`]
-    /// if it calls [`LinkObserver::truth`], [`Offers::IMAGES`] with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
+    /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::IMAGES`]
+    /// with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
     /// silence by the clock of this computer.
     pub offers: Offers,
     /// What an operator can do in the world of the loop: the list of its [`actions`](bica::runner::World::actions).
@@ -101,6 +103,30 @@ impl LinkServer {
         address: &Address,
         options: ServerOptions,
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
+        Self::start_with(address, options, WorldScenes::default())
+    }
+
+    /// Starts a server as [`start`](Self::start), for a robot in a simulated world: monitors get its scenery, and its true state if it
+    /// shows one. The loop calls [`LinkObserver::show_truth`].
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub fn start_in_world<R: Robot>(
+        address: &Address,
+        options: ServerOptions,
+        world: &(impl World<R> + ?Sized),
+    ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
+        let has_truth = !EncodedScene::of(|scene| world.truth(scene)).values.is_empty();
+        let offers = options.offers.with(if has_truth { Offers::TRUTH } else { Offers::default() });
+        let shown = WorldScenes::of_scenery(EncodedScene::of(|scene| world.scenery(scene)));
+        Self::start_with(address, ServerOptions { offers, ..options }, shown)
+    }
+
+    fn start_with<R: Robot>(
+        address: &Address,
+        options: ServerOptions,
+        shown: WorldScenes,
+    ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
         let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, &options);
         let hub = Arc::new(hub);
         let (bound, listener) = listener::start(&hub, address, options.anywhere)?;
@@ -108,7 +134,7 @@ impl LinkServer {
             hub.stopped.store(true, Ordering::Relaxed);
             Error::connect(address, error)
         })?;
-        let mut control = Control::new(Arc::clone(&hub), options);
+        let mut control = Control::new(Arc::clone(&hub), options, shown);
         if matches!(address, Address::Memory(_)) && control.can_pause() {
             control.pace.change(WorldChange::Pause);
         }
@@ -128,6 +154,11 @@ impl LinkServer {
     /// 3 warning, 4 error.
     pub fn log(&self, level: u8, text: &str) {
         self.hub.log(level, text);
+    }
+
+    /// Sets how the run has ended, for people, such as `done after 12.00 s`. Every monitor gets it, also one that attaches later.
+    pub fn set_result(&self, text: &str) {
+        self.hub.set_result(text);
     }
 
     /// Returns the counts since the start.

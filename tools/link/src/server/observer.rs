@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
-use bica::runner::{Cycle, Observer, Overrun, Robot};
+use bica::runner::{Cycle, Observer, Overrun, Robot, World};
 use bica::{ComponentId, Instant, Probe, Tree};
-use bica_wire::message::{ImageHead, MAX_VALUES, ParamValues, Truth};
+use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues};
 use bica_wire::server::read;
 
 use super::conditions::ConditionTable;
@@ -17,6 +17,7 @@ use super::key::Key;
 use super::outbox::{AnswerKind, Message};
 use super::picture::{Copies, LinkImage, Picture, Shot};
 use super::requests::lock;
+use super::scene::EncodedScene;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
 pub struct LinkObserver<R: Robot> {
@@ -64,19 +65,12 @@ impl<R: Robot> LinkObserver<R> {
         Self { owner_of: Some(Box::new(owner_of)), ..self }
     }
 
-    /// Whether anybody is to get the true state of the world; then [`truth`](Self::truth) is called, after each cycle
-    /// and, in a world that can be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests).
-    #[must_use]
-    pub fn wants_truth(&self) -> bool {
-        let control = lock(&self.control);
-        if control.stands { control.watchers.owes_truth() } else { control.watchers.has(Key::Truth) }
-    }
-
-    /// Sends the true state after the last cycle to those for whom it is due, or, between two cycles, to those who have not got it since
-    /// they watch it or it changed.
-    pub fn truth(&self, truth: impl FnOnce() -> Truth) {
+    /// Sends the true state of the world after the last cycle to the monitors for whom it is due. The loop calls it after each
+    /// cycle and, in a world that can be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests):
+    /// then it is sent to those who have not got it since they watch it.
+    pub fn show_truth<W: World<R> + ?Sized>(&self, world: &W) {
         let mut control = lock(&self.control);
-        let Some(cycle) = control.next.cycle.checked_sub(1) else { return };
+        let Some(CycleInfo { cycle, time_us, .. }) = control.last else { return };
         let watchers = if control.stands {
             control.watchers.take_owed_truth()
         } else if control.watchers.is_due(Key::Truth, cycle) {
@@ -84,9 +78,16 @@ impl<R: Robot> LinkObserver<R> {
         } else {
             return;
         };
+        if watchers.is_empty() {
+            return;
+        }
+        let (declarations, truth) = control.shown.truth(time_us, EncodedScene::of(|scene| world.truth(scene)));
+        if let Some(declarations) = declarations {
+            control.tell_all(&Message::Scene(declarations));
+        }
         let mut data = control.outgoing.unused_data();
         data.begin(cycle);
-        data.extras.push(Extra::Truth(Box::new(truth())));
+        data.extras.push(Extra::Truth(truth));
         data.watchers = watchers;
         control.outgoing.add_data(data);
         control.hand_over();
@@ -143,9 +144,9 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         let watchers = control.watchers.of_image(number, false);
         let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
         let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
-        let LinkImage { bottom_camera, width, height, .. } = image;
-        let head = ImageHead { number, time_us: now.as_micros(), bottom_camera, width, height };
-        let picture = Picture { head, pixels };
+        let LinkImage { camera, width, height, .. } = image;
+        let (time_us, camera, size) = (now.as_micros(), camera.into(), (width, height));
+        let picture = Picture { number, time_us, camera, size, pixels };
         self.newest = Some(picture.clone());
         if !watchers.is_empty() {
             control.outgoing.shot = Some(Shot { watchers, picture });
@@ -176,7 +177,7 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
         // Neither data nor an image come before the world goes on.
         control.send_owed(robot, &self.conditions);
         if let Some(picture) = self.newest.as_ref().filter(|_| control.outgoing.shot.is_none()) {
-            let watchers = control.watchers.of_image(picture.head.number, true);
+            let watchers = control.watchers.of_image(picture.number, true);
             control.outgoing.shot = (!watchers.is_empty()).then(|| Shot { watchers, picture: picture.clone() });
         }
         control.hand_over();

@@ -13,6 +13,7 @@ use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, trunca
 use super::cycle_data::{Encoded, EncodedPart, Watched};
 use super::key::Key;
 use super::picture::Picture;
+use super::scene::Sent;
 use crate::frame::Packets;
 use crate::pending::Pending;
 
@@ -28,6 +29,8 @@ pub(super) enum Message {
     World(WorldState),
     Taken(Taken),
     Reached(Reached),
+    Scene(Sent),
+    Result(Arc<str>),
     Closing(&'static str),
 }
 
@@ -152,6 +155,8 @@ impl Message {
             Self::World(state) => packets.push_extra(&ToMonitorExtra::World(*state)),
             Self::Taken(taken) => packets.push_extra(&ToMonitorExtra::Taken(*taken)),
             Self::Reached(reached) => packets.push_extra(&ToMonitorExtra::Reached(*reached)),
+            Self::Scene(sent) => sent.messages(|message| packets.push_extra(message)),
+            Self::Result(text) => packets.push_extra(&ToMonitorExtra::Result(truncate(text, MAX_TEXT_BYTES))),
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
     }

@@ -14,8 +14,8 @@ const PART_BYTES: usize = 16 << 10;
 /// A camera image in the sensor values of a robot.
 #[derive(Clone, Copy, Debug)]
 pub struct LinkImage<'a> {
-    /// Whether it is of the bottom camera, else of the top camera.
-    pub bottom_camera: bool,
+    /// Name of its camera.
+    pub camera: &'a str,
     /// Width, px.
     pub width: u16,
     /// Height, px.
@@ -27,7 +27,13 @@ pub struct LinkImage<'a> {
 /// An image that is sent.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
-    pub(super) head: ImageHead,
+    /// Number of the image since the start, from 0.
+    pub(super) number: u32,
+    /// Instant of the cycle that took it in, µs.
+    pub(super) time_us: u64,
+    pub(super) camera: Arc<str>,
+    /// Width and height, px.
+    pub(super) size: (u16, u16),
     pub(super) pixels: Arc<Vec<u8>>,
 }
 
@@ -51,11 +57,12 @@ impl Sending {
 
     /// Appends the packets of the next part; returns whether it was the last one.
     pub(super) fn push_part(&mut self, packets: &mut Packets) -> Result<bool, TooLarge> {
-        let Picture { head, pixels } = &self.picture;
+        let Picture { number, time_us, camera, size: (width, height), pixels } = &self.picture;
+        let (number, time_us, width, height) = (*number, *time_us, *width, *height);
         if self.next_chunk == 0 {
-            packets.push_extra(&ToMonitorExtra::Image(*head))?;
+            packets.push_extra(&ToMonitorExtra::Image(ImageHead { number, time_us, camera, width, height }))?;
         }
-        let mut rest = chunks(head.number, pixels).skip(self.next_chunk);
+        let mut rest = chunks(number, pixels).skip(self.next_chunk);
         let mut bytes = 0;
         while bytes < PART_BYTES {
             let Some(chunk) = rest.next() else { return Ok(true) };

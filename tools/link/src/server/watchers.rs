@@ -106,11 +106,6 @@ impl Watchers {
         }
     }
 
-    /// Whether somebody is owed the true state.
-    pub(super) fn owes_truth(&self) -> bool {
-        self.owed.values().any(|owed| owed.keys.contains(&Key::Truth))
-    }
-
     /// The monitors that are owed the true state, and nothing else; they are owed it no more.
     pub(super) fn take_owed_truth(&mut self) -> Arc<[Watcher]> {
         let Self { list, owed, .. } = self;

@@ -9,15 +9,17 @@ use std::time::Duration;
 use bica::runner::Request;
 use bica::runner::{Observer, Runner};
 use bica::{ComponentId, Instant, Probe};
-use bica_link::{Client, ClientOptions, Costs, Error, Event, Image};
+use bica_link::{Client, ClientOptions, Costs, Error, Event, Image, Truth};
 use bica_wire::message::{
-    COSTS_CYCLES, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Truth, Value,
+    COSTS_CYCLES, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Value,
     WorldChange, WorldState,
 };
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 
 use crate::robot::{CART, CartTree};
-use crate::session::{CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, placed, snapshot};
+use crate::session::{
+    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, is_late, placed, snapshot,
+};
 
 const PAUSE: WorldChange = WorldChange::Pause;
 const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: 0 };
@@ -101,7 +103,7 @@ fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
                     Event::Info { cycle, .. } => ("output", cycle),
                     Event::Conditions { time_us, .. } => ("conditions", time_us / CYCLE_US),
                     Event::Truth(truth) => ("truth", truth.time_us / CYCLE_US),
-                    Event::Image(image) => ("image", image.head.number.into()),
+                    Event::Image(image) => ("image", image.number.into()),
                     _ => return None,
                 };
                 (cycle == last).then(|| missing.remove(what))
@@ -208,8 +210,11 @@ fn conditions_and_the_true_state_are_those_of_their_cycle() {
                 Some(())
             }
             Event::Truth(truth) => {
-                let Truth { time_us, robot, .. } = *truth;
-                truths.push((time_us / CYCLE_US, robot[0]));
+                let cycle = truth.time_us / CYCLE_US;
+                let colour = format!("#{:02x}0000", COLOURS[usize::from(is_late(cycle))]);
+                let cart = &truth.items[0];
+                assert_eq!(cart.colour, Some(colour), "cycle {cycle}");
+                truths.push((cycle, distance(&truth)));
                 Some(())
             }
             _ => None,
@@ -229,6 +234,52 @@ fn conditions_and_the_true_state_are_those_of_their_cycle() {
     for (cycle, distance) in truths {
         assert!(cycle.is_multiple_of(5));
         assert_eq!(distance.to_bits(), expected[cycle as usize].1.to_bits(), "cycle {cycle}");
+    }
+}
+
+/// Distance of the wall in a true state.
+pub(crate) fn distance(truth: &Truth) -> f32 {
+    truth.value("cart").and_then(|cart| cart["x"].as_f64()).expect("the cart has a pose") as f32
+}
+
+#[test]
+fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_world_declares_them() {
+    let session = Session::start_world();
+    let mut client = session.client();
+    client.watch_extra(ExtraKind::Truth, 1).unwrap();
+    let truth = event(&mut client, "the true state", |event| match event {
+        Event::Truth(truth) => Some(truth),
+        _ => None,
+    });
+    let cart = &truth.items[0];
+    assert_eq!((&*cart.name, &*cart.shape, &*cart.frame), ("cart", "Pose2", "road"));
+    assert_eq!((cart.child.as_deref(), cart.moved_by.as_deref(), cart.line_width), (Some("cart"), Some("push"), None));
+    assert_eq!(truth.value("birds"), Some(&serde_json::Value::Null));
+    session.server.set_result("it is over");
+    for _ in 0..2 {
+        let (mut scenery, mut result) = (None, None);
+        let mut client = session.client();
+        event(&mut client, "scenery and result", |event| {
+            match event {
+                Event::Scenery(items) => scenery = Some(items),
+                Event::Result(text) => result = Some(text),
+                _ => {}
+            }
+            (scenery.is_some() && result.is_some()).then_some(())
+        });
+        let [bricks] = &scenery.unwrap()[..] else { panic!("one item") };
+        assert_eq!((bricks.colour.as_deref(), bricks.line_width), (Some("#0102ff"), Some(0.5)));
+        let lines = bricks.value.as_array().unwrap();
+        assert_eq!((lines.len(), &lines[BRICKS - 1]["end"]["x"]), (BRICKS, &(BRICKS as f64 - 1.0).into()));
+        assert_eq!(result.as_deref(), Some("it is over"));
+    }
+    let mut alone = Session::start().client();
+    assert!(!alone.offers().contains(Offers::TRUTH));
+    while let Some(event) = alone.poll(Duration::from_millis(50)).unwrap() {
+        assert!(!matches!(event, Event::Scenery(_) | Event::Result(_)), "{event:?}");
+        if matches!(event, Event::Lease(_)) {
+            break;
+        }
     }
 }
 
@@ -273,9 +324,8 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
         client.watch_extra(ExtraKind::Images, 3).unwrap();
     }
     let first = image(&mut slow);
-    let head = first.head;
-    assert_eq!((usize::from(head.width), usize::from(head.height), head.bottom_camera), (WIDTH, HEIGHT, true));
-    assert!(head.number.is_multiple_of(3) && head.time_us == u64::from(head.number) * CYCLE_US);
+    assert_eq!((usize::from(first.width), usize::from(first.height), &*first.camera), (WIDTH, HEIGHT, CAMERA));
+    assert!(first.number.is_multiple_of(3) && first.time_us == u64::from(first.number) * CYCLE_US);
     assert!(first.yuyv == PIXELS);
     session.run(300);
     let second = image(&mut slow);
@@ -283,7 +333,7 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
     session.run(300);
     // The second one was sent when the first one was taken; the third one is as old as the call.
     let third = image(&mut slow);
-    assert!(third.head.number >= second.head.number + 300, "{:?} {:?}", second.head, third.head);
+    assert!(third.number >= second.number + 300, "{} {}", second.number, third.number);
     // A monitor that takes no image still gets states, and one that watches none gets none.
     let mut states = session.client();
     for client in [&mut other, &mut states] {
@@ -300,7 +350,7 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
     slow.watch_extra(ExtraKind::Images, 0).unwrap();
     session.run(100);
     while let Some(event) = slow.poll(Duration::from_millis(1)).unwrap() {
-        let late = matches!(&event, Event::Image(image) if u64::from(image.head.number) + 100 > session.cycles());
+        let late = matches!(&event, Event::Image(image) if u64::from(image.number) + 100 > session.cycles());
         assert!(!late, "{:?}", session.cycles());
     }
 }

@@ -7,11 +7,12 @@ use std::time::{Duration, Instant};
 
 use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
+use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
 use bica::{Probe, Value, world_actions};
 use bica_link::{
     Client, ClientOptions, Event, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, ServerOptions, Snapshot,
 };
-use bica_wire::message::{Offers, Truth};
+use bica_wire::message::Offers;
 
 use crate::robot::CartTree;
 
@@ -54,6 +55,32 @@ impl World<CartTree> for Wall {
     fn actions(&mut self) -> Option<&mut dyn Actions> {
         Some(self)
     }
+
+    fn scenery(&self, scene: &mut dyn Scene) {
+        let brick = |x: f32| Segment { start: Point2 { x, y: 0.0 }, end: Point2 { x, y: 1.0 } };
+        let lines: Vec<_> = (0..BRICKS).map(|index| brick(index as f32)).collect();
+        scene.show(&SceneItem::new("bricks", "road").colour([1, 2, 255]).line_width(0.5), &&lines[..]);
+    }
+
+    fn truth(&self, scene: &mut dyn Scene) {
+        // The declarations change.
+        let item = SceneItem::new("cart", "road").place_of("cart");
+        let colour = [COLOURS[usize::from(is_late(self.cycle.saturating_sub(1)))], 0, 0];
+        scene.show(&item.colour(colour), &Pose2 { x: self.distance, y: 0.0, heading: 0.0 });
+        scene.show(&SceneItem::new("birds", "road"), &None::<Point2>);
+    }
+}
+
+/// Number of bricks of the wall: more than one part has room for.
+pub(crate) const BRICKS: usize = 200;
+/// Red of the cart, early and late.
+pub(crate) const COLOURS: [u8; 2] = [10, 20];
+/// Name of the camera of every image.
+pub(crate) const CAMERA: &str = "left eye";
+
+/// Whether the cart has its late colour in a cycle.
+pub(crate) const fn is_late(cycle: u64) -> bool {
+    cycle / 64 % 2 == 1
 }
 
 /// Size of an image.
@@ -72,7 +99,7 @@ pub(crate) static PIXELS: [u8; 2 * WIDTH * HEIGHT] = {
 };
 
 fn image_of(distance: &f32) -> Option<LinkImage<'_>> {
-    let image = LinkImage { bottom_camera: true, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS };
+    let image = LinkImage { camera: CAMERA, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS };
     distance.is_finite().then_some(image)
 }
 
@@ -147,7 +174,7 @@ impl Session {
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world() -> Self {
-        let offers = Offers::PAUSE.with(Offers::TRUTH).with(Offers::IMAGES);
+        let offers = Offers::PAUSE.with(Offers::IMAGES);
         let (silence, actions) = (Duration::from_secs(1_000_000), Wall::new().list());
         let options = ServerOptions { silence, offers, actions, ..ServerOptions::default() };
         Self::serve(&"127.0.0.1:0".parse().unwrap(), options)
@@ -158,7 +185,13 @@ impl Session {
     }
 
     pub(crate) fn serve(address: &bica_link::Address, options: ServerOptions) -> Self {
-        let (server, requests, observer) = LinkServer::start::<CartTree>(address, options).expect("the server starts");
+        let is_world = options.offers.contains(Offers::PAUSE);
+        let started = if is_world {
+            LinkServer::start_in_world::<CartTree>(address, options, &Wall::new())
+        } else {
+            LinkServer::start::<CartTree>(address, options)
+        };
+        let (server, requests, observer) = started.expect("the server starts");
         let observer = observer.with_images(image_of);
         let shared = Arc::<Shared>::default();
         let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };
@@ -166,14 +199,7 @@ impl Session {
         let mut runner = runner.with_requests(requests).with_observer((counter, observer));
         let in_loop = Arc::clone(&shared);
         let thread = thread::spawn(move || {
-            let send_truth = |runner: &Loop, time_us: u64| {
-                let (distance, observer) = (runner.world().distance, &runner.observer().1);
-                if observer.wants_truth() {
-                    observer.truth(|| Truth { time_us, robot: [distance, 0.0, 0.0], ..Truth::default() });
-                }
-            };
             let mut commands = Vec::new();
-            let mut time_us = 0;
             while !in_loop.stop.load(Ordering::SeqCst) {
                 if in_loop.paused.load(Ordering::SeqCst) {
                     in_loop.is_paused.store(true, Ordering::SeqCst);
@@ -183,13 +209,12 @@ impl Session {
                 in_loop.is_paused.store(false, Ordering::SeqCst);
                 if !runner.requests_mut().begins_cycle() {
                     runner.apply_requests();
-                    send_truth(&runner, time_us);
+                    runner.observer().1.show_truth(runner.world());
                     thread::sleep(Duration::from_millis(1));
                     continue;
                 }
-                time_us = runner.world().cycle * CYCLE_US;
                 commands.push(runner.cycle().expect("no sensor value is rejected").to_bits());
-                send_truth(&runner, time_us);
+                runner.observer().1.show_truth(runner.world());
                 in_loop.cycles.fetch_add(1, Ordering::SeqCst);
                 thread::sleep(Duration::from_micros(500));
             }

@@ -69,9 +69,10 @@ export function located(outputs, read, truth = []) {
     // Until it is known, a frame that lies in itself ends here.
     known.set(frame, at);
     if (output || given) {
-      const above = place(output?.info.frame ?? given.frame);
-      const pose = flat(output && read(output))[0] ?? given?.value;
-      const note = output && !flat(read(output))[0] ? [given ? `${frame} placed by the truth` : `place of ${frame} unknown`] : [];
+      const found = flat(output && read(output))[0];
+      const above = place(found || !given ? output.info.frame : given.frame);
+      const pose = found ?? given?.value;
+      const note = output && !found ? [given ? `${frame} placed by the truth` : `place of ${frame} unknown`] : [];
       at = { matrix: pose ? times(above.matrix, matrixOf(pose)) : above.matrix, root: above.root, notes: [...above.notes, ...note] };
       known.set(frame, at);
     }

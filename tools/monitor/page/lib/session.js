@@ -69,8 +69,10 @@ export class Session {
     this.info = signal(info);
     this.description = signal(null);
     this.drawing = signal(null);
-    /** What the map shows under everything else. */
-    this.scenery = [];
+    /** What does not move in the world. */
+    this.scenery = signal([]);
+    /** Names of the cameras of which images have come. */
+    this.cameras = signal([]);
     /** State at the cursor, or the newest: {time_us, cycle, components}. */
     this.moment = signal(null);
     /** The newest state, whatever the cursor shows. */
@@ -98,8 +100,8 @@ export class Session {
     this.incoming = [];
   }
 
-  describe(description, drawing, scenery) {
-    this.scenery = scenery;
+  describe(description, drawing) {
+    [this.scenery.value, this.cameras.value] = [[], []];
     const components = description.components;
     this.incoming = components.map(() => []);
     components.forEach((component, from) => {
@@ -126,6 +128,7 @@ export class Session {
   }
 
   showImage(image, live) {
+    if (image.camera && !this.cameras.value.includes(image.camera)) this.cameras.value = [...this.cameras.value, image.camera].sort();
     this.images = live ? [...this.images.slice(1 - MAX_IMAGES), image] : [image];
     this.image.value = image;
   }

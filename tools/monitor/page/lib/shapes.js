@@ -79,7 +79,7 @@ export function drawPart(context, map, part, matrix, { colour, halo, dash = [], 
     points.forEach(([x, y]) => context.lineTo(x, y));
     if (part.closed) context.closePath();
   }
-  if (fill) context.fill();
+  if (fill && part.closed) context.fill();
   else if (halo && !part.small && !faint) {
     const { lineWidth } = context;
     [context.strokeStyle, context.lineWidth] = [halo, lineWidth + 2.5];
@@ -88,7 +88,7 @@ export function drawPart(context, map, part, matrix, { colour, halo, dash = [], 
     [context.strokeStyle, context.lineWidth] = [colour, lineWidth];
     context.setLineDash(dash);
   }
-  if (!fill) context.stroke();
+  if (!fill || !part.closed) context.stroke();
   context.setLineDash([]);
   context.globalAlpha = 1;
 }

@@ -364,7 +364,7 @@ const HANDLERS = {
     });
   },
   described(message, of) {
-    of.describe(message.description, message.drawing, message.scenery);
+    of.describe(message.description, message.drawing);
     readLines(of);
     if (of === session.value) {
       lastWatch = '';
@@ -398,6 +398,9 @@ const HANDLERS = {
     const worst = [...of.worst.value, { time: message.worst_us, us: message.chain_us[1] }];
     of.worst.value = worst.sort((a, b) => b.us - a.us).slice(0, 20);
   },
+  scenery(message, of) {
+    of.scenery.value = message.scenery;
+  },
   truth(message, of) {
     of.newest.truth = message;
     if (isNewest(of)) of.truth.value = message;
@@ -425,9 +428,10 @@ export const classified = signal(null);
 
 function image(frame) {
   const view = new DataView(frame);
+  const begin = 32 + view.getUint8(1);
   const head = {
     kind: view.getUint8(0),
-    bottom: view.getUint8(1) === 1,
+    camera: new TextDecoder().decode(new Uint8Array(frame, 32, begin - 32)),
     session: view.getUint32(4, true),
     number: view.getUint32(8, true),
     width: view.getUint16(12, true),
@@ -437,7 +441,7 @@ function image(frame) {
   };
   const of = sessionOf(head.session);
   if (!of) return;
-  const shown = { ...head, pixels: new Uint8Array(frame, 32) };
+  const shown = { ...head, pixels: new Uint8Array(frame, begin) };
   if (head.kind === 2) classified.value = shown;
   else if (head.id === 0) {
     of.newest.image = shown;

@@ -19,7 +19,7 @@ export function Camera({ visible }) {
   const findings = useMemo(() => overlays.flatMap(({ place, infos }) => infos.map(({ index }) => [place, index])), [overlays]);
   const hidden = useSignal(new Set());
   const frozen = useSignal(null);
-  const only = useSignal('both');
+  const only = useSignal('');
   const zoom = useSignal(FITTED);
   const pointer = useSignal(null);
   const picture = useMemo(() => new Picture(), []);
@@ -37,7 +37,7 @@ export function Camera({ visible }) {
     if (frozen.value?.session === shown?.id) return frozen.value;
     const [newest, isLive] = [shown?.image.value, cursor.value === null];
     const one = newest && isLive ? shown.matchedImage(findings) : newest;
-    const isWanted = one && (only.value === 'both' || (only.value === 'bottom') === one.bottom);
+    const isWanted = one && (only.value === '' || only.value === one.camera);
     // Between two live images of the camera that is wanted the last one stays.
     if (isWanted || !isLive || last.current?.session !== shown?.id) last.current = isWanted ? one : null;
     return last.current;
@@ -63,7 +63,7 @@ export function Camera({ visible }) {
     if (!one) {
       context.fillStyle = css('--dim');
       context.font = `13px ${css('--font')}`;
-      context.fillText(cursor.value === null ? 'Waiting for an image' : `No image ${only.value === 'both' ? '' : `of the ${only.value} camera `}is known of this moment`, 12, 24);
+      context.fillText(cursor.value === null ? 'Waiting for an image' : `No image ${only.value === '' ? '' : `of ${only.value} `}is known of this moment`, 12, 24);
       return;
     }
     const at = placed(one, width, height, zoom.value);
@@ -86,13 +86,14 @@ export function Camera({ visible }) {
     hidden.value = next;
   };
   const one = image();
-  const which = one?.bottom ? 'bottom' : 'top';
+  const which = one?.camera || 'image';
+  const cameras = shown.cameras.value;
   const toggles = () => overlays.map(({ component, colour }) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${colour} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
-      <span class="dim place" title=${one && `camera ${which}, image ${one.number}, ${one.width}×${one.height} px, at ${time(one.time_us)}`}>${one ? `${which} ${one.number} · ${time(one.time_us)}` : 'no image yet'}</span>
+      <span class="dim place" title=${one && `${one.camera} image ${one.number}, ${one.width}×${one.height} px, at ${time(one.time_us)}`}>${one ? `${which} ${one.number} · ${time(one.time_us)}` : 'no image yet'}</span>
       <span class="grow"></span>
       <span class="overlays many">${toggles()}</span><span class="overlays few"><${Menu} label="Findings" title="Findings of components">${toggles()}<//></span>
-      <select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['both', 'top', 'bottom'].map((name) => html`<option selected=${only.value === name}>${name}</option>`)}</select>
+      ${cameras.length > 1 && html`<select aria-label="Which camera" onChange=${(event) => { only.value = event.target.value; }}>${['', ...cameras].map((name) => html`<option value=${name} selected=${only.value === name}>${name || 'all cameras'}</option>`)}</select>`}
       <${Toggle} on=${isFrozen()} label="Freeze" title="Key z" onChange=${freeze} />
       <button aria-label="Previous image" title="Previous image" onClick=${() => stepImage(shown, -1)}>◂</button><button aria-label="Next image" title="Next image" onClick=${() => stepImage(shown, 1)}>▸</button>
       ${zoom.value.scale > 1 && html`<button onClick=${() => { zoom.value = FITTED; }}>Fit</button>`}

@@ -3,7 +3,7 @@
 import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { number, words } from '../lib/format.js';
-import { IDENTITY, applied, colourOf, flat, headingOf, inverse, located, times, visuals } from '../lib/frames.js';
+import { IDENTITY, applied, colourOf, flat, headingOf, inverse, located, matrixOf, times, visuals } from '../lib/frames.js';
 import { drawPart, partsOf, pointsOf } from '../lib/shapes.js';
 import { cursor, session, watch } from '../lib/store.js';
 import { css, curveColour } from '../lib/theme.js';
@@ -18,20 +18,21 @@ const DASHED = [3, 3];
 const HALO = '#ffffffa0';
 
 /** Whether the map has something to draw. */
-export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.info.value.can.truth || shown.scenery.length > 0 || visuals(shown.description.value, false).length > 0);
+export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.info.value.can.truth || shown.scenery.value.length > 0 || visuals(shown.description.value, false).length > 0);
 
 export function GroundMap({ visible }) {
   const shown = session.value;
   const description = shown?.description.value;
   const outputs = useMemo(() => visuals(description, false), [description]);
   const truthShown = useSignal(true);
+  const sceneryShown = useSignal(true);
   const turned = useSignal(false);
   const hidden = useSignal(new Set());
   const fixed = useSignal(null);
   const seen = useMemo(() => newMemory(), [shown, description, fixed.value]);
   const mapIn = (width, height) => mapOf(seen.bounds ?? [-MARGIN, -MARGIN, MARGIN, MARGIN], width, height, turned.value);
   // What a world lets place is in its frame.
-  const isFixed = fixed.value === null || fixed.value === shown?.scenery[0]?.frame;
+  const isFixed = fixed.value === null || fixed.value === shown?.scenery.value[0]?.frame;
   const geometry = useRef(null);
   const list = onGround(shown);
   const at = (event) => geometry.current?.(mapIn(event.currentTarget.clientWidth, event.currentTarget.clientHeight).at(event.offsetX, event.offsetY));
@@ -47,10 +48,10 @@ export function GroundMap({ visible }) {
   const read = ({ component, index }) => shown.info_of(component, index).now.value?.value;
   const truth = () => shown.truth.value?.truth ?? [];
   const place = located(outputs, read, truth());
-  const frames = [...new Set([...shown.scenery, ...truth(), ...outputs.map(({ info }) => info)].flatMap(({ frame, child }) => (child ? [frame, child] : [frame])))];
+  const frames = [...new Set([...shown.scenery.value, ...truth(), ...outputs.map(({ info }) => info)].flatMap(({ frame, child }) => (child ? [frame, child] : [frame])))];
   const main = busiest(outputs);
   const colour = (component) => curveColour(colourOf(description, component));
-  const root = place(shown.scenery[0]?.frame ?? truth()[0]?.frame ?? main).root;
+  const root = place(shown.scenery.value[0]?.frame ?? truth()[0]?.frame ?? main).root;
   const view = frames.includes(fixed.value) ? fixed.value : root;
   /** What a point of the view is in the frame of an argument; nothing in a frame that has no place in the view. */
   geometry.current = (point) => (of) => {
@@ -60,9 +61,9 @@ export function GroundMap({ visible }) {
     return own === now(view).root ? { x, y }[of.axis] : undefined;
   };
   /** Where the item is that an action moves. */
-  const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value[axis];
+  const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value?.[axis];
   const reads = () => {
-    void [shown.truth.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
+    void [shown.truth.value, shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
     outputs.forEach((output) => read(output));
   };
   /** What is drawn, the lowest first: {parts, matrix, style, trail}; nothing of a frame that has no place in the view. */
@@ -74,12 +75,13 @@ export function GroundMap({ visible }) {
       const parts = own === now(view).root ? flat(value).flatMap((one) => partsOf(shape, one)) : [];
       return { parts, matrix: times(toView, matrix), style, trail: key && seen.trails(key) };
     };
-    const states = ({ name, frame, shape, value, child, colour, line_width: width }) => (child ? [] : [layer(frame, shape, value,
-      colour ? { colour, width, fill: width === undefined } : { colour: css('--truth'), halo: css('--panel'), dash: DASHED }, shape === 'Pose2' && name)]);
-    const scenery = shown.scenery.flatMap(states);
+    // Of the true places of frames only that of the robot is drawn.
+    const states = (plain) => ({ name, frame, shape, value, child, colour, line_width: width }) => (child && child !== main ? [] : [layer(frame, shape, value,
+      colour ? { colour, width, fill: width === undefined } : { ...plain, width }, shape === 'Pose2' && name)]);
+    const scenery = sceneryShown.value ? shown.scenery.value.flatMap(states({ colour: css('--dim'), fill: true })) : [];
     const found = outputs.map(({ component, info, index }, number) => layer(info.frame, info.shape, hidden.value.has(number) ? null : read({ component, index }),
       { colour: colour(component), halo: HALO, faint: !shown.moment.value?.components?.[component]?.[0] }, info.child === main && info.child));
-    return { scenery, found, stated: truthShown.value ? truth().flatMap(states) : [] };
+    return { scenery, found, stated: truthShown.value ? truth().flatMap(states({ colour: css('--truth'), halo: css('--panel'), dash: DASHED })) : [] };
   };
   const draw = (context, width, height) => {
     const { scenery, found, stated } = layers();
@@ -99,12 +101,13 @@ export function GroundMap({ visible }) {
     hidden.value = next;
   };
   return html`<${Bar} label="Map">
-      <span class="dim place"><${Where} ...${{ place, frame: main, root }} /></span><span class="grow"></span>
+      <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth() }} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
       <${ActionsMenu} ...${{ shown, list, known: here }} />
       <${Menu} label="Layers" title="What the map shows">
         <label>Fixed frame <select aria-label="Fixed frame" onChange=${(event) => { fixed.value = event.target.value; }}>${frames.map((frame) => html`<option selected=${frame === view}>${frame}</option>`)}</select></label>
         ${outputs.map(({ component, name, info }, number) => html`<${Toggle} on=${!hidden.value.has(number)} label=${`${name} · ${words(info.name)}`} title=${`${info.doc} Frame: ${info.frame}.`} colour=${colour(component)} onChange=${() => toggle(number)} />`)}
+        ${shown.scenery.value.length > 0 && html`<${Toggle} on=${sceneryShown.value} label="Scenery" title="What does not move in the world" onChange=${(on) => { sceneryShown.value = on; }} />`}
         <${Toggle} on=${turned.value} label="Turned by 180°" title="Turn the map by 180°" onChange=${(on) => { turned.value = on; }} />
         <button class="item" onClick=${seen.clear}>Clear the trails</button><//>
     <//>
@@ -117,12 +120,24 @@ function busiest(outputs) {
   return outputs.reduce((best, { info }) => (best === undefined || count(info.frame) > count(best) ? info.frame : best), undefined);
 }
 
-function Where({ place, frame, root }) {
+function Where({ place, frame, root, truth }) {
   if (frame === undefined) return '';
   const { matrix, root: own, notes } = place(frame);
   if (own !== root) return `${frame} has no place in ${root}`;
   if (frame === root) return frame;
-  return [`${frame} in ${root} · ${number(matrix[3])}, ${number(matrix[7])} m · ${((headingOf(matrix) * 180) / Math.PI).toFixed(0)}°`, ...notes].join(' · ');
+  const away = distanceTo(truth.find(({ child }) => child === frame), place, matrix, root);
+  return [`${frame} in ${root} · ${number(matrix[3])}, ${number(matrix[7])} m · ${degrees(headingOf(matrix))}°`, ...away, ...notes].join(' · ');
+}
+
+const degrees = (angle) => ((angle * 180) / Math.PI).toFixed(0);
+
+/** How far a place is from the true one, as a list with a text; empty if that is unknown. */
+function distanceTo(stated, place, matrix, root) {
+  const above = stated && place(stated.frame);
+  if (!above || above.root !== root || !stated.value) return [];
+  const truth = times(above.matrix, matrixOf(stated.value));
+  const turn = headingOf(times(inverse(truth), matrix));
+  return [`${number(Math.hypot(matrix[3] - truth[3], matrix[7] - truth[7]))} m, ${degrees(Math.abs(turn))}° from the truth`];
 }
 
 /** The extent of what is drawn, and of `known`: [left, bottom, right, top], m. */

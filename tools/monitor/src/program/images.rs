@@ -12,8 +12,8 @@ pub struct Image {
     pub number: u32,
     /// Time of the cycle that took it in, µs.
     pub time_us: u64,
-    /// Whether the bottom camera took it.
-    pub bottom_camera: bool,
+    /// Name of the camera that took it; empty if it is unknown.
+    pub camera: Arc<str>,
     /// Width, px.
     pub width: u16,
     /// Height, px.

@@ -3,21 +3,17 @@
 mod extension;
 mod images;
 mod replay;
-mod scene;
 mod world;
 
 pub use crate::protocol::WorldOption;
 pub use extension::{Asked, Extension, Remembered, Reply, Work};
 pub use images::{Image, ImageFiles};
 pub use replay::Rerun;
-pub use scene::Scene;
 pub use world::{Game, LocalWorld, WorldRun, WorldSetup};
 
 use bica::Graph;
-use bica_link::Description;
-use bica_wire::message::Truth;
 
-use crate::protocol::{Drawn, Failed};
+use crate::protocol::Failed;
 
 /// What a program adds to the monitor.
 #[derive(Default)]
@@ -30,8 +26,6 @@ pub struct Program {
     pub rerun: Option<Rerun>,
     /// Images that are shown as a session.
     pub images: Option<Box<dyn ImageFiles>>,
-    /// What the map shows of its worlds.
-    pub scene: Option<Box<dyn Scene>>,
     /// Panels.
     pub extensions: Vec<Box<dyn Extension>>,
 }
@@ -47,14 +41,6 @@ impl Program {
             Failed::new(format!("there is no world `{name}`"), format!("known are {}", known.join(", ")))
         };
         self.worlds.iter().find(|world| world.name() == name).map(|world| &**world).ok_or_else(unknown)
-    }
-
-    pub(crate) fn scenery(&self, description: &Description) -> Vec<Drawn> {
-        self.scene.as_ref().map_or_else(Vec::new, |scene| scene.scenery(description))
-    }
-
-    pub(crate) fn truth(&self, truth: &Truth) -> Vec<Drawn> {
-        self.scene.as_ref().map_or_else(Vec::new, |scene| scene.truth(truth))
     }
 
     pub(crate) fn extension(&self, name: &str) -> Option<&dyn Extension> {

@@ -3,7 +3,7 @@
 //! | bytes | field, little-endian |
 //! |---|---|
 //! | 0 | kind: 1 image in YUYV, 2 classes, one byte a pixel |
-//! | 1 | camera: 0 top, 1 bottom |
+//! | 1 | length of the name of the camera, n, bytes |
 //! | 2–3 | 0 |
 //! | 4–7 | session, `u32` |
 //! | 8–11 | number of the image in the session, `u32` |
@@ -12,7 +12,10 @@
 //! | 16–23 | time of the cycle that took the image in, µs, `u64` |
 //! | 24–27 | `id` of the request that this answers, `u32`; 0 for an image that is watched |
 //! | 28–31 | 0 |
-//! | 32– | pixels |
+//! | 32–31+n | name of the camera, UTF-8; empty if it is unknown |
+//! | 32+n– | pixels |
+
+use bica_wire::truncate;
 
 use super::SessionId;
 
@@ -30,11 +33,11 @@ pub enum PixelKind {
 
 /// Head of a binary frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ImageHead {
+pub struct ImageHead<'a> {
     /// Content of the pixels.
     pub kind: PixelKind,
-    /// Whether the bottom camera took the image.
-    pub bottom_camera: bool,
+    /// Name of the camera that took the image, of which at most 255 bytes are sent; empty if it is unknown.
+    pub camera: &'a str,
     /// Session.
     pub session: SessionId,
     /// Number of the image in the session, from 0.
@@ -49,12 +52,13 @@ pub struct ImageHead {
     pub id: u32,
 }
 
-impl ImageHead {
+impl ImageHead<'_> {
     /// Returns the frame: the head, then the pixels.
     #[must_use]
     pub fn frame(&self, pixels: &[u8]) -> Vec<u8> {
-        let mut frame = Vec::with_capacity(HEAD_BYTES + pixels.len());
-        frame.extend([self.kind as u8, u8::from(self.bottom_camera), 0, 0]);
+        let camera = truncate(self.camera, u8::MAX.into()).as_bytes();
+        let mut frame = Vec::with_capacity(HEAD_BYTES + camera.len() + pixels.len());
+        frame.extend([self.kind as u8, camera.len() as u8, 0, 0]);
         frame.extend(self.session.to_le_bytes());
         frame.extend(self.number.to_le_bytes());
         frame.extend(self.width.to_le_bytes());
@@ -62,6 +66,7 @@ impl ImageHead {
         frame.extend(self.time_us.to_le_bytes());
         frame.extend(self.id.to_le_bytes());
         frame.extend([0; 4]);
+        frame.extend(camera);
         frame.extend(pixels);
         frame
     }

@@ -11,7 +11,6 @@
 pub mod binary;
 mod breakpoint;
 mod compiler;
-mod drawn;
 mod from_page;
 mod open;
 mod session;
@@ -24,7 +23,6 @@ mod world;
 
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
-pub use drawn::Drawn;
 pub use from_page::{FromPage, Request};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};

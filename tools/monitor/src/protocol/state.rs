@@ -1,9 +1,8 @@
 //! State of a robot at a time, and its course.
 
 use bica::Hold;
+use bica_link::Shown;
 use serde::Serialize;
-
-use super::Drawn;
 
 /// State of a component, in JSON a list.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -129,7 +128,7 @@ pub struct Moment {
     /// Number of the image, if there is one.
     pub image: Option<u32>,
     /// True state, if it is known.
-    pub truth: Option<Vec<Drawn>>,
+    pub truth: Option<Vec<Shown>>,
     /// Conditions of the components whose conditions the page watches, as far as they are known.
     pub conditions: Vec<Conditions>,
     /// The last costs that are not later, if they are known.

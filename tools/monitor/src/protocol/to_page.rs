@@ -1,11 +1,11 @@
 //! Messages to the page.
 
 use bica_drawing::Drawing;
-use bica_link::{Description, Plain};
+use bica_link::{Description, Plain, Shown};
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Drawn, Hit, InfoSample, LogLine, SessionId, SessionInfo,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, InfoSample, LogLine, SessionId, SessionInfo,
     SourceChange, SourceState, World,
 };
 
@@ -50,8 +50,13 @@ pub enum ToPage {
         description: Box<Description>,
         /// Where components and links are drawn.
         drawing: Drawing,
-        /// What the map shows under everything else.
-        scenery: Vec<Drawn>,
+    },
+    /// What does not move in the world of a session, sent after the tree.
+    Scenery {
+        /// Session.
+        session: SessionId,
+        /// The items.
+        scenery: Vec<Shown>,
     },
     /// State of the tree after the last cycle, about 30 times a second while it runs.
     Update {
@@ -100,7 +105,7 @@ pub enum ToPage {
         /// Time, µs.
         time_us: u64,
         /// The state.
-        truth: Vec<Drawn>,
+        truth: Vec<Shown>,
     },
     /// Values of all parameters of a component, after a change.
     Params {

@@ -36,7 +36,7 @@ impl Asked for Message<'_> {
     fn send_classes(&self, image: &Image, classes: &[u8]) {
         let head = ImageHead {
             kind: PixelKind::Classes,
-            bottom_camera: image.bottom_camera,
+            camera: &image.camera,
             session: self.session.id,
             number: image.number,
             width: image.width,

@@ -47,5 +47,5 @@ fn add(session: &Session, number: u32, (width, height, yuyv): (u16, u16, Vec<u8>
     let time_us = u64::from(number) * PERIOD_US;
     let mut shared = session.shared();
     shared.history.states.push(time_us, number.into(), std::iter::empty());
-    shared.history.images.push(Image { number, time_us, bottom_camera: false, width, height, yuyv: yuyv.into() });
+    shared.history.images.push(Image { number, time_us, camera: "".into(), width, height, yuyv: yuyv.into() });
 }

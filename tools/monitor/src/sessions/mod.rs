@@ -18,7 +18,6 @@ mod query;
 mod recorded;
 mod recorded_images;
 mod registry;
-mod result;
 mod robot_recording;
 mod session;
 mod storage;

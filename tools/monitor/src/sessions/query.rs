@@ -54,7 +54,7 @@ impl Session {
                 cycle,
                 info: info.iter().take(MAX_POINTS).filter_map(sample).collect(),
                 image: image.as_ref().map(|image| image.number).or(place.map(|(number, ..)| number)),
-                truth: history.truths.at(time).map(|(_, truth)| self.program.truth(truth)),
+                truth: history.truths.at(time),
                 conditions: shared.conditions_at(page, time, &components),
                 costs: history.costs.at(time).map(|(_, costs)| costs.clone()),
                 components,

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use bica::{Blob, Format};
 use bica_recording::BlobPlace;
 
-use super::robot_recording::BOTTOM_CAMERA;
 use crate::program::Image;
 use crate::protocol::Failed;
 
@@ -40,6 +39,5 @@ pub(super) fn read_image(path: &Path, (number, time_us, place): (u32, u64, BlobP
     if image.bytes.len() != 2 * usize::from(width) * usize::from(height) {
         return Err(Failed::new(format!("image {number} does not have the pixels of its size"), "record it again"));
     }
-    let bottom_camera = frame == BOTTOM_CAMERA;
-    Ok(Image { number, time_us, bottom_camera, width, height, yuyv: image.bytes.into() })
+    Ok(Image { number, time_us, camera: frame.into(), width, height, yuyv: image.bytes.into() })
 }

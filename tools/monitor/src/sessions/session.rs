@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use bica_drawing::Drawing;
-use bica_link::Description;
+use bica_link::{Description, Shown};
 
 use super::commands;
 use super::common::Common;
@@ -61,6 +61,8 @@ pub(super) struct Shared {
     pub(super) is_over: bool,
     pub(super) description: Option<Arc<Description>>,
     pub(super) drawing: Drawing,
+    /// What does not move in the world.
+    pub(super) scenery: Vec<Shown>,
     pub(super) history: History,
     /// File and images of a recording.
     pub(super) recorded: Recorded,
@@ -218,6 +220,7 @@ impl Session {
             shared.history = History::new(limits(&self.options, self.kind), components);
             shared.epoch += 1;
             shared.result.clear();
+            shared.scenery.clear();
         }
         let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
         if let Some((tree, places)) = shared.inherited.take().or(own) {
@@ -241,8 +244,10 @@ impl Session {
         if shared.described.insert(page) {
             let description = Box::new((*description).clone());
             let drawing = shared.drawing.clone();
-            let scenery = self.program.scenery(&description);
-            self.pages.state(page, ToPage::Described { session: self.id, description, drawing, scenery });
+            self.pages.state(page, ToPage::Described { session: self.id, description, drawing });
+            if !shared.scenery.is_empty() {
+                self.pages.state(page, ToPage::Scenery { session: self.id, scenery: shared.scenery.clone() });
+            }
             self.pages.state(page, self.breakpoints(shared));
         }
         if let Some(update) = self.update(shared, Vec::new()) {
@@ -282,10 +287,23 @@ impl Session {
         self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
     }
 
-    pub(super) fn add_line(&self, line: LogLine) {
-        if self.shared().add_line(line.clone()) {
-            self.announce();
+    /// Remembers how the run has ended.
+    pub(super) fn set_result(&self, text: String) {
+        self.shared().result = text;
+        self.announce();
+    }
+
+    /// Remembers what does not move in the world, and sends it to all pages.
+    pub(super) fn show_scenery(&self, scenery: Vec<Shown>) {
+        let mut shared = self.shared();
+        shared.scenery.clone_from(&scenery);
+        for &page in &shared.described {
+            self.pages.state(page, ToPage::Scenery { session: self.id, scenery: scenery.clone() });
         }
+    }
+
+    pub(super) fn add_line(&self, line: LogLine) {
+        self.shared().history.add_line(line.clone());
         self.record_robot(|recorder| recorder.line(&line));
         self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
     }
@@ -308,7 +326,7 @@ impl Session {
     pub(super) fn image_frame(&self, image: &Image, id: u32) -> Vec<u8> {
         let head = ImageHead {
             kind: PixelKind::Yuyv,
-            bottom_camera: image.bottom_camera,
+            camera: &image.camera,
             session: self.id,
             number: image.number,
             width: image.width,

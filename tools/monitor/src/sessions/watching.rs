@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
 
-use bica_link::Transition;
+use bica_link::{Transition, Truth};
 
 use super::history;
 use super::session::{Session, Shared};
@@ -17,7 +17,6 @@ use crate::program::Image;
 use crate::protocol::{
     ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Watch, WatchImages,
 };
-use bica_wire::message::Truth;
 
 /// Time between two updates of the pages.
 pub(super) const UPDATE: Duration = Duration::from_millis(33);
@@ -96,10 +95,9 @@ impl Session {
             let message = ToPage::Costs { session: self.id, costs: costs.clone() };
             self.pages.data(page, self.key(DataKind::Costs), Frame::of(message));
         }
-        if let Some((time_us, truth)) = shared.history.truths.newest().filter(|_| watch.truth && !before.truth).cloned()
+        if let Some((time_us, truth)) = shared.history.truths.newest().filter(|_| watch.truth && !before.truth)
             && shared.is_recent(time_us)
         {
-            let truth = self.program.truth(&truth);
             let message = ToPage::Truth { session: self.id, time_us, truth };
             self.pages.data(page, self.key(DataKind::Truth), Frame::of(message));
         }
@@ -142,10 +140,10 @@ impl Session {
     }
 
     /// Remembers the true state, and sends it to the pages that watch it.
-    pub(super) fn show_truth(&self, time_us: u64, truth: Truth) {
+    pub(super) fn show_truth(&self, Truth { time_us, items }: Truth) {
         let mut shared = self.shared();
-        let message = ToPage::Truth { session: self.id, time_us, truth: self.program.truth(&truth) };
-        shared.history.truths.push(time_us, truth);
+        shared.history.truths.push(time_us, &items);
+        let message = ToPage::Truth { session: self.id, time_us, truth: items };
         self.send(&shared.watching.pages(|watch| watch.truth), DataKind::Truth, message);
     }
 
@@ -214,12 +212,11 @@ mod tests {
     fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
-        let truth = Truth::default();
         let pixels: Arc<[u8]> = vec![0; 1 << 16].into();
         for number in 0..500 {
             let time_us = 1_000_000 * u64::from(number);
             let yuyv = Arc::clone(&pixels);
-            let image = Image { number, time_us, bottom_camera: false, width: 256, height: 128, yuyv };
+            let image = Image { number, time_us, camera: "".into(), width: 256, height: 128, yuyv };
             let page = Arc::new(Received::default());
             session.pages.add(number.into(), Arc::clone(&page) as Arc<dyn Outbox>);
             session.shared().history.states.push(time_us, number.into(), std::iter::empty());
@@ -228,7 +225,7 @@ mod tests {
                 scope.spawn(|| {
                     both.wait();
                     session.show_image(image);
-                    session.show_truth(time_us, truth.clone());
+                    session.show_truth(Truth { time_us, items: Vec::new() });
                 });
                 both.wait();
                 let images = Some(WatchImages { max_hz: 1000.0 });
@@ -248,7 +245,7 @@ mod tests {
         session.watch(1, Watch { images: Some(WatchImages { max_hz: 1000.0 }), ..Watch::default() });
         for number in 0..2 {
             let yuyv = vec![0; 4].into();
-            session.show_image(Image { number, time_us: 0, bottom_camera: false, width: 2, height: 1, yuyv });
+            session.show_image(Image { number, time_us: 0, camera: "".into(), width: 2, height: 1, yuyv });
         }
         let last = |session: &Session| session.shared().watching.images[&1];
         while last(&session).0 != 1 {

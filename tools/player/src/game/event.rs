@@ -36,6 +36,16 @@ impl From<&TimedEvent> for EventRecord {
     }
 }
 
+/// Returns what ends a game, for people.
+pub(crate) fn result(event: &TimedEvent) -> Option<String> {
+    let name = match event.event {
+        Event::Goal => "Goal",
+        Event::OwnGoal => "Own goal",
+        _ => return None,
+    };
+    Some(format!("{name} at {:.2} s", event.at.as_secs_f64()))
+}
+
 /// Returns an event as it is recorded.
 pub(crate) fn recorded(event: &TimedEvent) -> RunEvent {
     let EventRecord { event: kind, detail, .. } = EventRecord::from(event);

@@ -14,10 +14,11 @@ use bica_sim::SpectatorView;
 use glam::Vec2;
 
 use crate::game::control::{GameControl, NextStep};
+use crate::game::event;
 use crate::game::fingerprint::Fingerprint;
 use crate::game::firmware::FirmwareCheck;
 use crate::game::latency::Stopwatch;
-use crate::game::link::{GameLink, LinkQueue, LinkView, ServeOptions, send_truth};
+use crate::game::link::{GameLink, LinkQueue, LinkView, ServeOptions};
 use crate::game::meter::Meter;
 use crate::game::observer::GameObserver;
 use crate::game::recording::{GameRecorder, RecordOptions, RecordingSummary};
@@ -127,7 +128,6 @@ impl Game {
     ) -> Result<Self, Failure> {
         let mut world = world_factory::open(rules)?;
         let actions = world.actions().list();
-        let image = world.shared_image();
         let mut robot = Box::new(Forward::new());
         let (attacks, start, ball) = (world.referee().attacks(), world.referee().robot(), world.referee().ball());
         robot.get_mut::<RobotProfile>().set(rules.world.profile());
@@ -135,8 +135,8 @@ impl Game {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let mut firmware = FirmwareCheck::new(rules.firmware.map(|image| image.start(attacks)).transpose()?);
-        let recorder = GameRecorder::new(record, rules, attacks, (&robot, actions), image.clone())?;
-        let (link, requests, view) = GameLink::start(serve, rules, actions, image, can_pause, &mut firmware)?;
+        let recorder = GameRecorder::new(record, rules, attacks, (&robot, actions), world.shared_image())?;
+        let (link, requests, view) = GameLink::start(serve, rules, actions, &*world, can_pause, &mut firmware)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (firmware, (measured, (recorder, view)));
         Ok(Self {
@@ -210,7 +210,9 @@ impl Game {
 
     /// Sends the true state to monitors that watch it.
     fn send_truth(&self) {
-        send_truth(self.view(), self.cycle_time, self.runner.world().referee(), self.start);
+        if let Some(view) = self.view() {
+            view.show_truth(&**self.runner.world());
+        }
     }
 
     fn scene(&self) -> Scene<'_> {
@@ -263,7 +265,9 @@ impl Game {
             firmware: firmware.summarize(),
             ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
         };
-        let recording = recorder.finish(&format!("fingerprint {}", summary.fingerprint), summary.fault.as_deref());
+        let result = world.referee().events().iter().filter_map(event::result).next_back();
+        let result = result.into_iter().chain([format!("fingerprint {}", summary.fingerprint)]).collect::<Vec<_>>();
+        let recording = recorder.finish(&result.join(", "), summary.fault.as_deref());
         (summary, recording)
     }
 }

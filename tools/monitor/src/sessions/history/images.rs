@@ -80,7 +80,7 @@ mod tests {
         for number in 0..10 {
             let time_us = u64::from(number) * 10;
             let yuyv = vec![0; 30].into();
-            images.push(Image { number, time_us, bottom_camera: false, width: 5, height: 3, yuyv });
+            images.push(Image { number, time_us, camera: "".into(), width: 5, height: 3, yuyv });
         }
         assert_eq!(images.bytes(), 90);
         assert!(images.get(6).is_none());

@@ -6,10 +6,9 @@ mod part;
 mod states;
 mod timed;
 mod timeline;
+mod truths;
 
 use std::collections::BTreeMap;
-
-use bica_wire::message::Truth;
 
 use crate::protocol::{Costs, LogLine};
 
@@ -17,6 +16,7 @@ pub(super) use images::Images;
 pub(super) use info::InfoStore;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;
+pub(super) use truths::Truths;
 
 /// For each transition of a component whether its condition holds, and since when, µs.
 pub(super) type Conditions = Vec<Option<(bool, u64)>>;
@@ -40,7 +40,7 @@ pub(super) struct History {
     pub(super) info: InfoStore,
     pub(super) images: Images,
     pub(super) lines: Timed<LogLine>,
-    pub(super) truths: Timed<Truth>,
+    pub(super) truths: Truths,
     pub(super) costs: Timed<Costs>,
     /// Changes of the conditions of each component; none from when on they are not received.
     conditions: BTreeMap<usize, Timed<Option<Conditions>>>,

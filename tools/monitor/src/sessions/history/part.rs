@@ -72,7 +72,7 @@ mod tests {
                 let image = Image {
                     number: cycle as u32,
                     time_us,
-                    bottom_camera: false,
+                    camera: "".into(),
                     width: 2,
                     height: 1,
                     yuyv: [0; 4].into(),

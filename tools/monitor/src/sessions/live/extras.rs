@@ -67,7 +67,9 @@ impl Attached<'_> {
                     conditions.iter().map(|one| one.map(|one| (one.holds, one.since_us))).collect();
                 self.session.show_conditions(time_us, component, conditions);
             }
-            Event::Truth(truth) => self.session.show_truth(truth.time_us, *truth),
+            Event::Truth(truth) => self.session.show_truth(truth),
+            Event::Scenery(items) => self.session.show_scenery(items),
+            Event::Result(text) => self.session.set_result(text),
             // An image of which a part was lost is empty.
             Event::Image(image) if !image.yuyv.is_empty() => {
                 let image = stored(image);
@@ -106,13 +108,6 @@ fn page_reached(&LinkReached { time_us, stop, .. }: &LinkReached) -> Reached {
     Reached { time_us, breakpoint: Breakpoint { component: stop.component.into(), state, transition } }
 }
 
-fn stored(bica_link::Image { head, yuyv }: bica_link::Image) -> Image {
-    Image {
-        number: head.number,
-        time_us: head.time_us,
-        bottom_camera: head.bottom_camera,
-        width: head.width,
-        height: head.height,
-        yuyv: yuyv.into(),
-    }
+fn stored(bica_link::Image { number, time_us, camera, width, height, yuyv }: bica_link::Image) -> Image {
+    Image { number, time_us, camera: camera.into(), width, height, yuyv: yuyv.into() }
 }

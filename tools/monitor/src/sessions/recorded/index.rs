@@ -6,7 +6,7 @@ use std::path::Path;
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord};
+use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord, RunEvent};
 use serde_json::Value;
 
 use super::tree;
@@ -90,8 +90,10 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
             Ok(false) => {
                 let time_us = session.shared().history.span().1;
                 for line in lines(recording.rest(), &header, time_us) {
-                    session.shared().add_line(line);
+                    session.shared().history.add_line(line);
                 }
+                let result = recording.ending().map(|ending| ending.result.clone());
+                session.shared().result = result.unwrap_or_default();
                 break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned());
             }
             Err(note) => break note,
@@ -150,7 +152,7 @@ fn batch(
             shared.recorded.places.push((number, place.time / 1000, place));
         }
         for line in lines(&cycle, header, time_us) {
-            shared.add_line(line);
+            shared.history.add_line(line);
         }
         for value in cycle.information.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
@@ -171,10 +173,9 @@ fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl
     let line = move |level, kind, text: String| LogLine { time_us, level, kind, text, component: None };
     let requests = cycle.requests.iter().map(move |one| line(2, LogKind::Request, one.describe(&header.tree)));
     let events = cycle.events.iter().map(move |event| {
-        let is_result = event.detail.is_empty() && event.kind.ends_with("goal");
-        let detail = if is_result { format!("at {:.2} s", event.at_ns as f64 / 1e9) } else { event.detail.clone() };
+        let RunEvent { kind, detail, .. } = event;
         let separator = if detail.is_empty() { "" } else { ", " };
-        line(2, LogKind::Referee, format!("{}{separator}{detail}", event.kind))
+        line(2, LogKind::Referee, format!("{kind}{separator}{detail}"))
     });
     let log = cycle.log.iter().map(move |one| match one.text.strip_prefix(NOTE) {
         _ if header.monitor.is_some() => {

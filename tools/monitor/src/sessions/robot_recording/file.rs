@@ -30,16 +30,10 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
 
-/// Frame of an image of the bottom camera.
-pub(in crate::sessions) const BOTTOM_CAMERA: &str = "bottom_camera";
-/// Frame of an image of any other camera.
-const TOP_CAMERA: &str = "top_camera";
-
 /// An image of a session as an image of a recording.
 pub(in crate::sessions) fn received(image: &Image) -> ReceivedImage<'_> {
-    let Image { number, time_us, bottom_camera, width, height, ref yuyv } = *image;
-    let frame = if bottom_camera { BOTTOM_CAMERA } else { TOP_CAMERA };
-    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame } }
+    let Image { number, time_us, ref camera, width, height, ref yuyv } = *image;
+    ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame: camera } }
 }
 
 enum Entry {

@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::protocol::{ComponentNow, LogKind, LogLine};
 use bica::Hold;
 
-pub(super) use file::{BOTTOM_CAMERA, received, unused};
+pub(super) use file::{received, unused};
 pub(super) use writer::RobotRecorder;
 
 /// Level of a log line that is no warning.

@@ -44,7 +44,7 @@ async fn pan(page: &Page, condition: &str) {
 /// camera looks down by 0.7 rad more than the top one.
 async fn tilt(page: &Page) -> &'static str {
     let selected =
-        "return document.querySelector('[aria-label=Camera] .bar .dim').textContent.match(/^(top|bottom) /)?.[1]";
+        "return document.querySelector('[aria-label=Camera] .bar .dim').textContent.match(/^(top|bottom)_camera /)?.[1]";
     match page.until("an image is shown", selected).await.as_str() {
         Some("bottom") => "-0.15",
         _ => "0.4",
