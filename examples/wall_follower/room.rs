@@ -4,6 +4,7 @@ use std::fmt;
 
 use bica::prelude::*;
 use bica::runner::World;
+use bica::visual::{Pose2, Rectangle, Scene, SceneItem};
 
 use super::robot::{RAYS, Sensors, TRACK_WIDTH, WallFollower, WheelSpeeds};
 
@@ -51,6 +52,24 @@ fn is_wall([x, y]: [f32; 2]) -> bool {
     let (column, row) = ((x / SQUARE) as usize, MAP.len() as isize - 1 - (y / SQUARE) as isize);
     let row = usize::try_from(row).ok().and_then(|row| MAP.get(row));
     x < 0.0 || y < 0.0 || row.and_then(|row| row.as_bytes().get(column)).is_none_or(|square| *square == b'#')
+}
+
+/// The walls of each row of the map.
+fn walls() -> Vec<Rectangle> {
+    let mut walls = Vec::new();
+    for (row, text) in MAP.iter().rev().enumerate() {
+        let y = (row as f32 + 0.5) * SQUARE;
+        let mut column = 0;
+        for run in text.as_bytes().chunk_by(|a, b| (*a == b'#') == (*b == b'#')) {
+            let length = run.len() as f32 * SQUARE;
+            let x = column as f32 * SQUARE + 0.5 * length;
+            if run[0] == b'#' {
+                walls.push(Rectangle { x, y, heading: 0.0, length, width: SQUARE });
+            }
+            column += run.len();
+        }
+    }
+    walls
 }
 
 fn ahead([x, y]: [f32; 2], angle: f32, distance: f32) -> [f32; 2] {
@@ -110,6 +129,16 @@ impl World<WallFollower> for Room {
 
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         write!(out, "{self}")
+    }
+
+    fn scenery(&self, scene: &mut dyn Scene) {
+        scene.show(&SceneItem::new("walls", "room"), &&walls()[..]);
+    }
+
+    fn truth(&self, scene: &mut dyn Scene) {
+        let pose = |[x, y]: [f32; 2], heading| Pose2 { x, y, heading };
+        scene.show(&SceneItem::new("start", "room").place_of("odometry"), &pose(self.track[0], 0.0));
+        scene.show(&SceneItem::new("robot", "room").place_of("robot"), &pose(self.position, self.heading));
     }
 }
 
