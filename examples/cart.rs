@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use bica::prelude::*;
 use bica::runner::{Robot, World};
+use bica::visual::{Point2, Rectangle, Scene, SceneItem};
 use bica_app::App;
 
 /// Distance to the obstacle ahead.
@@ -146,6 +147,15 @@ impl World<Cart> for Road {
 
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         write!(out, "{:.2} m before the obstacle", self.distance)
+    }
+
+    fn scenery(&self, scene: &mut dyn Scene) {
+        let obstacle = Rectangle { x: 0.1, y: 0.0, heading: 0.0, length: 0.2, width: 1.0 };
+        scene.show(&SceneItem::new("obstacle", "road"), &obstacle);
+    }
+
+    fn truth(&self, scene: &mut dyn Scene) {
+        scene.show(&SceneItem::new("cart", "road"), &Point2 { x: -self.distance, y: 0.0 });
     }
 }
 

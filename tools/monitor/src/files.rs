@@ -87,7 +87,7 @@ mod tests {
         for name in ["", ".", "..", "../a", "a/b", "/etc/passwd", "a\\b", "a\r\nb", ".hidden", " a", "a ", "a\0"] {
             assert!(path(folder, name, ".mcap").is_err(), "{name:?}");
         }
-        for name in ["goal of day 1", "run (1)", "it's [new] + 2"] {
+        for name in ["run of day 1", "run (1)", "it's [new] + 2"] {
             assert_eq!(path(folder, name, ".mcap").unwrap(), folder.join(format!("{name}.mcap")));
         }
         assert_eq!(path(folder, "a.mcap", ".mcap").unwrap(), folder.join("a.mcap"));

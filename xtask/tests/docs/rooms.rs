@@ -32,6 +32,8 @@ const TREES: [&str; 2] = ["player/src/forward.rs", "examples/goalkeeper/src/tree
 const JOINTS: &str = "bica-motion/src/joints.rs";
 /// Components whose names generic code may use for something else.
 const WORDS: [&str; 5] = ["Body", "Head", "Turn", "Player", "Walk"];
+/// Objects of an application, and devices of a robot.
+const OBJECTS: [&str; 4] = ["goal", "own_goal", "top_camera", "bottom_camera"];
 
 /// Returns a line for each dependency of a generic package on another package of the workspace that is not generic.
 pub(crate) fn forbidden_dependencies() -> Vec<String> {
@@ -80,7 +82,7 @@ fn sources() -> Vec<String> {
 /// Names of the components, joints and objects of the robots.
 pub(crate) fn names() -> BTreeSet<String> {
     let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("a source of the repository");
-    let mut names = BTreeSet::new();
+    let mut names: BTreeSet<String> = OBJECTS.map(str::to_owned).into();
     for tree in TREES {
         let text = read(tree);
         let (_, list) = text.split_once("components: [").expect("a list of components");
@@ -109,7 +111,8 @@ pub(crate) fn named(page: &Page, names: &BTreeSet<String>) -> Vec<String> {
 
 #[test]
 fn names_of_robots_are_found() {
-    let text = "let x = HeadYaw;\nlet y = 1; // FaceBall\nlet z = FaceBall;\nlet w = FaceBalls;\n";
+    let text =
+        "let x = HeadYaw;\nlet y = 1; // FaceBall\nlet z = FaceBall;\nlet w = FaceBalls;\nlet at = \"top_camera\";\n";
     let page = Page { path: "x.rs".into(), name: "x.rs".into(), text: text.to_owned() };
-    assert_eq!(named(&page, &names()), ["x.rs:1: `HeadYaw`", "x.rs:3: `FaceBall`"]);
+    assert_eq!(named(&page, &names()), ["x.rs:1: `HeadYaw`", "x.rs:3: `FaceBall`", "x.rs:5: `top_camera`"]);
 }

@@ -3,6 +3,8 @@
 use std::io::Read;
 use std::process::Command;
 
+use serde_json::Value;
+
 use crate::process::{Served, example};
 
 fn start() -> Served {
@@ -26,6 +28,29 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
     served.link(&["step", "50"]);
     let watched = served.link(&["watch", "Odometry.pose", "--count", "1"]);
     assert!(watched.iter().any(|line| line["schema"] == "bica/link-snapshot/1"), "{watched:?}");
+}
+
+#[test]
+fn true_pose_of_the_world_is_that_of_the_odometry_in_the_true_start() {
+    let served = start();
+    let watched = served.link(&["watch", "Odometry.pose", "--truth", "--count", "60"]);
+    let of = |schema: &'static str| watched.iter().filter(move |line| line["schema"] == schema);
+    let axes = |value: &Value| ["x", "y"].map(|axis| value[axis].as_f64().expect("a number"));
+    let mut compared = 0;
+    for truth in of("bica/link-truth/2") {
+        let [start, robot] = &truth["items"].as_array().expect("items")[..] else { panic!("{truth}") };
+        let places = [&start["frame"], &start["child"], &robot["frame"], &robot["child"]];
+        assert_eq!(places, ["room", "odometry", "room", "robot"]);
+        let is_of_cycle =
+            |info: &&Value| truth["time_us"].as_u64() == info["cycle"].as_u64().map(|cycle| 20_000 * cycle);
+        for pose in of("bica/link-info/1").filter(is_of_cycle) {
+            let (start, robot, driven) = (axes(&start["value"]), axes(&robot["value"]), axes(&pose["value"]));
+            let error = (robot[0] - start[0] - driven[0]).hypot(robot[1] - start[1] - driven[1]);
+            assert!(error < 1e-3, "{truth} {pose}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 20, "{compared}");
 }
 
 #[cfg(unix)]

@@ -78,7 +78,9 @@ fn a_recording_shows_states_images_information_and_log() {
         assert_eq!(moment["cycle"], time_us / 10_000);
         let taken = u64::from_le_bytes(frame[16..24].try_into().unwrap());
         assert!(taken <= time_us && time_us - taken < 100_000, "{taken} {time_us}");
-        assert_eq!(frame.len(), 32 + 2 * 160 * 120);
+        let camera = usize::from(frame[1]);
+        assert!([&b"top_camera"[..], b"bottom_camera"].contains(&&frame[32..32 + camera]));
+        assert_eq!(frame.len(), 32 + camera + 2 * 160 * 120);
         let number = moment["image"].as_u64().unwrap();
         // Information is recorded in every tenth cycle: the count of images is that of one taken before.
         let count = moment["info"][0][3].as_u64().unwrap();

@@ -125,7 +125,7 @@ fn a_world_behind_a_link_shows_all_that_a_world_of_this_process_shows() {
         Got::Binary(frame) => Some(frame.clone()),
         Got::Message(_) => None,
     });
-    assert_eq!((frame[0], frame.len()), (1, 32 + 160 * 120 * 2));
+    assert_eq!((frame[0], frame.len()), (1, 32 + usize::from(frame[1]) + 160 * 120 * 2));
     let conditions = page.message("conditions", |message| {
         let conditions = message["conditions"].as_array()?;
         let is_known = conditions.iter().any(|one| one["holds"].is_boolean());
