@@ -15,8 +15,6 @@ const YELLOW: [u8; 3] = [0xf2, 0xc1, 0x1d];
 const SKY_BLUE: [u8; 3] = [0x4a, 0xa3, 0xff];
 /// Radius that shows another robot, m.
 const ROBOT: f32 = 0.15;
-/// Name of the action that moves the ball.
-const PLACE_BALL: &str = "place_ball";
 
 /// Shows the carpet with its markings.
 pub(crate) fn show_field(scene: &mut dyn Scene) {
@@ -65,5 +63,5 @@ pub(crate) fn show_truth(referee: &Referee, scene: &mut dyn Scene) {
     scene.show(&SceneItem::new("robot", FRAME).place_of("robot"), &pose(referee.robot()));
     scene.show(&SceneItem::new("other robots", FRAME), &others);
     let ball = circle(referee.ball(), FIELD.ball_radius());
-    scene.show(&SceneItem::new("ball", FRAME).moved_by(PLACE_BALL), &ball);
+    scene.show(&SceneItem::new("ball", FRAME), &ball);
 }

@@ -10,7 +10,7 @@ use crate::info::Information;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
 pub struct SceneItem<'a> {
-    /// Name for people; no other item of the scene has it.
+    /// Name for people; no other item of the scene has it. An action of the world can name the item that it moves.
     pub name: &'a str,
     /// The frame in which the value is given.
     pub frame: &'a str,
@@ -20,15 +20,13 @@ pub struct SceneItem<'a> {
     pub colour: Option<[u8; 3]>,
     /// Width of lines, m; `None`: what has an area is filled, and a tool chooses the width of lines.
     pub line_width: Option<f32>,
-    /// Name of the action of the world that moves it to a point; `None`: an operator cannot move it.
-    pub moved_by: Option<&'a str>,
 }
 
 impl<'a> SceneItem<'a> {
     /// An item with a name, given in a frame.
     #[must_use]
     pub const fn new(name: &'a str, frame: &'a str) -> Self {
-        Self { name, frame, child: None, colour: None, line_width: None, moved_by: None }
+        Self { name, frame, child: None, colour: None, line_width: None }
     }
 
     /// The value is the true place of a frame; it has to be a pose.
@@ -47,12 +45,6 @@ impl<'a> SceneItem<'a> {
     #[must_use]
     pub const fn line_width(self, metres: f32) -> Self {
         Self { line_width: Some(metres), ..self }
-    }
-
-    /// An operator can move it to a point with an action of the world.
-    #[must_use]
-    pub const fn moved_by(self, action: &'a str) -> Self {
-        Self { moved_by: Some(action), ..self }
     }
 }
 

@@ -31,9 +31,6 @@ pub struct Shown {
     /// Width of lines, m; none: what has an area is filled, and a tool chooses the width of lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line_width: Option<f32>,
-    /// Name of the action of the world that moves it; none: an operator cannot move it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub moved_by: Option<String>,
 }
 
 /// True state of a simulated world.
@@ -129,7 +126,6 @@ fn declarations(mut bytes: &[u8]) -> Option<Vec<(Shown, OwnedNamedType)>> {
             value: Value::Null,
             colour: item.colour.map(|[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}")),
             line_width: item.line_width,
-            moved_by: item.moved_by.map(text),
         };
         declared.push((shown, postcard::from_bytes(schema).ok()?));
         bytes = rest;

@@ -253,7 +253,7 @@ fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_w
     });
     let cart = &truth.items[0];
     assert_eq!((&*cart.name, &*cart.shape, &*cart.frame), ("cart", "Pose2", "road"));
-    assert_eq!((cart.child.as_deref(), cart.moved_by.as_deref(), cart.line_width), (Some("cart"), Some("push"), None));
+    assert_eq!((cart.child.as_deref(), cart.line_width), (Some("cart"), None));
     assert_eq!(truth.value("birds"), Some(&serde_json::Value::Null));
     session.server.set_result("it is over");
     for _ in 0..2 {

@@ -61,7 +61,7 @@ export function GroundMap({ visible }) {
     return own === now(view).root ? { x, y }[of.axis] : undefined;
   };
   /** Where the item is that an action moves. */
-  const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value[axis];
+  const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value?.[axis];
   const reads = () => {
     void [shown.truth.value, shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
     outputs.forEach((output) => read(output));

@@ -50,8 +50,8 @@ export function useDrag({ shown, mapOf, visible }) {
   const near = (event) => {
     if (!visible || !shown?.info.value.can.operate) return undefined;
     const map = mapOf(event.currentTarget);
-    const distance = ({ value }) => Math.hypot(map.x(value.x) - event.offsetX, map.y(value.y) - event.offsetY);
-    const items = (shown.truth.value?.truth ?? []).filter((item) => item.value && distance(item) < REACH && mover(shown, item));
+    const distance = ({ value }) => Math.hypot(map.x(value?.x) - event.offsetX, map.y(value?.y) - event.offsetY);
+    const items = (shown.truth.value?.truth ?? []).filter((item) => distance(item) < REACH && mover(shown, item));
     return items.sort((one, other) => distance(one) - distance(other))[0];
   };
   const end = () => {
