@@ -144,8 +144,26 @@ impl World<Cart> for Road {
         self.cycle += 1;
     }
 
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        Some(self)
+    }
+
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         write!(out, "{:.2} m before the obstacle", self.distance)
+    }
+}
+
+#[world_actions]
+impl Road {
+    /// Moves the obstacle.
+    #[action]
+    fn move_obstacle(
+        &mut self,
+        #[range(0.1..=5.0)]
+        #[unit("m")]
+        distance: f32,
+    ) {
+        self.distance = distance;
     }
 }
 

@@ -160,8 +160,9 @@ fn server_with_a_full_disk() {
 fn a_full_disk_leaves_the_file_whole_and_the_edit_in_memory() {
     let sources = Sources::player();
     // Larger files cannot be written, as on a full disk.
-    let script =
-        format!("trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" sources::faults::server_with_a_full_disk --exact --nocapture");
+    let script = format!(
+        "trap '' XFSZ; ulimit -f {ROOM}; exec \"$0\" sources::faults::server_with_a_full_disk --exact --nocapture"
+    );
     let ran = Command::new("bash")
         .args(["-c", &script])
         .arg(std::env::current_exe().unwrap())
