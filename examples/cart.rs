@@ -145,6 +145,10 @@ impl World<Cart> for Road {
         self.cycle += 1;
     }
 
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        Some(self)
+    }
+
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
         write!(out, "{:.2} m before the obstacle", self.distance)
     }
@@ -156,6 +160,20 @@ impl World<Cart> for Road {
 
     fn truth(&self, scene: &mut dyn Scene) {
         scene.show(&SceneItem::new("cart", "road"), &Point2 { x: -self.distance, y: 0.0 });
+    }
+}
+
+#[world_actions]
+impl Road {
+    /// Moves the obstacle.
+    #[action]
+    fn move_obstacle(
+        &mut self,
+        #[range(0.1..=5.0)]
+        #[unit("m")]
+        distance: f32,
+    ) {
+        self.distance = distance;
     }
 }
 

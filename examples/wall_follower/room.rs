@@ -1,4 +1,4 @@
-//! The simulated world: a room with a pillar, and the robot in it.
+//! The simulated world: a room with a pillar, the robot in it, and a box that an operator may place.
 
 use std::fmt;
 
@@ -37,10 +37,17 @@ const MAP: [&str; 18] = [
     "       #########################",
 ];
 
+/// Half the width of the box, m.
+const BOX: f32 = 0.2;
+/// Radius of the robot, m.
+const ROBOT: f32 = 0.17;
+
 /// The room with the robot in it.
 pub(crate) struct Room {
     position: [f32; 2],
     heading: f32,
+    /// Middle of the box, m; none until it is placed.
+    obstacle: Option<[f32; 2]>,
     rolled: [f32; 2],
     cycle: u64,
     /// Positions of the robot so far, m.
@@ -76,25 +83,87 @@ fn ahead([x, y]: [f32; 2], angle: f32, distance: f32) -> [f32; 2] {
     [x + distance * angle.cos(), y + distance * angle.sin()]
 }
 
-/// Length of a ray to the next wall, in steps of 5 cm and then of 1 mm, m.
-fn cast(from: [f32; 2], angle: f32) -> f32 {
-    let hits = |millimetres: u16| is_wall(ahead(from, angle, 1e-3 * f32::from(millimetres)));
-    let coarse = (0..20_000).step_by(50).find(|millimetres| hits(*millimetres)).unwrap_or(20_000);
-    1e-3 * f32::from((coarse.saturating_sub(50)..coarse).find(|millimetres| hits(*millimetres)).unwrap_or(coarse))
+/// What an operator can do.
+#[world_actions]
+impl Room {
+    /// Pushes the robot: it slides and turns.
+    #[action]
+    fn push(
+        &mut self,
+        /// Direction on the map, 0 to the right.
+        #[range(-3.15..=3.15)]
+        #[unit("rad")]
+        #[place("room.heading")]
+        direction: f32,
+        #[range(0.0..=0.5)]
+        #[unit("m")]
+        #[default(0.2)]
+        distance: f32,
+        /// Angle by which it turns, to the left if positive.
+        #[range(-1.6..=1.6)]
+        #[unit("rad")]
+        turn: f32,
+    ) -> Result<(), &'static str> {
+        let position = ahead(self.position, direction, distance);
+        if self.is_taken_around(position, ROBOT) {
+            return Err("a wall or the box is in the way");
+        }
+        (self.position, self.heading) = (position, self.heading + turn);
+        Ok(())
+    }
+
+    /// Places a box in the room, which the lidar sees; there is one.
+    #[action(moves = "box")]
+    pub(crate) fn place_box(
+        &mut self,
+        #[range(0.0..=8.0)]
+        #[unit("m")]
+        #[place("room.x")]
+        x: f32,
+        #[range(0.0..=4.5)]
+        #[unit("m")]
+        #[place("room.y")]
+        y: f32,
+    ) -> Result<(), &'static str> {
+        let [dx, dy] = [x - self.position[0], y - self.position[1]];
+        if dx.abs().max(dy.abs()) < BOX + ROBOT {
+            return Err("the robot is there");
+        }
+        self.obstacle = Some([x, y]);
+        Ok(())
+    }
 }
 
 impl Room {
+    /// Whether a wall or the box is at a position, m.
+    fn is_taken(&self, [x, y]: [f32; 2]) -> bool {
+        let in_box = |[left, bottom]: [f32; 2]| (x - left).abs().max((y - bottom).abs()) < BOX;
+        is_wall([x, y]) || self.obstacle.is_some_and(in_box)
+    }
+
+    /// Whether a wall or the box touches a disc, m.
+    fn is_taken_around(&self, middle: [f32; 2], radius: f32) -> bool {
+        (0..16_u8).any(|i| self.is_taken(ahead(middle, f32::from(i) * 0.393, radius)))
+    }
+
+    /// Length of a ray to the next wall, in steps of 5 cm and then of 1 mm, m.
+    fn cast(&self, angle: f32) -> f32 {
+        let hits = |millimetres: u16| self.is_taken(ahead(self.position, angle, 1e-3 * f32::from(millimetres)));
+        let coarse = (0..20_000).step_by(50).find(|millimetres| hits(*millimetres)).unwrap_or(20_000);
+        1e-3 * f32::from((coarse.saturating_sub(50)..coarse).find(|millimetres| hits(*millimetres)).unwrap_or(coarse))
+    }
+
     pub(crate) fn new() -> Self {
         let row = MAP.iter().position(|row| row.contains('>')).expect("a start");
         let column = MAP[row].find('>').expect("a start");
         let position = [(column as f32 + 0.5) * SQUARE, ((MAP.len() - row) as f32 - 0.5) * SQUARE];
-        Self { position, heading: 0.0, rolled: [0.0; 2], cycle: 0, track: vec![position] }
+        Self { position, heading: 0.0, obstacle: None, rolled: [0.0; 2], cycle: 0, track: vec![position] }
     }
 
-    /// Whether the robot, with a radius of 0.17 m, ever touched a wall.
+    /// Whether the robot ever touched a wall or the box.
     #[cfg(test)]
     pub(crate) fn collided(&self) -> bool {
-        self.track.iter().any(|place| (0..16).any(|i| is_wall(ahead(*place, f32::from(i as u8) * 0.393, 0.17))))
+        self.track.iter().any(|place| self.is_taken_around(*place, ROBOT))
     }
 
     /// Moves the robot to another position in the room, m.
@@ -111,7 +180,7 @@ impl World<WallFollower> for Room {
 
     fn sensors(&mut self) -> Sensors {
         let angle = |ray: usize| self.heading + ray as f32 * core::f32::consts::TAU / RAYS as f32;
-        Sensors { ranges: core::array::from_fn(|ray| cast(self.position, angle(ray))), rolled: self.rolled }
+        Sensors { ranges: core::array::from_fn(|ray| self.cast(angle(ray))), rolled: self.rolled }
     }
 
     fn act(&mut self, WheelSpeeds(speeds): &WheelSpeeds) {
@@ -121,6 +190,10 @@ impl World<WallFollower> for Room {
         self.position = ahead(self.position, self.heading, 0.5 * (left + right));
         self.track.push(self.position);
         self.cycle += 1;
+    }
+
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        Some(self)
     }
 
     fn is_over(&self) -> bool {

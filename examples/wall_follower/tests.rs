@@ -1,5 +1,6 @@
 //! Tests of the wall follower by the names of its states.
 
+use bica::action::perform;
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
 
@@ -43,4 +44,19 @@ fn wall_end_starts_rounding() {
     test.world_mut().put([3.0, 3.0], 0.0);
     let took = test.reaches::<Explorer>("round_end", Duration::from_secs(1));
     assert!(took <= Duration::from_millis(80), "two periods at 25 Hz: {took:?}");
+}
+
+#[test]
+fn robot_turns_before_a_box_that_an_operator_places() {
+    let mut test = start();
+    test.stays::<Explorer>("search_wall", Duration::from_secs(2));
+    let mut act = |name: &str, values: &[f32]| {
+        let values: Vec<_> = values.iter().map(|&value| Value::F32(value)).collect();
+        perform(test.world_mut().actions(), name, &values).map_err(|refusal| refusal.to_string())
+    };
+    assert_eq!(act("place_box", &[3.2, 2.375]), Ok(()), "0.8 m ahead of the robot");
+    assert_eq!(act("push", &[0.0, 0.5, 0.0]), Err("`world.push`: a wall or the box is in the way".to_owned()));
+    assert_eq!(act("push", &[9.0, 0.5, 0.0]), Err("`world.direction`: 9 is outside -3.15..=3.15".to_owned()));
+    let took = test.reaches::<Explorer>("turn_left", Duration::from_secs(2));
+    assert!(!test.world().collided(), "{took:?}");
 }

@@ -1,7 +1,7 @@
 //! Rooms: which package may use which, and what a generic one may name.
 //!
 //! Generic packages serve every robot. They use neither a humanoid's packages nor an application's, and their sources
-//! contain no name of a component or a joint of a robot.
+//! contain no name of a component or a joint of a robot, and no word of soccer.
 
 use std::collections::BTreeSet;
 
@@ -30,6 +30,15 @@ const GENERIC: [&str; 13] = [
 const TREES: [&str; 2] = ["player/src/forward.rs", "examples/goalkeeper/src/tree.rs"];
 /// The joints of a robot, one line each.
 const JOINTS: &str = "bica-motion/src/joints.rs";
+/// Words of soccer: `BALL`, `place_ball` and `BallKeeper` contain one of them.
+const OBJECTS: [&str; 4] = ["ball", "goal", "soccer", "nao"];
+/// Sources that still contain some: the true state of a world, and the result of a run.
+const KNOWN: [&str; 4] = [
+    "bica-wire/src/message/extra.rs",
+    "tools/app/src/link/extras.rs",
+    "tools/monitor/src/sessions/recorded/index.rs",
+    "tools/monitor/src/sessions/result.rs",
+];
 /// Components whose names generic code may use for something else.
 const WORDS: [&str; 5] = ["Body", "Head", "Turn", "Player", "Walk"];
 /// Objects of an application, and devices of a robot.
@@ -54,9 +63,20 @@ fn is_generic(name: &Value) -> bool {
     name.as_str().is_some_and(|name| GENERIC.contains(&name))
 }
 
-/// Returns a line for each name of a robot in the sources of the generic packages, outside comments and tests.
+/// Returns a line for each name of a robot in the sources of the generic packages, outside comments and tests, and for each
+/// word of soccer.
 pub(crate) fn names_of_robots() -> Vec<String> {
-    let (names, folders) = (names(), sources());
+    let (names, pages) = (names(), generic_sources());
+    let objects = pages.iter().flat_map(|page| match (KNOWN.contains(&&*page.name), objects(page)) {
+        (false, found) => found,
+        (true, found) if found.is_empty() => vec![format!("{}: it is clean now, remove it from `KNOWN`", page.name)],
+        (true, _) => Vec::new(),
+    });
+    pages.iter().flat_map(|page| named(page, &names)).chain(objects).collect()
+}
+
+fn generic_sources() -> Vec<Page> {
+    let folders = sources();
     let is_generic_source = |page: &Page| {
         let is_source = folders.iter().any(|folder| page.name.starts_with(folder));
         is_source && !page.name.contains("/vendor/") && !page.name.ends_with("tests.rs")
@@ -64,7 +84,7 @@ pub(crate) fn names_of_robots() -> Vec<String> {
     let pages = ["rs", "js", "html", "css"].into_iter().flat_map(Page::read_all).filter(is_generic_source);
     let pages: Vec<_> = pages.collect();
     assert!(pages.len() > 300, "only {} sources were found: are they read?", pages.len());
-    pages.iter().flat_map(|page| named(page, &names)).collect()
+    pages
 }
 
 /// Folders of the generic sources, relative to the repository.
@@ -99,6 +119,34 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
+/// Returns a line for each word of soccer in a source, outside comments and unit tests.
+fn objects(page: &Page) -> Vec<String> {
+    let code = page.text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let mut found = Vec::new();
+    for (index, line) in code.lines().enumerate() {
+        let line = line.split("//").next().unwrap_or_default();
+        let is_object = |word: &&str| parts(word).iter().any(|part| OBJECTS.contains(&part.as_str()));
+        found.extend(words(line).filter(is_object).map(|word| format!("{}:{}: `{word}`", page.name, index + 1)));
+    }
+    found
+}
+
+/// Returns the words of a name, in small letters: those of `own_goal`, `OwnGoal` and `OWN_GOAL` are `own` and `goal`.
+fn parts(name: &str) -> Vec<String> {
+    let mut parts = vec![String::new()];
+    let mut before = 'A';
+    for letter in name.chars() {
+        if letter == '_' || letter.is_uppercase() && !before.is_uppercase() {
+            parts.push(String::new());
+        }
+        if letter != '_' {
+            parts.last_mut().expect("one").extend(letter.to_lowercase());
+        }
+        before = letter;
+    }
+    parts
+}
+
 /// Returns a line for each of the names in a source.
 pub(crate) fn named(page: &Page, names: &BTreeSet<String>) -> Vec<String> {
     let code = page.text.lines().enumerate().map(|(index, line)| (index, line.split("//").next().unwrap_or_default()));
@@ -115,4 +163,12 @@ fn names_of_robots_are_found() {
         "let x = HeadYaw;\nlet y = 1; // FaceBall\nlet z = FaceBall;\nlet w = FaceBalls;\nlet at = \"top_camera\";\n";
     let page = Page { path: "x.rs".into(), name: "x.rs".into(), text: text.to_owned() };
     assert_eq!(named(&page, &names()), ["x.rs:1: `HeadYaw`", "x.rs:3: `FaceBall`", "x.rs:5: `top_camera`"]);
+}
+
+#[test]
+fn words_of_soccer_are_found_outside_comments_and_tests() {
+    let code = "place_ball(OwnGoal); // ball\nlet BALL = 1;\nballoon(\"a nao\");\n";
+    let text = format!("{code}#[cfg(test)]\nmod tests {{\n    ball();\n}}\n");
+    let page = Page { path: "x.rs".into(), name: "x.rs".into(), text };
+    assert_eq!(objects(&page), ["x.rs:1: `place_ball`", "x.rs:1: `OwnGoal`", "x.rs:2: `BALL`", "x.rs:3: `nao`"]);
 }

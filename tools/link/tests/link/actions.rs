@@ -26,7 +26,7 @@ fn actions_are_described_with_the_places_of_their_arguments() {
     let session = Session::start_world();
     let client = session.client();
     let [action] = &client.description().actions[..] else { panic!("{:?}", client.description().actions) };
-    assert_eq!((&*action.name, &*action.doc), ("place_wall", " Places the wall."));
+    assert_eq!((&*action.name, &*action.doc), ("place_wall", "Places the wall."));
     assert_eq!(action.moves.as_deref(), Some("wall"));
     let argument = &action.arguments[0];
     assert_eq!(argument.range(), format!("0.0 to {FARTHEST:?}"));

@@ -157,8 +157,6 @@ impl Wall {
     }
 }
 
-type Loop = Runner<Box<CartTree>, Wall, LinkRequests, (Counter, LinkObserver<CartTree>)>;
-
 /// A loop with a server.
 pub(crate) struct Session {
     shared: Arc<Shared>,

@@ -13,7 +13,7 @@ const fieldsOf = ({ name, folder, tree, module }) => ({ name: name.trim(), folde
 
 /** Shows the differences before anything is written. */
 async function preview(values) {
-  if (!values.name.trim()) return html`<p class="dim">Type a name, as in BallKeeper, to see what would be written.</p>`;
+  if (!values.name.trim()) return html`<p class="dim">Type a name, as in WallFinder, to see what would be written.</p>`;
   try {
     const { files } = await request('source', { request: { type: 'new_component', ...fieldsOf(values), dry: true } });
     return html`<div class="diffs">${files.map(({ file, diff }) => html`<h3>${file}</h3><pre class="diff">${diff}</pre>`)}</div>`;
@@ -33,7 +33,7 @@ export async function createComponent() {
     submit: 'Create',
     preview,
     fields: [
-      { name: 'name', label: 'Name', value: '', hint: 'a type’s name, as in BallKeeper' },
+      { name: 'name', label: 'Name', value: '', hint: 'a type’s name, as in WallFinder' },
       { name: 'folder', label: 'Folder', options: folders, value: opened.value ? folderOf(opened.value.file) : folders[0] ?? '' },
       { name: 'tree', label: 'Tree', kind: 'select', options: [['', 'in no tree yet'], ...trees.map((one) => [one.file, `${one.trees.join(', ')} in ${one.file}`])], value: '' },
       { name: 'module', label: 'Import in the tree’s file', value: '', hint: 'as in crate::behaviour; empty: none' },

@@ -92,7 +92,7 @@ pub enum SourceRequest {
     },
     /// Makes a component: its file, its `mod` line, its entry in a tree. [`{"file": text, "files": [{"file", "diff"}]}`]
     NewComponent {
-        /// Name, as in `BallKeeper`.
+        /// Name, as in `WallFinder`.
         name: String,
         /// Folder of the new file; empty for the folder of sources itself.
         folder: String,

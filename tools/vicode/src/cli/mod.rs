@@ -61,7 +61,7 @@ pub enum Command {
     },
     /// Makes a new component: its file, its `mod` line, its entry in a tree
     New {
-        /// Name of the component, as in `BallKeeper`
+        /// Name of the component, as in `WallFinder`
         name: String,
         /// Folder of the new file
         #[arg(long, default_value = "src")]

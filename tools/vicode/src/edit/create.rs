@@ -11,7 +11,7 @@ use crate::DEFAULT_WIDTH;
 use crate::model::{Model, Span};
 use crate::read::{Outline, Token, lexed, parse};
 
-/// The name of the file and module of a component: `ball_keeper` of `BallKeeper`.
+/// The name of the file and module of a component: `wall_finder` of `WallFinder`.
 ///
 /// # Errors
 /// If the name is not that of a type, or if the module would be named like a keyword.
@@ -20,7 +20,7 @@ pub fn module_of(name: &str) -> Result<String, Refusal> {
     if !name.starts_with(|first: char| first.is_ascii_uppercase())
         || !name.chars().all(|one| one.is_ascii_alphanumeric())
     {
-        return Err(Refusal::new(format!("a component is called like a type: `BallKeeper`, not `{name}`")));
+        return Err(Refusal::new(format!("a component is called like a type: `WallFinder`, not `{name}`")));
     }
     if matches!(name, "Time" | "Rate" | "Tuned" | "Self") {
         return Err(Refusal::new(format!("`{name}` means something else in signatures: choose another name")));

@@ -15,7 +15,7 @@ pub(super) fn name(name: &str) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal::new(format!(
-        "`{name}` is no name: use letters, digits and `_`, beginning with a letter, as in `look_for_ball`"
+        "`{name}` is no name: use letters, digits and `_`, beginning with a letter, as in `look_around`"
     )))
 }
 

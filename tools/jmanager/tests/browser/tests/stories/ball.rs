@@ -53,9 +53,9 @@ async fn tilt(page: &Page) -> &'static str {
 
 /// Places the ball by numbers, in the menu of the map.
 async fn place(page: &Page, x: f64, y: f64) {
-    page.click("button", "Place the ball", "Map").await;
-    page.find("textbox", "Ball x", "").await.set(&format!("{x:.3}")).await;
-    page.find("textbox", "Ball y", "").await.set(&format!("{y:.3}")).await;
+    page.click("button", "What can be done here", "Map").await;
+    page.find("textbox", "place ball x", "").await.set(&format!("{x:.3}")).await;
+    page.find("textbox", "place ball y", "").await.set(&format!("{y:.3}")).await;
     page.press("\u{e007}").await;
 }
 
@@ -78,7 +78,7 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
     page.find("slider", "Head tilt", "Head").await.set(tilt(&page).await).await;
     let (x, y) = beside(robot, 0.0);
     place(&page, x, y).await;
-    page.reads("the ball lies at").await;
+    page.reads("place ball: done").await;
     page.press("\u{e00c}").await;
     page.find("combobox", "Head moved by", "Take over").await.set("FaceBall").await;
     page.click("button", "Head", "Activation tree").await;
@@ -97,7 +97,7 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
     }
     page.screenshot("ball").await;
     tab(&page, "Log").await;
-    page.reads("ball at").await;
+    page.reads("act place_ball").await;
     page.close().await;
 }
 
@@ -105,10 +105,10 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
 async fn a_place_outside_the_field_is_explained() {
     let (_server, page) = game("outside").await;
     place(&page, 3.5, 0.0).await;
-    page.reads("x must be from -3 to 3 m, y from -2 to 2 m").await;
+    page.reads("3.5 is outside -3..=3").await;
     page.reads("operator: you").await;
-    page.find("textbox", "Ball x", "").await.set("far").await;
+    page.find("textbox", "place ball x", "").await.set("far").await;
     page.press("\u{e007}").await;
-    page.reads("are no position").await;
+    page.reads("is no number").await;
     page.close().await;
 }
