@@ -9,9 +9,7 @@ use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
 use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
 use bica::{Probe, Value, world_actions};
-use bica_link::{
-    Client, ClientOptions, Event, LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, ServerOptions, Snapshot,
-};
+use bica_link::{Client, ClientOptions, Event, LinkImage, LinkServer, LinkStats, ServerOptions, Snapshot};
 use bica_wire::message::Offers;
 
 use crate::robot::CartTree;
