@@ -46,7 +46,7 @@ macro_rules! root {
 mod ten {
     use bica::prelude::*;
 
-    use crate::framework::{links, tree};
+    use crate::framework::{links, simple, tree};
     use crate::part::mix;
 
     root!(A);
@@ -60,7 +60,7 @@ mod ten {
 mod hundred {
     use bica::prelude::*;
 
-    use crate::framework::{links, tree};
+    use crate::framework::{links, simple, tree};
     use crate::part::mix;
 
     root!(L10);
