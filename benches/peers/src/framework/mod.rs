@@ -102,8 +102,15 @@ macro_rules! links {
         links!($next $($rest)*);
     };
     ($name:ident) => {
-        simple!($name, fn step(&mut self) { self.0 = mix(0, [self.0]); });
+        leaves!($name);
     };
 }
 
-use {links, simple, tree};
+/// Components that require nothing.
+macro_rules! leaves {
+    ($($name:ident)*) => {
+        $(simple!($name, fn step(&mut self) { self.0 = mix(0, [self.0]); });)*
+    };
+}
+
+use {leaves, links, simple, tree};

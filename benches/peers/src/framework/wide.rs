@@ -7,18 +7,11 @@ macro_rules! branches {
     };
 }
 
-/// Components that require nothing.
-macro_rules! leaves {
-    ($($name:ident)*) => {
-        $(links!($name);)*
-    };
-}
-
 #[expect(non_snake_case, reason = "an argument has the name of its type")]
 mod ten {
     use bica::prelude::*;
 
-    use crate::framework::{links, simple, tree};
+    use crate::framework::{leaves, simple, tree};
     use crate::part::mix;
 
     leaves!(A B C D E F G H I);
@@ -42,7 +35,7 @@ macro_rules! groups {
 mod hundred {
     use bica::prelude::*;
 
-    use crate::framework::{links, simple, tree};
+    use crate::framework::{leaves, simple, tree};
     use crate::part::mix;
 
     groups! {
