@@ -6,8 +6,8 @@ use std::path::PathBuf;
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(shared_images)");
     println!("cargo::rerun-if-env-changed=BICA_SHARED");
-    println!("cargo::rerun-if-changed=build.rs");
-    let beside = || PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../../../shared");
+    println!("cargo::rerun-if-changed=data/build.rs");
+    let beside = || PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../../shared");
     let images = env::var_os("BICA_SHARED").map_or_else(beside, PathBuf::from).join("images");
     println!("cargo::rustc-env=BICA_IMAGES={}", images.display());
     if images.is_dir() {

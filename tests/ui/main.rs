@@ -4,7 +4,7 @@
 //! one file for each, named after it, with the expected message: traits, constants, cycles, and items with mistakes of
 //! each kind, as one mistake must not bring further messages.
 //!
-//! `TRYBUILD=overwrite cargo test -p bica-ui-tests -- --include-ignored` replaces the expected messages; review them
+//! `TRYBUILD=overwrite cargo test -p bica -- --include-ignored` replaces the expected messages; review them
 //! before a commit.
 //!
 //! `limits` has one program for each limit. What is larger by one is refused; `messages.rs` of bica-core tests that.
@@ -14,11 +14,11 @@ mod table;
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_each_mistake_has_its_message() {
-    trybuild::TestCases::new().compile_fail("fail/*.rs");
+    trybuild::TestCases::new().compile_fail("tests/ui/fail/*.rs");
 }
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_trees_at_the_limits_compile_and_run() {
-    trybuild::TestCases::new().pass("limits/*.rs");
+    trybuild::TestCases::new().pass("tests/ui/limits/*.rs");
 }

@@ -40,7 +40,7 @@ fn each_case_of_the_table_has_a_message() {
 }
 
 fn files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("table");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui/table");
     let files = fs::read_dir(folder).expect("the folder of cases").map(|file| file.expect("a file").path());
     let files: Vec<_> = files.collect();
     assert!(!files.is_empty(), "no cases");

@@ -9,7 +9,7 @@ pub(crate) const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests
 
 const PROGRAMS: [&str; 5] = ["build", "--package", "jmanager", "--package", "bica-player-program"];
 /// Arguments of Cargo that run the tests.
-pub(crate) const TEST: [&str; 9] = [
+const TEST: [&str; 9] = [
     "test",
     MANIFEST[0],
     MANIFEST[1],
@@ -46,7 +46,7 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
 ///
 /// # Errors
 /// If the installation or the build fails.
-pub(crate) fn prepare() -> Result<(), String> {
+fn prepare() -> Result<(), String> {
     install()?;
     firmware::prepare()?;
     run("cargo", &PROGRAMS, &[])

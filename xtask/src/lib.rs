@@ -17,7 +17,6 @@ mod process;
 mod publish;
 mod slow_tests;
 mod spelling;
-mod stress;
 mod viewers;
 
 use std::process::ExitCode;
@@ -53,7 +52,6 @@ fn perform(task: &Task) -> Result<(), String> {
             firmware::prepare()?;
             slow_tests::run_long(ci::with_mujoco(!options.without_mujoco)?)
         }
-        Task::Stress(options) => stress::repeat(options),
         Task::Ci(options) => ci::check(options),
     }
 }

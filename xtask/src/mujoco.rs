@@ -46,6 +46,10 @@ const PACKAGES: [&str; 4] = ["bica-sim", "bica-evaluation", "bica-player-program
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
+/// Packages and test programs with tests in MuJoCo.
+const TESTS: [(&str, &str); 3] =
+    [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "main")];
+
 /// Checks in MuJoCo: lints, tests, trials of the body, some games.
 ///
 /// # Errors
@@ -56,8 +60,6 @@ pub(crate) fn check() -> Result<(), String> {
     let lints = [&["clippy"], &packages[..], &["--all-targets"], &feature, &["--", "-D", "warnings"]].concat();
     run("cargo", &lints, &[])?;
     run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
-    const TESTS: [(&str, &str); 3] =
-        [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "main")];
     for (package, test) in TESTS {
         run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
     }

@@ -13,30 +13,10 @@ pub(crate) fn root() -> PathBuf {
 /// # Errors
 /// If the program cannot be started or fails; the message contains the command line.
 pub(crate) fn run(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<(), String> {
-    status(Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()))
-}
-
-/// Runs a program in the workspace's folder and discards its output, but prints all of it if the program fails.
-///
-/// # Errors
-/// If the program cannot be started or fails; the message contains the command line.
-pub(crate) fn capture(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Result<(), String> {
     let line = format!("{program} {}", arguments.join(" "));
-    let done = Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()).output();
-    let done = done.map_err(|error| format!("cannot start `{line}`: {error}"))?;
-    if done.status.success() {
-        return Ok(());
-    }
-    print!("{}", String::from_utf8_lossy(&done.stdout));
-    eprint!("{}", String::from_utf8_lossy(&done.stderr));
-    Err(format!("`{line}` failed: {}", done.status))
-}
-
-fn status(command: &mut Command) -> Result<(), String> {
-    let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy().into_owned()).collect();
-    let line = format!("{} {}", command.get_program().to_string_lossy(), words.join(" "));
     eprintln!("xtask: {line}");
-    let status = command.status().map_err(|error| format!("cannot start `{line}`: {error}"))?;
+    let status = Command::new(program).args(arguments).envs(variables.iter().copied()).current_dir(root()).status();
+    let status = status.map_err(|error| format!("cannot start `{line}`: {error}"))?;
     if status.success() { Ok(()) } else { Err(format!("`{line}` failed: {status}")) }
 }
 

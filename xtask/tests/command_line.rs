@@ -15,7 +15,7 @@ fn xtask(words: &[&str]) -> Output {
     Output { code: done.status.code(), stdout: text(done.stdout), stderr: text(done.stderr) }
 }
 
-const TASKS: [&str; 8] = ["firmware", "mujoco", "fuzz", "peers", "browser", "long", "stress", "ci"];
+const TASKS: [&str; 7] = ["firmware", "mujoco", "fuzz", "peers", "browser", "long", "ci"];
 
 #[test]
 fn without_arguments_and_with_help_it_lists_the_tasks() {

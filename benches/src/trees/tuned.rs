@@ -1,7 +1,8 @@
 //! Ten controllers in a chain, each with three numbers: constants, parameters of an untunable tree, or of a tunable one.
 
+/// The controllers: the argument of their parameters if they have some, then gain, damping and limit.
 macro_rules! ten {
-    () => {
+    ([$($tuned:ident: $params:ty)?] $gain:expr, $damping:expr, $limit:expr) => {
         /// The position to go to.
         pub struct Wanted {
             /// Position.
@@ -13,6 +14,30 @@ macro_rules! ten {
             const fn new() -> Self {
                 Self { at: 0.5 }
             }
+        }
+
+        macro_rules! controller {
+            ($name:ident $child:ident) => {
+                /// Follows the controller that it requires.
+                pub struct $name {
+                    /// Position.
+                    pub at: f32,
+                    speed: f32,
+                }
+
+                #[component]
+                impl $name {
+                    const fn new() -> Self {
+                        Self { at: 1.0, speed: 0.0 }
+                    }
+
+                    fn step(&mut self, $($tuned: &Tuned<$params>,)? wanted: &$child) {
+                        let force = $gain * (wanted.at - self.at) - $damping * self.speed;
+                        self.speed = (self.speed + force).clamp(-$limit, $limit);
+                        self.at += self.speed;
+                    }
+                }
+            };
         }
 
         controller!(A Wanted);
@@ -35,31 +60,7 @@ mod constants {
     const DAMPING: f32 = 0.3;
     const LIMIT: f32 = 2.0;
 
-    macro_rules! controller {
-        ($name:ident $child:ident) => {
-            /// Follows the controller that it requires.
-            pub struct $name {
-                /// Position.
-                pub at: f32,
-                speed: f32,
-            }
-
-            #[component]
-            impl $name {
-                const fn new() -> Self {
-                    Self { at: 1.0, speed: 0.0 }
-                }
-
-                fn step(&mut self, wanted: &$child) {
-                    let force = GAIN * (wanted.at - self.at) - DAMPING * self.speed;
-                    self.speed = (self.speed + force).clamp(-LIMIT, LIMIT);
-                    self.at += self.speed;
-                }
-            }
-        };
-    }
-
-    ten!();
+    ten!([] GAIN, DAMPING, LIMIT);
 
     activation_tree! {
         /// Numbers are constants.
@@ -84,31 +85,7 @@ mod params {
         limit: f32,
     }
 
-    macro_rules! controller {
-        ($name:ident $child:ident) => {
-            /// Follows the controller that it requires.
-            pub struct $name {
-                /// Position.
-                pub at: f32,
-                speed: f32,
-            }
-
-            #[component]
-            impl $name {
-                const fn new() -> Self {
-                    Self { at: 1.0, speed: 0.0 }
-                }
-
-                fn step(&mut self, tuned: &Tuned<Following>, wanted: &$child) {
-                    let force = tuned.gain * (wanted.at - self.at) - tuned.damping * self.speed;
-                    self.speed = (self.speed + force).clamp(-tuned.limit, tuned.limit);
-                    self.at += self.speed;
-                }
-            }
-        };
-    }
-
-    ten!();
+    ten!([tuned: Following] tuned.gain, tuned.damping, tuned.limit);
 
     activation_tree! {
         /// Numbers are parameters that cannot be changed.

@@ -55,11 +55,6 @@ pub(crate) enum Task {
     /// of the firmware over a damaged link, a thousand flipped bits in a recording, and fifty kills of a recording program, for which
     /// the machine should be otherwise idle. First builds the firmware, and installs QEMU and MuJoCo. Takes about half an hour.
     Long(Long),
-    /// Repeat tests that start programs, threads and sockets, beside other work
-    ///
-    /// Repeats `cargo test --workspace` beside busy threads, then the tests `sessions` of JManager, then its tests in a browser. Stops
-    /// at the first failure and shows its output; prints how many runs of each have passed.
-    Stress(Stress),
     /// Check everything that CI checks
     ///
     /// First installs the tools of all steps, and fails if one cannot be installed. The last line names the steps that were left out.
@@ -99,22 +94,6 @@ pub(crate) struct Long {
     /// Leave out the games of MuJoCo
     #[arg(long)]
     pub(crate) without_mujoco: bool,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct Stress {
-    /// Runs of `cargo test --workspace`
-    #[arg(long, value_name = "N", default_value_t = 20)]
-    pub(crate) workspace: u32,
-    /// Threads that compute beside the runs of `cargo test --workspace`
-    #[arg(long, value_name = "N", default_value_t = 2)]
-    pub(crate) busy: u32,
-    /// Runs of the tests `sessions` of JManager
-    #[arg(long, value_name = "N", default_value_t = 50)]
-    pub(crate) sessions: u32,
-    /// Runs of the tests of JManager's page in a browser
-    #[arg(long, value_name = "N", default_value_t = 10)]
-    pub(crate) browser: u32,
 }
 
 #[derive(Debug, Default, Args)]

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::framework::{links, tree};
+use crate::framework::{leaves, links, simple, tree};
 use crate::part::mix;
 
 macro_rules! chain {

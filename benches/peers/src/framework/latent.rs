@@ -1,12 +1,5 @@
 //! Latent components: ten active ones alone, and the same with ninety latent ones.
 
-/// Nine components without requirements.
-macro_rules! leaves {
-    ($($name:ident)*) => {
-        $(links!($name);)*
-    };
-}
-
 /// Root: a state machine whose first state requires nine components. Its second state is never entered, so what that
 /// requires is latent.
 macro_rules! root {
@@ -46,7 +39,7 @@ macro_rules! root {
 mod ten {
     use bica::prelude::*;
 
-    use crate::framework::{links, tree};
+    use crate::framework::{leaves, simple, tree};
     use crate::part::mix;
 
     root!(A);
@@ -60,7 +53,7 @@ mod ten {
 mod hundred {
     use bica::prelude::*;
 
-    use crate::framework::{links, tree};
+    use crate::framework::{leaves, links, simple, tree};
     use crate::part::mix;
 
     root!(L10);

@@ -77,25 +77,40 @@ macro_rules! tree {
         }
     };
 }
-/// Components of a chain: each requires the next.
-macro_rules! links {
-    ($name:ident $next:ident $($rest:ident)*) => {
-        links!(@ $name, fn step(&mut self, next: &$next) { self.0 = mix(0, [next.0]); });
-        links!($next $($rest)*);
-    };
-    ($name:ident) => {
-        links!(@ $name, fn step(&mut self) { self.0 = mix(0, [self.0]); });
-    };
-    (@ $name:ident, $step:item) => {
-        #[doc = "Component of a chain."]
+
+/// Component whose number is its only field.
+macro_rules! simple {
+    ($name:ident, $step:item) => {
+        #[doc = "Component of a workload."]
         pub struct $name(u64);
 
         #[component]
         impl $name {
-            const fn new() -> Self { Self(1) }
+            const fn new() -> Self {
+                Self(1)
+            }
+
             $step
         }
     };
 }
 
-use {links, tree};
+/// Components of a chain: each requires the next.
+macro_rules! links {
+    ($name:ident $next:ident $($rest:ident)*) => {
+        simple!($name, fn step(&mut self, next: &$next) { self.0 = mix(0, [next.0]); });
+        links!($next $($rest)*);
+    };
+    ($name:ident) => {
+        leaves!($name);
+    };
+}
+
+/// Components that require nothing.
+macro_rules! leaves {
+    ($($name:ident)*) => {
+        $(simple!($name, fn step(&mut self) { self.0 = mix(0, [self.0]); });)*
+    };
+}
+
+use {leaves, links, simple, tree};

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The build of the tests decides whether the images exist. After adding them, set `BICA_SHARED` or run `cargo clean -p
-//! bica-test-data`.
+//! bica-tests`.
 
 use std::path::Path;
 
