@@ -6,7 +6,7 @@ mod colours;
 mod coming;
 mod kept_robot;
 mod lamp;
-mod page;
+pub(crate) mod page;
 mod paused;
 mod recorded;
 mod returned;
