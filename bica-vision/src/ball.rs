@@ -94,14 +94,13 @@ pub struct BallFinder<const N: usize> {
     runs: Runs<N>,
     regions: Regions<N, CANDIDATES>,
     radius: f32,
-    skipped: u32,
 }
 
 impl<const N: usize> BallFinder<N> {
     /// Creates a detector for balls of a radius in metres.
     #[must_use]
     pub const fn new(radius: f32) -> Self {
-        Self { runs: Runs::new(), regions: Regions::new(), radius, skipped: 0 }
+        Self { runs: Runs::new(), regions: Regions::new(), radius }
     }
 
     /// Finds the ball in a frame. Segments orange only. With `camera`, balls of a wrong size are rejected.
@@ -112,22 +111,11 @@ impl<const N: usize> BallFinder<N> {
         field_boundary: &FieldBoundary,
         camera: Option<&Camera>,
     ) -> Option<Ball> {
-        self.find_with_body(frame, colours, field_boundary, camera, &OwnBody::NONE)
+        self.find_tuned(frame, colours, field_boundary, camera, &OwnBody::NONE, &BallTuning::DEFAULT)
     }
 
-    /// Finds the ball as [`find`](Self::find) does, and ignores orange pixels on the robot's own body.
-    pub fn find_with_body(
-        &mut self,
-        frame: &Frame<'_>,
-        colours: &impl Classify,
-        field_boundary: &FieldBoundary,
-        camera: Option<&Camera>,
-        own: &OwnBody,
-    ) -> Option<Ball> {
-        self.find_tuned(frame, colours, field_boundary, camera, own, &BallTuning::DEFAULT)
-    }
-
-    /// Finds the ball as [`find_with_body`](Self::find_with_body) does, with thresholds of the caller.
+    /// Finds the ball as [`find`](Self::find) does, with thresholds of the caller, and ignores orange pixels on the robot's own
+    /// body.
     pub fn find_tuned(
         &mut self,
         frame: &Frame<'_>,
@@ -142,42 +130,9 @@ impl<const N: usize> BallFinder<N> {
         self.runs.segment(frame, colours, ColourSet::of(Colour::Orange), area.every(2));
         self.regions.connect(&self.runs, 6);
         let camera = camera.map(|camera| (camera, self.radius));
-        let search = CandidateSearch::new(frame, colours, field_boundary, camera, own, tuning);
-        let ball = search.best(self.regions.as_slice());
-        self.skipped = search.skipped.get();
-        ball
+        let left = Cell::new(PIXEL_BUDGET);
+        CandidateSearch { frame, colours, field_boundary, camera, own, tuning, left }.best(self.regions.as_slice())
     }
-
-    /// Number of runs and regions of the last frame that exceeded the capacity or the pixel budget.
-    #[must_use]
-    pub const fn dropped(&self) -> u32 {
-        self.runs.dropped() + self.regions.dropped() + self.skipped
-    }
-}
-
-/// Returns the best ball among regions. Skips regions of other classes. `camera` comes with the ball's radius, m.
-#[must_use]
-pub fn best(
-    frame: &Frame<'_>,
-    colours: &impl Classify,
-    regions: &[Region],
-    field_boundary: &FieldBoundary,
-    camera: Option<(&Camera, f32)>,
-) -> Option<Ball> {
-    best_with_body(frame, colours, regions, field_boundary, camera, &OwnBody::NONE)
-}
-
-/// Returns the best ball as [`best`] does, and ignores regions on the robot's own body.
-#[must_use]
-pub fn best_with_body(
-    frame: &Frame<'_>,
-    colours: &impl Classify,
-    regions: &[Region],
-    field_boundary: &FieldBoundary,
-    camera: Option<(&Camera, f32)>,
-    own: &OwnBody,
-) -> Option<Ball> {
-    CandidateSearch::new(frame, colours, field_boundary, camera, own, &BallTuning::DEFAULT).best(regions)
 }
 
 /// Whether a region has more runs per row than a ball with a highlight and an occlusion.
@@ -213,24 +168,11 @@ struct CandidateSearch<'a, C> {
     camera: Option<(&'a Camera, f32)>,
     own: &'a OwnBody,
     tuning: &'a BallTuning,
-    /// Rest of the pixel budget [`PIXEL_BUDGET`], and the number of regions skipped without budget.
+    /// Rest of the pixel budget [`PIXEL_BUDGET`].
     left: Cell<u32>,
-    skipped: Cell<u32>,
 }
 
-impl<'a, C: Classify> CandidateSearch<'a, C> {
-    const fn new(
-        frame: &'a Frame<'a>,
-        colours: &'a C,
-        field_boundary: &'a FieldBoundary,
-        camera: Option<(&'a Camera, f32)>,
-        own: &'a OwnBody,
-        tuning: &'a BallTuning,
-    ) -> Self {
-        let (left, skipped) = (Cell::new(PIXEL_BUDGET), Cell::new(0));
-        Self { frame, colours, field_boundary, camera, own, tuning, left, skipped }
-    }
-
+impl<C: Classify> CandidateSearch<'_, C> {
     /// Returns the best ball among regions. Examines them in their order.
     fn best(&self, regions: &[Region]) -> Option<Ball> {
         let balls = regions.iter().filter(|r| r.colour == Colour::Orange).filter_map(|region| self.examine(region));
@@ -241,7 +183,6 @@ impl<'a, C: Classify> CandidateSearch<'a, C> {
 
     fn examine(&self, region: &Region) -> Option<Ball> {
         if self.left.get() == 0 {
-            self.skipped.set(self.skipped.get() + 1);
             return None;
         }
         let shade = if is_frayed(region) { None } else { self.shade(region) }?;

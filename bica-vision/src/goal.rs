@@ -177,13 +177,10 @@ impl<const N: usize> GoalFinder<N> {
     ) -> Goals {
         let step = if frame.height() > 320 { 4 } else { 2 };
         self.runs.segment(frame, colours, Colour::Yellow | Colour::Blue, Area::ALL.every(step));
-        among_tuned(frame, &self.runs, field_boundary, camera, tuning)
-    }
-
-    /// Number of runs of the last frame that exceeded the capacity.
-    #[must_use]
-    pub const fn dropped(&self) -> u32 {
-        self.runs.dropped()
+        let bars = bars::gather(&self.runs);
+        let size = Vec2::new(f32::from(frame.width()), f32::from(frame.height()));
+        let search = PostSearch { size, runs: &self.runs, field_boundary, camera, tuning };
+        Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
     }
 }
 
@@ -191,33 +188,4 @@ impl<const N: usize> Default for GoalFinder<N> {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// Finds the goals among runs segmented with yellow and blue.
-#[must_use]
-pub fn among<const N: usize>(
-    frame: &Frame<'_>,
-    runs: &Runs<N>,
-    field_boundary: &FieldBoundary,
-    camera: Option<&Camera>,
-) -> Goals {
-    among_tuned(frame, runs, field_boundary, camera, &GoalTuning::DEFAULT)
-}
-
-fn among_tuned<const N: usize>(
-    frame: &Frame<'_>,
-    runs: &Runs<N>,
-    field_boundary: &FieldBoundary,
-    camera: Option<&Camera>,
-    tuning: &GoalTuning,
-) -> Goals {
-    let bars = bars::gather(runs);
-    let search = PostSearch {
-        size: Vec2::new(f32::from(frame.width()), f32::from(frame.height())),
-        runs,
-        field_boundary,
-        camera,
-        tuning,
-    };
-    Goals { yellow: search.goal(GoalColour::Yellow, &bars), blue: search.goal(GoalColour::SkyBlue, &bars) }
 }

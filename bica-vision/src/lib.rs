@@ -38,8 +38,7 @@
 //! five times as long: rows, scans and candidates have budgets that recorded frames do not exhaust.
 //!
 //! [`pipeline`] runs all detectors. Each detector segments only its own classes, so a detector that is not called costs
-//! nothing. A caller of several detectors can segment once, with [`segment::Runs`] for all classes, and pass the runs
-//! to [`goal::among`] and the regions to [`ball::best`].
+//! nothing.
 //!
 //! Pixel coordinates: x to the right, y down, the centre of the first pixel is (0, 0). World coordinates: the ground
 //! frame of [`projection`], metres, x forward, y left, z up.

@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 
-use crate::ball::{Ball, BallFinder};
+use crate::ball::{Ball, BallFinder, BallTuning};
 use crate::colour::Classify;
 use crate::field_boundary::FieldBoundary;
 use crate::frame::Frame;
@@ -62,7 +62,7 @@ impl<const B: usize, const G: usize> Pipeline<B, G> {
         own: &OwnBody,
     ) -> Detections {
         let boundary = FieldBoundary::find_with(frame, colours, camera);
-        let ball = self.balls.find_with_body(frame, colours, &boundary, camera, own);
+        let ball = self.balls.find_tuned(frame, colours, &boundary, camera, own, &BallTuning::DEFAULT);
         let goals = self.goals.find(frame, colours, &boundary, camera);
         let robots = camera.map(|camera| robots::find(frame, colours, &boundary, Some(camera))).unwrap_or_default();
         let mut lines = lines::find(frame, colours, &boundary, camera);

@@ -7,6 +7,42 @@
 use bica::prelude::*;
 use bica_vision::colour::{Filter, Filters};
 
+/// The rule and the filter of a coloured class.
+macro_rules! coloured {
+    (
+        $limits:ident: $hue_from:ident, $hue_to:ident, $saturation_min:ident, $saturation_max:ident,
+        $luma_min:ident, $luma_max:ident, $chroma_min:ident
+    ) => {
+        impl $limits {
+            const fn is_ordered(&self) -> Result<(), &'static str> {
+                if self.$hue_from > self.$hue_to || self.$hue_to - self.$hue_from > 179 {
+                    Err(concat!("`", stringify!($hue_to), "` must be 0 to 179 above `", stringify!($hue_from), "`"))
+                } else if self.$saturation_min > self.$saturation_max {
+                    Err(above!($saturation_min, $saturation_max))
+                } else if self.$luma_min > self.$luma_max {
+                    Err(above!($luma_min, $luma_max))
+                } else {
+                    Ok(())
+                }
+            }
+
+            const fn filter(&self) -> Filter {
+                Filter::ANY
+                    .hue(self.$hue_from as i16, self.$hue_to as i16)
+                    .saturation(self.$saturation_min as u16, self.$saturation_max as u16)
+                    .luma(self.$luma_min as u8, self.$luma_max as u8)
+                    .chroma(self.$chroma_min as u8)
+            }
+        }
+    };
+}
+
+macro_rules! above {
+    ($min:ident, $max:ident) => {
+        concat!("`", stringify!($min), "` must not be above `", stringify!($max), "`")
+    };
+}
+
 /// Limits of the colour class orange: the ball.
 #[derive(Clone, Copy, Debug, Params, PartialEq)]
 #[params(check = Self::is_ordered)]
@@ -34,26 +70,9 @@ pub struct OrangeLimits {
     orange_chroma_min: u32,
 }
 
-impl OrangeLimits {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.orange_hue_from > self.orange_hue_to || self.orange_hue_to - self.orange_hue_from > 179 {
-            Err("`orange_hue_to` must be 0 to 179 above `orange_hue_from`")
-        } else if self.orange_saturation_min > self.orange_saturation_max {
-            Err("`orange_saturation_min` must not be above `orange_saturation_max`")
-        } else if self.orange_luma_min > self.orange_luma_max {
-            Err("`orange_luma_min` must not be above `orange_luma_max`")
-        } else {
-            Ok(())
-        }
-    }
-
-    const fn filter(&self) -> Filter {
-        Filter::ANY
-            .hue(self.orange_hue_from as i16, self.orange_hue_to as i16)
-            .saturation(self.orange_saturation_min as u16, self.orange_saturation_max as u16)
-            .luma(self.orange_luma_min as u8, self.orange_luma_max as u8)
-            .chroma(self.orange_chroma_min as u8)
-    }
+coloured! {
+    OrangeLimits: orange_hue_from, orange_hue_to, orange_saturation_min, orange_saturation_max, orange_luma_min, orange_luma_max,
+    orange_chroma_min
 }
 
 /// Limits of the colour class yellow: the yellow goal.
@@ -83,26 +102,9 @@ pub struct YellowLimits {
     yellow_chroma_min: u32,
 }
 
-impl YellowLimits {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.yellow_hue_from > self.yellow_hue_to || self.yellow_hue_to - self.yellow_hue_from > 179 {
-            Err("`yellow_hue_to` must be 0 to 179 above `yellow_hue_from`")
-        } else if self.yellow_saturation_min > self.yellow_saturation_max {
-            Err("`yellow_saturation_min` must not be above `yellow_saturation_max`")
-        } else if self.yellow_luma_min > self.yellow_luma_max {
-            Err("`yellow_luma_min` must not be above `yellow_luma_max`")
-        } else {
-            Ok(())
-        }
-    }
-
-    const fn filter(&self) -> Filter {
-        Filter::ANY
-            .hue(self.yellow_hue_from as i16, self.yellow_hue_to as i16)
-            .saturation(self.yellow_saturation_min as u16, self.yellow_saturation_max as u16)
-            .luma(self.yellow_luma_min as u8, self.yellow_luma_max as u8)
-            .chroma(self.yellow_chroma_min as u8)
-    }
+coloured! {
+    YellowLimits: yellow_hue_from, yellow_hue_to, yellow_saturation_min, yellow_saturation_max, yellow_luma_min, yellow_luma_max,
+    yellow_chroma_min
 }
 
 /// Limits of the colour class blue: the sky-blue goal.
@@ -132,26 +134,9 @@ pub struct BlueLimits {
     blue_chroma_min: u32,
 }
 
-impl BlueLimits {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.blue_hue_from > self.blue_hue_to || self.blue_hue_to - self.blue_hue_from > 179 {
-            Err("`blue_hue_to` must be 0 to 179 above `blue_hue_from`")
-        } else if self.blue_saturation_min > self.blue_saturation_max {
-            Err("`blue_saturation_min` must not be above `blue_saturation_max`")
-        } else if self.blue_luma_min > self.blue_luma_max {
-            Err("`blue_luma_min` must not be above `blue_luma_max`")
-        } else {
-            Ok(())
-        }
-    }
-
-    const fn filter(&self) -> Filter {
-        Filter::ANY
-            .hue(self.blue_hue_from as i16, self.blue_hue_to as i16)
-            .saturation(self.blue_saturation_min as u16, self.blue_saturation_max as u16)
-            .luma(self.blue_luma_min as u8, self.blue_luma_max as u8)
-            .chroma(self.blue_chroma_min as u8)
-    }
+coloured! {
+    BlueLimits: blue_hue_from, blue_hue_to, blue_saturation_min, blue_saturation_max, blue_luma_min, blue_luma_max,
+    blue_chroma_min
 }
 
 /// Limits of the colour class green: the carpet.
@@ -181,26 +166,9 @@ pub struct GreenLimits {
     green_chroma_min: u32,
 }
 
-impl GreenLimits {
-    const fn is_ordered(&self) -> Result<(), &'static str> {
-        if self.green_hue_from > self.green_hue_to || self.green_hue_to - self.green_hue_from > 179 {
-            Err("`green_hue_to` must be 0 to 179 above `green_hue_from`")
-        } else if self.green_saturation_min > self.green_saturation_max {
-            Err("`green_saturation_min` must not be above `green_saturation_max`")
-        } else if self.green_luma_min > self.green_luma_max {
-            Err("`green_luma_min` must not be above `green_luma_max`")
-        } else {
-            Ok(())
-        }
-    }
-
-    const fn filter(&self) -> Filter {
-        Filter::ANY
-            .hue(self.green_hue_from as i16, self.green_hue_to as i16)
-            .saturation(self.green_saturation_min as u16, self.green_saturation_max as u16)
-            .luma(self.green_luma_min as u8, self.green_luma_max as u8)
-            .chroma(self.green_chroma_min as u8)
-    }
+coloured! {
+    GreenLimits: green_hue_from, green_hue_to, green_saturation_min, green_saturation_max, green_luma_min, green_luma_max,
+    green_chroma_min
 }
 
 /// Limits of the colour class white: lines, robots and walls.

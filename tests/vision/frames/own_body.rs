@@ -11,7 +11,7 @@ use bica_motion::side::Side;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Setup, Start};
-use bica_vision::ball::BallFinder;
+use bica_vision::ball::{BallFinder, BallTuning};
 use bica_vision::colour::{Classify, Colour, Filter, Filters};
 use bica_vision::field_boundary::FieldBoundary;
 use bica_vision::frame::Frame;
@@ -126,7 +126,7 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
             let end = FieldBoundary::find_with(frame, &colours, Some(camera));
             // Without a camera pose the size cannot reject them.
             alone += usize::from(finder.find(frame, &colours, &end, None).is_some());
-            beside += usize::from(finder.find_with_body(frame, &colours, &end, None, own).is_some());
+            beside += usize::from(finder.find_tuned(frame, &colours, &end, None, own, &BallTuning::DEFAULT).is_some());
         },
     );
     println!("body parts detected as balls: {alone} without the body, {beside} with it");
@@ -140,7 +140,7 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
         let end = FieldBoundary::find_with(frame, &colours, Some(camera));
         let found = finder.find(frame, &colours, &end, Some(camera));
         balls += usize::from(found.is_some());
-        lost += usize::from(found != finder.find_with_body(frame, &colours, &end, Some(camera), own));
+        lost += usize::from(found != finder.find_tuned(frame, &colours, &end, Some(camera), own, &BallTuning::DEFAULT));
     });
     println!("balls at the feet: {balls} seen, {lost} lost to the body");
     assert!(balls >= 20 && lost == 0, "{balls} {lost}");

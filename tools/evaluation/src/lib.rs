@@ -11,5 +11,5 @@ pub mod scoring;
 pub mod statistics;
 mod table;
 #[cfg(feature = "mujoco")]
-pub mod trial;
-pub mod trial_kind;
+mod trial;
+pub mod trial_options;

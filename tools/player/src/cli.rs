@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
-use bica_evaluation::detection;
-use bica_evaluation::trial_kind::Kind;
+use bica_evaluation::calibrate::CalibrationOptions;
+use bica_evaluation::detection::{DetectionOptions, SeeOptions};
+use bica_evaluation::trial_options::TrialOptions;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
-use clap::builder::PossibleValue;
 use clap::{Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
@@ -48,13 +48,13 @@ pub(crate) enum Command {
     #[command(
         about = "Run trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls; print tables of results"
     )]
-    Trial(Trial),
+    Trial(TrialOptions),
     /// Detect ball, goals, lines and robots in a folder of images; print a table and a summary
-    Watch(Watch),
+    Watch(DetectionOptions),
     /// Detect in a folder of images; print one line for each image, and a score against labels
-    See(See),
+    See(SeeOptions),
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
-    Calibrate(Calibrate),
+    Calibrate(CalibrationOptions),
 }
 
 #[derive(Clone, Debug, Args)]
@@ -113,136 +113,6 @@ pub(crate) enum World {
     BuiltIn,
     Mujoco,
     Firmware,
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Trial {
-    /// Trials to run [default: all]
-    #[arg(value_name = "NAME")]
-    pub(crate) names: Vec<TrialName>,
-    /// Number of seeds of each trial
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
-    pub(crate) runs: u32,
-    /// First seed
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(crate) seed: u64,
-    /// Number of threads [default: one for each core]; the results do not depend on it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
-    pub(crate) threads: Option<u32>,
-    /// Friction coefficient of the soles, 0.05 to 3 [default: 1]
-    #[arg(long, value_name = "F")]
-    pub(crate) friction: Option<f32>,
-    /// Factor on the position gain of the leg motors, 0.1 to 5 [default: 1]
-    #[arg(long, value_name = "F")]
-    pub(crate) leg_gain: Option<f32>,
-    /// Largest torque of the leg motors, Nm, 0.5 to 20 [default: 5]
-    #[arg(long, value_name = "NM")]
-    pub(crate) torque_limit: Option<f32>,
-    /// Time from a command to its first effect, s, 0 to 0.2 [default: 0.03]
-    #[arg(long, value_name = "S")]
-    pub(crate) dead_time: Option<f32>,
-    /// Factor on the noise of the sensors, 0 to 100 [default: 1]
-    #[arg(long, value_name = "F")]
-    pub(crate) noise: Option<f32>,
-    /// Print the tables as JSON on stdout; all other output goes to stderr
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-/// Name of a trial.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct TrialName(pub(crate) Kind);
-
-impl ValueEnum for TrialName {
-    fn value_variants<'a>() -> &'a [Self] {
-        const NAMES: [TrialName; Kind::ALL.len()] = {
-            let mut names = [TrialName(Kind::Walk); Kind::ALL.len()];
-            let mut index = 0;
-            while index < names.len() {
-                names[index] = TrialName(Kind::ALL[index]);
-                index += 1;
-            }
-            names
-        };
-        &NAMES
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.0.name()).help(self.0.about()))
-    }
-}
-
-/// Images and parameters of the detectors.
-#[derive(Clone, Debug, Args)]
-pub(crate) struct DetectionArgs {
-    /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`), processed in the order of their names
-    #[arg(value_name = "DIR")]
-    pub(crate) folder: PathBuf,
-    /// Colour profile: built-in, nao2009 or darwin2013; or a file: a profile (TOML) or a table (.bin)
-    #[arg(long, value_name = "FILE|NAME", default_value = "nao2009")]
-    pub(crate) profile: String,
-    /// Camera poses, needed for distances [default: `DIR_pose.csv` beside DIR, if it exists]
-    #[arg(long, value_name = "CSV")]
-    pub(crate) poses: Option<PathBuf>,
-    /// Radius of the ball, mm
-    #[arg(long, value_name = "MM", default_value_t = 43.0, value_parser = millimetres)]
-    pub(crate) ball: f32,
-    /// Write each image with its detections drawn in
-    #[arg(long, value_name = "DIR")]
-    pub(crate) pictures: Option<PathBuf>,
-    /// Print the detections as JSON on stdout; all other output goes to stderr
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-impl DetectionArgs {
-    /// Returns the options of the library.
-    pub(crate) fn options(&self) -> detection::DetectionOptions {
-        let Self { folder, profile, poses, pictures, .. } = self.clone();
-        detection::DetectionOptions { folder, profile, poses, radius: 1e-3 * self.ball, pictures }
-    }
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Watch {
-    #[command(flatten)]
-    pub(crate) detection: DetectionArgs,
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct See {
-    #[command(flatten)]
-    pub(crate) detection: DetectionArgs,
-    /// Labels; print a score of the detections against them
-    #[arg(long, value_name = "CSV")]
-    pub(crate) score: Option<PathBuf>,
-}
-
-#[derive(Clone, Debug, Args)]
-pub(crate) struct Calibrate {
-    /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`)
-    #[arg(value_name = "DIR")]
-    pub(crate) folder: PathBuf,
-    /// Rectangles of one class each, with the columns file, x0, y0, x1, y1, class; may be repeated
-    #[arg(long, value_name = "CSV")]
-    pub(crate) rectangles: Vec<PathBuf>,
-    /// Labelled balls and goals, as for `player see --score`
-    #[arg(long, value_name = "CSV")]
-    pub(crate) labels: Option<PathBuf>,
-    /// Profile, by name or file, whose classes are kept where there are no labels
-    #[arg(long, value_name = "FILE|NAME", default_value = "built-in")]
-    pub(crate) base: String,
-    /// File to write the profile to (TOML)
-    #[arg(long, value_name = "FILE")]
-    pub(crate) out: Option<PathBuf>,
-    /// Print the result as JSON on stdout; all other output goes to stderr
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-fn millimetres(text: &str) -> Result<f32, String> {
-    let fits = text.parse().ok().filter(|length: &f32| (1.0..=1000.0).contains(length));
-    fits.ok_or_else(|| "give a radius from 1 to 1000 millimetres".to_owned())
 }
 
 fn robots(text: &str) -> Result<usize, String> {

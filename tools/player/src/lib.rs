@@ -3,16 +3,13 @@
 //! A library beside the program, so that other programs can play games, and a test can parse every command that the
 //! documentation shows.
 
-mod calibrate;
 mod cli;
 mod colour_profile;
 pub mod game;
 mod play;
-mod see;
-mod trial;
-mod watch;
 
 use bica_app::App;
+use bica_evaluation::{calibrate, detection, trial_options};
 use bica_player::tunable::Forward;
 
 use cli::Command;
@@ -28,9 +25,9 @@ pub fn app() -> App<Forward, ColourProfile> {
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),
-            Command::Watch(args) => watch::run(&args),
-            Command::See(args) => see::run(&args),
+            Command::Watch(args) => detection::watch(&args),
+            Command::See(args) => detection::see(&args),
             Command::Calibrate(args) => calibrate::run(&args),
-            Command::Trial(args) => trial::run(&args),
+            Command::Trial(args) => trial_options::run(&args),
         })
 }

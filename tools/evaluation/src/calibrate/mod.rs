@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use bica_app::{Console, Failure, Outcome, interrupt};
 use bica_vision::colour::{Colour, Filter, Filters};
 use bica_vision::frame::Frame;
+use clap::Args;
 
 use crate::frame_io::{self, RecordedFrame};
 use crate::labels::{Labels, own_folder};
@@ -24,25 +25,33 @@ use samples::{Sample, Samples};
 type FittedClasses = [(Colour, Option<FittedClass>); 5];
 
 /// Inputs and output of a calibration.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Args)]
 pub struct CalibrationOptions {
-    /// Folder with the images.
-    pub folder: PathBuf,
-    /// Files with rectangles of one class each.
-    pub rectangles: Vec<PathBuf>,
-    /// File with labelled balls and goals.
-    pub labels: Option<PathBuf>,
-    /// Profile, by name or file, whose classes are kept where there are no labels.
-    pub base: String,
-    /// File to write the profile to.
-    pub out: Option<PathBuf>,
+    /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`)
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// Rectangles of one class each, with the columns file, x0, y0, x1, y1, class; may be repeated
+    #[arg(long, value_name = "CSV")]
+    rectangles: Vec<PathBuf>,
+    /// Labelled balls and goals, as for `player see --score`
+    #[arg(long, value_name = "CSV")]
+    labels: Option<PathBuf>,
+    /// Profile, by name or file, whose classes are kept where there are no labels
+    #[arg(long, value_name = "FILE|NAME", default_value = "built-in")]
+    base: String,
+    /// File to write the profile to (TOML)
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Print the result as JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    json: bool,
 }
 
 /// Fits a profile to the images of a folder, prints its cross-validated quality, and writes it.
 ///
 /// # Errors
 /// If an input cannot be read, there are no labels, or the profile cannot be written.
-pub fn run(args: &CalibrationOptions, console: Console) -> Result<Outcome, Failure> {
+pub fn run(args: &CalibrationOptions) -> Result<Outcome, Failure> {
     let base = profile::load(&args.base)?;
     let mut data = TrainingData::read(args)?;
     let samples = data.collect_samples(&args.folder)?;
@@ -58,7 +67,7 @@ pub fn run(args: &CalibrationOptions, console: Console) -> Result<Outcome, Failu
         let help = "name a file in a folder that can be written to, with --out";
         std::fs::write(path, text).map_err(|error| Failure::of_path("write the profile", path, &error, help))?;
     }
-    report.print(console)?;
+    report.print(Console::new(args.json))?;
     Ok(if classes.iter().any(|(_, fitted)| fitted.is_some()) { Outcome::Success } else { Outcome::Unsuccessful })
 }
 

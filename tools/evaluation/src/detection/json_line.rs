@@ -6,7 +6,7 @@ use super::{Ball, Crossing, Detections, Goal, Robot};
 
 /// Detections in an image. Pixels: x right, y down, the centre of the first pixel is (0, 0).
 #[derive(Debug, Serialize)]
-pub struct JsonLine<'a> {
+pub(super) struct JsonLine<'a> {
     file: &'a str,
     ball: Option<&'a Ball>,
     goals: Vec<GoalBox<'a>>,
@@ -31,9 +31,7 @@ struct GoalBox<'a> {
 }
 
 impl<'a> JsonLine<'a> {
-    /// The line of an image.
-    #[must_use]
-    pub fn new(seen: &'a Detections) -> Self {
+    pub(super) fn new(seen: &'a Detections) -> Self {
         let frame = |goal: &'a Goal| {
             let &Goal { colour, x0, y0, x1, y1, complete, .. } = goal;
             GoalBox { colour, x0, y0, x1, y1, complete }

@@ -5,46 +5,48 @@ mod colour_table;
 mod detections;
 mod json_line;
 mod report;
+mod see;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use bica_app::{Failure, Outcome, interrupt};
+use clap::Args;
 
 use crate::camera_poses::{Pose, Poses};
 use crate::frame_io::{RecordedFrame, list};
 
 pub use colour_table::ColourTable;
 pub use detections::{Ball, Crossing, Detections, Detectors, Goal, PoseTrust, Robot};
-pub use json_line::JsonLine;
-pub use report::{Report, table_row};
+pub use report::watch;
+pub use see::{SeeOptions, see};
 
 /// Images and parameters of the detectors.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Args)]
 pub struct DetectionOptions {
-    /// Folder with the images.
+    /// Folder with images (PNG, JPEG, raw `NAME_WxH.yuyv`), processed in the order of their names
+    #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Colours: name of a profile, or file of a profile (TOML) or of a table (.bin).
+    /// Colour profile: built-in, nao2009 or darwin2013; or a file: a profile (TOML) or a table (.bin)
+    #[arg(long, value_name = "FILE|NAME", default_value = "nao2009")]
     pub profile: String,
-    /// File with camera poses; by default `DIR_pose.csv` beside the folder DIR.
+    /// Camera poses, needed for distances [default: `DIR_pose.csv` beside DIR, if it exists]
+    #[arg(long, value_name = "CSV")]
     pub poses: Option<PathBuf>,
-    /// Radius of the ball, m.
+    /// Radius of the ball, mm
+    #[arg(long = "ball", value_name = "MM", default_value = "43", value_parser = millimetres)]
     pub radius: f32,
-    /// Folder for the images with detections drawn in.
+    /// Write each image with its detections drawn in
+    #[arg(long, value_name = "DIR")]
     pub pictures: Option<PathBuf>,
+    /// Print the detections as JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    pub json: bool,
 }
 
-/// Receiver of the detections of each image. An error ends the run.
-pub trait DetectionObserver {
-    /// Receives the detections in an image; `pose` is the camera pose, if known.
-    ///
-    /// # Errors
-    /// If the run has to end.
-    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure>;
-    /// Receives the name of a file that could not be read, and the reason.
-    ///
-    /// # Errors
-    /// If the run has to end.
-    fn skipped(&mut self, file: &str, why: String) -> Result<(), Failure>;
+/// Converts a length in millimetres to metres.
+fn millimetres(text: &str) -> Result<f32, String> {
+    let fits = text.parse().ok().filter(|length: &f32| (1.0..=1000.0).contains(length));
+    fits.map(|length| 1e-3 * length).ok_or_else(|| "give a radius from 1 to 1000 millimetres".to_owned())
 }
 
 /// Folder of images with the detectors for it.
@@ -57,19 +59,11 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Opens a folder: reads colours and poses, lists the images.
+    /// Opens a folder: reads the poses, lists the images. The colours are those given, not the profile of the options.
     ///
     /// # Errors
     /// If a file cannot be read or there are no images.
-    pub fn open(args: &DetectionOptions) -> Result<Self, Failure> {
-        Self::open_with(args, ColourTable::load(&args.profile)?)
-    }
-
-    /// Opens a folder with other colours than those of the options.
-    ///
-    /// # Errors
-    /// As [`open`](Self::open).
-    pub fn open_with(args: &DetectionOptions, colours: ColourTable) -> Result<Self, Failure> {
+    pub fn open(args: &DetectionOptions, colours: ColourTable) -> Result<Self, Failure> {
         let files = list(&args.folder)?;
         let poses = poses_path(args).map(|path| Poses::read(&path)).transpose()?;
         args.pictures.as_deref().map_or(Ok(()), crate::pictures::make_folder)?;
@@ -77,16 +71,19 @@ impl Folder {
     }
 
     /// Whether there are camera poses.
-    #[must_use]
-    pub const fn has_poses(&self) -> bool {
+    const fn has_poses(&self) -> bool {
         self.poses.is_some()
     }
 
-    /// Runs the detectors on every image, in the order of their names.
+    /// Runs the detectors on every image, in the order of their names. `seen` gets the name of each file with the
+    /// detections and the camera pose, if known, or with the reason why the file was skipped; an error ends the run.
     ///
     /// # Errors
-    /// An error of `observer`, or a picture that cannot be written.
-    pub fn detect(&mut self, observer: &mut impl DetectionObserver) -> Result<Outcome, Failure> {
+    /// An error of `seen`, or a picture that cannot be written.
+    pub fn detect(
+        &mut self,
+        mut seen: impl FnMut(&str, Result<Detections, String>, Option<&Pose>) -> Result<(), Failure>,
+    ) -> Result<Outcome, Failure> {
         let mut outcome = Outcome::Unsuccessful;
         for file in std::mem::take(&mut self.files) {
             if interrupt::requested() {
@@ -94,30 +91,19 @@ impl Folder {
             }
             let name = file.file_name().unwrap_or_default().to_string_lossy();
             let pose = self.poses.as_ref().and_then(|poses| poses.get(&name));
-            match detect(&mut self.detectors, &file, &name, pose) {
-                Ok((recorded, detections)) => {
-                    if let Some(folder) = &self.pictures {
-                        annotation::write(folder, &recorded, &detections)?;
-                    }
-                    outcome = Outcome::Success;
-                    observer.detected(detections, pose)?;
+            let recorded = RecordedFrame::read(&file);
+            let found = recorded.as_ref().map_err(String::clone);
+            let detections = found.and_then(|recorded| self.detectors.detect(&name, &recorded.image(), pose));
+            if let (Ok(recorded), Ok(detections)) = (&recorded, &detections) {
+                outcome = Outcome::Success;
+                if let Some(folder) = &self.pictures {
+                    annotation::write(folder, recorded, detections)?;
                 }
-                Err(why) => observer.skipped(&name, why)?,
             }
+            seen(&name, detections, pose)?;
         }
         Ok(outcome)
     }
-}
-
-fn detect(
-    detectors: &mut Detectors,
-    file: &Path,
-    name: &str,
-    pose: Option<&Pose>,
-) -> Result<(RecordedFrame, Detections), String> {
-    let recorded = RecordedFrame::read(file)?;
-    let detections = detectors.detect(name, &recorded.image(), pose)?;
-    Ok((recorded, detections))
 }
 
 /// The given file of poses, or the one beside the folder if it exists.

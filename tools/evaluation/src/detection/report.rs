@@ -1,25 +1,18 @@
 //! Detections of a folder, as a table and as JSON.
 
-use std::path::Path;
-
 use crate::statistics::percentile;
-use bica_app::{Console, Failure, Style};
+use bica_app::{Console, Failure, Outcome, Style};
 use bica_drawing::polar::Polar;
 use glam::Vec2;
 use serde::Serialize;
 
-use super::{DetectionObserver, Detections, Goal, PoseTrust};
-use crate::camera_poses::Pose;
+use super::{ColourTable, DetectionOptions, Detections, Folder, Goal, PoseTrust};
 
-/// Detections of a folder; prints each image as it comes.
+/// Detections of a folder, for JSON.
 #[derive(Debug, Serialize)]
-pub struct Report {
+struct Report {
     schema: &'static str,
     folder: String,
-    #[serde(skip)]
-    console: Console,
-    #[serde(skip)]
-    has_poses: bool,
     frames: Vec<Detections>,
     skipped: Vec<Skipped>,
     summary: Summary,
@@ -31,7 +24,7 @@ struct Skipped {
     why: String,
 }
 
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Serialize)]
 struct Summary {
     seen: usize,
     skipped: usize,
@@ -46,77 +39,54 @@ struct Summary {
     poses_missing: Vec<String>,
 }
 
-impl Report {
-    /// A report without images.
-    #[must_use]
-    pub fn new(console: Console, folder: &Path, has_poses: bool) -> Self {
-        Self {
-            schema: "bica-player/watch/1",
-            folder: folder.display().to_string(),
-            console,
-            has_poses,
-            frames: Vec::new(),
-            skipped: Vec::new(),
-            summary: Summary::default(),
+/// Runs the detectors on every image of a folder; prints each image and a summary.
+///
+/// # Errors
+/// If a file of the options cannot be read, or the output cannot be written.
+pub fn watch(options: &DetectionOptions) -> Result<Outcome, Failure> {
+    let console = Console::new(options.json);
+    let mut folder = Folder::open(options, ColourTable::load(&options.profile)?)?;
+    let has_poses = folder.has_poses();
+    let header = columns("image", "ball: x, y, radius px", "ball on the ground", "field boundary", "goals");
+    console.print(&console.styled(Style::Faint, &header))?;
+    let (mut frames, mut skipped) = (Vec::new(), Vec::new());
+    let outcome = folder.detect(|file, seen, _| match seen {
+        Ok(detections) => {
+            let row = table_row(&detections);
+            frames.push(detections);
+            console.print(&row)
         }
-    }
+        Err(why) => {
+            let row = skipped_row(console, file, &why);
+            skipped.push(Skipped { file: file.to_owned(), why });
+            console.print(&row)
+        }
+    })?;
+    let summary = Summary::new(&frames, skipped.len());
+    let folder = options.folder.display().to_string();
+    let report = Report { schema: "bica-player/watch/1", folder, frames, skipped, summary };
+    report.print(console, has_poses)?;
+    Ok(outcome)
+}
 
-    /// Prints the header of the columns.
-    ///
-    /// # Errors
-    /// If the output cannot be written.
-    pub fn begin(&self) -> Result<(), Failure> {
-        let header = columns("image", "ball: x, y, radius px", "ball on the ground", "field boundary", "goals");
-        self.console.print(&self.console.styled(Style::Faint, &header))
-    }
-
-    /// Prints the summary.
-    ///
-    /// # Errors
-    /// If the output cannot be written.
-    pub fn end(&mut self) -> Result<(), Failure> {
-        let console = self.console;
-        self.summary = Summary::new(&self.frames, self.skipped.len());
+impl Report {
+    fn print(&self, console: Console, has_poses: bool) -> Result<(), Failure> {
         let sum = &self.summary;
+        let balls = format!("{} in {} images, {} with a position on the ground", sum.balls, sum.seen, sum.balls_placed);
+        let rows = [
+            ("images", format!("{} read, {} skipped", sum.seen, sum.skipped)),
+            ("balls", balls),
+            ("goals", format!("{} complete, {} partial", sum.goals_complete, sum.goals_partial)),
+            ("field", format!("boundary in {} images", sum.field_ends)),
+            ("poses", sum.poses(has_poses)),
+            ("time", times(&self.frames)),
+        ];
         console.print("")?;
-        console.print_row("images", &format!("{} read, {} skipped", sum.seen, sum.skipped))?;
-        console.print_row(
-            "balls",
-            &format!("{} in {} images, {} with a position on the ground", sum.balls, sum.seen, sum.balls_placed),
-        )?;
-        console.print_row("goals", &format!("{} complete, {} partial", sum.goals_complete, sum.goals_partial))?;
-        console.print_row("field", &format!("boundary in {} images", sum.field_ends))?;
-        console.print_row("poses", &self.poses())?;
-        console.print_row("time", &times(&self.frames))?;
+        rows.iter().try_for_each(|(name, text)| console.print_row(name, text))?;
         for Skipped { file, why } in &self.skipped {
             console.print_row("skipped", &format!("{file}: {why}"))?;
         }
         console.print_json(self)
-    }
-
-    fn poses(&self) -> String {
-        let Summary { seen, poses_untrusted, poses_missing, .. } = &self.summary;
-        if !self.has_poses {
-            return "none, so no positions on the ground (see --poses)".to_owned();
-        }
-        let trusted = seen - poses_untrusted - poses_missing.len();
-        let names = if poses_missing.is_empty() { String::new() } else { format!(" ({})", poses_missing.join(" ")) };
-        format!("{trusted} trusted, {poses_untrusted} not trusted, {} missing{names}", poses_missing.len())
-    }
-}
-
-impl DetectionObserver for Report {
-    fn detected(&mut self, detections: Detections, _pose: Option<&Pose>) -> Result<(), Failure> {
-        self.console.print(&table_row(&detections))?;
-        self.frames.push(detections);
-        Ok(())
-    }
-
-    fn skipped(&mut self, file: &str, why: String) -> Result<(), Failure> {
-        let words = self.console.styled(Style::Bad, &format!("skipped, {why}"));
-        self.console.print(&format!("{file:<12} {words}"))?;
-        self.skipped.push(Skipped { file: file.to_owned(), why });
-        Ok(())
     }
 }
 
@@ -137,11 +107,25 @@ impl Summary {
             poses_missing: missing.map(|frame| frame.file.clone()).collect(),
         }
     }
+
+    fn poses(&self, has_poses: bool) -> String {
+        let Self { seen, poses_untrusted, poses_missing, .. } = self;
+        if !has_poses {
+            return "none, so no positions on the ground (see --poses)".to_owned();
+        }
+        let trusted = seen - poses_untrusted - poses_missing.len();
+        let names = if poses_missing.is_empty() { String::new() } else { format!(" ({})", poses_missing.join(" ")) };
+        format!("{trusted} trusted, {poses_untrusted} not trusted, {} missing{names}", poses_missing.len())
+    }
+}
+
+/// Returns a file that was skipped as a row of the table.
+pub(super) fn skipped_row(console: Console, file: &str, why: &str) -> String {
+    format!("{file:<12} {}", console.styled(Style::Bad, &format!("skipped, {why}")))
 }
 
 /// Returns an image as a row of the table.
-#[must_use]
-pub fn table_row(detections: &Detections) -> String {
+pub(super) fn table_row(detections: &Detections) -> String {
     let dash = || "-".to_owned();
     let ball = detections.ball.as_ref();
     let pixels = ball.map_or_else(dash, |ball| format!("{:.1}, {:.1}, {:.1}", ball.x, ball.y, ball.radius));

@@ -1,12 +1,11 @@
-//! Parser of profiles. An error names line and key, and the remedy.
+//! Parser of profiles. An error names the line and the remedy.
 
+use std::fmt::Display;
 use std::ops::Range;
 
 use bica_vision::colour::{Filter, Filters};
+use serde::Deserialize;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
-use super::CLASSES;
 
 /// Error in a profile.
 #[derive(Debug)]
@@ -15,118 +14,72 @@ pub(super) struct ParseError {
     pub(super) help: String,
 }
 
-type Entry<'a> = Spanned<DeValue<'a>>;
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Classes {
+    orange: Class,
+    yellow: Class,
+    blue: Class,
+    green: Class,
+    white: Class,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Class {
+    hue: Option<Spanned<[u16; 2]>>,
+    saturation: Option<Spanned<[u16; 2]>>,
+    luma: Option<Spanned<[u8; 2]>>,
+    chroma: Option<u8>,
+}
 
 /// Parses a profile.
 pub(super) fn parse(text: &str) -> Result<Filters, ParseError> {
-    let reader = Reader { text };
-    let root = DeTable::parse(text).map_err(|error| {
-        let help = "a profile is TOML: `[class]` and under it `key = value` lines";
-        reader.wrong(&error.span().unwrap_or_default(), None, error.message(), help)
+    let Classes { orange, yellow, blue, green, white } = toml::from_str(text).map_err(|error| {
+        let help = "a profile has the sections [orange], [yellow], [blue], [green] and [white], and in them lines \
+                    `hue = [from, to]`, `saturation = [min, max]`, `luma = [min, max]` and `chroma = min`";
+        wrong(text, &error.span().unwrap_or_default(), error.message(), help)
     })?;
-    let root = root.get_ref();
-    let known = |key: &str| CLASSES.contains(&key);
-    if let Some((key, _)) = root.iter().find(|(key, _)| !known(key.get_ref())) {
-        let help = format!("the classes are {}", CLASSES.join(", "));
-        return Err(reader.wrong(&key.span(), Some(key.get_ref()), "there is no such class", &help));
-    }
-    let [orange, yellow, blue, green, white] = CLASSES.map(|class| reader.class(root, class));
-    Ok(Filters { orange: orange?, yellow: yellow?, blue: blue?, white: white?, green: green? })
+    let filter = |class: Class| class.filter(text);
+    let (orange, yellow, blue) = (filter(orange)?, filter(yellow)?, filter(blue)?);
+    Ok(Filters { orange, yellow, blue, white: filter(white)?, green: filter(green)? })
 }
 
-struct Reader<'a> {
-    text: &'a str,
-}
-
-impl Reader<'_> {
-    fn class(&self, root: &DeTable<'_>, class: &str) -> Result<Filter, ParseError> {
-        let help = format!("write a section `[{class}]`; without lines it accepts every colour");
-        let end = self.text.len()..self.text.len();
-        let entry = root.get(class).ok_or_else(|| self.wrong(&end, Some(class), "the class is missing", &help))?;
-        let DeValue::Table(table) = entry.get_ref() else {
-            return Err(self.wrong(&entry.span(), Some(class), "this is not a section", &help));
-        };
-        let mut filter = Filter::ANY;
-        for (key, value) in table {
-            let name = format!("{class}.{}", key.get_ref());
-            filter = match key.get_ref().as_ref() {
-                "hue" => self.hue(filter, &name, value)?,
-                "saturation" => {
-                    let [min, max] = self.range(&name, value, u16::MAX)?;
-                    filter.saturation(min, max)
-                }
-                "luma" => {
-                    let [min, max] = self.range(&name, value, u8::MAX)?;
-                    filter.luma(min, max)
-                }
-                "chroma" => filter.chroma(self.number(&name, value, u8::MAX)?),
-                _ => {
-                    let help = "the keys are hue, saturation, luma and chroma";
-                    return Err(self.wrong(&key.span(), Some(&name), "there is no such key", help));
-                }
-            };
+impl Class {
+    fn filter(self, text: &str) -> Result<Filter, ParseError> {
+        let mut filter = Filter::ANY.chroma(self.chroma.unwrap_or(0));
+        if let Some(hue) = self.hue {
+            let [from, to] = *hue.get_ref();
+            if from >= 360 || !(from + 1..from + 180).contains(&to) {
+                let help = "write [from, to] in degrees, from 0 to 359 and to 1 to 179 more; 350 to 10 is [350, 370]";
+                return Err(wrong(text, &hue.span(), &format!("{from} to {to} is not a range of hues"), help));
+            }
+            filter = filter.hue(from as i16, to as i16);
+        }
+        if let Some(saturation) = self.saturation {
+            let [min, max] = ordered(text, &saturation)?;
+            filter = filter.saturation(min, max);
+        }
+        if let Some(luma) = self.luma {
+            let [min, max] = ordered(text, &luma)?;
+            filter = filter.luma(min, max);
         }
         Ok(filter)
     }
-
-    fn hue(&self, filter: Filter, key: &str, value: &Entry<'_>) -> Result<Filter, ParseError> {
-        let [from, to] = self.pair(key, value, 719_i16)?;
-        if !(1..180).contains(&(to - from)) || from >= 360 {
-            let help = "write [from, to] in degrees, from 0 to 359 and to 1 to 179 more; 350 to 10 is [350, 370]";
-            return Err(self.wrong(&value.span(), Some(key), &format!("{from} to {to} is not a range of hues"), help));
-        }
-        Ok(filter.hue(from, to))
-    }
-
-    /// Returns two numbers from 0 to `most`, the first not above the second.
-    fn range<T: Number>(&self, key: &str, value: &Entry<'_>, most: T) -> Result<[T; 2], ParseError> {
-        let [min, max] = self.pair(key, value, most)?;
-        if min > max {
-            let help = "write [min, max]";
-            return Err(self.wrong(&value.span(), Some(key), &format!("{min} is more than {max}"), help));
-        }
-        Ok([min, max])
-    }
-
-    fn pair<T: Number>(&self, key: &str, value: &Entry<'_>, most: T) -> Result<[T; 2], ParseError> {
-        let list: &[Entry<'_>] = value.get_ref().as_array().map_or(&[], |list| list);
-        let [first, second] = list else {
-            let help = "write two whole numbers in brackets, like [10, 20]";
-            return Err(self.wrong(&value.span(), Some(key), "these are not two numbers", help));
-        };
-        Ok([self.number(key, first, most)?, self.number(key, second, most)?])
-    }
-
-    fn number<T: Number>(&self, key: &str, value: &Entry<'_>, most: T) -> Result<T, ParseError> {
-        let integer = value.get_ref().as_integer();
-        let number = integer.and_then(|integer| i64::from_str_radix(integer.as_str(), integer.radix()).ok());
-        let fits =
-            number.and_then(|number| T::try_from(number).ok()).filter(|number| *number <= most && number.is_positive());
-        fits.ok_or_else(|| {
-            let found = &self.text[value.span()];
-            let help = format!("write a whole number from 0 to {most}");
-            self.wrong(&value.span(), Some(key), &format!("`{found}` is out of range"), &help)
-        })
-    }
-
-    fn wrong(&self, at: &Range<usize>, key: Option<&str>, what: &str, help: &str) -> ParseError {
-        let before = self.text.get(..at.start).unwrap_or(self.text);
-        let line = 1 + before.matches('\n').count();
-        let key = key.map(|key| format!(" `{key}`:")).unwrap_or_default();
-        ParseError { what: format!("line {line}:{key} {what}"), help: help.to_owned() }
-    }
 }
 
-/// Integer type of a threshold.
-trait Number: Copy + PartialOrd + std::fmt::Display + TryFrom<i64> + Default {
-    fn is_positive(self) -> bool {
-        self >= Self::default()
+fn ordered<T: Copy + Display + PartialOrd>(text: &str, range: &Spanned<[T; 2]>) -> Result<[T; 2], ParseError> {
+    let [min, max] = *range.get_ref();
+    if min > max {
+        return Err(wrong(text, &range.span(), &format!("{min} is more than {max}"), "write [min, max]"));
     }
+    Ok([min, max])
 }
 
-impl Number for u8 {}
-impl Number for u16 {}
-impl Number for i16 {}
+fn wrong(text: &str, at: &Range<usize>, what: &str, help: &str) -> ParseError {
+    let line = 1 + text.get(..at.start).unwrap_or(text).matches('\n').count();
+    ParseError { what: format!("line {line}: {what}"), help: help.to_owned() }
+}
 
 #[cfg(test)]
 mod tests {
@@ -143,16 +96,16 @@ mod tests {
     #[test]
     fn errors_name_line_and_key() {
         let wrong = |orange: &str| parse(&format!("# A hall.\n[orange]\n{orange}\n{REST}")).expect_err(orange).what;
-        assert_eq!(wrong("hue = [10, 200]"), "line 3: `orange.hue`: 10 to 200 is not a range of hues");
-        assert_eq!(wrong("hue = [400, 410]"), "line 3: `orange.hue`: 400 to 410 is not a range of hues");
-        assert_eq!(wrong("\nluma = [9, 300]"), "line 4: `orange.luma`: `300` is out of range");
-        assert_eq!(wrong("luma = [-1, 30]"), "line 3: `orange.luma`: `-1` is out of range");
-        assert_eq!(wrong("luma = [60, 30]"), "line 3: `orange.luma`: 60 is more than 30");
-        assert_eq!(wrong("saturation = [10]"), "line 3: `orange.saturation`: these are not two numbers");
-        assert_eq!(wrong("chroma = 1.5"), "line 3: `orange.chroma`: `1.5` is out of range");
-        assert_eq!(wrong("colour = 3"), "line 3: `orange.colour`: there is no such key");
-        assert_eq!(wrong("[red]"), "line 3: `red`: there is no such class");
+        assert_eq!(wrong("hue = [10, 200]"), "line 3: 10 to 200 is not a range of hues");
+        assert_eq!(wrong("hue = [400, 410]"), "line 3: 400 to 410 is not a range of hues");
+        assert_eq!(wrong("\nluma = [9, 300]"), "line 4: invalid value: integer `300`, expected u8");
+        assert_eq!(wrong("luma = [-1, 30]"), "line 3: invalid value: integer `-1`, expected u8");
+        assert_eq!(wrong("luma = [60, 30]"), "line 3: 60 is more than 30");
+        assert_eq!(wrong("saturation = [10]"), "line 3: invalid length 1, expected an array of length 2");
+        assert_eq!(wrong("chroma = 1.5"), "line 3: invalid type: floating point `1.5`, expected u8");
+        assert!(wrong("colour = 3").starts_with("line 3: unknown field `colour`, expected one of `hue`"));
+        assert!(wrong("[red]").starts_with("line 3: unknown field `red`, expected one of `orange`"));
         assert!(wrong("chroma = = 3").starts_with("line 3: "));
-        assert_eq!(parse(REST).expect_err("orange").what, "line 5: `orange`: the class is missing");
+        assert!(parse(REST).expect_err("orange").what.ends_with(": missing field `orange`"));
     }
 }

@@ -20,14 +20,9 @@ const TIME_LIMIT: f32 = 180.0;
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let games = series.each(|seed| play(series, seed))?;
     let goals: Vec<f32> = games.iter().flatten().copied().collect();
-    Ok(vec![Row {
-        name: "pushed over, scores".into(),
-        runs: games.len(),
-        good: goals.len(),
-        needed: series.needed(18),
-        figures: format!("median {:.0} s after the fall", median(goals)),
-        figures_hold: true,
-    }])
+    let good = goals.len();
+    let figures = format!("median {:.0} s after the fall", median(goals));
+    Ok(vec![Row::new("pushed over, scores", games.len(), good, series.needed(18), figures)])
 }
 
 /// Returns the time from the fall to the next goal, s.

@@ -40,20 +40,11 @@ fn push(series: &Series, name: &str, direction: Vec2) -> Result<Row, Failure> {
     let lead_time: Vec<f32> = falls.iter().filter_map(|fall| fall.lead_time).collect();
     let min = lead_time.iter().copied().fold(f32::INFINITY, f32::min);
     let (relaxed, up) = (count(&falls, |fall| fall.relaxed), count(&falls, |fall| fall.recovered));
-    Ok(Row {
-        name: format!("to {name}"),
-        runs: falls.len(),
-        good: count(&falls, |fall| {
-            fall.lead_time.is_some_and(|lead_time| lead_time > 0.0) && fall.relaxed && fall.recovered
-        }),
-        needed: series.needed(19),
-        figures: format!(
-            "detected {:.0} ms (minimum {:.0}) before the impact, relaxed {relaxed}, recovered {up}",
-            1000.0 * median(lead_time),
-            1000.0 * min
-        ),
-        figures_hold: true,
-    })
+    let is_good = |fall: &Fall| fall.lead_time.is_some_and(|time| time > 0.0) && fall.relaxed && fall.recovered;
+    let (median, min) = (1000.0 * median(lead_time), 1000.0 * min);
+    let figures =
+        format!("detected {median:.0} ms (minimum {min:.0}) before the impact, relaxed {relaxed}, recovered {up}");
+    Ok(Row::new(format!("to {name}"), falls.len(), count(&falls, is_good), series.needed(19), figures))
 }
 
 fn count(falls: &[Fall], which: impl Fn(&Fall) -> bool) -> usize {
@@ -86,14 +77,7 @@ fn without_falls(series: &Series) -> Result<Row, Failure> {
     let runs = series.each(|seed| Ok(!walk(series, seed)? && !kick(series, seed)?))?;
     let good = runs.iter().filter(|without_falls| **without_falls).count();
     let figures = format!("{:.0} s of walking and six kicks each, no fall detected", WALKS as f32 * WALK);
-    Ok(Row {
-        name: "no fall, none detected".into(),
-        runs: runs.len(),
-        good,
-        needed: runs.len(),
-        figures,
-        figures_hold: true,
-    })
+    Ok(Row::new("no fall, none detected", runs.len(), good, runs.len(), figures))
 }
 
 /// Returns whether a fall is detected although the robot has not fallen.

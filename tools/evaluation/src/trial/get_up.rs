@@ -21,14 +21,9 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
         let times = series.each(|seed| push_over(series, seed, direction))?;
         let up: Vec<f32> = times.iter().flatten().copied().collect();
         let slowest = up.iter().copied().fold(0.0, f32::max);
-        Ok(Row {
-            name: format!("from the {name}"),
-            runs: times.len(),
-            good: up.len(),
-            needed: series.needed(19),
-            figures: format!("median {:.1} s, slowest {slowest:.1} s", median(up)),
-            figures_hold: true,
-        })
+        let good = up.len();
+        let figures = format!("median {:.1} s, slowest {slowest:.1} s", median(up));
+        Ok(Row::new(format!("from the {name}"), times.len(), good, series.needed(19), figures))
     };
     falls.into_iter().map(row).collect()
 }

@@ -15,37 +15,23 @@ mod walker;
 mod walking;
 
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_sim::mujoco::Physics;
+use clap::ValueEnum;
 
 use series::Series;
 use table::Table;
 
-use crate::trial_kind::Kind;
-
-/// Selection of trials, number of runs, and physics.
-#[derive(Clone, Debug)]
-pub struct TrialOptions {
-    /// Trials; all if the list is empty.
-    pub kinds: Vec<Kind>,
-    /// Number of seeds.
-    pub runs: u32,
-    /// The first seed.
-    pub seed: u64,
-    /// Number of threads; by default one for each core.
-    pub threads: Option<u32>,
-    /// Physics of the world.
-    pub physics: Physics,
-}
+use crate::trial_options::{Kind, TrialOptions};
 
 /// Runs trials and prints their tables.
 ///
 /// # Errors
 /// If the physics are out of range or the output cannot be written.
-pub fn run(args: &TrialOptions, console: Console) -> Result<Outcome, Failure> {
-    let series = Series::new(args);
+pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
+    let (console, series) = (Console::new(options.json), Series::new(options));
     let mut tables = Vec::new();
-    for &kind in if args.kinds.is_empty() { Kind::ALL } else { &args.kinds } {
-        let table = Table { trial: kind.name(), rows: trial(kind)(&series)? };
+    for kind in if options.names.is_empty() { Kind::value_variants() } else { &options.names } {
+        let name = kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
+        let table = Table { trial: name, rows: trial(*kind)(&series)? };
         table.print(console)?;
         tables.push(table);
         if interrupt::requested() {

@@ -52,14 +52,7 @@ fn row(series: &Series, name: &str, place: Place) -> Result<Row, Failure> {
     let failed = if failed.is_empty() { failed } else { format!("; failed with seed{failed}") };
     let (time, usual) = (median(times), median(attempts));
     let figures = format!("median {time:.1} s, slowest {slowest:.1} s; attempts: median {usual}, most {many}{failed}");
-    Ok(Row {
-        name: name.into(),
-        runs: runs.len(),
-        good: up.len(),
-        needed: series.needed(19),
-        figures,
-        figures_hold: true,
-    })
+    Ok(Row::new(name, runs.len(), up.len(), series.needed(19), figures))
 }
 
 /// A successful get-up.

@@ -1,9 +1,10 @@
 //! The same trial with many seeds.
 
 use bica_app::{Batch, Failure};
+use bica_player::Model;
 use bica_sim::mujoco::Physics;
 
-use super::TrialOptions;
+use crate::trial_options::TrialOptions;
 
 /// Seeds and physics of the trials.
 pub(super) struct Series {
@@ -13,7 +14,16 @@ pub(super) struct Series {
 
 impl Series {
     pub(super) fn new(options: &TrialOptions) -> Self {
-        Self { batch: Batch::new(options.seed, options.runs, options.threads), physics: options.physics }
+        let default = Physics { cameras: false, ..Physics::of::<Model>() };
+        let physics = Physics {
+            friction: options.friction.unwrap_or(default.friction),
+            leg_gain: options.leg_gain.unwrap_or(default.leg_gain),
+            torque_limit: options.torque_limit.unwrap_or(default.torque_limit),
+            dead_time: options.dead_time.unwrap_or(default.dead_time),
+            noise: options.noise.unwrap_or(default.noise),
+            ..default
+        };
+        Self { batch: Batch::new(options.seed, options.runs, options.threads), physics }
     }
 
     /// Number of seeds.

@@ -24,7 +24,7 @@ pub(super) struct Row {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Table {
     /// Name of the trial.
-    pub(super) trial: &'static str,
+    pub(super) trial: String,
     /// One row for each case.
     pub(super) rows: Vec<Row>,
 }
@@ -38,6 +38,11 @@ pub(super) struct TrialReport<'a> {
 }
 
 impl Row {
+    /// The results of a case without other requirements than the number of runs that succeed.
+    pub(super) fn new(name: impl Into<String>, runs: usize, good: usize, needed: usize, figures: String) -> Self {
+        Self { name: name.into(), runs, good, needed, figures, figures_hold: true }
+    }
+
     const fn holds(&self) -> bool {
         self.good >= self.needed && self.figures_hold
     }

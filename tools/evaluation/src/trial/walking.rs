@@ -72,14 +72,8 @@ fn velocity_row(series: &Series, name: &str, commanded: Velocity, exact: bool) -
     let of = |part: fn(&Velocity) -> f32| mean(&stood.iter().map(part).collect::<Vec<_>>());
     let (forward, left, turn) = (of(|v| v.forward), of(|v| v.left), of(|v| v.turn));
     let falls = reached.len() - stood.len();
-    Ok(Row {
-        name: name.to_owned(),
-        runs: reached.len(),
-        good,
-        needed: series.needed(if exact { 20 } else { 18 }),
-        figures: format!("mean {forward:+.3} {left:+.3} m/s {turn:+.3} rad/s, falls {falls}"),
-        figures_hold: true,
-    })
+    let figures = format!("mean {forward:+.3} {left:+.3} m/s {turn:+.3} rad/s, falls {falls}");
+    Ok(Row::new(name, reached.len(), good, series.needed(if exact { 20 } else { 18 }), figures))
 }
 
 fn scaled(velocity: Velocity, by: f32) -> Velocity {
@@ -172,5 +166,5 @@ fn fall_row(name: &str, falls: &[Option<f32>], needed: usize) -> Row {
         format!("falls after {} s", times.join(" "))
     };
     let good = falls.iter().filter(|fall| fall.is_none()).count();
-    Row { name: name.to_owned(), runs: falls.len(), good, needed, figures, figures_hold: true }
+    Row::new(name, falls.len(), good, needed, figures)
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use bica_app::{Failure, Outcome};
 use bica_evaluation::camera_poses::Pose;
-use bica_evaluation::detection::{ColourTable, DetectionObserver, DetectionOptions, Detections, Folder};
+use bica_evaluation::detection::{ColourTable, DetectionOptions, Detections, Folder};
 use bica_evaluation::labels::Labels;
 use bica_evaluation::scoring::Score;
 use bica_vision::colour::Filters;
@@ -25,19 +25,6 @@ pub(super) fn start(asked: &dyn Asked, folder: Option<&Path>, filters: &Filters)
     asked.later(Box::new(move || score(&folder, &filters).map_err(|failure| Invalid::from(failure).into())))
 }
 
-struct Counter(Score);
-
-impl DetectionObserver for Counter {
-    fn detected(&mut self, detections: Detections, pose: Option<&Pose>) -> Result<(), Failure> {
-        self.0.count(&detections, pose);
-        Ok(())
-    }
-
-    fn skipped(&mut self, _file: &str, _why: String) -> Result<(), Failure> {
-        Ok(())
-    }
-}
-
 /// The file with the labels of a folder: in it, or beside it.
 fn labels(folder: &Path) -> Result<PathBuf, Failure> {
     let inside = folder.join("labels.csv");
@@ -56,11 +43,18 @@ fn score(folder: &Path, filters: &Filters) -> Result<Value, Failure> {
         poses: None,
         radius: RADIUS,
         pictures: None,
+        json: false,
     };
     let table = ColourTable::Compact(Box::new(CompactTable::compile(filters)));
-    let mut counter = Counter(Score::new(labels, RADIUS));
-    if Folder::open_with(&options, table)?.detect(&mut counter)? == Outcome::Interrupted {
+    let mut score = Score::new(labels, RADIUS);
+    let count = |_: &str, seen: Result<Detections, String>, pose: Option<&Pose>| {
+        if let Ok(detections) = seen {
+            score.count(&detections, pose);
+        }
+        Ok(())
+    };
+    if Folder::open(&options, table)?.detect(count)? == Outcome::Interrupted {
         return Err(Failure::new("stopped by Ctrl-C", "score again"));
     }
-    Ok(json!({ "rows": counter.0.rows() }))
+    Ok(json!({ "rows": score.rows() }))
 }

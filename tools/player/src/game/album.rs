@@ -14,7 +14,7 @@ use crate::game::scene::{GRAPH, Scene};
 
 /// Observer that writes a picture of each change of the tree into a folder.
 #[derive(Debug)]
-pub struct Album {
+pub(crate) struct Album {
     folder: PathBuf,
     sheet: Sheet,
     count: usize,
@@ -22,17 +22,13 @@ pub struct Album {
 
 impl Album {
     /// An empty album; makes the folder.
-    ///
-    /// # Errors
-    /// If the folder cannot be made.
-    pub fn new(folder: &Path) -> Result<Self, Failure> {
+    pub(crate) fn new(folder: &Path) -> Result<Self, Failure> {
         make_folder(folder)?;
         Ok(Self { folder: folder.to_owned(), sheet: Sheet::new(), count: 0 })
     }
 
     /// Number of pictures.
-    #[must_use]
-    pub const fn count(&self) -> usize {
+    pub(crate) const fn count(&self) -> usize {
         self.count
     }
 }

@@ -50,11 +50,6 @@ impl Latencies {
         }
     }
 
-    /// Latency of the last cycle; zero before the first.
-    pub(crate) fn last(&self) -> Duration {
-        Duration::from_nanos(self.times.get(self.newest).copied().unwrap_or(0).into())
-    }
-
     /// Adds those of another game.
     pub(crate) fn extend(&mut self, other: &Self) {
         self.times.extend_from_slice(&other.times);
@@ -104,7 +99,6 @@ mod tests {
         let mut latencies = Latencies::default();
         for cycle in 0..MAX_CYCLES + 3 {
             latencies.add(Duration::from_nanos(cycle as u64));
-            assert_eq!(latencies.last(), Duration::from_nanos(cycle as u64));
         }
         assert_eq!(latencies.times.len(), MAX_CYCLES);
         assert!(latencies.times.iter().all(|&time| time >= 3));

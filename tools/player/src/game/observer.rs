@@ -21,16 +21,8 @@ pub struct View {
 
 /// Observer of a game: of the tree, the referee and the world from outside. An error ends the game.
 ///
-/// `()` observes nothing, a pair `(A, B)` is two observers, and an `Option` may be none.
+/// `()` observes nothing, and a list of observers is one.
 pub trait GameObserver {
-    /// A cycle has ended.
-    ///
-    /// # Errors
-    /// If the game has to end.
-    fn cycle(&mut self, _scene: &Scene<'_>) -> Result<(), Failure> {
-        Ok(())
-    }
-
     /// The tree changed in this cycle.
     ///
     /// # Errors
@@ -63,51 +55,21 @@ pub trait GameObserver {
 
 impl GameObserver for () {}
 
-impl<O: GameObserver> GameObserver for Option<O> {
-    fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |observer| observer.cycle(scene))
-    }
-
+/// Several observers, of which at most one needs pictures.
+impl GameObserver for [&mut dyn GameObserver] {
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |observer| observer.tree_changed(scene))
+        self.iter_mut().try_for_each(|observer| observer.tree_changed(scene))
     }
 
     fn view(&mut self, now: Duration, referee: &Referee) -> Option<View> {
-        self.as_mut().and_then(|observer| observer.view(now, referee))
+        self.iter_mut().find_map(|observer| observer.view(now, referee))
     }
 
     fn rendered(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |observer| observer.rendered(scene, picture))
+        self.iter_mut().try_for_each(|observer| observer.rendered(scene, picture))
     }
 
     fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {
-        self.as_mut().map_or(Ok(()), |observer| observer.event(event))
-    }
-}
-
-/// Two observers, of which at most one needs pictures.
-impl<A: GameObserver, B: GameObserver> GameObserver for (A, B) {
-    fn cycle(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.0.cycle(scene)?;
-        self.1.cycle(scene)
-    }
-
-    fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
-        self.0.tree_changed(scene)?;
-        self.1.tree_changed(scene)
-    }
-
-    fn view(&mut self, now: Duration, referee: &Referee) -> Option<View> {
-        self.0.view(now, referee).or_else(|| self.1.view(now, referee))
-    }
-
-    fn rendered(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
-        self.0.rendered(scene, picture)?;
-        self.1.rendered(scene, picture)
-    }
-
-    fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {
-        self.0.event(event)?;
-        self.1.event(event)
+        self.iter_mut().try_for_each(|observer| observer.event(event))
     }
 }

@@ -33,22 +33,15 @@ const PATH_STEP: f32 = 0.03;
 /// Time between two looks for requests while the game is paused.
 const BETWEEN_REQUESTS: Duration = Duration::from_millis(5);
 
-/// Plays until a goal, the end of the time, or Ctrl-C.
+/// Plays until a goal, the end of the time, or Ctrl-C; on request records the game and serves it to monitors. A recording that
+/// ends early does not end the game.
 ///
 /// # Errors
-/// If the world or the firmware cannot be started, an observer fails, or the firmware deviates from this program.
-pub fn play(rules: &Rules, observer: &mut impl GameObserver) -> Result<GameSummary, Failure> {
-    play_recorded(rules, observer, None, None).map(|(summary, _)| summary)
-}
-
-/// Plays as [`play`], and on request records the game and serves it to monitors. A recording that ends early does not end the
-/// game.
-///
-/// # Errors
-/// As [`play`], or if the file cannot be made or the server cannot start.
+/// If the world, the firmware, the file or the server cannot be started, an observer fails, or the firmware deviates from this
+/// program.
 pub fn play_recorded(
     rules: &Rules,
-    observer: &mut impl GameObserver,
+    observer: &mut (impl GameObserver + ?Sized),
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
 ) -> Result<(GameSummary, Option<RecordingSummary>), Failure> {
@@ -61,7 +54,7 @@ pub fn play_recorded(
 /// As [`play_recorded`].
 pub fn play_controlled(
     rules: &Rules,
-    observer: &mut impl GameObserver,
+    observer: &mut (impl GameObserver + ?Sized),
     control: &mut impl GameControl,
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
@@ -162,11 +155,6 @@ impl Game {
         meter
     }
 
-    fn stopwatch(&self) -> &Stopwatch {
-        let (_, ((_, stopwatch), _)) = self.runner.observer();
-        stopwatch
-    }
-
     fn view(&self) -> &LinkView {
         let (_, (_, (_, view))) = self.runner.observer();
         view
@@ -222,14 +210,12 @@ impl Game {
             robot: self.runner.robot(),
             referee: self.runner.world().referee(),
             meter: self.meter(),
-            chain: self.stopwatch().latencies.last(),
-            cycle: self.cycles.saturating_sub(1),
             start: self.start,
             ball_path: &self.ball_path,
         }
     }
 
-    fn report(&mut self, observer: &mut impl GameObserver) -> Result<(), Failure> {
+    fn report(&mut self, observer: &mut (impl GameObserver + ?Sized)) -> Result<(), Failure> {
         if let Some(view) = observer.view(self.now(), self.runner.world().referee()) {
             let picture = self.runner.world_mut().render_from(&view.camera, view.width, view.height);
             let picture = picture.map_err(|error| {
@@ -237,7 +223,6 @@ impl Game {
             })?;
             observer.rendered(&self.scene(), &picture)?;
         }
-        observer.cycle(&self.scene())?;
         if self.meter().changed() {
             observer.tree_changed(&self.scene())?;
         }

@@ -1,8 +1,5 @@
 //! State of a game after a cycle: detections and estimates of the forward, the true state, the tree.
 
-use std::sync::LazyLock;
-use std::time::Duration;
-
 use bica::graph::Graph;
 use bica::{ComponentId, Tree};
 use bica_drawing::TreeState;
@@ -15,6 +12,7 @@ use bica_player::tunable::Forward;
 use bica_sim::Referee;
 use bica_wire::model::Description;
 use glam::Vec2;
+use std::sync::LazyLock;
 
 use crate::game::meter::Meter;
 use crate::game::pictures::state::{Estimates, GroundTruth};
@@ -36,10 +34,6 @@ pub struct Scene<'a> {
     /// The referee.
     pub referee: &'a Referee,
     pub(crate) meter: &'a Meter,
-    /// Time of this cycle from sensor values to command.
-    pub chain: Duration,
-    /// Number of the cycle, from 0.
-    pub cycle: u64,
     /// True pose at the start of odometry.
     pub start: Pose2,
     /// Path of the ball so far.

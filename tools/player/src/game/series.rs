@@ -8,27 +8,25 @@ use bica_app::{Batch, Console, Failure, Outcome, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::game::album::Album;
-use crate::game::play::play;
+use crate::game::observer::GameObserver;
+use crate::game::play::play_recorded;
 use crate::game::rules::Rules;
 use crate::game::series_summary::{self, SeriesSummary};
 use crate::game::summary::{GameResult, GameSummary};
 
 /// Size of a series.
 #[derive(Clone, Copy, Debug)]
-pub struct SeriesOptions {
+pub(crate) struct SeriesOptions {
     /// Number of games.
-    pub games: u32,
+    pub(crate) games: u32,
     /// Number of threads; by default one for each core.
-    pub threads: Option<u32>,
+    pub(crate) threads: Option<u32>,
     /// Number of games with a goal that makes the series a success; by default all.
-    pub at_least: Option<u32>,
+    pub(crate) at_least: Option<u32>,
 }
 
 /// Plays a series and prints its summary. Each game has a folder of pictures on request.
-///
-/// # Errors
-/// As [`play`], or if the output cannot be written.
-pub fn play_series(
+pub(crate) fn play_series(
     rules: &Rules,
     console: Console,
     pictures: Option<&Path>,
@@ -54,8 +52,9 @@ pub fn play_series(
 fn play_all(rules: &Rules, pictures: Option<&Path>, batch: &Batch) -> Result<Vec<GameSummary>, Failure> {
     let (bar, goals) = (progress_bar(batch.runs), AtomicU32::new(0));
     let games = batch.run(|seed| {
-        let album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{seed}")))).transpose();
-        let game = album.and_then(|mut album| play(&Rules { seed, ..*rules }, &mut album))?;
+        let mut album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{seed}")))).transpose()?;
+        let mut observers: Vec<&mut dyn GameObserver> = album.iter_mut().map(|album| album as _).collect();
+        let (game, _) = play_recorded(&Rules { seed, ..*rules }, &mut observers[..], None, None)?;
         let won = u32::from(game.result == GameResult::Goal);
         bar.set_message(format!("{} goals", goals.fetch_add(won, Ordering::Relaxed) + won));
         bar.inc(1);

@@ -8,6 +8,7 @@ use serde::Serialize;
 use crate::game::album::Album;
 use crate::game::film::Film;
 use crate::game::link::ServeOptions;
+use crate::game::observer::GameObserver;
 use crate::game::play::play_recorded;
 use crate::game::recording::{RecordOptions, RecordingSummary};
 use crate::game::rules::Rules;
@@ -27,10 +28,7 @@ struct GameReport<'a> {
 }
 
 /// Plays a game, prints story and summary; on request writes pictures, a film and a recording, and serves monitors.
-///
-/// # Errors
-/// As [`play_recorded`], or if the output cannot be written.
-pub fn play_one(
+pub(crate) fn play_one(
     rules: &Rules,
     console: Console,
     pictures: Option<&Path>,
@@ -38,13 +36,14 @@ pub fn play_one(
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
 ) -> Result<Outcome, Failure> {
-    let album = pictures.map(Album::new).transpose()?;
-    let recorder = film.map(Film::new).transpose()?;
-    let story = Story::new(console);
+    let mut album = pictures.map(Album::new).transpose()?;
+    let mut recorder = film.map(Film::new).transpose()?;
+    let mut story = Story::new(console);
     story.print_header()?;
-    let mut observers = (story, (album, recorder));
-    let (summary, recording) = play_recorded(rules, &mut observers, record, serve)?;
-    let (story, (album, recorder)) = observers;
+    let mut observers: Vec<&mut dyn GameObserver> = vec![&mut story];
+    observers.extend(album.as_mut().map(|album| album as _));
+    observers.extend(recorder.as_mut().map(|recorder| recorder as _));
+    let (summary, recording) = play_recorded(rules, &mut observers[..], record, serve)?;
     summary_text::print(console, &summary)?;
     if let Some((album, folder)) = album.zip(pictures) {
         console.print("")?;

@@ -38,7 +38,7 @@ const CAMERA_HEIGHT: usize = 240;
 const MAX_NAMES: usize = 8;
 
 /// Observer that films a game.
-pub struct Film {
+pub(crate) struct Film {
     gif: Gif,
     operator: CameraOperator,
     next: Duration,
@@ -49,19 +49,13 @@ pub struct Film {
 
 impl Film {
     /// A film without pictures; makes the file.
-    ///
-    /// # Errors
-    /// If the file cannot be made.
-    pub fn new(path: &Path) -> Result<Self, Failure> {
+    pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let gif = Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?;
         Ok(Self { gif, operator: CameraOperator::new(), next: Duration::ZERO, last: None, camera_view: None })
     }
 
     /// Adds the last picture, closes the file, and returns the number of pictures.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn finish(mut self) -> Result<usize, Failure> {
+    pub(crate) fn finish(mut self) -> Result<usize, Failure> {
         if let Some(last) = self.last.take() {
             self.gif.add(&last, LAST_REPEAT)?;
         }
