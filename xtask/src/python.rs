@@ -7,7 +7,7 @@ use crate::install::{folder, packages};
 use crate::process::{run, works};
 
 /// Folder of the package, from the workspace.
-const PACKAGE: &str = "python";
+const PACKAGE: &str = "./python";
 /// Where Debian puts the programs of PostgreSQL, whose server the tests start.
 const POSTGRES: &str = "/usr/lib/postgresql";
 
