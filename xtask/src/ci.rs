@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use crate::cli::{Ci, Firmware};
 use crate::install::packages;
 use crate::process::{run, works};
-use crate::{browser, deny, firmware, miri, mujoco, no_std, peers, publish, slow_tests, spelling, viewers};
+use crate::{browser, deny, firmware, miri, mujoco, no_std, peers, publish, python, slow_tests, spelling, viewers};
 
 /// Step of CI, in its order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -27,6 +27,8 @@ pub(crate) enum Step {
     Games,
     /// Reads a recording and its export with MCAP's Python library
     Viewers,
+    /// The Python package with a cluster, a database and its notebook
+    Python,
     /// Tests of the framework in Miri, which detects undefined behaviour
     Miri,
     /// Instructions of the benchmarks
@@ -51,6 +53,7 @@ impl Step {
             Self::Deny => deny::install().map(drop),
             Self::Advisories => deny::fetch_advisories(),
             Self::Viewers => viewers::install().map(drop),
+            Self::Python => python::install().map(drop),
             Self::Miri => miri::install(),
             Self::Budget if !works("valgrind", &["--version"]) => packages(&["valgrind"]),
             Self::Mujoco => mujoco::install(),
@@ -74,6 +77,7 @@ impl Step {
             Self::Peers => peers::check(),
             Self::Games => games(features),
             Self::Viewers => viewers::check(features),
+            Self::Python => python::check(features),
             Self::Miri => miri::check(),
             Self::Budget => budget(),
             Self::Mujoco => mujoco::check(),
@@ -189,9 +193,9 @@ mod tests {
     #[test]
     fn steps_left_out_are_named() {
         let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], only: Vec::new() });
-        assert_eq!((steps.len(), summary(&left_out)), (14, "LEFT OUT: miri, browser".to_owned()));
+        assert_eq!((steps.len(), summary(&left_out)), (15, "LEFT OUT: miri, browser".to_owned()));
         let (steps, left_out) = select(&Ci { without: Vec::new(), only: vec![Step::NoStd] });
-        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 15));
+        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 16));
         assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
     }
 

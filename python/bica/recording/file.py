@@ -12,9 +12,12 @@ from typing import Any
 from mcap.exceptions import McapError
 from mcap.reader import make_reader
 from mcap.records import Channel, Message, Schema
+from mcap.stream_reader import CRCValidationError
 
 from bica.errors import BicaError
 
+#: What the reader raises for damaged files: its own errors, and those of the decompressor.
+READ_ERRORS = (McapError, CRCValidationError, RuntimeError)
 #: Format of recordings that this package reads.
 FORMAT = 5
 
@@ -34,7 +37,7 @@ class RecordingFile:
                 reader = make_reader(file, validate_crcs=True)
                 summary = reader.get_summary()
                 records = {record.name: record.metadata for record in reader.iter_metadata()}
-        except McapError as error:
+        except READ_ERRORS as error:
             raise self._damaged(error) from None
         if summary is None or "bica" not in records:
             raise RecordingError(f"`{self.path}` is no recording of a robot's program")
@@ -65,5 +68,5 @@ class RecordingFile:
         with self.path.open("rb") as file:
             try:
                 yield from make_reader(file, validate_crcs=True).iter_messages(topics=[topic])
-            except McapError as error:
+            except READ_ERRORS as error:
                 raise self._damaged(error) from None

@@ -30,7 +30,7 @@ def search(args: argparse.Namespace) -> int:
             blocks = Blocks(spread, store)
             Search(study, optimizer, blocks, say).run()
             best, compared = _compare(study, optimizer, blocks)
-        facts = _facts(study, optimizer, blocks)
+            facts = _facts(study, optimizer, blocks)
         for line in [*facts, *map(shown, compared)]:
             say(line)
         _report(args.report or args.study.with_suffix(".html"), study, optimizer, store, best, compared, facts)

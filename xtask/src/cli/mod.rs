@@ -45,6 +45,11 @@ pub(crate) enum Task {
     /// Measures BICA, copper-rs, statig, smlang and other designs on the same workloads, and fails if a claim about
     /// speed does not hold.
     Peers(Peers),
+    /// Check the Python package: lints, types, tests, notebook, wheel
+    ///
+    /// First installs PostgreSQL (with apt), and the package with Ray and Optuna (with pip) into target/python/venv, which is an
+    /// environment to work in.
+    Python,
     /// Test JManager's page in a real browser
     ///
     /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium (with apt).

@@ -1,0 +1,69 @@
+//! The Python package in `python/`: its environment, its checks, and its wheel in a clean environment.
+
+use std::fs;
+use std::path::Path;
+
+use crate::install::{folder, packages};
+use crate::process::{run, works};
+
+/// Folder of the package, from the workspace.
+const PACKAGE: &str = "./python";
+/// Where Debian puts the programs of PostgreSQL, whose server the tests start.
+const POSTGRES: &str = "/usr/lib/postgresql";
+
+/// Installs the package with all that its tests need, as a developer uses it, and PostgreSQL.
+///
+/// # Errors
+/// If an installation fails.
+pub(crate) fn install() -> Result<String, String> {
+    if !Path::new(POSTGRES).is_dir() && !works("pg_ctl", &["--version"]) {
+        packages(&["--no-install-recommends", "postgresql"])?;
+    }
+    let python = environment("venv")?;
+    run(&python, &["-m", "pip", "install", "--quiet", "--editable", &format!("{PACKAGE}[test]")], &[])?;
+    Ok(python)
+}
+
+/// Checks lints, types and tests of the package with the programs of this workspace, then the wheel. `features` are those with
+/// which the program is built.
+///
+/// # Errors
+/// If an installation or a check fails.
+pub(crate) fn check(features: &[&str]) -> Result<(), String> {
+    run("cargo", &[&["build", "--release", "--quiet"], features].concat(), &[])?;
+    run("cargo", &["build", "--quiet", "-p", "bica-app", "--example", "wall_follower"], &[])?;
+    let python = install()?;
+    let path = |name: &str| folder(name).to_string_lossy().into_owned();
+    let programs =
+        [("BICA_PROGRAM", &*path("release/player")), ("BICA_WALL_FOLLOWER", &path("debug/examples/wall_follower"))];
+    let config = format!("{PACKAGE}/pyproject.toml");
+    run(&python, &["-m", "ruff", "check", PACKAGE], &[])?;
+    run(&python, &["-m", "ruff", "format", "--check", PACKAGE], &[])?;
+    run(&python, &["-m", "mypy", "--config-file", &config, "python/bica", "python/tests"], &[])?;
+    run(&python, &["-m", "pytest", "--quiet", "--rootdir", PACKAGE, "-c", &config, "python/tests"], &programs)?;
+    wheel(&python)
+}
+
+/// Builds the wheel, and installs it without this checkout in an environment of its own.
+fn wheel(python: &str) -> Result<(), String> {
+    let wheels = folder("python/wheels");
+    _ = fs::remove_dir_all(&wheels);
+    _ = fs::remove_dir_all(folder("python/clean"));
+    let directory = wheels.to_string_lossy();
+    run(python, &["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", &directory, PACKAGE], &[])?;
+    let clean = environment("clean")?;
+    let index = ["-m", "pip", "install", "--quiet", "--find-links", &directory, "bica==0.1.0", "--no-deps"];
+    run(&clean, &index, &[])?;
+    run(&clean, &["-I", "-c", "import bica; bica.Program"], &[])
+}
+
+/// Returns the interpreter of a virtual environment, which is made if it is missing.
+fn environment(name: &str) -> Result<String, String> {
+    let folder = folder("python").join(name).to_string_lossy().into_owned();
+    let python = format!("{folder}/bin/python");
+    if !works(&python, &["--version"]) {
+        run("python3", &["-m", "venv", &folder], &[])
+            .map_err(|error| format!("{error}; Debian has it in the packages python3 and python3-venv"))?;
+    }
+    Ok(python)
+}
