@@ -165,7 +165,7 @@ fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
     let yuyv = [[200, 90], [40, 160]].concat().repeat(640 * 480 / 2);
     for number in 0..100 * seconds {
         let blob = Blob { bytes: &yuyv, format: Format::Yuyv { width: 640, height: 480 }, frame: "top_eye" };
-        if number % 3 == 0 {
+        if number % 10 == 0 {
             let image = ReceivedImage { number: number as u32, time_us: 10_000 * number, blob };
             recorder.image(&image).expect("memory");
         }
