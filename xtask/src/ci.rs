@@ -25,7 +25,7 @@ pub(crate) enum Step {
     Advisories,
     Peers,
     Games,
-    /// Reads a recording and its export with MCAP's Python library
+    /// Reads recordings with the libraries of MCAP, Foxglove and Rerun
     Viewers,
     /// Tests of the framework in Miri, which detects undefined behaviour
     Miri,
