@@ -13,10 +13,9 @@ use std::time::Duration;
 
 use bica_app::STACK_BYTES;
 use bica_player_program::game::{RecordOptions, ReplayOptions, Rules, WorldKind, play_recorded, replay};
-use bica_recording::export::export;
 use bica_recording::mcap::{Compression, Item, Message, Reader, Writer};
 use bica_recording::repair::{recover, trim};
-use bica_recording::{ImagePolicy, Info, Recording, checksum};
+use bica_recording::{ImagePolicy, Info, Recording, Topics, checksum};
 use bica_sim::setup::Frame;
 use libfuzzer_sys::arbitrary::{self, Arbitrary};
 use libfuzzer_sys::fuzz_target;
@@ -69,7 +68,7 @@ fn recorded(images: ImagePolicy) -> Vec<u8> {
         firmware: None,
         settings: &[],
     };
-    let options = RecordOptions { path: &path, images, force: true };
+    let options = RecordOptions { path: &path, images, topics: Topics::Standard, force: true };
     with_stack(|| play_recorded(&rules, &mut (), Some(options), None).map(|_| ())).expect("a game");
     let bytes = fs::read(&path).expect("a recording");
     fs::remove_file(path).expect("a file");
@@ -151,12 +150,11 @@ fn read(file: &[u8]) {
         while let Ok(Some(_)) = recording.next_cycle() {}
     }
     let mut target = Vec::new();
-    if let Ok(copied) = recover(Cursor::new(file), &mut target) {
+    if let Ok(copied) = recover(Cursor::new(file), &mut target, Some(Topics::All)) {
         let info = Info::read(&target[..]).expect("a recovered file is a recording");
         assert_eq!((info.cycles, info.damage), (copied.cycles, None));
     }
-    let _ = trim(file, std::io::sink(), 30_000_000, 80_000_000);
-    let _ = export(file, std::io::sink());
+    let _ = trim(file, std::io::sink(), 30_000_000, 80_000_000, None);
 }
 
 fn repeat(file: &[u8]) {

@@ -25,7 +25,7 @@ pub(crate) enum Step {
     Advisories,
     Peers,
     Games,
-    /// Reads a recording and its export with MCAP's Python library
+    /// Reads recordings with the libraries of MCAP, Foxglove and Rerun
     Viewers,
     /// The Python package with a cluster, a database and its notebook
     Python,

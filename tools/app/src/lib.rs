@@ -40,7 +40,7 @@
 //! | `cart params` | lists the parameters and writes tune files |
 //! | `cart run --record FILE` | records the run |
 //! | `cart replay` | runs the code again on a recording and compares, bit for bit |
-//! | `cart record` | prints what a recording contains; mends, cuts and exports it |
+//! | `cart record` | prints what a recording contains; mends and cuts it |
 //! | `cart monitor` | with the feature `monitor`: serves a web page that shows, tunes, drives and records the robot |
 //! | `cart link` | attaches to a running robot: watches it, sets parameters, holds components, calls modulations |
 //!
@@ -65,6 +65,6 @@ pub use clap;
 pub use console::*;
 pub use link::ServeArgs;
 pub use params::{Layer, TuningArgs};
-pub use record::{Images, RecordArgs, RecordedFile};
+pub use record::{Images, RecordArgs, RecordedFile, TopicsArg};
 pub use run::seconds;
 pub use world::WorldOptions;

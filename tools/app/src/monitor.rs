@@ -91,7 +91,8 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     layers.apply(&mut *robot)?;
     let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
     // Sensor values are not stored: the same world is made again from its set-up.
-    let record = RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, force: true };
+    let record =
+        RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, topics: None, force: true };
     let started = record.start(header, true).unwrap_or_else(|failure| {
         run.not_recorded(&Invalid::from(failure).what);
         None

@@ -20,7 +20,7 @@ pub(crate) enum Tool<L: Layer> {
     Graph(GraphArgs),
     /// List the parameters of the components and their values; write a tune file
     Params(Params<L>),
-    /// Print what a recording contains; mend, cut or export it
+    /// Print what a recording contains; mend or cut it
     Record(Record),
     /// Run the code again on a recording and compare, bit for bit; or compare two recordings
     Replay(ReplayArgs),

@@ -10,7 +10,7 @@ use bica_player_program::game::{
     FirmwareImage, GRAPH, GameControl, NextStep, RecordOptions, Rules, ServeOptions, WorldKind, play_controlled,
     settings,
 };
-use bica_recording::ImagePolicy;
+use bica_recording::{ImagePolicy, Topics};
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use bica_tuning::Layers;
 
@@ -95,7 +95,7 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
     let address = run.address();
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
     // Images are not stored: the same world is made again from its rules.
-    let record = RecordOptions { path: run.recording(), images: ImagePolicy::None, force: true };
+    let record = RecordOptions { path: run.recording(), images: ImagePolicy::None, topics: Topics::None, force: true };
     let result = play_controlled(rules, &mut (), &mut Control(run), Some(record), Some(serve));
     result.map(drop).or_else(|failure| {
         if has_begun.get() {

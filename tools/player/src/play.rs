@@ -34,9 +34,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {
         None => {
-            let RecordArgs { record, images, force } = &args.record;
-            let (images, force) = ((*images).into(), *force);
-            let record = record.as_deref().map(|path| RecordOptions { path, images, force });
+            let RecordArgs { record, images, force, .. } = &args.record;
+            let (images, topics, force) = ((*images).into(), args.record.topics(), *force);
+            let record = record.as_deref().map(|path| RecordOptions { path, images, topics, force });
             let started = |address: &str| console.print_row("link", &format!("monitors attach at {address}"));
             let serve = args.link.serve.as_ref();
             let serve =

@@ -25,37 +25,6 @@ pub(crate) fn fields(schema: &OwnedNamedType, message: &[u8]) -> Option<Vec<Fiel
     reader.bytes.is_empty().then_some(reader.found)
 }
 
-/// Returns the paths of the numbers of a type; `None` if not all values of the type are numbers, and always as many.
-pub(crate) fn numbers(ty: &OwnedDataModelType) -> Option<Vec<String>> {
-    use OwnedDataModelType as Type;
-    let nested = |ty: &OwnedDataModelType, prefix: String| {
-        Some(numbers(ty)?.into_iter().map(|path| format!("{prefix}{path}")).collect::<Vec<_>>())
-    };
-    match ty {
-        Type::NewtypeStruct(inner) => numbers(&inner.ty),
-        Type::Tuple(types) | Type::TupleStruct(types) => {
-            let all = types.iter().enumerate().map(|(index, ty)| nested(&ty.ty, format!("[{index}]")));
-            all.collect::<Option<Vec<_>>>().map(|all| all.concat())
-        }
-        Type::Struct(fields) => {
-            let all = fields.iter().map(|field| nested(&field.ty.ty, format!(".{}", field.name)));
-            all.collect::<Option<Vec<_>>>().map(|all| all.concat())
-        }
-        Type::F32
-        | Type::F64
-        | Type::Bool
-        | Type::U8
-        | Type::I8
-        | Type::U16
-        | Type::U32
-        | Type::U64
-        | Type::I16
-        | Type::I32
-        | Type::I64 => Some(vec![String::new()]),
-        _ => None,
-    }
-}
-
 struct Fields<'a> {
     bytes: &'a [u8],
     path: String,

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::information;
 use crate::program::{Program, Start};
+use crate::topics::Topics;
 
 /// Version of the format. Version 5 has sensor values and commands of any robot; earlier ones cannot be read.
 pub const FORMAT: u32 = 5;
@@ -36,6 +37,9 @@ pub struct Header {
     pub messages: Option<Messages>,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
+    /// Topics for other programs beside the recording.
+    #[serde(default)]
+    pub topics: Topics,
     /// The monitor, of a recording that a monitor made: it has no sensor values and commands, and some images.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub monitor: Option<MonitorInfo>,
@@ -71,6 +75,16 @@ pub enum ImagePolicy {
     None,
 }
 
+/// The topics of a recording of which nothing else is known: few beside the images, but a large part of digests alone.
+impl From<ImagePolicy> for Topics {
+    fn from(images: ImagePolicy) -> Self {
+        match images {
+            ImagePolicy::All => Self::Standard,
+            ImagePolicy::None => Self::None,
+        }
+    }
+}
+
 /// The last record of a recording that was closed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Ending {
@@ -98,7 +112,7 @@ pub(crate) const fn tick_hz() -> u64 {
 }
 
 impl Header {
-    /// The header of a run of this program that starts now.
+    /// The header of a run of this program that starts now, with the standard topics if images are stored.
     #[must_use]
     pub fn new(graph: &Graph, set_up: SetUp, images: ImagePolicy) -> Self {
         Self {
@@ -111,6 +125,7 @@ impl Header {
             set_up,
             messages: None,
             images,
+            topics: images.into(),
             monitor: None,
         }
     }

@@ -8,7 +8,7 @@ use postcard_schema::schema::owned::{OwnedDataModelType, OwnedNamedType};
 use serde::{Deserialize, Serialize};
 
 use crate::header::Header;
-use crate::recorder::encode;
+use crate::writer::encode;
 
 /// Size of a value in postcard's format above which it is not recorded, bytes.
 const MAX_VALUE_BYTES: usize = 1024;

@@ -9,7 +9,8 @@
 //! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
-//! - [`repair`] mends and cuts files, [`export`] writes standard schemas for viewers.
+//! - [`repair`] mends and cuts files.
+//! - [`Topics`] are those of standard schemas in the same file, for viewers.
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 
@@ -18,7 +19,6 @@ mod compare;
 mod contents;
 mod digest;
 mod error;
-pub mod export;
 mod fields;
 mod header;
 pub mod image_codec;
@@ -34,6 +34,8 @@ mod recording;
 pub mod repair;
 mod replay;
 mod request;
+mod topics;
+mod writer;
 
 pub use bica_wire::Recordable;
 pub use blob::{BlobRecord, Coding, StoredBlob};
@@ -51,3 +53,4 @@ pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncin
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
+pub use topics::Topics;

@@ -7,11 +7,12 @@ use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{Ending, Header};
-use crate::mcap::{Compression, Item, Message, Reader, Writer, find_intact};
+use crate::mcap::{Compression, Item, Message, Reader, find_intact};
 use crate::message::{Channel, Tick};
 use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
-use crate::recorder::{begin, write_ending};
 use crate::recording::decode;
+use crate::topics::Topics;
+use crate::writer::RecordingWriter;
 
 /// What a new file contains.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -33,7 +34,7 @@ const HEADER_WITHIN: u64 = 16 << 20;
 ///
 /// # Errors
 /// If the source cannot be read, has no intact header, or the target cannot be written.
-pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copied, Error> {
+pub fn recover(mut source: impl Read + Seek, target: impl Write, topics: Option<Topics>) -> Result<Copied, Error> {
     let mut damage = Vec::new();
     let header = match Contents::new(&mut source) {
         Ok(contents) => contents.header,
@@ -43,7 +44,7 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write) -> Result<Copie
             header_copy(&mut source)?.ok_or(if matches!(error, Error::NotMcap) { error } else { Error::NoHeader })?
         }
     };
-    let mut copy = Copy::new(target, &header)?;
+    let mut copy = Copy::new(target, header, topics)?;
     copy.copied.damage = damage;
     source.rewind()?;
     let mut reader = match Reader::new(&mut source) {
@@ -98,9 +99,15 @@ fn header_copy(source: &mut (impl Read + Seek)) -> Result<Option<Header>, Error>
 ///
 /// # Errors
 /// If the source cannot be read, is damaged, has no cycle in the span or ends before it, or the target cannot be written.
-pub fn trim(source: impl Read, target: impl Write, from: u64, until: u64) -> Result<Copied, Error> {
+pub fn trim(
+    source: impl Read,
+    target: impl Write,
+    from: u64,
+    until: u64,
+    topics: Option<Topics>,
+) -> Result<Copied, Error> {
     let mut contents = Contents::new(source)?;
-    let mut copy = Copy::new(target, &contents.header)?;
+    let mut copy = Copy::new(target, contents.header.clone(), topics)?;
     let mut end = 0;
     loop {
         match contents.next()? {
@@ -120,7 +127,7 @@ pub fn trim(source: impl Read, target: impl Write, from: u64, until: u64) -> Res
 }
 
 struct Copy<W> {
-    writer: Writer<W>,
+    writer: RecordingWriter<W>,
     copied: Copied,
     ending: Option<Ending>,
     /// Channels of a damaged file, by their numbers.
@@ -130,8 +137,10 @@ struct Copy<W> {
 }
 
 impl<W: Write> Copy<W> {
-    fn new(target: W, header: &Header) -> Result<Self, Error> {
-        let (writer, copied) = (begin(target, header)?, Copied::default());
+    /// Begins a copy; `topics` replaces what its header requests.
+    fn new(target: W, header: Header, topics: Option<Topics>) -> Result<Self, Error> {
+        let header = Header { topics: topics.unwrap_or(header.topics), ..header };
+        let (writer, copied) = (RecordingWriter::new(target, &header)?, Copied::default());
         Ok(Self { writer, copied, ending: None, channels: BTreeMap::new(), last: Vec::new() })
     }
 
@@ -197,7 +206,7 @@ impl<W: Write> Copy<W> {
     }
 
     fn write(&mut self, channel: Channel, compression: Compression, time: u64, data: &[u8]) {
-        self.writer.message(compression, channel.id(), time, |out| out.extend_from_slice(data));
+        self.writer.message(channel, compression, time, data);
     }
 
     fn finish(mut self) -> Result<Copied, Error> {
@@ -205,8 +214,7 @@ impl<W: Write> Copy<W> {
         let before = self.ending.unwrap_or_default();
         let reason = if self.copied.damage.is_empty() { before.reason } else { self.copied.damage.join("; ") };
         let ending = Ending { cycles: self.copied.cycles, reason, ..before };
-        write_ending(&mut self.writer, &ending)?;
-        self.writer.close()?;
+        self.writer.close(&ending)?;
         Ok(Copied { bytes: self.writer.length(), ..self.copied })
     }
 }

@@ -1,6 +1,6 @@
 """Reads MCAP files with the library of MCAP's authors and checks all checksums.
 
-Arguments: FILE TOPIC... and again after `--`. Fails if a file is not valid, or has no messages of a topic.
+Arguments: FILE TOPIC... Fails if a file is not valid, or has no messages of a topic.
 """
 
 import sys
@@ -25,8 +25,4 @@ def read(path, topics):
     print(f"{path}: {sum(counts.values())} messages, {len(counts)} topics, all checksums are right")
 
 
-words = sys.argv[1:]
-while words:
-    end = words.index("--") if "--" in words else len(words)
-    read(words[0], words[1:end])
-    words = words[end + 1 :]
+read(sys.argv[1], sys.argv[2:])

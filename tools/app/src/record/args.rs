@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
+use super::file::TopicsArg;
+
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Record {
     #[command(subcommand)]
@@ -18,8 +20,6 @@ pub(super) enum RecordAction {
     Recover(Recover),
     /// Write a span of time of a recording to a new file
     Trim(Trim),
-    /// Write images, plots, tree and log in standard schemas for viewers (Foxglove, Rerun)
-    Export(Recover),
 }
 
 #[derive(Clone, Debug, Args)]
@@ -43,6 +43,9 @@ pub(super) struct Recover {
     /// Replace OUT if it exists
     #[arg(long)]
     pub(super) force: bool,
+    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the recording]
+    #[arg(long, value_name = "WHICH")]
+    pub(super) topics: Option<TopicsArg>,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(super) json: bool,

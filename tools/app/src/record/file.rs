@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 
-use bica_recording::{Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, create};
+use bica_recording::{Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, Topics, create};
 use clap::{Args, ValueEnum};
 
 use crate::console::Failure;
@@ -17,6 +17,9 @@ pub struct RecordArgs {
     /// What the recording stores of each cycle
     #[arg(long, value_name = "WHICH", default_value = "all", requires = "record")]
     pub images: Images,
+    /// Topics for Foxglove, Lichtblick and Rerun in the same file [default: standard; without images none]
+    #[arg(long, value_name = "WHICH", requires = "record")]
+    pub topics: Option<TopicsArg>,
     /// Replace the file of --record if it exists
     #[arg(long, requires = "record")]
     pub force: bool,
@@ -29,6 +32,27 @@ pub enum Images {
     All,
     /// Set-up, requests and fingerprints; a replay runs the world again
     None,
+}
+
+/// Topics for other programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TopicsArg {
+    /// None
+    None,
+    /// Previews of images, frames, shapes, states, parameters and log
+    Standard,
+    /// The same, and all outputs, sensor values, commands and costs as JSON
+    All,
+}
+
+impl From<TopicsArg> for Topics {
+    fn from(topics: TopicsArg) -> Self {
+        match topics {
+            TopicsArg::None => Self::None,
+            TopicsArg::Standard => Self::Standard,
+            TopicsArg::All => Self::All,
+        }
+    }
 }
 
 impl From<Images> for ImagePolicy {
@@ -49,6 +73,12 @@ pub struct RecordedFile {
 }
 
 impl RecordArgs {
+    /// Returns the topics for other programs.
+    #[must_use]
+    pub fn topics(&self) -> Topics {
+        self.topics.map_or_else(|| ImagePolicy::from(self.images).into(), Topics::from)
+    }
+
     /// Makes the file and writes its header, if a recording is requested. `is_paced` is whether the run cannot wait for the disk.
     pub(crate) fn start(
         &self,
@@ -56,7 +86,8 @@ impl RecordArgs {
         is_paced: bool,
     ) -> Result<Option<(RecordedFile, Recorder)>, Failure> {
         let Some(path) = &self.record else { return Ok(None) };
-        RecordedFile::start(path, self.force, &header(self.images.into()), is_paced).map(Some)
+        let header = Header { topics: self.topics(), ..header(self.images.into()) };
+        RecordedFile::start(path, self.force, &header, is_paced).map(Some)
     }
 }
 

@@ -1,4 +1,4 @@
-//! `record`: what a recording contains; mended, cut and exported files.
+//! `record`: what a recording contains; mended and cut files.
 
 mod args;
 mod file;
@@ -8,20 +8,22 @@ use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, create, export};
+use bica_recording::{Error, Info, Topics, create};
 use serde::Serialize;
 
 use args::{InfoArgs, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
 pub(crate) use args::{Record, time};
-pub use file::{Images, RecordArgs, RecordedFile};
+pub use file::{Images, RecordArgs, RecordedFile, TopicsArg};
 
 /// Runs the subcommand.
 pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
     match &args.action {
         RecordAction::Info(args) => info(args),
-        RecordAction::Recover(args) => write(args, "recovered", |source, target| repair::recover(source, target)),
+        RecordAction::Recover(args) => {
+            write(args, "recovered", |source, target, topics| repair::recover(source, target, topics))
+        }
         RecordAction::Trim(Trim { files, from, until }) => {
             let nanoseconds = |seconds: f64| (seconds * 1e9) as u64;
             let until = until.map_or(u64::MAX, nanoseconds);
@@ -29,9 +31,8 @@ pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
             if until < from {
                 return Err(Failure::new("--until is before --from", "give a later time with --until"));
             }
-            write(files, "trimmed", |source, target| repair::trim(source, target, from, until))
+            write(files, "trimmed", |source, target, topics| repair::trim(source, target, from, until, topics))
         }
-        RecordAction::Export(args) => write(args, "exported", |source, target| export::export(source, target)),
     }
 }
 
@@ -134,7 +135,7 @@ struct Written<'a> {
 fn write(
     args: &Recover,
     done: &str,
-    copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
+    copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>, Option<Topics>) -> Result<Copied, Error>,
 ) -> Result<Outcome, Failure> {
     let source = open(&args.file)?;
     if is_same_file(&args.file, &args.out) {
@@ -148,7 +149,7 @@ fn write(
     };
     let target = create(&args.out, args.force).map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
     let mut target = BufWriter::with_capacity(1 << 16, target);
-    let copied = copy(source, &mut target).map_err(|error| {
+    let copied = copy(source, &mut target, args.topics.map(Topics::from)).map_err(|error| {
         // Nobody needs the begin of a file; the error is what the user has to know.
         let _ = fs::remove_file(&args.out);
         failure(&args.file, &error)

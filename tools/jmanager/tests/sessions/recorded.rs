@@ -7,7 +7,7 @@ use std::time::Duration;
 use bica_link::{NamedSetting, Plain};
 use bica_monitor::protocol::{Open, Request};
 use bica_player_program::game::{RecordOptions, Rules, WorldKind, play_recorded};
-use bica_recording::ImagePolicy;
+use bica_recording::{ImagePolicy, Topics};
 use bica_sim::setup::Frame;
 use serde_json::Value;
 
@@ -37,7 +37,7 @@ fn record_for(folder: &Folder, name: &str, seed: u64, seconds: u64) {
         firmware: None,
         settings: &[],
     };
-    let options = RecordOptions { path: &path, images: ImagePolicy::All, force: false };
+    let options = RecordOptions { path: &path, images: ImagePolicy::All, topics: Topics::Standard, force: false };
     play_recorded(&rules, &mut (), Some(options), None).unwrap();
 }
 

@@ -89,7 +89,7 @@ fn copy(spool: &Path, target: &Path) -> Result<Value, Failed> {
     let source = File::open(spool).map_err(|error| failed("read", spool, &error, help))?;
     let file = File::create_new(target).map_err(|error| failed("write", target, &error, help))?;
     let mut writer = BufWriter::new(file);
-    let result = recover(BufReader::new(source), &mut writer).map_err(|error| error.to_string());
+    let result = recover(BufReader::new(source), &mut writer, None).map_err(|error| error.to_string());
     let result = result.and_then(|copied| {
         writer.flush().and_then(|()| writer.get_ref().sync_all()).map(|()| copied).map_err(|error| error.to_string())
     });

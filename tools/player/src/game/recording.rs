@@ -9,7 +9,7 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, Report, SetUp};
+use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, Report, SetUp, Topics};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -32,6 +32,8 @@ pub struct RecordOptions<'a> {
     pub path: &'a Path,
     /// What is stored of each cycle.
     pub images: ImagePolicy,
+    /// Topics for other programs.
+    pub topics: Topics,
     /// Whether an existing file is replaced.
     pub force: bool,
 }
@@ -82,8 +84,9 @@ impl GameRecorder {
         (robot, actions): (&Forward, &'static [Action]),
         image: SharedImage,
     ) -> Result<Self, Failure> {
-        let start = |RecordOptions { path, images, force }: RecordOptions<'_>| {
+        let start = |RecordOptions { path, images, topics, force }: RecordOptions<'_>| {
             let header = recording_header(rules, attacks, images).with_actions(actions).of_robot(robot);
+            let header = Header { topics, ..header };
             let (file, recorder) = RecordedFile::start(path, force, &header, rules.realtime)?;
             Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };

@@ -1,4 +1,4 @@
-//! Recordings: written by a game, shown, mended, cut, exported and replayed.
+//! Recordings: written by a game, shown, mended, cut and replayed.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -61,10 +61,10 @@ fn other_games_differ_with_exit_code_one() {
 }
 
 #[test]
-fn files_are_mended_cut_and_exported() {
+fn files_are_mended_cut_and_shown() {
     let folder = Folder::new("recorded-files");
     let file = folder.file("run.mcap");
-    record(&file, &["--seconds", "3"]);
+    record(&file, &["--seconds", "3", "--topics", "none"]);
     let part = folder.file("part.mcap");
     let trimmed = run(&["record", "trim", &file, &part, "--from", "0.5", "--until", "1", "--json"]).json();
     assert_eq!((&trimmed["cycles"], &trimmed["schema"]), (&51.into(), &"bica/written/1".into()));
@@ -83,12 +83,10 @@ fn files_are_mended_cut_and_exported() {
     let replayed = run(&["replay", &whole, "--json"]);
     assert_eq!((replayed.code, &replayed.json()["cycles"]), (Some(0), &recovered["cycles"]));
     let view = folder.file("view.mcap");
-    let exported = run(&["record", "export", &file, &view, "--json"]).json();
-    assert_eq!(
-        (&exported["cycles"], exported["bytes"].as_u64()),
-        (&300.into(), Some(fs::metadata(&view).unwrap().len()))
-    );
-    assert!(fs::read(&view).unwrap().windows(17).any(|bytes| bytes == b"foxglove.RawImage"));
+    let shown = run(&["record", "recover", &file, &view, "--topics", "standard", "--json"]).json();
+    assert_eq!((&shown["cycles"], shown["bytes"].as_u64()), (&300.into(), Some(fs::metadata(&view).unwrap().len())));
+    let has_image = |file: &str| fs::read(file).unwrap().windows(13).any(|bytes| bytes == b"/camera/image");
+    assert!(has_image(&view) && !has_image(&file));
 }
 
 /// Makes a recording as a monitor does.
@@ -109,7 +107,7 @@ fn monitored(file: &str) {
 }
 
 #[test]
-fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
+fn what_a_monitor_recorded_is_shown_cut_and_mended_and_not_replayed() {
     let folder = Folder::new("recorded-monitor");
     let (file, game) = (folder.file("sent.mcap"), folder.file("game.mcap"));
     monitored(&file);
@@ -125,7 +123,7 @@ fn what_a_monitor_recorded_is_shown_cut_mended_and_exported_and_not_replayed() {
     refused(&["replay", &file], &words);
     refused(&["replay", &game, "--against", &file], &words);
     refused(&["replay", &file, "--against", &game], &words);
-    for command in [&["trim", "--from", "1"][..], &["recover"], &["export"]] {
+    for command in [&["trim", "--from", "1"][..], &["recover"]] {
         let out = folder.file(&format!("{}.mcap", command[0]));
         let written = run(&[&["record"], command, &[&file, &out, "--json"]].concat()).json();
         let cycles = if command[0] == "trim" { 100 } else { 200 };

@@ -154,6 +154,12 @@ impl<R: Read> Reader<R> {
                 let found = content.text().zip(content.texts());
                 found.map(|(name, fields)| Some(Item::Metadata(start, name, fields))).ok_or_else(short)
             }
+            opcode::COMPRESSED_METADATA => {
+                let content = compressed_metadata(&content, start)?;
+                let mut content = Decoder(&content);
+                let found = content.text().zip(content.texts());
+                found.map(|(name, fields)| Some(Item::Metadata(start, name, fields))).ok_or_else(short)
+            }
             opcode::CHUNK => self.open_chunk(&content, start).map(Some),
             opcode::DATA_END => self.end(&content, start).map(|()| Some(Item::End)),
             opcode::FOOTER => Err(Error::damaged(start, "the data have no end")),
@@ -207,17 +213,12 @@ impl<R: Read> Reader<R> {
         if uncompressed > MAX_RECORD {
             return Err(Error::damaged(at, format!("a chunk of {uncompressed} bytes")));
         }
-        let mut records = Vec::new();
-        match compression.as_str() {
-            "" => records.extend_from_slice(stored),
-            "lz4" => {
-                // One byte more than expected shows that there is more.
-                let decoded = FrameDecoder::new(stored).take(uncompressed + 1).read_to_end(&mut records);
-                decoded.map_err(|error| Error::damaged(at, format!("the chunk cannot be decompressed: {error}")))?;
-            }
+        let records = match compression.as_str() {
+            "" => stored.to_vec(),
+            "lz4" => decompressed(stored, uncompressed, at)?,
             "zstd" => return Err(Error::Compression(compression)),
             _ => return Err(Error::damaged(at, format!("unknown compression `{compression}`"))),
-        }
+        };
         if records.len() as u64 != uncompressed {
             return Err(Error::damaged(at, "the chunk has another length than it says"));
         }
@@ -249,6 +250,23 @@ impl<R: Read> Reader<R> {
             Err(error) => Err(error.into()),
         }
     }
+}
+
+/// Returns what LZ4 has compressed, and one byte more than expected if there is more.
+fn decompressed(stored: &[u8], expected: u64, at: u64) -> Result<Vec<u8>, Error> {
+    let mut records = Vec::new();
+    let decoded = FrameDecoder::new(stored).take(expected + 1).read_to_end(&mut records);
+    decoded.map_err(|error| Error::damaged(at, format!("a record cannot be decompressed: {error}")))?;
+    Ok(records)
+}
+
+/// Returns the content of a metadata record that is compressed.
+fn compressed_metadata(content: &[u8], at: u64) -> Result<Vec<u8>, Error> {
+    let mut stored = Decoder(content);
+    let crc = stored.u32().ok_or_else(|| Error::damaged(at, "the record is too short"))?;
+    let content = decompressed(stored.0, MAX_RECORD, at)?;
+    check(crc, crc32fast::hash(&content), at, "the checksum of the metadata is wrong")?;
+    Ok(content)
 }
 
 /// Checks a checksum of the file; 0 means that it has none.
@@ -291,7 +309,7 @@ pub(crate) fn find_intact(
         source.by_ref().take(WINDOW as u64).read_to_end(&mut window)?;
         for (offset, prefix) in window.windows(PREFIX).enumerate() {
             let mut fields = Decoder(prefix);
-            let is_kind = matches!(fields.u8(), Some(opcode::CHUNK | opcode::METADATA));
+            let is_kind = matches!(fields.u8(), Some(opcode::CHUNK | opcode::METADATA | opcode::COMPRESSED_METADATA));
             if !is_kind || fields.u64().is_none_or(|length| length > MAX_RECORD) {
                 continue;
             }

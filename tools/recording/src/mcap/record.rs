@@ -22,6 +22,8 @@ pub(super) mod opcode {
     pub(in crate::mcap) const METADATA_INDEX: u8 = 0x0D;
     pub(in crate::mcap) const SUMMARY_OFFSET: u8 = 0x0E;
     pub(in crate::mcap) const DATA_END: u8 = 0x0F;
+    /// Of this program: metadata that are compressed. Others ignore it.
+    pub(in crate::mcap) const COMPRESSED_METADATA: u8 = 0x80;
 }
 
 /// Schema of messages.

@@ -87,7 +87,7 @@ impl<W: Write> Writer<W> {
         Ok(writer)
     }
 
-    /// Writes the schemas and channels of all messages.
+    /// Writes schemas and channels, each before its first message.
     ///
     /// # Errors
     /// If the target cannot be written.
@@ -99,7 +99,8 @@ impl<W: Write> Writer<W> {
         for channel in &channels {
             records.channel(channel);
         }
-        (self.schemas, self.channels) = (schemas, channels);
+        self.schemas.extend(schemas);
+        self.channels.extend(channels);
         self.write(&records.0)
     }
 
@@ -134,6 +135,20 @@ impl<W: Write> Writer<W> {
         self.write(&record.0)?;
         self.metadata.push((at, record.0.len() as u64, name.to_owned()));
         Ok(())
+    }
+
+    /// Writes metadata that other programs ignore, compressed.
+    ///
+    /// # Errors
+    /// If the target cannot be written.
+    pub fn compressed_metadata(&mut self, name: &str, fields: &BTreeMap<String, String>) -> io::Result<()> {
+        let (mut content, mut record) = (Encoder::default(), Encoder::default());
+        content.text(name).texts(fields);
+        let compressed = lz4(&content.0)?;
+        record.record(opcode::COMPRESSED_METADATA, |out| {
+            out.u32(crc32fast::hash(&content.0)).0.extend_from_slice(&compressed);
+        });
+        self.write(&record.0)
     }
 
     /// Adds a message to the open chunk of a compression. `time` is in ns, `data` writes the content.

@@ -5,6 +5,7 @@ use bica_wire::model::Description;
 use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp};
 use crate::information::json_schema;
 use crate::program::{Program, Start};
+use crate::topics::Topics;
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
 const TICK_HZ: u64 = 1_000_000;
@@ -25,6 +26,7 @@ impl Header {
             set_up: SetUp::new(),
             messages: None,
             images: ImagePolicy::None,
+            topics: Topics::Standard,
             monitor: Some(MonitorInfo { address: address.to_owned() }),
         }
     }

@@ -24,7 +24,6 @@ use crate::request::RequestRecord;
 pub(crate) use output::Output;
 use queue::{BlobValues, CycleValues, Data, Entry, KeptBlob, Queue};
 pub use sink::{Sink, Syncing, create};
-pub(crate) use thread::{begin, encode, write_ending};
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,11 +7,11 @@ use serde::Serialize;
 
 use super::Sink;
 use super::syncer::Syncer;
-use super::thread::{begin, encode, write_ending};
 use crate::blob::BlobRecord;
 use crate::header::{Ending, Header};
-use crate::mcap::{Compression, Writer};
+use crate::mcap::Compression;
 use crate::message::Channel;
+use crate::writer::{RecordingWriter, encode};
 
 /// Longest time that values wait in memory.
 const FLUSH_AFTER: Duration = Duration::from_millis(300);
@@ -21,7 +21,9 @@ const SYNC_AFTER: Duration = Duration::from_millis(500);
 /// The file of a recording: chunks that are complete soon after their values came.
 #[derive(Debug)]
 pub(crate) struct Output<S> {
-    writer: Writer<S>,
+    writer: RecordingWriter<S>,
+    /// Memory of a message.
+    message: Vec<u8>,
     syncer: Syncer,
     chunk_bytes: usize,
     /// Number of cycles so far.
@@ -36,8 +38,9 @@ impl<S: Sink> Output<S> {
     /// Begins a file with a header.
     pub(crate) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
         let syncer = Syncer::start(sink.syncing()?)?;
-        let (writer, now) = (begin(sink, header)?, Instant::now());
-        Ok(Self { writer, syncer, chunk_bytes, cycles: 0, written_cycles: 0, flushed: now, synced: now })
+        let (writer, now) = (RecordingWriter::new(sink, header)?, Instant::now());
+        let (cycles, written_cycles) = (0, 0);
+        Ok(Self { writer, message: Vec::new(), syncer, chunk_bytes, cycles, written_cycles, flushed: now, synced: now })
     }
 
     /// Length of the file, bytes.
@@ -47,17 +50,23 @@ impl<S: Sink> Output<S> {
 
     /// Adds a message.
     pub(crate) fn message(&mut self, channel: Channel, time: u64, value: &impl Serialize) {
-        self.writer.message(Compression::Lz4, channel.id(), time, |out| encode(out, value));
+        self.add(channel, Compression::Lz4, time, value);
     }
 
     /// Adds a message that is encoded already.
     pub(crate) fn encoded(&mut self, channel: Channel, time: u64, bytes: &[u8]) {
-        self.writer.message(Compression::Lz4, channel.id(), time, |out| out.extend_from_slice(bytes));
+        self.writer.message(channel, Compression::Lz4, time, bytes);
     }
 
     /// Adds large data.
     pub(crate) fn blob(&mut self, compression: Compression, time: u64, record: &BlobRecord<'_>) {
-        self.writer.message(compression, Channel::Blobs.id(), time, |out| encode(out, record));
+        self.add(Channel::Blobs, compression, time, record);
+    }
+
+    fn add(&mut self, channel: Channel, compression: Compression, time: u64, value: &impl Serialize) {
+        self.message.clear();
+        encode(&mut self.message, value);
+        self.writer.message(channel, compression, time, &self.message);
     }
 
     /// Writes everything.
@@ -99,9 +108,7 @@ impl<S: Sink> Output<S> {
         }
         let reason = failed.clone().unwrap_or_default();
         let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
-        let closed = write_ending(&mut self.writer, &ending)
-            .and_then(|()| self.writer.close())
-            .and_then(|()| self.syncer.finish());
+        let closed = self.writer.close(&ending).and_then(|()| self.syncer.finish());
         if let Err(error) = closed {
             let length = self.writer.length();
             let _ = self.writer.target_mut().truncate(length);

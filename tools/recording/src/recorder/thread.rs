@@ -3,20 +3,15 @@
 use std::io;
 
 use bica::Blob;
-use postcard_schema::schema::owned::OwnedNamedType;
-use serde::Serialize;
 
 use super::output::Output;
 use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
 use crate::blob::{Place, code, described};
 use crate::digest::{RunningFingerprint, blobs_digest};
-use crate::error::Error;
-use crate::header::{Ending, Header, ImagePolicy};
+use crate::header::{Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
-use crate::mcap::{ChannelRecord, SchemaRecord, Writer};
-use crate::message::{Channel, ENCODING, Tick};
-use crate::metadata::{ENDING_NAME, HEADER_NAME, to_metadata};
+use crate::message::{Channel, Tick};
 
 /// A file that is being written.
 pub(super) struct Writing<S> {
@@ -29,50 +24,6 @@ pub(super) struct Writing<S> {
     coder: ImageCoder,
     /// Number of the last large data.
     last_blob: u32,
-}
-
-/// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
-fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
-    let messages = header.messages.as_ref();
-    let schema = |channel: Channel| match channel {
-        Channel::Sensors => messages.map(|messages| messages.sensors.clone()),
-        Channel::Command => messages.map(|messages| messages.command.clone()),
-        _ => channel.schema().map(OwnedNamedType::from),
-    };
-    let declare = |channel: Channel| {
-        let (id, schema) = (channel.id(), schema(channel)?);
-        let data = serde_json::to_vec(&schema).unwrap_or_default();
-        let record =
-            SchemaRecord { id, name: format!("bica.{}", schema.name), encoding: "postcard-schema".to_owned(), data };
-        let topic = channel.topic().to_owned();
-        Some((record, ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned() }))
-    };
-    Channel::ALL.into_iter().filter_map(declare).unzip()
-}
-
-/// Begins a file: header, schemas and channels, and the header again.
-pub(crate) fn begin<W: io::Write>(target: W, header: &Header) -> io::Result<Writer<W>> {
-    let (schemas, channels) = channels(header);
-    let fields = to_metadata(header).map_err(io_error)?;
-    let mut writer = Writer::new(target, "bica")?;
-    writer.metadata(HEADER_NAME, &fields)?;
-    writer.declare(schemas, channels)?;
-    writer.metadata(HEADER_NAME, &fields)?;
-    Ok(writer)
-}
-
-/// Writes the ending of a recording, twice.
-pub(crate) fn write_ending<W: io::Write>(writer: &mut Writer<W>, ending: &Ending) -> io::Result<()> {
-    let fields = to_metadata(ending).map_err(io_error)?;
-    writer.metadata(ENDING_NAME, &fields)?;
-    writer.metadata(ENDING_NAME, &fields)
-}
-
-fn io_error(error: Error) -> io::Error {
-    match error {
-        Error::Io(error) => error,
-        other => io::Error::other(other),
-    }
 }
 
 impl<S: Sink> Writing<S> {
@@ -188,13 +139,5 @@ impl<S: Sink> Writing<S> {
                 output.blob(compression, time, record);
             });
         }
-    }
-}
-
-/// Appends a value in postcard.
-pub(crate) fn encode(out: &mut Vec<u8>, value: &impl Serialize) {
-    // Writing into a vector does not fail, and no message has a type that postcard refuses.
-    if let Ok(bytes) = postcard::to_extend(value, std::mem::take(out)) {
-        *out = bytes;
     }
 }

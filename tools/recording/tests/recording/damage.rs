@@ -45,7 +45,7 @@ fn cut(step: usize) {
     let is_near_an_end = |length: usize| ends.iter().any(|(end, _)| end.abs_diff(length) <= 2);
     for length in (0..file.len()).filter(|length| length % step == 0 || is_near_an_end(*length)) {
         let mut target = Vec::new();
-        let copied = recover(Cursor::new(&file[..length]), &mut target);
+        let copied = recover(Cursor::new(&file[..length]), &mut target, None);
         if length < first {
             assert!(copied.is_err(), "{length}");
             continue;
@@ -60,7 +60,7 @@ fn cut(step: usize) {
             assert!(Info::read(&file[..length]).expect("a header").damage.is_some(), "{length}");
         }
     }
-    let whole = recover(Cursor::new(&file), &mut Vec::new()).expect("a recording");
+    let whole = recover(Cursor::new(&file), &mut Vec::new(), None).expect("a recording");
     assert_eq!((whole.cycles, whole.damage.len()), (15, 0));
 }
 
@@ -78,7 +78,7 @@ fn a_chunk_with_a_wrong_checksum_is_skipped() {
     let (found, error) = cycles(&file[..]);
     assert!(found.len() < 60 && error.expect("an error").contains("damaged"));
     let mut target = Vec::new();
-    let copied = recover(Cursor::new(&file), &mut target).expect("a header");
+    let copied = recover(Cursor::new(&file), &mut target, None).expect("a header");
     assert_eq!(copied.damage.len(), 1, "{:?}", copied.damage);
     let (found, error) = cycles(&target[..]);
     assert_eq!((found.len() as u64, error), (copied.cycles, None));
@@ -116,7 +116,7 @@ fn slow_a_flipped_bit_in_the_header_is_found_and_recovered() {
         flip(&mut damaged, &mut rng, header);
         assert_eq!(content(&damaged), None, "flip {trial} is silent");
         let mut target = Vec::new();
-        if recover(Cursor::new(&damaged), &mut target).is_ok() {
+        if recover(Cursor::new(&damaged), &mut target, None).is_ok() {
             let (header, cycles, ending) = accepted(&target).expect("what was recovered is intact");
             let ending = ending.map(|ending| Ending { reason: String::new(), ..ending });
             recovered += u32::from(format!("{:?}", (header, cycles, ending)) == whole);
@@ -155,7 +155,7 @@ fn read(file: &[u8]) -> u64 {
         if let Ok(mut recording) = Recording::new(file) {
             while let Ok(Some(_)) = recording.next_cycle() {}
         }
-        let _ = recover(Cursor::new(file), &mut std::io::sink());
+        let _ = recover(Cursor::new(file), &mut std::io::sink(), None);
     });
     measured.bytes_max
 }

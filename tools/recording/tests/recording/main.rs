@@ -5,4 +5,5 @@ mod disk;
 mod monitor;
 mod replay;
 mod support;
+mod topics;
 mod values;

@@ -5,8 +5,6 @@ use std::io::Cursor;
 use std::io::Read;
 
 use bica_link::{Component, Description, Info as Information, State};
-use bica_recording::export::export;
-use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
     Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, MonitorRecorder, ReceivedImage,
@@ -149,7 +147,7 @@ fn an_image_of_an_impossible_size_is_left_out() {
 #[test]
 fn a_trimmed_recording_begins_with_the_states_and_holds_before_it() {
     let mut part = Vec::new();
-    let copied = trim(&recorded(40, 0)[..], &mut part, 250_000_000, 300_000_000).expect("memory");
+    let copied = trim(&recorded(40, 0)[..], &mut part, 250_000_000, 300_000_000, None).expect("memory");
     assert_eq!(copied.cycles, 6);
     let (first, _) = read(&part[..]).remove(0);
     assert_eq!((first.tick.cycle, first.tree), (25, cycle(25).tree));
@@ -163,7 +161,7 @@ fn a_cut_recording_is_recovered_up_to_the_cut() {
     let cut = &whole[..whole.len() * 3 / 4];
     assert!(matches!(Recording::new(cut).map(|_| ()), Ok(())));
     let mut recovered = Vec::new();
-    let copied = recover(Cursor::new(cut), &mut recovered).expect("memory");
+    let copied = recover(Cursor::new(cut), &mut recovered, None).expect("memory");
     assert!((100..400).contains(&copied.cycles) && copied.damage.len() == 1, "{copied:?}");
     assert_eq!(read(&recovered[..]).len() as u64, copied.cycles);
 }
@@ -188,28 +186,6 @@ fn an_overview_lists_requests_and_events_and_no_fingerprint() {
     let monitor = info.header.monitor.expect("a monitor made it");
     assert_eq!(monitor.address, "tcp://lamp:7400");
     assert_eq!(info.header.tree, description());
-}
-
-#[test]
-fn an_export_has_the_received_information_and_images() {
-    let mut exported = Vec::new();
-    export(&recorded(40, 0)[..], &mut exported).expect("memory");
-    let mut reader = Reader::new(&exported[..]).expect("MCAP");
-    let (mut information, mut camera, mut values, mut images) = (None, None, Vec::new(), 0);
-    loop {
-        match reader.next_item().expect("intact") {
-            Item::Channel(channel) if channel.topic == "/information/Blinker/seen" => information = Some(channel.id),
-            Item::Channel(channel) if channel.topic == "/camera" => camera = Some(channel.id),
-            Item::Message(message) if Some(message.channel) == information => {
-                values.push(serde_json::from_slice::<serde_json::Value>(&message.data).expect("JSON"));
-            }
-            Item::Message(message) if Some(message.channel) == camera => images += 1,
-            Item::End => break,
-            _ => {}
-        }
-    }
-    assert_eq!(values, [0, 10, 20, 30].map(|number| json!({ "number": number, "at": [0.5, null] })));
-    assert_eq!(images, 14);
 }
 
 #[test]

@@ -11,6 +11,7 @@ use bica::runner::{Request, Robot, Runner};
 use bica::{Hold, Instant};
 use bica_recording::{
     Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, Report, RunEvent, SetUp, Sink, Syncing,
+    Topics,
 };
 
 /// Sensor values of the cart.
@@ -241,6 +242,18 @@ pub(crate) fn record(disk: &Disk, images: ImagePolicy, cycles: u64, options: Rec
     record_sharing(disk, images, cycles, options, |_| None)
 }
 
+/// As [`record`], with topics.
+pub(crate) fn record_topics(
+    disk: &Disk,
+    images: ImagePolicy,
+    topics: Topics,
+    cycles: u64,
+    options: RecorderOptions,
+) -> Option<Report> {
+    let header = Header { topics, ..header(images) };
+    Some(run(Recorder::start(disk.clone(), &header, options, |_| {}).ok()?, cycles))
+}
+
 /// As [`record`], with images that have an owner.
 pub(crate) fn record_sharing(
     disk: &Disk,
@@ -250,6 +263,11 @@ pub(crate) fn record_sharing(
     owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static,
 ) -> Option<Report> {
     let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?.sharing_blobs(owner);
+    Some(run(recorder, cycles))
+}
+
+/// Runs the robot for a number of cycles, recorded.
+fn run(recorder: Recorder, cycles: u64) -> Report {
     let mut cart = Cart::new();
     let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
     for cycle in 0..cycles {
@@ -268,7 +286,7 @@ pub(crate) fn record_sharing(
         }
     }
     let (_, (), (), recorder) = runner.into_parts();
-    Some(recorder.finish("lit"))
+    recorder.finish("lit")
 }
 
 /// Options with chunks of few cycles.

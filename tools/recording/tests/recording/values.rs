@@ -1,14 +1,12 @@
 //! What is written is read again.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use bica::ComponentId;
 use bica::runner::OwnedRequest;
-use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::trim;
 use bica_recording::{
-    Comparison, ImagePolicy, Info, Recordable, RecordedCycle, RecorderOptions, Recording, RequestRecord, export::export,
+    Comparison, ImagePolicy, Info, Recordable, RecordedCycle, RecorderOptions, Recording, RequestRecord,
 };
 use postcard_schema::Schema;
 
@@ -79,33 +77,6 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
     let info = &header.tree.components[1].info;
     assert_eq!((info[0].name.as_str(), info[1].unit.as_deref()), ("runs", Some("h")));
     assert_eq!(header.schemas[1], [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
-}
-
-#[test]
-fn an_export_has_information_as_json() {
-    let mut exported = Vec::new();
-    export(&recorded(60)[..], &mut exported).expect("memory");
-    let mut reader = Reader::new(&exported[..]).expect("MCAP");
-    let (mut topics, mut found) = (BTreeMap::new(), Vec::new());
-    loop {
-        match reader.next_item().expect("intact") {
-            Item::Channel(channel) if channel.encoding == "json" => {
-                topics.insert(channel.id, channel.topic);
-            }
-            Item::Message(message) if topics.contains_key(&message.channel) => {
-                let json: serde_json::Value = serde_json::from_slice(&message.data).expect("JSON");
-                found.push((topics[&message.channel].clone(), json));
-            }
-            Item::End => break,
-            _ => {}
-        }
-    }
-    assert_eq!(topics.into_values().collect::<Vec<_>>(), ["/information/Counter/runs", "/information/Counter/day"]);
-    let runs: Vec<_> = found.iter().filter(|one| one.0.ends_with("runs")).map(|one| one.1["value"].as_u64()).collect();
-    assert!(runs.len() > 2 && runs.is_sorted() && runs.iter().all(Option::is_some), "{runs:?}");
-    let days: Vec<_> = found.iter().filter(|one| one.0.ends_with("day")).map(|one| one.1["value"].clone()).collect();
-    assert_eq!(days.len(), runs.len());
-    assert!(days.iter().all(|day| day[0].is_boolean() && day[1].is_null()), "{days:?}");
 }
 
 #[test]
@@ -205,7 +176,7 @@ fn every_changed_value_is_a_difference_of_its_field() {
 fn a_trimmed_file_has_the_cycles_of_its_span_and_their_tree() {
     let source = recorded(60);
     let mut target = Vec::new();
-    let copied = trim(&source[..], &mut target, 200_000_000, 299_999_999).expect("a recording");
+    let copied = trim(&source[..], &mut target, 200_000_000, 299_999_999, None).expect("a recording");
     assert_eq!((copied.cycles, copied.damage.len()), (10, 0));
     let (all, (part, error)) = (cycles(&source[..]).0, cycles(&target[..]));
     assert_eq!(error, None);
@@ -234,36 +205,4 @@ fn an_event_of_the_last_cycle_is_kept() {
     let mut recording = Recording::new(&file[..]).expect("a header");
     while recording.next_cycle().expect("intact").is_some() {}
     assert_eq!(recording.rest().events.len(), 1);
-    let mut target = Vec::new();
-    export(&file[..], &mut target).expect("a recording");
-    let mut reader = bica_recording::mcap::Reader::new(&target[..]).expect("MCAP");
-    let is_goal = |data: &[u8]| data.windows(4).any(|bytes| bytes == b"goal");
-    let mut goals = 0;
-    loop {
-        match reader.next_item().expect("intact") {
-            bica_recording::mcap::Item::Message(message) => goals += u32::from(is_goal(&message.data)),
-            bica_recording::mcap::Item::End => break,
-            _ => {}
-        }
-    }
-    assert_eq!(goals, 1);
-}
-
-#[test]
-fn an_export_is_no_recording_but_complete() {
-    let mut target = Vec::new();
-    let exported = export(&recorded(60)[..], &mut target).expect("a recording");
-    assert_eq!((exported.cycles, exported.bytes), (60, target.len() as u64));
-    let error = Recording::new(&target[..]).expect_err("no header").to_string();
-    assert!(error.contains("no metadata record `bica`"), "{error}");
-    let mut reader = bica_recording::mcap::Reader::new(&target[..]).expect("MCAP");
-    let mut images = 0;
-    loop {
-        match reader.next_item().expect("intact") {
-            bica_recording::mcap::Item::Message(message) => images += u32::from(message.channel == 1),
-            bica_recording::mcap::Item::End => break,
-            _ => {}
-        }
-    }
-    assert_eq!(images, 20);
 }

@@ -1,0 +1,151 @@
+//! Writer of a recording.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use postcard_schema::schema::owned::OwnedNamedType;
+use serde::Serialize;
+
+use crate::error::Error;
+use crate::header::{Ending, Header};
+use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
+use crate::message::{Channel, ENCODING};
+use crate::metadata::{ENDING_NAME, HEADER_NAME, to_metadata};
+use crate::topics::{Derived, Deriver, Schema};
+
+/// Number of the first channel and schema of the topics: those of the recording have smaller ones.
+const FIRST_TOPIC: u16 = 100;
+
+/// Writer of a recording, with the topics that its header requests.
+#[derive(Debug)]
+pub(crate) struct RecordingWriter<W> {
+    writer: Writer<W>,
+    header: Header,
+    deriver: Option<Deriver>,
+    /// Numbers of the channels and of the schemas of the topics so far.
+    channels: BTreeMap<String, u16>,
+    schemas: BTreeMap<Schema, u16>,
+    /// What is declared before the next chunk.
+    undeclared: (Vec<SchemaRecord>, Vec<ChannelRecord>),
+}
+
+/// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
+fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
+    let messages = header.messages.as_ref();
+    let schema = |channel: Channel| match channel {
+        Channel::Sensors => messages.map(|messages| messages.sensors.clone()),
+        Channel::Command => messages.map(|messages| messages.command.clone()),
+        _ => channel.schema().map(OwnedNamedType::from),
+    };
+    let declare = |channel: Channel| {
+        let (id, schema) = (channel.id(), schema(channel)?);
+        let data = serde_json::to_vec(&schema).unwrap_or_default();
+        let record =
+            SchemaRecord { id, name: format!("bica.{}", schema.name), encoding: "postcard-schema".to_owned(), data };
+        let topic = channel.topic().to_owned();
+        Some((record, ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned() }))
+    };
+    Channel::ALL.into_iter().filter_map(declare).unzip()
+}
+
+impl<W: Write> RecordingWriter<W> {
+    /// Begins a file: header, schemas and channels, and the header again, compressed.
+    pub(crate) fn new(target: W, header: &Header) -> io::Result<Self> {
+        let (schemas, channels) = channels(header);
+        let fields = to_metadata(header).map_err(io_error)?;
+        let mut writer = Writer::new(target, "bica")?;
+        writer.metadata(HEADER_NAME, &fields)?;
+        writer.declare(schemas, channels)?;
+        writer.compressed_metadata(HEADER_NAME, &fields)?;
+        Ok(Self {
+            writer,
+            header: header.clone(),
+            deriver: Deriver::new(header),
+            channels: BTreeMap::new(),
+            schemas: BTreeMap::new(),
+            undeclared: Default::default(),
+        })
+    }
+
+    /// Adds a message, and what follows from it for the topics.
+    pub(crate) fn message(&mut self, channel: Channel, compression: Compression, time: u64, data: &[u8]) {
+        self.writer.message(compression, channel.id(), time, |out| out.extend_from_slice(data));
+        let derived = self.deriver.as_mut().map(|deriver| deriver.derive(channel, time, data));
+        for Derived { topic, schema, compression, data } in derived.into_iter().flatten() {
+            let id = self.topic(topic, schema);
+            self.writer.message(compression, id, time, |out| out.extend_from_slice(&data));
+        }
+    }
+
+    /// Returns the channel of a topic.
+    fn topic(&mut self, topic: String, schema: Schema) -> u16 {
+        if let Some(id) = self.channels.get(&topic) {
+            return *id;
+        }
+        let next = FIRST_TOPIC + self.schemas.len() as u16;
+        let schema_id = *self.schemas.entry(schema).or_insert_with(|| {
+            let (name, encoding, data) = schema.describe(&self.header.tree);
+            self.undeclared.0.push(SchemaRecord { id: next, name, encoding: encoding.to_owned(), data });
+            next
+        });
+        let id = FIRST_TOPIC + self.channels.len() as u16;
+        let encoding = schema.encoding().to_owned();
+        self.undeclared.1.push(ChannelRecord { id, schema: schema_id, topic: topic.clone(), encoding });
+        self.channels.insert(topic, id);
+        id
+    }
+
+    /// Writes the messages so far.
+    pub(crate) fn flush(&mut self) -> io::Result<()> {
+        let (schemas, channels) = std::mem::take(&mut self.undeclared);
+        if !channels.is_empty() {
+            self.writer.declare(schemas, channels)?;
+        }
+        self.writer.flush()
+    }
+
+    /// Forgets the messages that are not written yet.
+    pub(crate) fn discard(&mut self) {
+        self.undeclared = Default::default();
+        self.writer.discard();
+    }
+
+    /// Writes the ending, twice, and the summary.
+    pub(crate) fn close(&mut self, ending: &Ending) -> io::Result<()> {
+        let fields = to_metadata(ending).map_err(io_error)?;
+        self.flush()?;
+        self.writer.metadata(ENDING_NAME, &fields)?;
+        self.writer.metadata(ENDING_NAME, &fields)?;
+        self.writer.close()
+    }
+
+    /// Length of the file so far, bytes.
+    pub(crate) const fn length(&self) -> u64 {
+        self.writer.length()
+    }
+
+    /// Number of bytes that wait for [`flush`](Self::flush).
+    pub(crate) fn pending(&self) -> usize {
+        self.writer.pending()
+    }
+
+    /// Returns the target.
+    pub(crate) const fn target_mut(&mut self) -> &mut W {
+        self.writer.target_mut()
+    }
+}
+
+fn io_error(error: Error) -> io::Error {
+    match error {
+        Error::Io(error) => error,
+        other => io::Error::other(other),
+    }
+}
+
+/// Appends a value in postcard.
+pub(crate) fn encode(out: &mut Vec<u8>, value: &impl Serialize) {
+    // Writing into a vector does not fail, and no message has a type that postcard refuses.
+    if let Ok(bytes) = postcard::to_extend(value, std::mem::take(out)) {
+        *out = bytes;
+    }
+}
