@@ -48,49 +48,6 @@ fn a_recorded_game_is_the_same_game_and_replays() {
     }
 }
 
-#[test]
-fn other_games_differ_with_exit_code_one() {
-    let folder = Folder::new("recorded-others");
-    let (one, two) = (folder.file("one.mcap"), folder.file("two.mcap"));
-    record(&one, &["--seconds", "0.5"]);
-    run(&["--seed", "4", "--size", "160x120", "--seconds", "0.5", "--record", &two]);
-    let ran = run(&["replay", &one, "--against", &two, "--json"]);
-    assert_eq!(ran.code, Some(1));
-    assert_eq!(ran.json()["first_difference"]["cycle"], 0);
-    assert!(ran.stderr.contains("different") && ran.stderr.contains("cycle 0"), "{}", ran.stderr);
-}
-
-#[test]
-fn files_are_mended_cut_and_exported() {
-    let folder = Folder::new("recorded-files");
-    let file = folder.file("run.mcap");
-    record(&file, &["--seconds", "3"]);
-    let part = folder.file("part.mcap");
-    let trimmed = run(&["record", "trim", &file, &part, "--from", "0.5", "--until", "1", "--json"]).json();
-    assert_eq!((&trimmed["cycles"], &trimmed["schema"]), (&51.into(), &"bica/written/1".into()));
-    refused(&["replay", &part], &["begins with cycle 50", "help: "]);
-    let bytes = fs::read(&file).unwrap();
-    let cut = folder.file("cut.mcap");
-    fs::write(&cut, &bytes[..bytes.len() * 4 / 5]).unwrap();
-    let shown = run(&["record", "info", &cut]);
-    assert!(shown.code == Some(0) && shown.stdout.contains("cut off"), "{}", shown.stdout);
-    assert_eq!(run(&["replay", &cut]).code, Some(1));
-    let whole = folder.file("whole.mcap");
-    let recovered = run(&["record", "recover", &cut, &whole, "--json"]).json();
-    assert!(
-        recovered["cycles"].as_u64().unwrap() > 50 && recovered["damages"][0].as_str().unwrap().contains("cut off")
-    );
-    let replayed = run(&["replay", &whole, "--json"]);
-    assert_eq!((replayed.code, &replayed.json()["cycles"]), (Some(0), &recovered["cycles"]));
-    let view = folder.file("view.mcap");
-    let exported = run(&["record", "export", &file, &view, "--json"]).json();
-    assert_eq!(
-        (&exported["cycles"], exported["bytes"].as_u64()),
-        (&300.into(), Some(fs::metadata(&view).unwrap().len()))
-    );
-    assert!(fs::read(&view).unwrap().windows(17).any(|bytes| bytes == b"foxglove.RawImage"));
-}
-
 /// Makes a recording as a monitor does.
 fn monitored(file: &str) {
     let component = Component { name: "Lamp".to_owned(), ..Component::default() };
@@ -197,16 +154,6 @@ fn a_full_disk_does_not_end_the_game() {
     assert!((1..1200).contains(&cycles.as_u64().expect("a number")), "{cycles}");
     assert_eq!(&run(&["record", "info", &file, "--json"]).json()["cycles"], cycles);
     assert_eq!(&run(&["replay", &file, "--json"]).json()["equal"], true);
-}
-
-#[cfg(unix)]
-#[test]
-fn a_pipe_is_refused_without_waiting_for_its_other_end() {
-    let folder = Folder::new("recorded-pipe");
-    let pipe = folder.file("pipe.mcap");
-    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    refused(&["replay", &pipe], &["a folder, a pipe or a device"]);
-    refused(&["record", "recover", &pipe, &folder.file("out.mcap")], &["a folder, a pipe or a device"]);
 }
 
 /// Kills a recording program after a time; returns the recorded time and the time since the file was made, s.
