@@ -1,4 +1,4 @@
-//! Recorded images for tests.
+//! Recorded images for tests, and programs that tests run.
 //!
 //! The images are not part of the repository. They are in `../shared/images` beside it, or in `$BICA_SHARED/images`. If
 //! they are missing, a test in [`images_test!`] is ignored, and the test harness counts and prints it:
@@ -18,6 +18,8 @@
 //!
 //! The build of the tests decides whether the images exist. After adding them, set `BICA_SHARED` or run `cargo clean -p
 //! bica-tests`.
+
+pub mod process;
 
 use std::path::Path;
 

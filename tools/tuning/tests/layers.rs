@@ -1,9 +1,9 @@
 //! Layers of values, tune files, and their errors.
 
 use std::fs;
-use std::path::PathBuf;
 
 use bica::prelude::*;
+use bica_test_data::process::Folder;
 use bica_tuning::{Layers, render, write};
 use bica_wire::model::Invalid;
 
@@ -234,22 +234,6 @@ foot = \"Right\" # default Left, one of Left, Right
     assert_eq!(written, kept + "\n# Wet grass.\n# The end.\n");
     write(&layers(&written), &path, true).expect("written");
     assert_eq!(fs::read_to_string(&path).expect("a file"), written);
-}
-
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("bica-tuning-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("a folder");
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
 }
 
 #[test]

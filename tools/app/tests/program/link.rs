@@ -5,7 +5,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::process::{Served, example};
+use crate::process::{Served, example, link};
 
 fn start() -> Served {
     let mut program = example("wall_follower");
@@ -16,24 +16,24 @@ fn start() -> Served {
 #[test]
 fn operator_watches_tunes_and_drives_a_paused_robot() {
     let served = start();
-    served.link(&["pause"]);
-    let description = &served.link(&["describe", "Drive"])[0];
+    link(&served, &["pause"]);
+    let description = &link(&served, &["describe", "Drive"])[0];
     assert_eq!(
         (&description["name"], &description["components"][0]["name"]),
         (&"WallFollower".into(), &"Drive".into())
     );
-    assert_eq!(served.link(&["set", "Explorer.speed=0.3"])[0]["name"], "Explorer.speed");
-    served.link(&["hold", "Explorer", "latent", "--seconds", "0.01"]);
-    served.link(&["modulate", "Drive.request", "0.2", "1.0"]);
-    served.link(&["step", "50"]);
-    let watched = served.link(&["watch", "Odometry.pose", "--count", "1"]);
+    assert_eq!(link(&served, &["set", "Explorer.speed=0.3"])[0]["name"], "Explorer.speed");
+    link(&served, &["hold", "Explorer", "latent", "--seconds", "0.01"]);
+    link(&served, &["modulate", "Drive.request", "0.2", "1.0"]);
+    link(&served, &["step", "50"]);
+    let watched = link(&served, &["watch", "Odometry.pose", "--count", "1"]);
     assert!(watched.iter().any(|line| line["schema"] == "bica/link-snapshot/1"), "{watched:?}");
 }
 
 #[test]
 fn true_pose_of_the_world_is_that_of_the_odometry_in_the_true_start() {
     let served = start();
-    let watched = served.link(&["watch", "Odometry.pose", "--truth", "--count", "60"]);
+    let watched = link(&served, &["watch", "Odometry.pose", "--truth", "--count", "60"]);
     let of = |schema: &'static str| watched.iter().filter(move |line| line["schema"] == schema);
     let axes = |value: &Value| ["x", "y"].map(|axis| value[axis].as_f64().expect("a number"));
     let mut compared = 0;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::process::{Folder, Served, example, finish};
+use crate::process::{Folder, Ran, Served, example};
 
 /// Packages that only a humanoid or a soccer robot needs.
 const FOREIGN: [&str; 9] = [
@@ -84,7 +84,7 @@ fn commands_print_what_the_page_shows() {
         }
         let address = served.as_ref().map(|run| &*run.address);
         program.args(args.map(|word| address.filter(|_| word == "127.0.0.1:7400").unwrap_or(word)));
-        let ran = finish(program);
+        let ran = Ran::of(program);
         let differs = command.contains("--closed-loop");
         assert_eq!(ran.code, Some(i32::from(differs)), "{command}: {}{}", ran.stdout, ran.stderr);
         output = Some(ran.stdout);
@@ -105,7 +105,7 @@ fn manifest_names_packages_of_the_repository() {
     fs::copy(repository().join("Cargo.lock"), folder.path().join("Cargo.lock")).expect("a lock file");
     let mut tree = Command::new(env!("CARGO"));
     tree.args(["tree", "--offline", "--edges", "normal", "--prefix", "none"]).current_dir(folder.path());
-    let ran = finish(tree);
+    let ran = Ran::of(tree);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let packages: Vec<_> = ran.stdout.lines().filter_map(|line| line.split(' ').next()).collect();
     assert!(packages.contains(&"bica-link") && packages.contains(&"bica-recording"), "{packages:?}");

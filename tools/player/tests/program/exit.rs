@@ -17,14 +17,6 @@ fn a_closed_stdout_ends_the_program_without_a_message() {
     }
 }
 
-#[test]
-fn a_reader_that_goes_away_ends_the_game() {
-    let mut child = player(&["--seconds", "600"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut String::new()).unwrap();
-    let ended = child.wait_with_output().unwrap();
-    assert_eq!((ended.status.code(), ended.stderr.as_slice()), (Some(141), &b""[..]));
-}
-
 #[cfg(unix)]
 #[test]
 fn ctrl_c_ends_a_game_with_its_summary() {

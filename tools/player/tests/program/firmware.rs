@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::link::Served;
+use crate::link::{finish, monitor, serve};
 use crate::process::{Folder, Ran, player, run, without_wall};
 
 /// Returns the arguments of a game with the firmware image.
@@ -97,7 +97,7 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
     let image = env::var("BICA_IMAGE").expect("the tests were built with a firmware image: set BICA_IMAGE again");
     let image = format!("{image}-monitor");
     let game = ["--world", "firmware", "--image", &image, "--seed", "3", "--seconds", "12", "--record", file];
-    let served = Served::play(&game);
+    let served = serve(&game);
     for (args, kind) in [
         // The game does not end while it is paused, however slow these programs are.
         (&["pause"][..], "world"),
@@ -110,12 +110,12 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
         (&["resume"], "world"),
         (&["hold", "FaceBall", "latent", "--seconds", "0.3"], "done"),
     ] {
-        let (code, lines, errors) = served.monitor(args);
+        let (code, lines, errors) = monitor(&served, args);
         assert_eq!(code, Some(0), "{args:?}: {errors}");
         assert_eq!(lines[0]["schema"], *format!("bica/link-{kind}/1"), "{args:?}");
     }
-    let lines = served.finish();
-    assert!(lines.iter().any(|line| line.contains("no goal")), "{lines:?}");
+    let text = finish(served);
+    assert!(text.contains("no goal"), "{text}");
     let info = run(&["record", "info", file, "--json"]).json();
     assert_eq!(info["header"]["set_up"]["world"], "firmware");
     let replayed = run(&["replay", file, "--json"]).json();

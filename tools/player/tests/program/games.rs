@@ -15,14 +15,6 @@ fn code_of(printed: &Value) -> i32 {
 }
 
 #[test]
-fn equal_seeds_give_equal_games_and_other_seeds_other_games() {
-    let with_seed = |seed| game(&["--seed", seed, "--seconds", "4", "--json"]);
-    let (first, again, other) = (with_seed("3"), with_seed("3"), with_seed("4"));
-    assert_eq!(first, again);
-    assert_ne!(first["fingerprint"], other["fingerprint"]);
-}
-
-#[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_games_do_not_depend_on_the_number_of_threads() {
     let games =

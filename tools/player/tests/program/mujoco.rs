@@ -43,33 +43,6 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_recorded_game_replays_from_stored_images_and_from_its_rules() {
-        let folder = Folder::new("recorded-mujoco");
-        for (images, source) in [("all", "stored"), ("none", "rules")] {
-            let file = folder.path().join(format!("{images}.mcap"));
-            let file = file.to_str().unwrap();
-            let game = ["play", "--world", "mujoco", "--seed", "7", "--size", "160x120", "--seconds", "2"];
-            let played = run(&[&game[..], &["--record", file, "--images", images]].concat());
-            assert_eq!(played.code, Some(1), "no goal in two seconds: {}", played.stderr);
-            let replayed = run(&["replay", file, "--json"]).json();
-            assert_eq!((&replayed["equal"], &replayed["cycles"]), (&true.into(), &200.into()), "{replayed}");
-            assert_eq!(replayed["source"], source);
-        }
-    }
-
-    #[test]
-    fn games_do_not_depend_on_the_number_of_threads() {
-        let games = |threads| {
-            let mut printed =
-                run(&["play", "--world", "mujoco", "--games", "3", "--threads", threads, "--seconds", "0.5", "--json"])
-                    .json();
-            without_wall(&mut printed);
-            printed
-        };
-        assert_eq!(games("1"), games("3"));
-    }
-
-    #[test]
     fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
         let mut world =
             MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })

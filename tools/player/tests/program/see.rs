@@ -5,12 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::process::{Folder, Ran, run};
+use crate::process::{Folder, run};
 use crate::test_image::{self, ORANGE, RED};
-
-fn lines(ran: &Ran) -> Vec<Value> {
-    ran.stdout.lines().map(|line| serde_json::from_str(line).expect("a line of JSON")).collect()
-}
 
 fn keys(value: &Value) -> Vec<&String> {
     value.as_object().expect("an object").keys().collect()
@@ -23,7 +19,7 @@ fn json_lines_have_the_documented_fields() {
     test_image::png(&folder.path().join("1.png"), &test_image::rgb(&[]));
     let ran = run(&["see", folder.text(), "--json"]);
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
-    let lines = lines(&ran);
+    let lines = ran.lines();
     assert_eq!((&lines[0]["file"], &lines[1]["file"], lines.len()), (&"1.png".into(), &"2.png".into(), 2));
     assert_eq!(keys(&lines[1]), ["ball", "circle", "crossings", "field_end", "file", "goals", "lines", "ms", "robots"]);
     assert_eq!(keys(&lines[1]["ball"]), ["confidence", "ground", "radius", "x", "y"]);
@@ -40,7 +36,7 @@ fn all_image_formats_give_the_same_detections() {
     test_image::yuyv(&path("c_320x240.yuyv"), &rgb, false);
     test_image::yuyv(&path("d_640x240.yuyv"), &rgb, true);
     let ran = run(&["see", folder.text(), "--json", "--pictures", path("seen").to_str().expect("UTF-8")]);
-    let lines = lines(&ran);
+    let lines = ran.lines();
     assert_eq!((lines.len(), ran.stderr.as_str()), (4, ""));
     for line in lines {
         let near =
@@ -61,7 +57,7 @@ fn broken_images_are_skipped_with_their_names() {
     fs::write(path("d.yuyv"), [1, 2, 3]).expect("a file");
     fs::write(path("e.png"), [1, 2, 3]).expect("a file");
     let ran = run(&["see", folder.text(), "--json"]);
-    assert_eq!((ran.code, lines(&ran).len()), (Some(0), 1));
+    assert_eq!((ran.code, ran.lines().len()), (Some(0), 1));
     for word in ["b.jpg", "c_640x240.yuyv", "307200 bytes, found 3", "NAME_WxH", "e.png"] {
         assert!(ran.stderr.contains(word), "{word} in {}", ran.stderr);
     }
@@ -84,7 +80,7 @@ fn the_score_counts_correct_and_wrong_detections() {
     fs::write(&labels, format!("file,ball_x,ball_y,ball_radius,ball_flag,goal\n{rows}")).expect("a file");
     let score = ["see", folder.text(), "--json", "--score", labels.to_str().expect("UTF-8")];
     let ran = run(&score);
-    let score = &lines(&ran)[4]["score"];
+    let score = &ran.lines()[4]["score"];
     // Image 1: correct. Image 2: wrong position. Image 3: not labelled. Image 4: a red ball, not that of the game.
     let share = |of: i32, good: i32| serde_json::json!({"of": of, "good": good});
     assert_eq!((&score["recall"], &score["precision"]), (&share(2, 1), &share(3, 1)), "{score}");
@@ -106,7 +102,7 @@ fn profiles_are_loaded_by_name_or_from_files() {
     let sees = |profile: &str| {
         let ran = run(&["see", folder.text(), "--json", "--profile", profile]);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-        lines(&ran)[0]["ball"].is_object()
+        ran.lines()[0]["ball"].is_object()
     };
     assert!(sees("built-in") && sees("nao2009") && sees(&path("hall.toml")));
     assert!(!sees("darwin2013"), "its carpet is greener");
@@ -130,7 +126,7 @@ fn score(images: &Path, folder: &str) -> Value {
     let (dir, labels) = (text(images.join(folder)), text(images.join("labels.csv")));
     let ran = run(&["see", &dir, "--json", "--profile", folder, "--score", &labels]);
     println!("{folder}:\n{}", ran.stderr);
-    lines(&ran).pop().expect("a score")["score"].take()
+    ran.lines().pop().expect("a score")["score"].take()
 }
 
 fn part(share: &Value) -> f64 {

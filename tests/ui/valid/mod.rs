@@ -1,0 +1,10 @@
+//! Unusual forms that are valid: they compile and behave like the usual ones.
+
+#![expect(clippy::float_cmp, clippy::needless_arbitrary_self_type, clippy::unused_self, reason = "unusual on purpose")]
+
+mod items;
+mod names;
+mod numbers;
+mod places;
+mod signatures;
+mod trees;
