@@ -17,3 +17,7 @@ pub mod tree_view;
 pub use drawing::{Drawing, DrawnBox, DrawnLink};
 pub use svg::svg;
 pub use tree_state::TreeState;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

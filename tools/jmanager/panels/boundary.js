@@ -1,9 +1,9 @@
 // The end of the field: scan columns, the first green in each, and the line that the robot found.
 
 import { html, useEffect, useMemo, useSignal } from '../lib/dom.js';
-import { Canvas } from '../lib/canvas.js';
+import { Canvas, line } from '../lib/canvas.js';
 import { text, words } from '../lib/format.js';
-import { FITTED, Picture, placed, usePicture } from '../lib/image.js';
+import { FITTED, Picture, placed, useEachImage, usePicture } from '../lib/image.js';
 import { ask, cursor, session, watch } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
@@ -23,7 +23,11 @@ function Boundary({ visible }) {
     return watch({ images: true, info: infos.map((_, index) => [component, index, 1]) });
   }, [visible.value, component, description]);
   const image = () => (held.value?.session === shown?.id ? held.value : shown?.image.value ?? null);
-  const found = useFound(shown, visible, image, component);
+  const found = useSignal(null);
+  useEachImage(component < 0 ? null : shown, visible, image, async ({ number }) => {
+    const answer = await ask('extension', { session: shown.id, name: 'boundary', message: { image: number } });
+    if (answer) found.value = { ...answer, number };
+  }, 200);
   const handlers = usePicture(image, zoom, pointer);
 
   if (!shown || component < 0) return html`<${Empty} what="No end of field" help=${shown ? 'This tree has no component FieldBoundary.' : 'Open a session first.'} />`;
@@ -54,34 +58,11 @@ function Boundary({ visible }) {
     <dl class="facts-row">${infos.map((info, index) => html`<div title=${info.doc}><dt>${words(info.name)}</dt><dd>${visible.value ? text(shown.info_of(component, index).now.value?.value) : ''} ${info.unit ?? ''}</dd></div>`)}</dl>`;
 }
 
-/** Scans one image at a time; returns what was found in the last one. */
-function useFound(shown, visible, image, component) {
-  const found = useSignal(null);
-  useEffect(() => {
-    if (!shown || component < 0) return undefined;
-    let [busy, last] = [false, null];
-    const timer = setInterval(async () => {
-      const one = image();
-      if (busy || !visible.peek() || !one || one.number === last) return;
-      busy = true;
-      last = one.number;
-      const answer = await ask('extension', { session: shown.id, name: 'boundary', message: { image: one.number } });
-      if (answer) found.value = { ...answer, number: one.number };
-      busy = false;
-    }, 200);
-    return () => clearInterval(timer);
-  }, [shown, component]);
-  return found;
-}
-
 function drawColumns(context, at, columns, height) {
   context.lineWidth = 1;
   for (const { x, y, verdict } of columns) {
     context.strokeStyle = css('--scan');
-    context.beginPath();
-    context.moveTo(at.x(x), at.y(0));
-    context.lineTo(at.x(x), at.y(y ?? height));
-    context.stroke();
+    line(context, at.x(x), at.y(0), at.x(x), at.y(y ?? height));
     if (y === null) continue;
     context.fillStyle = css(verdict === 'inlier' ? '--perceive' : '--warn');
     context.beginPath();

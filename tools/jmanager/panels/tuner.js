@@ -3,7 +3,7 @@
 import { html, signal, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { request } from '../lib/connection.js';
-import { FITTED, Picture, pixel, placed, usePicture } from '../lib/image.js';
+import { FITTED, Picture, pixel, placed, useEachImage, usePicture } from '../lib/image.js';
 import { act, ask, command, classified, session, watch } from '../lib/store.js';
 import { below, right, within } from '../lib/places.js';
 import { css } from '../lib/theme.js';
@@ -52,7 +52,9 @@ function Tuner({ visible }) {
   }, [visible.value, shown, shown?.description.value, params]);
   const isHeld = () => edited.value !== null && edited.value.session === shown?.id;
   const image = () => (isHeld() ? edited.value : shown?.image.value ?? null);
-  useClassify(shown, visible, image, live, params);
+  // Again after each change of the limits.
+  const classify = ({ number }) => ask('extension', { session: shown.id, ...tuner('classify', { image: number }) });
+  useEachImage(shown, visible, () => (colours.peek() ? image() : null), classify, live.value ? 150 : 300, params);
   const pick = async (pixels) => {
     const one = image();
     if (!one || pixels.length === 0) return;
@@ -146,25 +148,6 @@ async function changed(shown, image, next, score) {
   if (score.value) score.value = (await ask('extension', { session: shown.id, ...tuner('score') })) ?? score.value;
 }
 
-/** Classifies the shown image, again for each new image and after each change of the limits, one at a time. */
-function useClassify(shown, visible, image, live, params) {
-  const shownImage = useRef(image);
-  shownImage.current = image;
-  useEffect(() => {
-    if (!shown) return undefined;
-    let [busy, last] = [false, null];
-    const timer = setInterval(async () => {
-      const one = shownImage.current();
-      if (busy || !visible.peek() || !one || !colours.peek() || one.number === last) return;
-      busy = true;
-      last = one.number;
-      await ask('extension', { session: shown.id, ...tuner('classify', { image: one.number }) });
-      busy = false;
-    }, live.value ? 150 : 300);
-    return () => clearInterval(timer);
-  }, [shown, live.value, params]);
-}
-
 /** Click: a pixel. Region: a rectangle. Paint: what the pointer passes. Alt takes away. */
 function usePicking({ image, zoom, pointer, region, brush, remove, pick, hold }) {
   const base = usePicture(image, zoom, pointer);
@@ -228,9 +211,7 @@ function drawBrush(context, at, pointer, region, colour, removes) {
 
 /** The classes of an image as a picture. */
 class Segments {
-  constructor() {
-    this.canvas = document.createElement('canvas');
-  }
+  constructor() { this.canvas = document.createElement('canvas'); }
 
   of(found, table) {
     if (this.shown === found && this.table === table) return this.canvas;

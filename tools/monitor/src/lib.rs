@@ -19,3 +19,7 @@ mod token;
 pub mod web;
 
 pub use run::run;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -54,3 +54,7 @@ pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use topics::Topics;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

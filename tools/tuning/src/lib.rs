@@ -18,3 +18,7 @@ mod write;
 
 pub use layers::{Layers, Value};
 pub use write::{render, write};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,5 +1,6 @@
 // The time axis that timeline and plots share.
 
+import { line } from './canvas.js';
 import { computed } from './dom.js';
 import { css } from './theme.js';
 import { cursor, range, session } from './store.js';
@@ -59,8 +60,5 @@ export function pan(us) {
 export function drawCursor(context, x, height) {
   context.strokeStyle = css('--cursor');
   context.lineWidth = 1.5;
-  context.beginPath();
-  context.moveTo(x, 0);
-  context.lineTo(x, height);
-  context.stroke();
+  line(context, x, 0, x, height);
 }

@@ -1,7 +1,6 @@
 // A canvas that is drawn at most once a frame, only if it is visible and something that it shows changed.
 
-import { html, useEffect, useRef } from './dom.js';
-import { effect } from './dom.js';
+import { effect, html, useEffect, useRef } from './dom.js';
 import { theme } from './theme.js';
 
 /**
@@ -32,9 +31,7 @@ export function Canvas({ reads, draw, visible, label, onReady, ...handlers }) {
       context.clearRect(0, 0, width, height);
       latest.current(context, width, height);
     };
-    schedule.current = () => {
-      frame ||= requestAnimationFrame(paint);
-    };
+    schedule.current = () => { frame ||= requestAnimationFrame(paint); };
     const observer = new ResizeObserver(() => schedule.current());
     observer.observe(element);
     onReady?.(element, () => schedule.current());
@@ -52,4 +49,29 @@ export function Canvas({ reads, draw, visible, label, onReady, ...handlers }) {
   }));
 
   return html`<canvas ref=${canvas} class="fill" role="img" aria-label=${label} ...${handlers}></canvas>`;
+}
+
+/** Draws a straight line. */
+export function line(context, x1, y1, x2, y2) {
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
+
+/** Draws within a rectangle only. */
+export function within(context, x, y, width, height, draw) {
+  context.save();
+  context.beginPath();
+  context.rect(x, y, width, height);
+  context.clip();
+  draw();
+  context.restore();
+}
+
+/** Fills a rectangle with round corners. */
+export function rounded(context, x, y, width, height, radius) {
+  context.beginPath();
+  context.roundRect(x, y, width, height, radius);
+  context.fill();
 }

@@ -34,31 +34,22 @@ export function connect() {
 }
 
 function receive(data) {
-  if (typeof data !== 'string') {
-    for (const listener of listeners) listener(null, data);
-    return;
-  }
-  const message = JSON.parse(data);
-  if (message.type === 'entered') {
+  const message = typeof data === 'string' ? JSON.parse(data) : null;
+  if (message?.type === 'entered') {
     keep(message.secret);
     link.value = 'open';
-    return;
-  }
-  if (message.type === 'answer') {
+  } else if (message?.type === 'answer') {
     const asked = waiting.get(message.id);
     waiting.delete(message.id);
     if (message.error) asked?.reject(message.error);
     else asked?.resolve(message.result);
-    return;
-  }
-  for (const listener of listeners) listener(message, null);
+  } else for (const listener of listeners) listener(message, message ? null : data);
 }
 
 /** Sends a request; the promise has its result, or its error `{text, help, entry}`. */
 export function request(type, fields = {}) {
-  if (link.value !== 'open') {
-    return Promise.reject({ text: 'there is no connection to the program', help: 'it is being restored; try again then' });
-  }
+  const none = { text: 'there is no connection to the program', help: 'it is being restored; try again then' };
+  if (link.value !== 'open') return Promise.reject(none);
   lastId += 1;
   const id = lastId;
   socket.send(JSON.stringify({ id, type, ...fields }));

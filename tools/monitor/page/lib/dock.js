@@ -6,6 +6,7 @@ import { PANELS } from './panels.js';
 import { fitted, narrowed } from './places.js';
 import { PRESETS } from './presets.js';
 import { hello, notify, selected, session } from './store.js';
+import { stored } from './stored.js';
 import { theme } from './theme.js';
 
 let api = null;
@@ -29,9 +30,7 @@ function content({ name }) {
       element.setAttribute('role', 'region');
       element.setAttribute('aria-label', title ?? kind?.title ?? name);
       visible.value = panel.isVisible;
-      panel.onDidVisibilityChange((event) => {
-        visible.value = event.isVisible;
-      });
+      panel.onDidVisibilityChange((event) => { visible.value = event.isVisible; });
       const retitle = (text) => {
         panel.setTitle(text);
         element.setAttribute('aria-label', text);
@@ -40,9 +39,7 @@ function content({ name }) {
       const view = kind ? html`<${kind.view} visible=${visible} params=${params ?? {}} retitle=${retitle} remember=${remember} />` : html`<p class="empty">This version has no panel “${name}”. Close the tab.</p>`;
       render(view, element);
     },
-    dispose() {
-      render(html`<${Fragment} />`, element);
-    },
+    dispose: () => render(html`<${Fragment} />`, element),
   };
 }
 
@@ -82,14 +79,11 @@ export function open(name, params, title) {
     id = `${name}:${lastNumber}`;
   }
   const known = api.getPanel(id);
-  if (known) {
-    known.api.setActive();
-    return;
-  }
+  if (known) return known.api.setActive();
   const neighbour = api.getPanel('component') ?? api.getPanel('camera') ?? api.activePanel;
   const beside = kind.many ? api.getPanel('timeline') ?? neighbour : neighbour;
   const position = beside ? { referencePanel: beside.id } : undefined;
-  api.addPanel({ id, component: name, title: title ?? kind.title, params, position });
+  return api.addPanel({ id, component: name, title: title ?? kind.title, params, position });
 }
 
 /** Shows a component in the tab that follows the selection, or in a tab of its own. */
@@ -144,10 +138,8 @@ export function refit(name) {
 /** Applies a preset by name. */
 export function preset(name) {
   const [, offered] = panelsOf(name);
-  if (!presets().some(([known]) => known === name)) {
-    notify('error', `this session has nothing for the layout “${PRESETS[name].title}”`, 'choose another one in the menu “View”');
-    return;
-  }
+  const lacks = `this session has nothing for the layout “${PRESETS[name].title}”`;
+  if (!presets().some(([known]) => known === name)) return notify('error', lacks, 'choose another one in the menu “View”');
   api.clear();
   for (const [id, where] of offered) {
     const [kind, argument] = id.split(':');
@@ -165,6 +157,7 @@ export function preset(name) {
     });
   }
   layoutName.value = name;
+  return undefined;
 }
 
 /** An address of this page: of a session, a moment, µs, and a layout, if they are given. */
@@ -191,29 +184,19 @@ export function applyLayout(data, name) {
   }
 }
 
-const KEY = 'jmanager-layout';
+const memory = stored('localStorage', 'jmanager-layout');
 let saving = null;
 
-function saveSoon() {
-  saving ??= setTimeout(save, 500);
-}
+const saveSoon = () => { saving ??= setTimeout(save, 500); };
 
 function save() {
   clearTimeout(saving);
   saving = null;
-  try {
-    localStorage.setItem(KEY, JSON.stringify(api.toJSON()));
-  } catch {
-    // Without storage the layout holds until the page is closed.
-  }
+  memory.write(api.toJSON());
 }
 
 /** Restores the layout of the last visit; returns whether there was one. */
 export function restore() {
-  try {
-    const data = JSON.parse(localStorage.getItem(KEY));
-    return data !== null && applyLayout(data, 'last');
-  } catch {
-    return false;
-  }
+  const data = memory.read();
+  return data !== null && applyLayout(data, 'last');
 }

@@ -1,6 +1,6 @@
 // Images: YUYV to RGBA, PNG, and drawing with zoom.
 
-import { useRef } from './dom.js';
+import { useEffect, useRef } from './dom.js';
 
 const CLAMP = new Uint8ClampedArray(1);
 // Contributions of Cb and Cr (JFIF), in fixed point.
@@ -124,4 +124,22 @@ export function usePicture(image, zoom, pointer) {
       pointer.value = null;
     },
   };
+}
+
+/** Works on the shown image, again for each new one, one at a time; `work` gets the image. */
+export function useEachImage(shown, visible, image, work, period, reads) {
+  const latest = useRef(null);
+  latest.current = { image, work };
+  useEffect(() => {
+    if (!shown) return undefined;
+    let [busy, last] = [false, null];
+    const timer = setInterval(async () => {
+      const one = latest.current.image();
+      if (busy || !visible.peek() || !one || one.number === last) return;
+      [busy, last] = [true, one.number];
+      await latest.current.work(one);
+      busy = false;
+    }, period);
+    return () => clearInterval(timer);
+  }, [shown, period, reads]);
 }

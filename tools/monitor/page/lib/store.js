@@ -40,9 +40,7 @@ export function notify(level, text, help = '') {
   setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000);
 }
 
-export function dismiss(id) {
-  notices.value = notices.value.filter((notice) => notice.id !== id);
-}
+export const dismiss = (id) => { notices.value = notices.value.filter((notice) => notice.id !== id); };
 
 /** Sessions whose control this page has asked to end. */
 const leaving = new Set();
@@ -147,9 +145,7 @@ export function watch(wish) {
   };
 }
 
-function watchSoon() {
-  watchTimer ??= setTimeout(sendWatch, 30);
-}
+const watchSoon = () => { watchTimer ??= setTimeout(sendWatch, 30); };
 
 function wishedInfo() {
   const every = new Map();
@@ -163,6 +159,11 @@ function wishedInfo() {
 }
 
 let lastWatch = '';
+/** Sends what is watched also if it is the same: the server, or the session, is another one. */
+function watchAnew() {
+  lastWatch = '';
+  watchSoon();
+}
 
 function sendWatch() {
   watchTimer = null;
@@ -265,9 +266,7 @@ async function readLines(of) {
   }
 }
 
-function sessionOf(id) {
-  return sessions.value.get(id);
-}
+const sessionOf = (id) => sessions.value.get(id);
 
 /** Closed sessions; messages about them may still arrive. */
 const gone = new Set();
@@ -327,8 +326,7 @@ export function show(id) {
     range.value = { span: range.value.span, end: null };
     undo.value = [];
   });
-  lastWatch = '';
-  watchSoon();
+  watchAnew();
   if (next) begin(next);
 }
 
@@ -337,10 +335,7 @@ const isNewest = (of) => cursor.value === null || of !== session.value;
 
 const HANDLERS = {
   hello(message) {
-    if (message.protocol !== PROTOCOL) {
-      location.reload();
-      return;
-    }
+    if (message.protocol !== PROTOCOL) return location.reload();
     const before = current.value;
     gone.clear();
     batch(() => {
@@ -350,8 +345,8 @@ const HANDLERS = {
       message.sessions.forEach(showSession);
       if (!ids.has(before)) show(message.sessions[0]?.id ?? null);
     });
-    lastWatch = '';
-    watchSoon();
+    watchAnew();
+    return undefined;
   },
   session: (message) => showSession(message.session),
   closed(message) {
@@ -366,11 +361,9 @@ const HANDLERS = {
   described(message, of) {
     of.describe(message.description, message.drawing);
     readLines(of);
-    if (of === session.value) {
-      lastWatch = '';
-      watchSoon();
-      begin(of);
-    }
+    if (of !== session.value) return;
+    watchAnew();
+    begin(of);
   },
   update(message, of) {
     of.live.value = message;
@@ -405,22 +398,17 @@ const HANDLERS = {
     of.newest.truth = message;
     if (isNewest(of)) of.truth.value = message;
   },
-  params(message, of) {
-    of.params.value = of.params.value.with(message.component, message.values);
-  },
+  params(message, of) { of.params.value = of.params.value.with(message.component, message.values); },
   log: (message, of) => of.addLines(message.lines),
 };
 
 listen((message, frame) => {
-  if (frame) {
-    image(frame);
-    return;
-  }
+  if (frame) return image(frame);
   const handler = HANDLERS[message.type];
-  if (!handler) return;
+  if (!handler) return undefined;
   const of = message.session?.id ?? message.session;
-  if (message.type === 'hello' || message.type === 'session' || message.type === 'closed') handler(message);
-  else if (sessionOf(of)) batch(() => handler(message, sessionOf(of)));
+  if (message.type === 'hello' || message.type === 'session' || message.type === 'closed') return handler(message);
+  return sessionOf(of) && batch(() => handler(message, sessionOf(of)));
 });
 
 /** Frames that answer a request, by its identifier. */

@@ -1,30 +1,19 @@
 // Dark and light; colours of the style sheet for what is drawn on a canvas.
 
 import { signal } from './dom.js';
+import { stored } from './stored.js';
 
-const KEY = 'jmanager-theme';
+const memory = stored('localStorage', 'jmanager-theme');
 const cache = new Map();
 
-function stored() {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
-
 /** `dark` or `light`. */
-export const theme = signal(stored() ?? (matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'));
+export const theme = signal(memory.read() ?? (matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark'));
 
 export function applyTheme(name) {
   document.documentElement.dataset.theme = name;
   cache.clear();
   theme.value = name;
-  try {
-    localStorage.setItem(KEY, name);
-  } catch {
-    // Without storage the choice holds until the page is closed.
-  }
+  memory.write(name);
 }
 
 export const toggleTheme = () => applyTheme(theme.value === 'dark' ? 'light' : 'dark');

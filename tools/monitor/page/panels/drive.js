@@ -2,6 +2,7 @@
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { number, words } from '../lib/format.js';
+import { on } from '../lib/listen.js';
 import { act, command, notify, operate, session } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
@@ -191,16 +192,7 @@ function useKeyboard(state, keys, visible, moving, stop, panel) {
       keys.current.clear();
       stop();
     };
-    window.addEventListener('keydown', down, true);
-    window.addEventListener('keyup', up, true);
-    window.addEventListener('blur', gone);
-    document.addEventListener('visibilitychange', gone);
-    return () => {
-      window.removeEventListener('keydown', down, true);
-      window.removeEventListener('keyup', up, true);
-      window.removeEventListener('blur', gone);
-      document.removeEventListener('visibilitychange', gone);
-      stop();
-    };
+    const ends = [on(window, { keydown: down, keyup: up }, true), on(window, { blur: gone }), on(document, { visibilitychange: gone }), stop];
+    return () => ends.forEach((end) => end());
   }, []);
 }

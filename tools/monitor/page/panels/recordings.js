@@ -30,10 +30,7 @@ export function Recordings({ visible }) {
 async function open(name) {
   // An open recording is shown, and not opened a second time.
   const known = [...sessions.value.values()].find(({ info }) => info.value.kind === 'recording' && info.value.name === name);
-  if (known) {
-    show(known.id);
-    return;
-  }
+  if (known) return show(known.id);
   const opened = await ask('open', { source: { kind: 'recording', name } });
   if (opened) show(opened.session);
 }

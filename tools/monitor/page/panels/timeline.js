@@ -2,7 +2,7 @@
 
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
-import { Canvas } from '../lib/canvas.js';
+import { Canvas, line as stroke, rounded, within } from '../lib/canvas.js';
 import { openComponent } from '../lib/dock.js';
 import { duration, time as timeText } from '../lib/format.js';
 import { drawCursor, marks, pan, showRange, shownTime, visibleRange, zoomAt } from '../lib/axis.js';
@@ -136,13 +136,9 @@ function drawRows(context, view, shown, pointer) {
   const { rows, row, room, width } = view;
   const drawing = shown.drawing.value;
   const live = shown.live.value;
-  context.save();
-  context.beginPath();
-  context.rect(0, 0, width, room);
-  context.clip();
   context.font = `${Math.min(11.5, row - 2)}px ${css('--font')}`;
   context.textBaseline = 'middle';
-  rows.forEach(({ component, index, bars, overruns }, line) => {
+  within(context, 0, 0, width, room, () => rows.forEach(({ component, index, bars, overruns }, line) => {
     const y = view.y(line);
     if (y + row < 0 || y > room) return;
     const colour = kindColour(drawing?.boxes[index]?.kind);
@@ -154,21 +150,14 @@ function drawRows(context, view, shown, pointer) {
     const now = shown.moment.value?.components?.[index];
     context.fillStyle = css(now?.[0] ? '--text' : '--dim');
     context.fillText(component.name, 8, y + row / 2, LABELS - 14);
-    context.save();
-    context.beginPath();
-    context.rect(LABELS, y, width - LABELS, row);
-    context.clip();
-    drawBars(context, view, { bars, component, colour, y, now: live?.components?.[index], last: live?.time_us });
-    context.fillStyle = css('--error');
-    for (const time of overruns) context.fillRect(view.x(time) - 1, y + row - 4, 2, 4);
-    context.restore();
-  });
+    within(context, LABELS, y, width - LABELS, row, () => {
+      drawBars(context, view, { bars, component, colour, y, now: live?.components?.[index], last: live?.time_us });
+      context.fillStyle = css('--error');
+      for (const time of overruns) context.fillRect(view.x(time) - 1, y + row - 4, 2, 4);
+    });
+  }));
   context.strokeStyle = css('--line');
-  context.beginPath();
-  context.moveTo(LABELS - 0.5, 0);
-  context.lineTo(LABELS - 0.5, room);
-  context.stroke();
-  context.restore();
+  stroke(context, LABELS - 0.5, 0, LABELS - 0.5, room);
 }
 
 function drawBars(context, view, { bars, component, colour, y, now, last }) {
@@ -181,13 +170,9 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
     const width = Math.max(right - left - 1, 1);
     context.globalAlpha = state === null ? 0.42 : 0.5 + 0.32 * ((state * 0.618) % 1);
     context.fillStyle = colour;
-    context.beginPath();
-    context.roundRect(left, y + 1.5, width, row - 3, Math.min(3, width / 2));
-    context.fill();
+    rounded(context, left, y + 1.5, width, row - 3, Math.min(3, width / 2));
     context.globalAlpha = 1;
-    if (view.x(begin) > LABELS) {
-      context.fillRect(left, y + 1.5, 1.5, row - 3);
-    }
+    if (view.x(begin) > LABELS) context.fillRect(left, y + 1.5, 1.5, row - 3);
     const name = state === null ? null : component.states[state]?.name;
     if (name && context.measureText(name).width < width - 9) {
       context.fillStyle = css('--on-bar');
@@ -200,36 +185,29 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
 function drawGap(context, view, [from, until]) {
   const [left, right] = [Math.max(view.x(from), LABELS), Math.min(view.x(until), view.width)];
   if (right <= left) return;
-  context.save();
-  context.beginPath();
-  context.rect(left, 0, right - left, view.room);
-  context.clip();
-  context.fillStyle = css('--hover');
-  context.fillRect(left, 0, right - left, view.room);
-  context.strokeStyle = css('--line');
-  for (let x = left - view.room; x < right; x += 9) {
-    context.moveTo(x, view.room);
-    context.lineTo(x + view.room, 0);
-  }
-  context.stroke();
-  context.font = `11px ${css('--font')}`;
-  context.fillStyle = css('--dim');
-  context.textBaseline = 'middle';
-  if (context.measureText('not received').width < right - left - 8) context.fillText('not received', left + 5, view.room / 2);
-  context.restore();
+  within(context, left, 0, right - left, view.room, () => {
+    context.fillStyle = css('--hover');
+    context.fillRect(left, 0, right - left, view.room);
+    context.strokeStyle = css('--line');
+    for (let x = left - view.room; x < right; x += 9) stroke(context, x, view.room, x + view.room, 0);
+    textStyle(context, '--dim');
+    if (context.measureText('not received').width < right - left - 8) context.fillText('not received', left + 5, view.room / 2);
+  });
 }
 
-function events(shown) {
-  return shown.lines.filter(({ kind }) => kind === 'referee' || kind === 'note');
+const events = (shown) => shown.lines.filter(({ kind }) => kind === 'referee' || kind === 'note');
+
+function textStyle(context, colour) {
+  context.font = `11px ${css('--font')}`;
+  context.fillStyle = css(colour);
+  context.textBaseline = 'middle';
 }
 
 function drawEvents(context, view, shown) {
   const { height, room } = view;
   const y = height - AXIS - EVENTS / 2;
-  context.font = `11px ${css('--font')}`;
-  context.textBaseline = 'middle';
   let free = LABELS;
-  context.fillStyle = css('--dim');
+  textStyle(context, '--dim');
   context.fillText('Events', 8, y);
   for (const { time_us, kind, text } of events(shown)) {
     const x = view.x(time_us);
@@ -237,10 +215,7 @@ function drawEvents(context, view, shown) {
     const colour = css(kind === 'note' ? '--control' : '--warn');
     context.strokeStyle = colour;
     context.setLineDash([2, 3]);
-    context.beginPath();
-    context.moveTo(x, 0);
-    context.lineTo(x, room + EVENTS);
-    context.stroke();
+    stroke(context, x, 0, x, room + EVENTS);
     context.setLineDash([]);
     if (x >= free) {
       context.fillStyle = colour;
@@ -254,13 +229,8 @@ function drawAxis(context, view) {
   const { width, height, from, until } = view;
   const y = height - AXIS;
   context.strokeStyle = css('--line');
-  context.beginPath();
-  context.moveTo(0, y + 0.5);
-  context.lineTo(width, y + 0.5);
-  context.stroke();
-  context.font = `11px ${css('--font')}`;
-  context.fillStyle = css('--dim');
-  context.textBaseline = 'middle';
+  stroke(context, 0, y + 0.5, width, y + 0.5);
+  textStyle(context, '--dim');
   const { times, digits } = marks(from, until, width - LABELS);
   for (const time of times) {
     const x = view.x(time);
@@ -288,9 +258,7 @@ function drawPointer(context, view, shown, { x, y }) {
   const left = Math.min(x + 10, view.width - width - 4);
   const top = Math.max(2, Math.min(y - 26, view.height - 26));
   context.fillStyle = css('--tip');
-  context.beginPath();
-  context.roundRect(left, top, width, 20, 4);
-  context.fill();
+  rounded(context, left, top, width, 20, 4);
   context.fillStyle = css('--text');
   context.textBaseline = 'middle';
   context.fillText(text, left + 7, top + 10.5);
@@ -299,6 +267,7 @@ function drawPointer(context, view, shown, { x, y }) {
 /** `press.current` is {x, row, scrubs} while the pointer is down, else null. It is kept over renderings. */
 function pointers({ place, press, pointer, selection, scroll, listed, description }) {
   const view = () => viewOf(place.current.clientWidth, place.current.clientHeight, listed(), scroll.value);
+  const release = () => { [press.current, selection.value] = [null, null]; };
   return {
     tabindex: '0',
     onPointerDown(event) {
@@ -323,17 +292,10 @@ function pointers({ place, press, pointer, selection, scroll, listed, descriptio
         if (pressed.x >= LABELS) seek(view().time(event.offsetX));
         else if (pressed.row) openComponent(description.components[pressed.row.index].name, event.shiftKey);
       }
-      press.current = null;
-      selection.value = null;
+      release();
     },
-    onPointerCancel() {
-      press.current = null;
-      selection.value = null;
-    },
-    onPointerLeave() {
-      pointer.value = null;
-      hovered.value = null;
-    },
+    onPointerCancel: release,
+    onPointerLeave: () => { [pointer.value, hovered.value] = [null, null]; },
     onDblClick: () => zoomAt(shownTime.value, 4),
     onWheel(event) {
       event.preventDefault();

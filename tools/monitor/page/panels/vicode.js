@@ -1,6 +1,7 @@
 // The designer: a component's states and transitions, drawn and edited.
 
 import { effect, html, useEffect, useLayoutEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
+import { on } from '../lib/listen.js';
 import { hello, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 import { NameField, naming } from '../vicode/ask.js';
@@ -62,13 +63,8 @@ function Canvas({ machine: own, isStale, search, visible }) {
       else view.apply();
     });
     observer.observe(svg.current.parentElement);
-    const onWheel = (event) => wheel(event);
-    svg.current.addEventListener('wheel', onWheel, { passive: false });
-    const { current } = svg;
-    return () => {
-      observer.disconnect();
-      current.removeEventListener('wheel', onWheel);
-    };
+    const ends = [on(svg.current, { wheel }, { passive: false }), () => observer.disconnect()];
+    return () => ends.forEach((end) => end());
   }, []);
   useLayoutEffect(() => view.fit(stage.all()), [shown]);
   useLayoutEffect(() => {

@@ -7,32 +7,20 @@ export const naming = signal(null);
 /** The form that is shown. */
 const form = signal(null);
 
-/** Asks for a name at a point of the drawing; null if it is given up. */
-export const askName = (question) => new Promise((resolve) => {
-  naming.value?.done(null);
-  naming.value = {
-    ...question,
-    done(name) {
-      naming.value = null;
-      resolve(name && name.trim());
-    },
-  };
+/** Asks in a place; what was asked there before is given up. */
+const asking = (place, answerOf) => (question) => new Promise((resolve) => {
+  place.value?.done(null);
+  place.value = { ...question, done(answer) { place.value = null; resolve(answerOf(answer)); } };
 });
+
+/** Asks for a name at a point of the drawing; null if it is given up. */
+export const askName = asking(naming, (name) => name && name.trim());
 
 /**
  * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, number, select or check, options, hint}], preview}.
  * `preview(values)` may return more to show. Null if it is given up.
  */
-export const askForm = (question) => new Promise((resolve) => {
-  form.value?.done(null);
-  form.value = {
-    ...question,
-    done(values) {
-      form.value = null;
-      resolve(values);
-    },
-  };
-});
+export const askForm = asking(form, (values) => values);
 
 /** The input of a name, over the canvas. */
 export function NameField({ view }) {

@@ -1,6 +1,7 @@
 // A component that is carried with the mouse from a list or the activation tree onto a state.
 
 import { html, signal } from '../lib/dom.js';
+import { on } from '../lib/listen.js';
 import { addChild } from './canvas/actions.js';
 import { target } from './canvas/pointer.js';
 
@@ -22,9 +23,7 @@ export function carry(event, name) {
     target.value = stateUnder(one);
   };
   const end = (one) => {
-    window.removeEventListener('pointermove', step);
-    window.removeEventListener('pointerup', end);
-    window.removeEventListener('pointercancel', end);
+    stop();
     const dropped = carried.value && one.type === 'pointerup' ? stateUnder(one) : null;
     if (carried.value) window.addEventListener('click', swallow, { capture: true, once: true });
     setTimeout(() => window.removeEventListener('click', swallow, true), 50);
@@ -32,9 +31,7 @@ export function carry(event, name) {
     target.value = null;
     if (dropped) addChild(dropped, name);
   };
-  window.addEventListener('pointermove', step);
-  window.addEventListener('pointerup', end);
-  window.addEventListener('pointercancel', end);
+  const stop = on(window, { pointermove: step, pointerup: end, pointercancel: end });
 }
 
 /** What is carried, at the pointer. */

@@ -58,9 +58,7 @@ class Hidden extends cm.WidgetType {
     this.lines = lines;
   }
 
-  eq(other) {
-    return other.lines === this.lines;
-  }
+  eq(other) { return other.lines === this.lines; }
 
   toDOM() {
     const element = document.createElement('div');

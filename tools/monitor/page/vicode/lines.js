@@ -31,9 +31,7 @@ export class Lines {
     return low;
   }
 
-  toEditor(index) {
-    return index - this.before(index);
-  }
+  toEditor(index) { return index - this.before(index); }
 
   toText(place) {
     let index = place;

@@ -25,9 +25,7 @@ export class Offsets {
   }
 
   /** Bytes before a UTF-16 offset. */
-  byte(index) {
-    return this.plain ? index : this.bytes[Math.max(0, Math.min(index, this.text.length))];
-  }
+  byte(index) { return this.plain ? index : this.bytes[Math.max(0, Math.min(index, this.text.length))]; }
 
   /** The UTF-16 offset of a byte. */
   index(byte) {
@@ -42,9 +40,7 @@ export class Offsets {
   }
 
   /** A part of the text by its bytes. */
-  slice([start, end]) {
-    return this.text.slice(this.index(start), this.index(end));
-  }
+  slice([start, end]) { return this.text.slice(this.index(start), this.index(end)); }
 }
 
 /** Applies lists of splices, one list after the other, to a text. */

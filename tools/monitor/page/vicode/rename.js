@@ -6,17 +6,11 @@ import { notify } from '../lib/store.js';
 
 /** Renames a function, in this file and at the chosen places of uses. */
 export async function renameUsed(name, to) {
-  if (locked.value) {
-    notify('error', locked.value);
-    return;
-  }
+  if (locked.value) return notify('error', locked.value);
   const { file } = opened.value;
   const uses = await ask('uses', { file, component: component.value, function: name });
   if (uses === undefined) return;
-  if (uses.length === 0) {
-    await change({ edit: 'rename', function: name, to });
-    return;
-  }
+  if (uses.length === 0) return change({ edit: 'rename', function: name, to });
   const values = await askForm({
     title: `${name} becomes ${to}`,
     hint: 'Other files use the name. Places of which the type is not known are chosen only if you choose them; all others must be.',

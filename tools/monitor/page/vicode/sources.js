@@ -3,6 +3,7 @@
 import { batch, computed, effect, signal } from '../lib/dom.js';
 import { link, listen, request } from '../lib/connection.js';
 import { hello, notify } from '../lib/store.js';
+import { stored } from '../lib/stored.js';
 import { machineOf, parsed } from './machine.js';
 import { Offsets, spliced } from './offsets.js';
 
@@ -92,27 +93,15 @@ export async function openByName(name) {
   return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).key);
 }
 
-const KEY = 'vicode-open';
+const memory = stored('sessionStorage', 'vicode-open');
 
 /** Opens again what this tab of the browser showed before it was loaded anew. */
 function restore() {
-  try {
-    const { file, name } = JSON.parse(sessionStorage.getItem(KEY)) ?? {};
-    if (file && list.value?.some((one) => one.file === file)) open(file, name);
-  } catch {
-    // Nothing was remembered.
-  }
+  const { file, name } = memory.read() ?? {};
+  if (file && list.value?.some((one) => one.file === file)) open(file, name);
 }
 
-effect(() => {
-  const file = openedFile.value;
-  if (!file) return;
-  try {
-    sessionStorage.setItem(KEY, JSON.stringify({ file, name: component.value }));
-  } catch {
-    // Without storage it is opened by hand.
-  }
-});
+effect(() => { if (openedFile.value) memory.write({ file: openedFile.value, name: component.value }); });
 
 /** Selects; what does not exist is left out. */
 export function choose(keys, add = false) {
@@ -168,11 +157,10 @@ function remember(step) {
   undone = [];
 }
 
+const rememberText = (typed) => remember({ kind: 'text', typed, at: Date.now() });
+
 /** The text here was kept in a conflict: the history leads to the text of the file and back, though nothing changes now. */
-export function kept() {
-  remember({ kind: 'text', typed: false, at: Date.now() });
-  remember({ kind: 'text', typed: false, at: Date.now() });
-}
+export const kept = () => [false, false].forEach(rememberText);
 
 /** Typing goes on: the next change of the text is part of it. */
 let typing = false;
@@ -185,10 +173,7 @@ async function back(from, to, type, side) {
   const { file } = opened.value ?? {};
   if (!file || locked.value) return;
   let step = from.at(-1);
-  if (!step) {
-    await ask(type, { file });
-    return;
-  }
+  if (!step) return ask(type, { file });
   for (;;) {
     from.pop();
     to.push(step);
@@ -207,12 +192,14 @@ const inTurn = (work) => () => { running = running.then(work, work); };
 export const undo = inTurn(() => back(steps, undone, 'undo_file', 'before'));
 export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
 
+const placesOf = (all, name) => all.filter((one) => one.component === name).map(({ state, x, y }) => ({ component: name, state, x, y }));
+
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
 export async function move(places, own = true) {
   const { file, positions: all } = opened.value;
   const name = component.value;
   const after = Object.entries(places).map(([state, { x, y }]) => ({ component: name, state, x: Math.round(x), y: Math.round(y) }));
-  const before = all.filter((one) => one.component === name && places[one.state]).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
+  const before = placesOf(all, name).filter(({ state }) => places[state]);
   const known = new Map(after.map((one) => [one.state, one]));
   // Shown at once; the answer has the same.
   opened.value = { ...opened.value, positions: all.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
@@ -224,9 +211,8 @@ export async function move(places, own = true) {
 export async function arrange() {
   const { file, positions: before } = opened.value;
   const name = component.value;
-  const plain = (all) => all.filter((one) => one.component === name).map(({ component: of, state, x, y }) => ({ component: of, state, x, y }));
   const answer = await ask('arrange_states', { file, component: name });
-  if (answer) remember({ kind: 'move', before: plain(before), after: plain(answer.positions) });
+  if (answer) remember({ kind: 'move', before: placesOf(before, name), after: placesOf(answer.positions, name) });
 }
 
 // ---- messages
@@ -254,10 +240,7 @@ const samePlaces = (a, b) => a.length === b.length && a.every((one, index) => {
 function changed(message) {
   const before = opened.value;
   if (before?.file !== message.file) return;
-  if (before.version !== message.from_version) {
-    ask('open_file', { file: message.file });
-    return;
-  }
+  if (before.version !== message.from_version) return ask('open_file', { file: message.file });
   const { type, splices, from_version: _, by, page, ...state } = message;
   const text = spliced(before.text, splices);
   const mine = page === hello.value?.page;
@@ -275,7 +258,7 @@ function changed(message) {
     editedOutside.value = Date.now();
     if (!message.conflict) notify('done', `${message.file} was edited outside; its changes are shown`);
   }
-  if (splices.length > 0 && by !== 'undo') remember({ kind: 'text', typed: typing && mine, at: Date.now() });
+  if (splices.length > 0 && by !== 'undo') rememberText(typing && mine);
 }
 
 /** Keeps the selection; what was renamed elsewhere is found at its place in the list. */

@@ -80,14 +80,8 @@ export class Typing {
   async send() {
     clearTimeout(this.timer);
     this.timer = null;
-    if (this.sent || !this.waiting) {
-      this.next();
-      return;
-    }
-    if (locked.value) {
-      this.giveUp(locked.value);
-      return;
-    }
+    if (this.sent || !this.waiting) return this.next();
+    if (locked.value) return this.giveUp(locked.value);
     const { file, version, text } = opened.value;
     const [offsets, lines, end] = [new Offsets(text), new Lines(text), endOf(text)];
     const edits = [];

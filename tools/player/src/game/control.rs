@@ -44,21 +44,3 @@ impl GameControl for () {
         eprintln!("warning: the recording ended, the game goes on: {reason}");
     }
 }
-
-impl<C: GameControl + ?Sized> GameControl for &mut C {
-    fn next(&mut self, is_over: bool) -> NextStep {
-        (**self).next(is_over)
-    }
-
-    fn note(&mut self) -> Option<String> {
-        (**self).note()
-    }
-
-    fn lets_operators_pause(&self) -> bool {
-        (**self).lets_operators_pause()
-    }
-
-    fn recording_ended(&mut self, reason: &str) {
-        (**self).recording_ended(reason);
-    }
-}

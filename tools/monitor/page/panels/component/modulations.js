@@ -2,6 +2,7 @@
 
 import { html, useEffect, useRef, useSignal } from '../../lib/dom.js';
 import { number, words } from '../../lib/format.js';
+import { on } from '../../lib/listen.js';
 import { act, operate, session } from '../../lib/store.js';
 
 /** Time between two calls while a button is held. */
@@ -40,11 +41,8 @@ function Modulation({ modulation, component, number: place, name }) {
     timer.current = null;
   };
   useEffect(() => {
-    window.addEventListener('blur', end);
-    return () => {
-      window.removeEventListener('blur', end);
-      end();
-    };
+    const ends = [on(window, { blur: end }), end];
+    return () => ends.forEach((one) => one());
   }, []);
   const key = (event) => {
     if (event.key !== ' ' && event.key !== 'Enter') return;

@@ -29,10 +29,7 @@ async function makeState(name, at, more = []) {
 /** A new state at a point; its name is asked for there. */
 export async function addState(at) {
   if (!editable()) return;
-  if (machine.value.step) {
-    notify('error', `${component.value} has a step and is no machine`, 'delete `step` in the code first');
-    return;
-  }
+  if (machine.value.step) return notify('error', `${component.value} has a step and is no machine`, 'delete `step` in the code first');
   const name = await askName({ at, value: freeName(machine.value.component, 'new_state'), label: 'Name of the new state', fresh: true });
   if (name) await makeState(name, at);
 }

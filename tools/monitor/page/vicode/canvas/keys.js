@@ -27,10 +27,7 @@ function walk(event) {
   const own = machine.value;
   const key = focused(event);
   if (!own || own.states.length === 0) return;
-  if (!key) {
-    focusOn((own.states.find(({ initial }) => initial) ?? own.states[0]).key);
-    return;
-  }
+  if (!key) return focusOn((own.states.find(({ initial }) => initial) ?? own.states[0]).key);
   const { kind, name, from } = parsed(key);
   if (kind === 'arrow') {
     const { to } = own.byKey.get(key);

@@ -1,6 +1,7 @@
 // The mouse on the canvas. Nothing is sent before a drag ends.
 
 import { signal } from '../../lib/dom.js';
+import { on } from '../../lib/listen.js';
 import { stateKey } from '../machine.js';
 import { change, choose, chosenStates, locked, machine, move, selection, wish } from '../sources.js';
 import { toggleStop } from '../stops.js';
@@ -31,10 +32,7 @@ function follow(event, { onMove, onEnd }) {
     onMove(one);
   };
   const end = (one) => {
-    svg.removeEventListener('pointermove', step);
-    svg.removeEventListener('pointerup', end);
-    svg.removeEventListener('pointercancel', end);
-    window.removeEventListener('keydown', cancel, true);
+    stops.forEach((stop) => stop());
     onEnd(one, moved && one.type === 'pointerup');
   };
   const cancel = (key) => {
@@ -42,10 +40,7 @@ function follow(event, { onMove, onEnd }) {
     key.stopPropagation();
     end(key);
   };
-  svg.addEventListener('pointermove', step);
-  svg.addEventListener('pointerup', end);
-  svg.addEventListener('pointercancel', end);
-  window.addEventListener('keydown', cancel, true);
+  const stops = [on(svg, { pointermove: step, pointerup: end, pointercancel: end }), on(window, { keydown: cancel }, true)];
 }
 
 function pan(event) {
@@ -117,10 +112,7 @@ function drawTransition(event, from) {
     onEnd(one, moved) {
       sketch.value = null;
       target.value = null;
-      if (!moved) {
-        choose([stateKey(from)]);
-        return;
-      }
+      if (!moved) return choose([stateKey(from)]);
       const over = stage.at(point, 6);
       const [a, b] = [stage.boxes.get(from), over ?? { x: point[0], y: point[1] }];
       const middle = over ? (over.name === from ? [a.x + WIDTH / 2 + 60, a.y] : [(a.x + b.x) / 2, (a.y + b.y) / 2]) : point;
@@ -175,14 +167,8 @@ export function press(event) {
     return;
   }
   if (event.button !== 0) return;
-  if (!key) {
-    selectArea(event);
-    return;
-  }
-  if (event.target.closest('.stop')) {
-    toggleStop(key);
-    return;
-  }
+  if (!key) return selectArea(event);
+  if (event.target.closest('.stop')) return toggleStop(key);
   const state = event.target.closest('[data-state]')?.dataset.state;
   if (state && !event.shiftKey && (event.target.closest('.handle') || atEdge(stage.boxes.get(state), view.point(event)))) {
     drawTransition(event, state);

@@ -63,9 +63,7 @@ class Stage {
     this.placeLabels(all);
   }
 
-  course(arrow, all) {
-    return courseOf(arrow, this.lanes.get(arrow.key), (name) => this.boxes.get(name), all);
-  }
+  course(arrow, all) { return courseOf(arrow, this.lanes.get(arrow.key), (name) => this.boxes.get(name), all); }
 
   /** Puts names where they cover neither boxes nor each other. */
   placeLabels(all) {
@@ -127,9 +125,7 @@ class Stage {
     }
   }
 
-  all() {
-    return [...this.boxes.values()];
-  }
+  all() { return [...this.boxes.values()]; }
 
   /** The state under a point of the drawing. */
   at([x, y], margin = 0) {

@@ -55,9 +55,7 @@ export class View {
   }
 
   /** The point of the window, relative to the canvas, of a point of the drawing. */
-  place([x, y]) {
-    return [x * this.k + this.x, y * this.k + this.y];
-  }
+  place([x, y]) { return [x * this.k + this.x, y * this.k + this.y]; }
 
   pan(dx, dy) {
     this.whole = false;
