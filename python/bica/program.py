@@ -40,6 +40,10 @@ class ProgramError(BicaError):
         return self.code == REFUSED
 
 
+class StoppedError(ProgramError):
+    """A program was killed, or not started, because this process ends."""
+
+
 class Program:
     """A robot's program: the forward's `player`, or any program made with `bica-app`."""
 
@@ -168,8 +172,8 @@ def _run(command: Sequence[str], timeout: float | None) -> tuple[int, str, str]:
             out, err = process.communicate(timeout=timeout)
         except subprocess.TimeoutExpired:
             raise ProgramError(f"{Path(command[0]).name} took more than {timeout:g} s and was stopped") from None
-    if _stopping.is_set():
-        raise ProgramError("stopped")
+        if _stopping.is_set():
+            raise StoppedError("stopped")
     return process.returncode, out, err
 
 
@@ -177,6 +181,9 @@ def _run(command: Sequence[str], timeout: float | None) -> tuple[int, str, str]:
 def _registered(process: subprocess.Popen[str]) -> Iterator[None]:
     _running.add(process)
     try:
+        # Only now: `stopping` kills those that were registered before.
+        if _stopping.is_set():
+            raise StoppedError("stopped")
         yield
     finally:
         _running.discard(process)

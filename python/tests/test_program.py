@@ -43,17 +43,17 @@ def test_a_missing_program_is_named() -> None:
 def test_a_program_that_takes_too_long_is_killed(robot: Program) -> None:
     with pytest.raises(ProgramError, match=r"more than 0\.5 s"):
         bica.play(arguments=["--slow", "987"], timeout=0.5, program=robot)
-    assert not _running("987")
+    assert not is_running("987")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
 def test_no_program_outlives_its_caller(robot: Program, number: int) -> None:
     code = f"import bica; bica.play(program={str(robot.path)!r}, arguments=['--slow', '986'])"
     caller = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.DEVNULL)
-    _wait(lambda: _running("986"))
+    wait(lambda: is_running("986"))
     os.kill(caller.pid, number)
     caller.wait(60)
-    _wait(lambda: not _running("986"))
+    wait(lambda: not is_running("986"))
 
 
 def test_a_series_is_a_table_with_a_row_for_each_seed(robot: Program) -> None:
@@ -62,12 +62,12 @@ def test_a_series_is_a_table_with_a_row_for_each_seed(robot: Program) -> None:
     assert "SIGABRT" in table["error"].iloc[2] and table["tries"].iloc[2] == 3
 
 
-def _running(word: str) -> bool:
+def is_running(word: str) -> bool:
     lines = [path.read_bytes() for path in Path("/proc").glob("[0-9]*/cmdline") if path.exists()]
     return any(b"robot.py" in line and word.encode() in line.split(b"\0") for line in lines)
 
 
-def _wait(condition: object, limit: float = 60) -> None:
+def wait(condition: object, limit: float = 60) -> None:
     until = time.monotonic() + limit
     while not condition():  # type: ignore[operator]
         assert time.monotonic() < until

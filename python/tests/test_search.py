@@ -12,6 +12,7 @@ import optuna
 import pytest
 from conftest import Postgres, StudyFile
 from robot import loss
+from test_program import is_running, wait
 
 from bica.cli import main
 from bica.program import Program
@@ -150,6 +151,14 @@ def test_an_interrupted_search_continues(study_file: StudyFile, capsys: pytest.C
     new = re.search(r"(\d+) games stored, (\d+) of them played by this run", capsys.readouterr().err)
     assert new is not None and int(new[1]) == len(after) and int(new[2]) == len(after) - len(before)
     assert len(ended(trials_of(path))) == 8
+
+
+def test_an_interrupt_ends_long_games_at_once(study_file: StudyFile) -> None:
+    driver = start(study_file(("arguments = []", 'arguments = ["--slow", "985"]')))
+    wait(lambda: is_running("985"))
+    driver.send_signal(signal.SIGINT)
+    driver.communicate(timeout=60)
+    assert driver.returncode == 130 and not is_running("985")
 
 
 def test_one_process_drives_a_study(study_file: StudyFile, capsys: pytest.CaptureFixture[str]) -> None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from bica.parameters import Setting
-from bica.program import Program, ProgramError
+from bica.program import Program, ProgramError, StoppedError
 
 #: Tries of a game whose program crashes or takes too long.
 TRIES = 3
@@ -96,7 +96,7 @@ def _play(program: Program, task: Task, seed: int) -> Game:
             result = program.play(seed, task.world, dict(task.settings), task.arguments, task.timeout)
             values, error = _values(result), None
         except ProgramError as failure:
-            if failure.is_refusal:
+            if failure.is_refusal or isinstance(failure, StoppedError):
                 raise
             error = str(failure)
         tries = len(repeated) + 1
