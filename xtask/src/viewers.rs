@@ -13,6 +13,7 @@ const FORWARD: &str = "/tf /camera/image /camera/calibration /states /parameters
     /annotations/BallDetector/ball_in_image /annotations/CameraPose/horizon /annotations/FieldBoundary/corners \
     /annotations/GoalDetector/posts_in_image /scene/BallDetector/ball_position /points/BallDetector/ball_position \
     /scene/Localization/robot_pose /points/Localization/robot_pose /scene/GoalDetector/goal_position \
+    /scene/lines /points/lines \
     --compose field robot Localization/robot_pose \
     --project BallDetector/ball_in_image BallDetector/ball_position 0.0325";
 /// The same of the robot that follows walls.

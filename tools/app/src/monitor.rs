@@ -89,7 +89,10 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
     let actions = world.actions().map_or(&[][..], |actions| actions.list());
     let mut robot = Box::<R>::default();
     layers.apply(&mut *robot)?;
-    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
+    let header = |images| {
+        let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);
+        header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
+    };
     // Sensor values are not stored: the same world is made again from its set-up.
     let record =
         RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, topics: None, force: true };

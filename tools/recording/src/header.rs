@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use bica::action::Action;
+use bica::visual::Scene;
 use bica::{ComponentId, Graph};
 use bica_wire::Recordable;
 use bica_wire::model::Description;
@@ -11,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::information;
 use crate::program::{Program, Start};
+use crate::scenery::Scenery;
 use crate::topics::Topics;
 
 /// Version of the format. Version 5 has sensor values and commands of any robot; earlier ones cannot be read.
@@ -37,6 +39,9 @@ pub struct Header {
     pub messages: Option<Messages>,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
+    /// What does not move in the world.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub scenery: Vec<Scenery>,
     /// Topics for other programs beside the recording.
     #[serde(default)]
     pub topics: Topics,
@@ -125,6 +130,7 @@ impl Header {
             set_up,
             messages: None,
             images,
+            scenery: Vec::new(),
             topics: images.into(),
             monitor: None,
         }
@@ -150,6 +156,12 @@ impl Header {
     #[must_use]
     pub fn with_actions(self, actions: &'static [Action]) -> Self {
         Self { tree: self.tree.with_actions(actions), ..self }
+    }
+
+    /// Adds what does not move in the world; `show` is its [`World::scenery`](bica::runner::World::scenery).
+    #[must_use]
+    pub fn with_scenery(self, show: impl FnOnce(&mut dyn Scene)) -> Self {
+        Self { scenery: Scenery::of(show), ..self }
     }
 
     /// Whether the recorded world was a simulated one, which may run again.

@@ -34,6 +34,7 @@ mod recording;
 pub mod repair;
 mod replay;
 mod request;
+mod scenery;
 mod topics;
 mod writer;
 
@@ -53,6 +54,7 @@ pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncin
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
+pub use scenery::Scenery;
 pub use topics::Topics;
 
 #[cfg(doctest)]

@@ -49,7 +49,10 @@ where
     let console = Console::new(args.json);
     let is_paced = args.realtime || registered.is_device || (args.link.serve.is_some() && !args.link.unpaced);
     let (server, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
-    let header = |images| Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions).of_robot(&*robot);
+    let header = |images| {
+        let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);
+        header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
+    };
     let (file, recorder) = args.record.start(header, is_paced)?.unzip();
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);

@@ -3,8 +3,8 @@
 use std::thread;
 use std::time::{Duration, Instant as Clock};
 
-use bica::runner::Runner;
-use bica::{Refusal, Tree};
+use bica::runner::{self, Runner};
+use bica::{Refusal, Tree, visual};
 use bica_app::Failure;
 use bica_motion::pose::Pose2;
 use bica_player::input::{HealthMonitor, RobotProfile};
@@ -128,7 +128,9 @@ impl Game {
         let refused = |refusal: Refusal| Failure::new(refusal.to_string(), "check parameters with `player params`");
         robot.set_params(rules.settings).map_err(refused)?;
         let mut firmware = FirmwareCheck::new(rules.firmware.map(|image| image.start(attacks)).transpose()?);
-        let recorder = GameRecorder::new(record, rules, attacks, (&robot, actions), world.shared_image())?;
+        let scenery = |scene: &mut dyn visual::Scene| runner::World::<Forward>::scenery(&*world, scene);
+        let image = world.shared_image();
+        let recorder = GameRecorder::new(record, rules, attacks, (&robot, actions), image, scenery)?;
         let (link, requests, view) = GameLink::start(serve, rules, actions, &*world, can_pause, &mut firmware)?;
         let measured = (Meter::new(&GRAPH), Stopwatch::default());
         let observers = (firmware, (measured, (recorder, view)));

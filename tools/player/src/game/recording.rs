@@ -4,6 +4,7 @@ use std::path::Path;
 
 use bica::action::Action;
 use bica::runner::{Cycle, Observer, Request};
+use bica::visual::Scene;
 use bica::{Probe, Refusal};
 use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
@@ -83,10 +84,11 @@ impl GameRecorder {
         attacks: GoalColour,
         (robot, actions): (&Forward, &'static [Action]),
         image: SharedImage,
+        scenery: impl FnOnce(&mut dyn Scene),
     ) -> Result<Self, Failure> {
         let start = |RecordOptions { path, images, topics, force }: RecordOptions<'_>| {
-            let header = recording_header(rules, attacks, images).with_actions(actions).of_robot(robot);
-            let header = Header { topics, ..header };
+            let header = recording_header(rules, attacks, images).with_actions(actions).with_scenery(scenery);
+            let header = Header { topics, ..header }.of_robot(robot);
             let (file, recorder) = RecordedFile::start(path, force, &header, rules.realtime)?;
             Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };

@@ -26,6 +26,7 @@ impl Header {
             set_up: SetUp::new(),
             messages: None,
             images: ImagePolicy::None,
+            scenery: Vec::new(),
             topics: Topics::Standard,
             monitor: Some(MonitorInfo { address: address.to_owned() }),
         }

@@ -20,7 +20,8 @@ const FLOAT32: u64 = 7;
 const POINTS: u64 = 1;
 const STRIP: u64 = 3;
 
-fn colour(output: usize) -> [f64; 4] {
+/// Returns the colour of an output.
+pub(super) fn colour(output: usize) -> [f64; 4] {
     let [red, green, blue] = COLOURS[output % COLOURS.len()];
     [red, green, blue, 1.0]
 }
@@ -40,9 +41,9 @@ pub(super) fn transforms(time: u64, frames: &[(&str, &str, Pose)]) -> Protobuf {
     message
 }
 
-/// Returns an entity with shapes; its number chooses the colour.
-pub(super) fn scene(time: u64, frame: &str, id: &str, output: usize, shapes: &[Shape]) -> Protobuf {
-    let (mut message, colour) = (Protobuf::default(), colour(output));
+/// Returns an entity with shapes in a colour: red, green, blue and alpha.
+pub(super) fn scene(time: u64, frame: &str, id: &str, colour: &[f64; 4], shapes: &[Shape]) -> Protobuf {
+    let mut message = Protobuf::default();
     message.nested(2, |entity| {
         entity.timestamp(1, time).text(2, frame).text(3, id);
         for shape in shapes {
@@ -51,15 +52,17 @@ pub(super) fn scene(time: u64, frame: &str, id: &str, output: usize, shapes: &[S
                     let pose = Pose { position: *position, rotation: [0.0, 0.0, 0.0, 1.0] };
                     entity.nested(9, |out| {
                         write_pose(out, 1, &pose);
-                        out.vector(2, &[WIDTH; 3]).vector(3, &colour);
+                        out.vector(2, &[WIDTH; 3]).vector(3, colour);
                     });
                 }
-                Shape::Arrow(pose) => _ = entity.nested(7, |out| write_arrow(out, pose, &colour)),
+                Shape::Arrow(pose) => _ = entity.nested(7, |out| write_arrow(out, pose, colour)),
                 Shape::Line(points, is_closed) => {
                     entity.nested(11, |out| {
                         out.int(1, (*is_closed).into()).double(3, LINE).int(4, 1);
-                        points.iter().for_each(|point| _ = out.vector(5, point));
-                        out.vector(6, &colour);
+                        for point in points {
+                            out.vector(5, point);
+                        }
+                        out.vector(6, colour);
                     });
                 }
                 // They are the topic with points.
@@ -137,7 +140,9 @@ pub(super) fn annotations(time: u64, kind: &str, output: usize, value: &Value, s
         if let Some(points) = points.into_iter().map(point).collect::<Option<Vec<_>>>() {
             message.nested(2, |out| {
                 out.timestamp(1, time).int(2, kind);
-                points.iter().for_each(|point| _ = out.vector(3, point));
+                for point in &points {
+                    out.vector(3, point);
+                }
                 out.vector(4, &colour).double(7, LINE);
             });
         }

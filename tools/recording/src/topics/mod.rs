@@ -1,7 +1,7 @@
 //! Topics that other programs show: derived from the messages of a recording, and ignored when it is read.
 //!
-//! Their schemas are those of Foxglove, in Protocol Buffers. The crates of these schemas need 90 others (`foxglove`), or `prost` with
-//! generated code and descriptors beside it; the few messages that are written need a table of their fields and a writer.
+//! Their schemas are those of Foxglove, in Protocol Buffers. The crate `foxglove` (0.30, without default features) needs 98 others, among
+//! them `prost`; the few messages that are written need a table of their fields and a writer of 70 lines.
 
 mod foxglove;
 mod numbers;
@@ -24,6 +24,7 @@ use crate::information::InformationRecord;
 use crate::mcap::Compression;
 use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
+use crate::scenery::Scenery;
 use outputs::{Outputs, Seen};
 use preview::{Preview, is_image};
 use protobuf::Protobuf;
@@ -101,6 +102,7 @@ impl Deriver {
     pub(crate) fn derive(&mut self, channel: Channel, time: u64, data: &[u8]) -> Vec<Derived> {
         if !std::mem::replace(&mut self.has_begun, true) {
             self.parameters();
+            self.scenery(time);
         }
         let all = self.header.topics == Topics::All;
         match channel {
@@ -181,6 +183,19 @@ impl Deriver {
         }
     }
 
+    /// Writes what does not move in the world, once.
+    fn scenery(&mut self, time: u64) {
+        for Scenery { name, shape, frame, colour, value } in std::mem::take(&mut self.header.scenery) {
+            let mut all = Vec::new();
+            shape::each(&value, &mut |value| all.extend(shape::shapes(&shape, value)));
+            let [red, green, blue] = colour.unwrap_or([u8::MAX; 3]).map(|part| f64::from(part) / 255.0);
+            let scene = foxglove::scene(time, &frame, &name, &[red, green, blue, 1.0], &all);
+            self.send(&format!("/scene/{name}"), Schema::Foxglove("SceneUpdate"), scene);
+            let points = foxglove::points(time, &frame, &all);
+            self.send(&format!("/points/{name}"), Schema::Foxglove("PointCloud"), points);
+        }
+    }
+
     /// Writes the state of each component, and each change as text.
     fn states(&mut self, time: u64, tree: TreeRecord) {
         let mut message = Protobuf::default();
@@ -225,7 +240,7 @@ impl Deriver {
             .iter()
             .filter_map(|value| Some(((value.component.into(), value.index.into()), self.header.decode(value)?)));
         let values: BTreeMap<_, _> = values.collect();
-        for derived in self.outputs.derive(time, &values, &seen, &self.tree) {
+        for derived in self.outputs.derive(time, &values, seen.as_ref(), &self.tree) {
             self.push(derived.topic, derived.schema, derived.compression, derived.data);
         }
     }

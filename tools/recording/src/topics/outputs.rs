@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use bica_wire::model::{Description, Placement};
 use serde_json::Value;
 
-use super::foxglove::{annotations, calibration, points, scene, transforms};
+use super::foxglove::{annotations, calibration, colour, points, scene, transforms};
 use super::preview::Preview;
 use super::protobuf::Protobuf;
 use super::shape::{Pose, each, pose, shapes};
@@ -76,7 +76,7 @@ impl Outputs {
         &mut self,
         time: u64,
         values: &Values,
-        seen: &Option<Seen>,
+        seen: Option<&Seen>,
         tree: &TreeRecord,
     ) -> Vec<Derived> {
         let mut derived = Vec::new();
@@ -131,15 +131,15 @@ impl Output {
         is_news
     }
 
-    fn calibration(&self, value: &Value, seen: &Option<Seen>) -> Option<Derived> {
+    fn calibration(&self, value: &Value, seen: Option<&Seen>) -> Option<Derived> {
         let frame = &self.placement.frame;
-        let (time, preview) = seen.as_ref()?.get(frame)?;
+        let (time, preview) = seen?.get(frame)?;
         let message = calibration(*time, &format!("{frame}_optical"), value, preview)?;
         Some(derived(format!("/{frame}/calibration"), "CameraCalibration", message))
     }
 
     /// Returns what is seen in the image of this time; in a recording without images at any time.
-    fn annotations(&mut self, time: u64, number: usize, value: &Value, seen: &Option<Seen>) -> Option<Derived> {
+    fn annotations(&mut self, time: u64, number: usize, value: &Value, seen: Option<&Seen>) -> Option<Derived> {
         let (time, scale) = match seen {
             None => (time, 1.0),
             Some(seen) => seen.get(&self.placement.frame).map(|(time, preview)| (*time, preview.scale))?,
@@ -157,7 +157,7 @@ impl Output {
         let Placement { shape, frame, .. } = &self.placement;
         let mut all = Vec::new();
         each(value, &mut |value| all.extend(shapes(shape, value)));
-        let scene = scene(time, frame, &self.name, number, &all);
+        let scene = scene(time, frame, &self.name, &colour(number), &all);
         let points = derived(format!("/points/{}", self.name), "PointCloud", points(time, frame, &all));
         let scene = (shape != "Scan").then(|| derived(format!("/scene/{}", self.name), "SceneUpdate", scene));
         scene.into_iter().chain([points]).collect()
