@@ -4,7 +4,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use syn::{File, Item, parse2};
 
-use crate::{component, tree};
+use crate::{actions, component, tree};
 
 fn machine() -> TokenStream {
     quote! {
@@ -167,4 +167,37 @@ fn a_syntax_error_in_a_signature_makes_a_stub_without_a_message() {
     assert!(messages(code.clone()).is_empty());
     let words = words(code);
     assert!(words.contains(&"IS_STUB".to_owned()) && !words.contains(&"initial".to_owned()));
+}
+
+#[test]
+fn mistakes_in_actions_of_a_world_are_reported_and_the_item_stays() {
+    let world = |argument: TokenStream| {
+        quote! {
+            impl Room {
+                /// Pushes the robot.
+                #[action]
+                fn push(&mut self, #argument speed: f32) {}
+            }
+        }
+    };
+    let expanded = |item: TokenStream| actions::run(TokenStream::new(), &item);
+    assert_eq!(messages(expanded(world(quote!(#[range(0.0..=1.0)] #[place("field.heading")])))), [""; 0]);
+    let mistakes = [
+        (
+            quote!(
+                struct Room;
+            ),
+            "`#[world_actions]` belongs on an impl block",
+        ),
+        (quote!(impl Room { #[action] fn push(&mut self) {} }), "`push` has `#[action]` but no doc comment"),
+        (quote!(impl Room { #[doc = "Pushes."] #[action(moves)] fn push(&mut self) {} }), "write `#[action]`, or"),
+        (world(quote!(#[range(0.0..=1.0)] #[place("heading")])), "a place is a coordinate in a frame"),
+        (world(quote!(#[plaec("field.x")])), "did you mean `#[place]`?"),
+    ];
+    for (item, message) in mistakes {
+        let expanded = expanded(item);
+        assert!(words(expanded.clone()).contains(&"Room".to_owned()));
+        let [found] = &messages(expanded)[..] else { panic!("one message for `{message}`") };
+        assert!(found.contains(message), "{found}");
+    }
 }
