@@ -32,17 +32,10 @@ const TREES: [&str; 2] = ["player/src/forward.rs", "examples/goalkeeper/src/tree
 const JOINTS: &str = "bica-motion/src/joints.rs";
 /// Words of soccer: `BALL`, `place_ball` and `BallKeeper` contain one of them.
 const OBJECTS: [&str; 4] = ["ball", "goal", "soccer", "nao"];
-/// Sources that still contain some: the true state of a world, and the result of a run.
-const KNOWN: [&str; 4] = [
-    "bica-wire/src/message/extra.rs",
-    "tools/app/src/link/extras.rs",
-    "tools/monitor/src/sessions/recorded/index.rs",
-    "tools/monitor/src/sessions/result.rs",
-];
 /// Components whose names generic code may use for something else.
 const WORDS: [&str; 5] = ["Body", "Head", "Turn", "Player", "Walk"];
-/// Objects of an application, and devices of a robot.
-const OBJECTS: [&str; 4] = ["goal", "own_goal", "top_camera", "bottom_camera"];
+/// Cameras of a robot.
+const CAMERAS: [&str; 2] = ["top_camera", "bottom_camera"];
 
 /// Returns a line for each dependency of a generic package on another package of the workspace that is not generic.
 pub(crate) fn forbidden_dependencies() -> Vec<String> {
@@ -67,12 +60,7 @@ fn is_generic(name: &Value) -> bool {
 /// word of soccer.
 pub(crate) fn names_of_robots() -> Vec<String> {
     let (names, pages) = (names(), generic_sources());
-    let objects = pages.iter().flat_map(|page| match (KNOWN.contains(&&*page.name), objects(page)) {
-        (false, found) => found,
-        (true, found) if found.is_empty() => vec![format!("{}: it is clean now, remove it from `KNOWN`", page.name)],
-        (true, _) => Vec::new(),
-    });
-    pages.iter().flat_map(|page| named(page, &names)).chain(objects).collect()
+    pages.iter().flat_map(|page| [named(page, &names), objects(page)]).flatten().collect()
 }
 
 fn generic_sources() -> Vec<Page> {
@@ -99,10 +87,10 @@ fn sources() -> Vec<String> {
     folders.flat_map(|folder| ["src/", "page/"].map(|below| format!("{folder}{below}"))).collect()
 }
 
-/// Names of the components, joints and objects of the robots.
+/// Names of the components, joints and cameras of the robots.
 pub(crate) fn names() -> BTreeSet<String> {
     let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("a source of the repository");
-    let mut names: BTreeSet<String> = OBJECTS.map(str::to_owned).into();
+    let mut names: BTreeSet<String> = CAMERAS.map(str::to_owned).into();
     for tree in TREES {
         let text = read(tree);
         let (_, list) = text.split_once("components: [").expect("a list of components");
