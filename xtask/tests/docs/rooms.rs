@@ -34,8 +34,8 @@ const JOINTS: &str = "bica-motion/src/joints.rs";
 const OBJECTS: [&str; 4] = ["ball", "goal", "soccer", "nao"];
 /// Components whose names generic code may use for something else.
 const WORDS: [&str; 5] = ["Body", "Head", "Turn", "Player", "Walk"];
-/// Devices of a robot.
-const DEVICES: [&str; 2] = ["top_camera", "bottom_camera"];
+/// Cameras of a robot.
+const CAMERAS: [&str; 2] = ["top_camera", "bottom_camera"];
 
 /// Returns a line for each dependency of a generic package on another package of the workspace that is not generic.
 pub(crate) fn forbidden_dependencies() -> Vec<String> {
@@ -60,7 +60,7 @@ fn is_generic(name: &Value) -> bool {
 /// word of soccer.
 pub(crate) fn names_of_robots() -> Vec<String> {
     let (names, pages) = (names(), generic_sources());
-    pages.iter().flat_map(|page| named(page, &names)).chain(pages.iter().flat_map(objects)).collect()
+    pages.iter().flat_map(|page| [named(page, &names), objects(page)]).flatten().collect()
 }
 
 fn generic_sources() -> Vec<Page> {
@@ -87,10 +87,10 @@ fn sources() -> Vec<String> {
     folders.flat_map(|folder| ["src/", "page/"].map(|below| format!("{folder}{below}"))).collect()
 }
 
-/// Names of the components, joints and devices of the robots.
+/// Names of the components, joints and cameras of the robots.
 pub(crate) fn names() -> BTreeSet<String> {
     let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("a source of the repository");
-    let mut names: BTreeSet<String> = DEVICES.map(str::to_owned).into();
+    let mut names: BTreeSet<String> = CAMERAS.map(str::to_owned).into();
     for tree in TREES {
         let text = read(tree);
         let (_, list) = text.split_once("components: [").expect("a list of components");
