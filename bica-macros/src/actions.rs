@@ -10,11 +10,9 @@ use bica_syntax::report::Report;
 /// Expands `#[world_actions(options)] item`.
 pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
     let mut report = Report::default();
-    match parse(options, item, &mut report) {
-        Some(world) => expand::expand(&world, &report),
-        None => {
-            let errors = report.to_compile_errors();
-            quote!(#item #errors)
-        }
+    if let Some(world) = parse(options, item, &mut report) {
+        return expand::expand(&world, &report);
     }
+    let errors = report.to_compile_errors();
+    quote!(#item #errors)
 }
