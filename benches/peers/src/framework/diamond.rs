@@ -5,10 +5,10 @@ use bica::prelude::*;
 use crate::framework::{simple, tree};
 use crate::part::mix;
 
-simple! { Bottom, fn step(&mut self) { self.0 = mix(0, [self.0]); } }
-simple! { Left, fn step(&mut self, bottom: &Bottom) { self.0 = mix(1, [bottom.0]); } }
-simple! { Right, fn step(&mut self, bottom: &Bottom) { self.0 = mix(2, [bottom.0]); } }
-simple! { Top, fn step(&mut self, left: &Left, right: &Right) { self.0 = mix(3, [left.0, right.0]); } }
+simple! { Bottom, fn step(&mut self) { self.own = mix(0, [self.own]); } }
+simple! { Left, fn step(&mut self, bottom: &Bottom) { self.own = mix(1, [bottom.own]); } }
+simple! { Right, fn step(&mut self, bottom: &Bottom) { self.own = mix(2, [bottom.own]); } }
+simple! { Top, fn step(&mut self, left: &Left, right: &Right) { self.own = mix(3, [left.own, right.own]); } }
 
 tree! {
     /// Four components; one of them is required by two.

@@ -5,32 +5,34 @@
 macro_rules! root {
     ($later:ident) => {
         #[doc = "Root of the tree."]
-        pub struct Root(u64);
+        pub struct Root {
+            own: u64,
+        }
 
         #[component]
         impl Root {
             const fn new() -> Self {
-                Self(1)
+                Self { own: 1 }
             }
 
             #[state(initial)]
             fn now(&mut self, a: &A, b: &B, c: &C, d: &D, e: &E, f: &F, g: &G, h: &H, i: &I) {
-                self.0 = mix(0, [a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0, i.0]);
+                self.own = mix(0, [a.own, b.own, c.own, d.own, e.own, f.own, g.own, h.own, i.own]);
             }
 
             #[state]
             fn later(&mut self, next: &$later) {
-                self.0 = mix(1, [next.0]);
+                self.own = mix(1, [next.own]);
             }
 
             #[transition(now -> later)]
             fn overflow(&self) -> bool {
-                self.0 == 0
+                self.own == 0
             }
 
             #[transition(later -> now)]
             fn back(&self) -> bool {
-                self.0 != 0
+                self.own != 0
             }
         }
     };

@@ -72,22 +72,24 @@ macro_rules! tree {
             }
 
             fn result(&self) -> u64 {
-                self.get::<$root>().0
+                self.get::<$root>().own
             }
         }
     };
 }
 
-/// Component whose number is its only field.
+/// Component whose number is its only field, `own`.
 macro_rules! simple {
     ($name:ident, $step:item) => {
         #[doc = "Component of a workload."]
-        pub struct $name(u64);
+        pub struct $name {
+            own: u64,
+        }
 
         #[component]
         impl $name {
             const fn new() -> Self {
-                Self(1)
+                Self { own: 1 }
             }
 
             $step
@@ -98,7 +100,7 @@ macro_rules! simple {
 /// Components of a chain: each requires the next.
 macro_rules! links {
     ($name:ident $next:ident $($rest:ident)*) => {
-        simple!($name, fn step(&mut self, next: &$next) { self.0 = mix(0, [next.0]); });
+        simple!($name, fn step(&mut self, next: &$next) { self.own = mix(0, [next.own]); });
         links!($next $($rest)*);
     };
     ($name:ident) => {
@@ -109,7 +111,7 @@ macro_rules! links {
 /// Components that require nothing.
 macro_rules! leaves {
     ($($name:ident)*) => {
-        $(simple!($name, fn step(&mut self) { self.0 = mix(0, [self.0]); });)*
+        $(simple!($name, fn step(&mut self) { self.own = mix(0, [self.own]); });)*
     };
 }
 

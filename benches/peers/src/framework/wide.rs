@@ -3,7 +3,7 @@
 /// Components, and the requirements of each.
 macro_rules! branches {
     ($($name:ident: $($need:ident)*;)*) => {
-        $(simple!($name, fn step(&mut self $(, $need: &$need)*) { self.0 = mix(0, [$($need.0),*]); });)*
+        $(simple!($name, fn step(&mut self $(, $need: &$need)*) { self.own = mix(0, [$($need.own),*]); });)*
     };
 }
 
