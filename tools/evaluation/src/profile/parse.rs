@@ -37,7 +37,7 @@ struct Class {
 pub(super) fn parse(text: &str) -> Result<Filters, ParseError> {
     let Classes { orange, yellow, blue, green, white } = toml::from_str(text).map_err(|error| {
         let help = "a profile has the sections [orange], [yellow], [blue], [green] and [white], and in them lines \
-                    `hue = [from, to]`, `saturation = [min, max]`, `luma = [min, max]` and `chroma = min`";
+                    `hue = [from, to]`, `saturation = [min, max]`, `luma = [min, max]` (0 to 255) and `chroma = min` (0 to 255)";
         wrong(text, &error.span().unwrap_or_default(), error.message(), help)
     })?;
     let filter = |class: Class| class.filter(text);
@@ -77,8 +77,9 @@ fn ordered<T: Copy + Display + PartialOrd>(text: &str, range: &Spanned<[T; 2]>) 
 }
 
 fn wrong(text: &str, at: &Range<usize>, what: &str, help: &str) -> ParseError {
-    let line = 1 + text.get(..at.start).unwrap_or(text).matches('\n').count();
-    ParseError { what: format!("line {line}: {what}"), help: help.to_owned() }
+    let line = text.get(..at.start).unwrap_or(text).matches('\n').count();
+    let written = text.lines().nth(line).unwrap_or_default().trim();
+    ParseError { what: format!("line {} `{written}`: {what}", line + 1), help: help.to_owned() }
 }
 
 #[cfg(test)]
@@ -96,16 +97,19 @@ mod tests {
     #[test]
     fn errors_name_line_and_key() {
         let wrong = |orange: &str| parse(&format!("# A hall.\n[orange]\n{orange}\n{REST}")).expect_err(orange).what;
-        assert_eq!(wrong("hue = [10, 200]"), "line 3: 10 to 200 is not a range of hues");
-        assert_eq!(wrong("hue = [400, 410]"), "line 3: 400 to 410 is not a range of hues");
-        assert_eq!(wrong("\nluma = [9, 300]"), "line 4: invalid value: integer `300`, expected u8");
-        assert_eq!(wrong("luma = [-1, 30]"), "line 3: invalid value: integer `-1`, expected u8");
-        assert_eq!(wrong("luma = [60, 30]"), "line 3: 60 is more than 30");
-        assert_eq!(wrong("saturation = [10]"), "line 3: invalid length 1, expected an array of length 2");
-        assert_eq!(wrong("chroma = 1.5"), "line 3: invalid type: floating point `1.5`, expected u8");
-        assert!(wrong("colour = 3").starts_with("line 3: unknown field `colour`, expected one of `hue`"));
-        assert!(wrong("[red]").starts_with("line 3: unknown field `red`, expected one of `orange`"));
-        assert!(wrong("chroma = = 3").starts_with("line 3: "));
+        assert_eq!(wrong("hue = [10, 200]"), "line 3 `hue = [10, 200]`: 10 to 200 is not a range of hues");
+        assert_eq!(wrong("hue = [400, 410]"), "line 3 `hue = [400, 410]`: 400 to 410 is not a range of hues");
+        assert_eq!(wrong("\nluma = [9, 300]"), "line 4 `luma = [9, 300]`: invalid value: integer `300`, expected u8");
+        assert_eq!(wrong("luma = [-1, 30]"), "line 3 `luma = [-1, 30]`: invalid value: integer `-1`, expected u8");
+        assert_eq!(wrong("luma = [60, 30]"), "line 3 `luma = [60, 30]`: 60 is more than 30");
+        assert_eq!(
+            wrong("saturation = [10]"),
+            "line 3 `saturation = [10]`: invalid length 1, expected an array of length 2"
+        );
+        assert_eq!(wrong("chroma = 1.5"), "line 3 `chroma = 1.5`: invalid type: floating point `1.5`, expected u8");
+        assert!(wrong("colour = 3").starts_with("line 3 `colour = 3`: unknown field `colour`, expected one of `hue`"));
+        assert!(wrong("[red]").starts_with("line 3 `[red]`: unknown field `red`, expected one of `orange`"));
+        assert!(wrong("chroma = = 3").starts_with("line 3 `chroma = = 3`: "));
         assert!(parse(REST).expect_err("orange").what.ends_with(": missing field `orange`"));
     }
 }
