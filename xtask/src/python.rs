@@ -52,9 +52,9 @@ fn wheel(python: &str) -> Result<(), String> {
     let directory = wheels.to_string_lossy();
     run(python, &["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", &directory, PACKAGE], &[])?;
     let clean = environment("clean")?;
-    let index = ["-m", "pip", "install", "--quiet", "--find-links", &directory, "bica==0.1.0", "--no-deps"];
-    run(&clean, &index, &[])?;
-    run(&clean, &["-I", "-c", "import bica; bica.Program"], &[])
+    let wheel = format!("{directory}/bica-{}-py3-none-any.whl", env!("CARGO_PKG_VERSION"));
+    run(&clean, &["-m", "pip", "install", "--quiet", &wheel], &[])?;
+    run(&clean, &["-I", "-c", "import bica; bica.Program, bica.Recording"], &[])
 }
 
 /// Returns the interpreter of a virtual environment, which is made if it is missing.
