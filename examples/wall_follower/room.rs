@@ -212,10 +212,9 @@ impl World<WallFollower> for Room {
         let pose = |[x, y]: [f32; 2], heading| Pose2 { x, y, heading };
         scene.show(&SceneItem::new("start", "room").place_of("odometry"), &pose(self.track[0], 0.0));
         scene.show(&SceneItem::new("robot", "room").place_of("robot"), &pose(self.position, self.heading));
-        if let Some([x, y]) = self.obstacle {
-            let shape = Rectangle { x, y, heading: 0.0, length: 2.0 * BOX, width: 2.0 * BOX };
-            scene.show(&SceneItem::new("box", "room"), &shape);
-        }
+        let (length, width) = (2.0 * BOX, 2.0 * BOX);
+        let placed = self.obstacle.map(|[x, y]| Rectangle { x, y, heading: 0.0, length, width });
+        scene.show(&SceneItem::new("box", "room"), &placed);
     }
 }
 
