@@ -61,7 +61,7 @@ const FRAMES: &str = "return import('/lib/frames.js').then(({ applied, inverse, 
     const space = matrixOf({ position: { x: 0, y: 0, z: 1 }, orientation: { x: 0, y: Math.SQRT1_2, z: 0, w: Math.SQRT1_2 } }); \
     const outputs = [{ info: { frame: 'field', child: 'odometry' } }, { info: { frame: 'odometry', child: 'robot' } }]; \
     const read = ({ info }) => (info.child === 'robot' ? { x: 1, y: 0, heading: 0 } : null); \
-    const robot = located(outputs, read, [{ child: 'odometry', value: { x: 0, y: 5, heading: 0 } }])('robot'); \
+    const robot = located(outputs, read, [{ frame: 'field', child: 'odometry', value: { x: 0, y: 5, heading: 0 } }])('robot'); \
     const round = (at) => at.map((value) => Math.round(value * 1e6) / 1e6 + 0).join(); \
     return [round(applied(times(flat, space), [1, 0, 0])), round(applied(times(inverse(flat), flat), [3, 4, 5])), \
         round(applied(robot.matrix, [0, 0, 0])), robot.root, robot.notes.join()]; })";
