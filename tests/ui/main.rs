@@ -7,9 +7,12 @@
 //! `TRYBUILD=overwrite cargo test -p bica -- --include-ignored` replaces the expected messages; review them
 //! before a commit.
 //!
+//! `valid` has unusual forms that compile.
+//!
 //! `limits` has one program for each limit. What is larger by one is refused; `messages.rs` of bica-core tests that.
 
 mod table;
+mod valid;
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]

@@ -8,6 +8,7 @@ use serde_json::json;
 use tungstenite::Message;
 
 use crate::attacks::target::{LIMIT, closed, message, target, target_with};
+use crate::sessions::page::Folder;
 
 #[test]
 fn a_large_message_ends_the_page() {
@@ -109,9 +110,8 @@ fn silent_connections_keep_no_page_out() {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_page_that_never_reads_is_disconnected_and_others_are_served() {
-    let folder = std::env::temp_dir().join(format!("jmanager-deaf-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let layouts = folder.join("layouts.json");
+    let folder = Folder::new("deaf");
+    let layouts = folder.0.join("layouts.json");
     std::fs::write(&layouts, json!({ "large": "x".repeat(900_000) }).to_string()).unwrap();
     let target = target_with(None, Options { layouts, ..Options::default() });
     let mut deaf = target.page();
@@ -129,5 +129,4 @@ fn slow_a_page_that_never_reads_is_disconnected_and_others_are_served() {
         assert!(start.elapsed() < LIMIT, "the page was not disconnected");
         std::thread::sleep(Duration::from_millis(100));
     }
-    std::fs::remove_dir_all(folder).unwrap();
 }

@@ -1,29 +1,25 @@
 //! Attacks on the program as it is started from a terminal.
 
 use std::io::{BufRead, BufReader, Read};
-use std::path::PathBuf;
 use std::process::{Child, ChildStdout, Command, Stdio};
-use std::sync::atomic::{AtomicU32, Ordering};
 
 use serde_json::json;
 use tungstenite::client::IntoClientRequest;
 
 use crate::attacks::target::message;
+use crate::sessions::page::Folder;
 
 /// A program in a folder of its own; both end with it.
 struct Program {
     child: Child,
-    folder: PathBuf,
+    folder: Folder,
 }
 
 impl Program {
     fn start(arguments: &[&str]) -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let folder = std::env::temp_dir().join(format!("jmanager-program-{}-{number}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
+        let folder = Folder::new("program");
         let mut command = Command::new(env!("CARGO_BIN_EXE_jmanager"));
-        command.args(["--no-open", "--port", "0", "tcp://127.0.0.1:1"]).args(arguments).current_dir(&folder);
+        command.args(["--no-open", "--port", "0", "tcp://127.0.0.1:1"]).args(arguments).current_dir(folder.path());
         let pipes = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let child = pipes.spawn().unwrap();
         Self { child, folder }
@@ -62,7 +58,6 @@ impl Drop for Program {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
-        let _ = std::fs::remove_dir_all(&self.folder);
     }
 }
 
@@ -71,7 +66,7 @@ impl Drop for Program {
 fn no_secret_is_printed_but_a_key_that_works_once() {
     let mut program = Program::start(&["--token-file", "token"]);
     let (url, mut lines, output) = program.url();
-    let token = std::fs::read_to_string(program.folder.join("token")).unwrap().trim().to_owned();
+    let token = std::fs::read_to_string(program.folder.0.join("token")).unwrap().trim().to_owned();
     let (address, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
     let enter = |proofs: serde_json::Value| {
         let mut request = format!("ws://{address}/socket").into_client_request().unwrap();

@@ -2,9 +2,7 @@
 
 use std::fs;
 use std::net::{TcpListener, TcpStream};
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 
 use bica_monitor::program::Program;
 use bica_monitor::sessions::{Manager, Options};
@@ -13,35 +11,28 @@ use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
 use crate::attacks::target::{TOKEN, closed, message, target_with};
+use crate::sessions::page::Folder;
 
 const TEXT: &str = "#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
 
 /// A folder with `src/a.rs` and a file outside of `src`, removed at the end.
-struct Sources(PathBuf);
+struct Sources(Folder);
 
 impl Sources {
     fn new() -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let path = std::env::temp_dir().join(format!("jmanager-attack-{}-{number}", std::process::id()));
-        fs::create_dir_all(path.join("src")).unwrap();
-        fs::write(path.join("src/a.rs"), TEXT).unwrap();
-        fs::write(path.join("secret.rs"), "// secret\n").unwrap();
-        Self(path)
+        let folder = Folder::new("attack");
+        fs::create_dir_all(folder.0.join("src")).unwrap();
+        fs::write(folder.0.join("src/a.rs"), TEXT).unwrap();
+        fs::write(folder.0.join("secret.rs"), "// secret\n").unwrap();
+        Self(folder)
     }
 
     fn options(&self) -> Options {
-        Options { source: Some(self.0.join("src")), ..Options::default() }
+        Options { source: Some(self.0.0.join("src")), ..Options::default() }
     }
 
     fn secret(&self) -> String {
-        fs::read_to_string(self.0.join("secret.rs")).unwrap()
-    }
-}
-
-impl Drop for Sources {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
+        fs::read_to_string(self.0.0.join("secret.rs")).unwrap()
     }
 }
 
@@ -62,8 +53,8 @@ fn no_request_leads_out_of_the_folder_of_sources() {
     let sources = Sources::new();
     #[cfg(unix)]
     {
-        std::os::unix::fs::symlink("../secret.rs", sources.0.join("src/link.rs")).unwrap();
-        std::os::unix::fs::symlink("..", sources.0.join("src/up")).unwrap();
+        std::os::unix::fs::symlink("../secret.rs", sources.0.0.join("src/link.rs")).unwrap();
+        std::os::unix::fs::symlink("..", sources.0.0.join("src/up")).unwrap();
     }
     let target = target_with(None, sources.options());
     let mut page = target.page();
@@ -102,12 +93,10 @@ fn no_request_leads_out_of_the_folder_of_sources() {
         }
     }
     assert_eq!(
-        (sources.secret().as_str(), fs::read_to_string(sources.0.join("src/a.rs")).unwrap().as_str()),
+        (sources.secret().as_str(), fs::read_to_string(sources.0.0.join("src/a.rs")).unwrap().as_str()),
         ("// secret\n", TEXT)
     );
-    let mut names: Vec<_> = fs::read_dir(&sources.0).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    names.sort();
-    assert_eq!(names, ["secret.rs", "src"]);
+    assert_eq!(sources.0.names(), ["secret.rs", "src"]);
 }
 
 #[test]
@@ -126,7 +115,7 @@ fn a_huge_text_gets_an_answer_and_a_larger_one_ends_the_page() {
     // The server may close while this is being written.
     let _ = page.send(Message::text(text));
     closed(&mut page);
-    assert_eq!(fs::read_to_string(sources.0.join("src/a.rs")).unwrap(), TEXT);
+    assert_eq!(fs::read_to_string(sources.0.0.join("src/a.rs")).unwrap(), TEXT);
 }
 
 #[test]

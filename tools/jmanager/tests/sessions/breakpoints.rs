@@ -81,7 +81,7 @@ fn a_world_behind_a_link_pauses_at_the_cycle_of_a_hit() {
 
 #[test]
 fn the_next_hit_of_a_recording_is_found() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     record(&folder, "one.mcap", 1);
     let page = Page::new(&Bench::with(folder, |options| options));
     opened(&page, "one");

@@ -11,7 +11,7 @@ use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
 use jmanager::SoccerOptions;
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::page::{Bench, Folder, Got, Page, options};
 
 /// Class of the ball.
 const ORANGE: usize = 0;
@@ -26,7 +26,7 @@ const SPOILT: &str = "[orange]\nhue = [148, 165]\nsaturation = [50, 400]\nluma =
 
 /// A manager with labelled images.
 fn bench_of(folder: Folder, images: PathBuf) -> Arc<Bench> {
-    let options = folder.options();
+    let options = options(&folder);
     let soccer =
         SoccerOptions { profiles: folder.0.join("profiles"), images: Some(images), ..SoccerOptions::default() };
     Bench::of_program(&Arc::new(folder), options, soccer)
@@ -84,7 +84,7 @@ bica_test_data::images_test! {
         let name = |path: &Path| path.file_name().unwrap().to_str().unwrap().to_owned();
         let numbers: BTreeMap<String, u32> = (0..).zip(&files).map(|(number, path)| (stem(&name(path)).to_owned(), number)).collect();
 
-        let folder = Folder::new();
+        let folder = Folder::new("sessions");
         let profiles = folder.0.join("profiles");
         fs::create_dir_all(&profiles).unwrap();
         fs::write(profiles.join("spoilt.toml"), SPOILT).unwrap();
@@ -125,7 +125,7 @@ bica_test_data::images_test! {
 
     fn a_pick_can_be_undone() {
         let images = bica_test_data::images().join("nao2009");
-        let page = Page::new(&bench_of(Folder::new(), images));
+        let page = Page::new(&bench_of(Folder::new("sessions"), images));
         page.open(Open::Images {});
         page.session(|one| one["connection"] == "connected");
         let before = page.ask(tuner(json!({ "type": "read" }))).unwrap();

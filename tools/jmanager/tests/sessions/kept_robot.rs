@@ -158,7 +158,7 @@ fn what_was_received_can_be_kept_after_the_robot_has_gone() {
 
 #[test]
 fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     crate::sessions::recorded::record(&folder, "one.mcap", 1);
     let page = Page::new(&Bench::with(folder, |options| options));
     let robot = Robot::start("127.0.0.1:0");

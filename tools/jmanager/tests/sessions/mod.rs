@@ -11,4 +11,4 @@ mod paused;
 mod recorded;
 mod returned;
 mod robot;
-mod world;
+pub(crate) mod world;

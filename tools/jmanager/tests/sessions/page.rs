@@ -2,7 +2,6 @@
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
@@ -10,6 +9,7 @@ use std::time::{Duration, Instant};
 
 use bica_monitor::protocol::{FromPage, Open, Request, SessionId, ToPage};
 use bica_monitor::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
+pub(crate) use bica_test_data::process::Folder;
 use jmanager::{SoccerOptions, program};
 use serde_json::{Value, json};
 
@@ -58,11 +58,11 @@ pub(crate) struct Bench {
 
 impl Bench {
     pub(crate) fn new() -> Arc<Self> {
-        Self::with(Folder::new(), |options| options)
+        Self::with(Folder::new("sessions"), |options| options)
     }
 
     pub(crate) fn with(folder: Folder, options: impl Fn(Options) -> Options) -> Arc<Self> {
-        let options = options(folder.options());
+        let options = options(self::options(&folder));
         Self::of(&Arc::new(folder), options)
     }
 
@@ -198,32 +198,13 @@ impl Drop for Page {
     }
 }
 
-/// A folder that is removed at the end of a test.
-pub(crate) struct Folder(pub(crate) PathBuf);
-
-impl Folder {
-    pub(crate) fn new() -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let path = std::env::temp_dir().join(format!("jmanager-test-{}-{number}", std::process::id()));
-        std::fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-
-    /// Options with all folders in this one.
-    pub(crate) fn options(&self) -> Options {
-        Options {
-            recordings: self.0.join("recordings"),
-            tune: self.0.join("tune"),
-            layouts: self.0.join("layouts.json"),
-            spool: self.0.join("spool"),
-            ..Options::default()
-        }
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
+/// Options with all folders in this one.
+pub(crate) fn options(folder: &Folder) -> Options {
+    Options {
+        recordings: folder.0.join("recordings"),
+        tune: folder.0.join("tune"),
+        layouts: folder.0.join("layouts.json"),
+        spool: folder.0.join("spool"),
+        ..Options::default()
     }
 }

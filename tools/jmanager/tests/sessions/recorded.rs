@@ -58,7 +58,7 @@ fn read(page: &Page, session: u32) -> Value {
 
 #[test]
 fn a_recording_shows_states_images_information_and_log() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     record(&folder, "one.mcap", 1);
     let page = Page::new(&Bench::with(folder, |options| options));
     let (_, info) = opened(&page, "one");
@@ -96,7 +96,7 @@ fn a_recording_shows_states_images_information_and_log() {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     record(&folder, "one.mcap", 1);
     let page = Page::new(&Bench::with(folder, |options| options));
     opened(&page, "one");
@@ -124,7 +124,7 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
 
 #[test]
 fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     record(&folder, "one.mcap", 1);
     let recordings = folder.0.join("recordings");
     let bytes = fs::read(recordings.join("one.mcap")).unwrap();
@@ -152,7 +152,7 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
 
 #[test]
 fn a_page_that_comes_later_gets_the_result_of_a_recorded_game() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     record_for(&folder, "goal.mcap", 1, UNTIL_GOAL);
     let page = Page::new(&Bench::with(folder, |options| options));
     let (_, info) = opened(&page, "goal");

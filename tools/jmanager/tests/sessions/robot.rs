@@ -184,7 +184,7 @@ fn an_address_without_a_robot_is_tried_until_there_is_one() {
 
 #[test]
 fn a_read_only_server_refuses_every_change() {
-    let bench = Bench::with(Folder::new(), |options| Options { read_only: true, ..options });
+    let bench = Bench::with(Folder::new("sessions"), |options| Options { read_only: true, ..options });
     let (page, description) = crate::sessions::world::running_on(&bench);
     let address = "tcp://127.0.0.1:1".to_owned();
     for request in [

@@ -210,7 +210,7 @@ fn the_past_can_be_read_and_agrees_with_what_was_live() {
 
 #[test]
 fn a_full_disk_is_reported_and_the_world_goes_on() {
-    let folder = Folder::new();
+    let folder = Folder::new("sessions");
     // Whatever is written to this device fails as on a full disk.
     std::fs::create_dir_all(folder.0.join("spool")).unwrap();
     std::os::unix::fs::symlink("/dev/full", folder.0.join("spool/session-1.mcap")).unwrap();

@@ -7,15 +7,8 @@ use bica_link::{NamedRequest, NamedSetting, Plain};
 use bica_monitor::protocol::{Open, Request};
 use serde_json::Value;
 
+use crate::sessions::world::find;
 use crate::sources::view::{Sources, View, text_of};
-
-/// Index of a component and of one of its parameters.
-fn find(description: &Value, component: &str, param: &str) -> (usize, usize) {
-    let components = description["components"].as_array().unwrap();
-    let component = components.iter().position(|one| one["name"] == component).unwrap();
-    let params = components[component]["params"].as_array().unwrap();
-    (component, params.iter().position(|one| one["name"] == param).unwrap())
-}
 
 #[test]
 fn a_tuned_value_is_written_as_the_default_of_its_source() {
@@ -29,7 +22,7 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     let is_described = |message: &Value| (message["type"] == "described").then(|| message["description"].clone());
     let description = view.wait("the tree", is_described);
     let save = |(component, param): (usize, usize)| view.request(Request::SaveSource { component, param });
-    let gain = find(&description, "FaceBall", "gain");
+    let gain = find(&description, "FaceBall", "params", "gain");
     view.request(Request::Acquire {}).unwrap();
     let (component, param) = ("FaceBall".to_owned(), "gain".to_owned());
     let request = NamedRequest::Set { settings: vec![NamedSetting { component, param, value: Plain::Number(1.0) }] };
@@ -42,7 +35,7 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
     );
     assert_eq!(sources.read("face_ball.rs"), face_ball.replace("default = 0.7,", "default = 1.0,"));
     // A variant keeps the path of its enum.
-    let body = find(&description, "RobotProfile", "profile");
+    let body = find(&description, "RobotProfile", "params", "profile");
     save(body).unwrap();
     assert_eq!(sources.read("robot_profile.rs"), profile);
     // A parameter whose source is elsewhere.

@@ -12,9 +12,7 @@ fn resolve(view: &View, keep: &Value) {
 
 #[test]
 fn an_edit_is_saved_when_nobody_goes_on() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
     assert_eq!(view.shown("player.rs").state["saved"], false);
     view.until_saved("player.rs");
@@ -37,9 +35,7 @@ fn what_was_not_saved_is_saved_at_the_end() {
 
 #[test]
 fn an_edit_of_another_program_appears_and_can_be_undone() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     let theirs = PLAYER.replace("/// Looks.", "/// Looks far.");
     sources.write("player.rs", &theirs);
     let shown = view.until("player.rs", "the edit", |shown| shown.version == 1);
@@ -56,9 +52,7 @@ fn an_edit_of_another_program_appears_and_can_be_undone() {
 
 #[test]
 fn edits_at_different_places_are_merged() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
     sources.write("player.rs", &PLAYER.replace("/// Looks.", "/// Looks far."));
     let both = PLAYER.replace("/// Looks.", "/// Looks far.").replace("= 1", "= 2 + 1");
@@ -105,15 +99,11 @@ fn a_conflict_is_shown_and_ends_as_it_was_chosen() {
 
 #[test]
 fn a_conflict_ends_when_a_side_takes_its_edit_back() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     let theirs = conflict(&sources, &view);
     view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
     view.until("player.rs", "their text", |shown| shown.text == theirs && shown.state["conflict"].is_null());
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     conflict(&sources, &view);
     sources.write("player.rs", PLAYER);
     view.until("player.rs", "its end", |shown| shown.state["conflict"].is_null());
@@ -135,9 +125,7 @@ fn both_texts_of_an_open_conflict_are_kept_at_the_end() {
 
 #[test]
 fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     fs::remove_file(sources.path("player.rs")).unwrap();
     let shown = view.until("player.rs", "deleted", |shown| shown.state["deleted"] == true);
     assert_eq!((shown.text.as_str(), &shown.state["saved"]), (PLAYER, &json!(false)));
@@ -159,9 +147,7 @@ fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
 #[test]
 fn a_read_only_file_is_reported_and_saved_when_it_may_be() {
     use std::os::unix::fs::PermissionsExt;
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     let allow = |mode| fs::set_permissions(sources.path("player.rs"), fs::Permissions::from_mode(mode)).unwrap();
     allow(0o444);
     view.until("player.rs", "read-only", |shown| shown.state["readonly"] == true);
@@ -177,9 +163,7 @@ fn a_read_only_file_is_reported_and_saved_when_it_may_be() {
 
 #[test]
 fn a_file_that_becomes_unreadable_keeps_its_text() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     fs::write(sources.path("player.rs"), b"\xff\xfe").unwrap();
     let shown = view.until("player.rs", "the problem", |shown| shown.state["problem"] != "");
     assert_eq!(shown.text, PLAYER);

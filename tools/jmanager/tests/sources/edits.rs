@@ -3,6 +3,7 @@
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
+use crate::sessions::page::options;
 use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]
@@ -40,9 +41,7 @@ fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
 
 #[test]
 fn an_edit_with_offsets_of_an_older_text_is_refused_and_one_by_name_is_not() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (_sources, view) = Sources::shown();
     let edit = |version: u64, edit: Value| {
         view.ask(json!({ "type": "edit_file", "file": "player.rs", "version": version, "edits": [edit] }))
     };
@@ -56,9 +55,7 @@ fn an_edit_with_offsets_of_an_older_text_is_refused_and_one_by_name_is_not() {
 
 #[test]
 fn refused_edits_say_why_and_change_nothing() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (_sources, view) = Sources::shown();
     let add = |name: &str| json!([{ "edit": "add_state", "component": "Player", "name": name }]);
     let body = |body: &str| json!([{ "edit": "set_body", "component": "Player", "function": "walk", "body": body }]);
     for (edits, why) in [
@@ -83,9 +80,7 @@ fn refused_edits_say_why_and_change_nothing() {
 
 #[test]
 fn moved_states_are_written_beside_and_follow_a_new_name() {
-    let sources = Sources::player();
-    let bench = sources.bench();
-    let view = View::of(&bench, "player.rs");
+    let (sources, view) = Sources::shown();
     let moved = |state: &str, x: i32| {
         let positions = json!([{ "component": "Player", "state": state, "x": x, "y": 80 }]);
         view.ask(json!({ "type": "move_states", "file": "player.rs", "positions": positions }))
@@ -262,9 +257,9 @@ fn machines_are_drawn() {
 #[test]
 fn without_a_folder_and_read_only_nothing_is_edited() {
     let sources = Sources::player();
-    let none = sources.bench_with(sources.0.options());
+    let none = sources.bench_with(options(&sources.0));
     assert!(text_of(View::new(&none).ask(json!({ "type": "sources" }))).contains("no folder of sources"));
-    let missing = sources.bench_with(Options { source: Some(sources.path("nowhere")), ..sources.0.options() });
+    let missing = sources.bench_with(Options { source: Some(sources.path("nowhere")), ..options(&sources.0) });
     text_of(View::new(&missing).ask(json!({ "type": "sources" })));
     let bench = sources.bench_with(Options { read_only: true, build: true, ..sources.options() });
     let view = View::of(&bench, "player.rs");

@@ -10,7 +10,7 @@ use bica_monitor::protocol::{Request, SourceRequest};
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::sessions::page::{self, Bench, Folder, Got, Page};
 
 /// A file with a machine.
 pub(crate) const PLAYER: &str = "\
@@ -56,7 +56,7 @@ pub(crate) struct Sources(pub(crate) Arc<Folder>);
 
 impl Sources {
     pub(crate) fn new(files: &[(&str, &str)]) -> Self {
-        let sources = Self(Arc::new(Folder::new()));
+        let sources = Self(Arc::new(Folder::new("sources")));
         for (name, text) in files {
             sources.write(name, text);
         }
@@ -66,6 +66,13 @@ impl Sources {
     /// One file `player.rs`.
     pub(crate) fn player() -> Self {
         Self::new(&[("player.rs", PLAYER)])
+    }
+
+    /// One file `player.rs`, opened by a page.
+    pub(crate) fn shown() -> (Self, View) {
+        let sources = Self::player();
+        let view = View::of(&sources.bench(), "player.rs");
+        (sources, view)
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -84,7 +91,7 @@ impl Sources {
 
     pub(crate) fn options(&self) -> Options {
         fs::create_dir_all(self.path("")).unwrap();
-        Options { source: Some(self.path("")), ..self.0.options() }
+        Options { source: Some(self.path("")), ..page::options(&self.0) }
     }
 
     pub(crate) fn bench(&self) -> Arc<Bench> {

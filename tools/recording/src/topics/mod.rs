@@ -201,10 +201,8 @@ impl Deriver {
         let mut message = Protobuf::default();
         let mut lines = Vec::new();
         for (index, component) in self.header.tree.components.iter().enumerate() {
-            let name = |tree: &TreeRecord| match tree.is_active(index) {
-                true => self.header.tree.state(index, tree.state(index)).unwrap_or("active"),
-                false => "latent",
-            };
+            let state = |tree: &TreeRecord| self.header.tree.state(index, tree.state(index)).unwrap_or("active");
+            let name = |tree: &TreeRecord| if tree.is_active(index) { state(tree) } else { "latent" };
             message.text(index as u32 + 1, name(&tree));
             if name(&tree) != name(&self.tree) {
                 lines.push((component.name.clone(), format!("{}: {}", component.name, name(&tree))));
@@ -212,7 +210,9 @@ impl Deriver {
         }
         self.tree = tree;
         self.send("/states", Schema::States, message);
-        lines.iter().for_each(|(component, text)| self.log(time, 1, component, text));
+        for (component, text) in &lines {
+            self.log(time, 1, component, text);
+        }
     }
 
     /// Keeps large data until its preview is due.
