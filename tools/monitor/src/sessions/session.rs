@@ -294,11 +294,11 @@ impl Session {
     }
 
     /// Remembers what does not move in the world, and sends it to all pages.
-    pub(super) fn show_scenery(&self, scenery: Vec<Shown>) {
+    pub(super) fn show_scenery(&self, scenery: &[Shown]) {
         let mut shared = self.shared();
-        shared.scenery.clone_from(&scenery);
+        scenery.clone_into(&mut shared.scenery);
         for &page in &shared.described {
-            self.pages.state(page, ToPage::Scenery { session: self.id, scenery: scenery.clone() });
+            self.pages.state(page, ToPage::Scenery { session: self.id, scenery: scenery.to_vec() });
         }
     }
 

@@ -118,8 +118,8 @@ fn parameters(tree: &Description) -> String {
             format!(" {}:{kind}:{number}", identifier(&param.name))
         });
         if !component.params.is_empty() {
-            all.extend([" ", name, ":Of", name, ":", &number.to_string()]);
-            messages.extend(["\nOf".to_owned(), name.to_string()].into_iter().chain(fields));
+            all.extend([" ", &name, ":Of", &name, ":", &number.to_string()]);
+            messages.extend(["\nOf".to_owned(), name].into_iter().chain(fields));
         }
     }
     all + &messages
@@ -153,7 +153,7 @@ fn descriptor_set(package: &str, root: &str, messages: &str) -> Vec<u8> {
     }
     set.nested(1, |file| {
         file.text(1, &format!("{package}/{root}.proto")).text(2, package);
-        for name in google {
+        for name in &google {
             file.text(3, &format!("google/protobuf/{}.proto", name.to_lowercase()));
         }
         for name in needed.iter().filter(|name| !google.contains(name) && !name.contains('.')) {

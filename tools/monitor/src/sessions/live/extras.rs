@@ -68,7 +68,7 @@ impl Attached<'_> {
                 self.session.show_conditions(time_us, component, conditions);
             }
             Event::Truth(truth) => self.session.show_truth(truth),
-            Event::Scenery(items) => self.session.show_scenery(items),
+            Event::Scenery(items) => self.session.show_scenery(&items),
             Event::Result(text) => self.session.set_result(text),
             // An image of which a part was lost is empty.
             Event::Image(image) if !image.yuyv.is_empty() => {

@@ -199,16 +199,13 @@ impl Attached<'_> {
     pub(super) fn answered(&mut self, answer: Answered) {
         let Some(Pending { page, id, request }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
-        let result = match refused {
-            Some((_, entry, text)) => {
-                let help = "values must be in their ranges, and requests come from the page in control".to_owned();
-                Err(Failed { entry: Some(entry), ..Failed::new(text, help) })
-            }
-            None => {
-                self.remember(&request, &values);
-                let values = self.client.description().plain_values(request.borrow(), &values);
-                Ok(json!({ "cycle": cycle, "values": values }))
-            }
+        let result = if let Some((_, entry, text)) = refused {
+            let help = "values must be in their ranges, and requests come from the page in control".to_owned();
+            Err(Failed { entry: Some(entry), ..Failed::new(text, help) })
+        } else {
+            self.remember(&request, &values);
+            let values = self.client.description().plain_values(request.borrow(), &values);
+            Ok(json!({ "cycle": cycle, "values": values }))
         };
         self.session.pages.answer(page, id, result);
     }
