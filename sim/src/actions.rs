@@ -17,7 +17,7 @@ macro_rules! operated {
         impl<$model: $bound> $world {
             /// Puts the ball at a place, at rest.
             #[action(moves = "ball")]
-            pub fn place_ball(
+            fn place_ball(
                 &mut self,
                 /// Position along the field, to the attacked goal.
                 #[range(-CORNER.x..=CORNER.x)]
@@ -35,7 +35,7 @@ macro_rules! operated {
 
             /// Puts the robot on its feet somewhere else, as a person does who carries it.
             #[action(moves = "robot")]
-            pub fn place_robot(
+            fn place_robot(
                 &mut self,
                 /// Position along the field, to the attacked goal.
                 #[range(-CORNER.x..=CORNER.x)]
@@ -58,7 +58,7 @@ macro_rules! operated {
 
             /// Pushes the robot at its torso.
             #[action]
-            pub fn push(
+            fn push(
                 &mut self,
                 /// Direction, 0 toward the attacked goal.
                 #[range(-PI..=PI)]

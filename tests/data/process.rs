@@ -79,8 +79,8 @@ impl Served {
     pub fn start(mut program: Command) -> Self {
         let mut child = program.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().expect("the program starts");
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
-        let lines = stdout.by_ref().lines().map_while(Result::ok);
-        let address = lines.filter_map(|line| Some(line.split_once("monitors attach at ")?.1.trim().to_owned())).next();
+        let mut lines = stdout.by_ref().lines().map_while(Result::ok);
+        let address = lines.find_map(|line| Some(line.split_once("monitors attach at ")?.1.trim().to_owned()));
         Self { child, stdout, address: address.expect("the program prints an address") }
     }
 }

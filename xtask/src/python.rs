@@ -8,10 +8,10 @@ use crate::process::{run, works};
 
 /// Folder of the package, from the workspace.
 const PACKAGE: &str = "./python";
-/// Where Debian puts the programs of PostgreSQL, whose server the tests start.
+/// Where Debian puts the programs of `PostgreSQL`, whose server the tests start.
 const POSTGRES: &str = "/usr/lib/postgresql";
 
-/// Installs the package with all that its tests need, as a developer uses it, and PostgreSQL.
+/// Installs the package with all that its tests need, as a developer uses it, and `PostgreSQL`.
 ///
 /// # Errors
 /// If an installation fails.

@@ -47,7 +47,7 @@ pub(crate) enum Task {
     Peers(Peers),
     /// Check the Python package: lints, types, tests, notebook, wheel
     ///
-    /// First installs PostgreSQL (with apt), and the package with Ray and Optuna (with pip) into target/python/venv, which is an
+    /// First installs `PostgreSQL` (with apt), and the package with Ray and Optuna (with pip) into target/python/venv, which is an
     /// environment to work in.
     Python,
     /// Test JManager's page in a real browser

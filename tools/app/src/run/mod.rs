@@ -72,8 +72,9 @@ where
         }
     };
     // Monitors get the last values before the result is printed.
-    server.iter().for_each(|server| server.set_result(&running.result(end)));
-    drop(server);
+    if let Some(server) = server {
+        server.set_result(&running.result(end));
+    }
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
     let (_, world, _, (story, (_, recorder))) = running.runner.into_parts();
     if let Some((file, recorder)) = file.zip(recorder) {

@@ -26,7 +26,7 @@ fn placed(file: &Temporary, images: ImagePolicy, rng: &mut Pcg64) -> usize {
             runner.requests_mut().push(Request::World { action: 0, arguments: &at.map(Value::F32) });
         }
         runner.cycle().expect("images fit");
-        count += runner.requests_mut().take_answers().into_iter().filter(Result::is_ok).count();
+        count += runner.requests_mut().take_answers().into_iter().flatten().count();
     }
     let report = runner.into_parts().3.finish("");
     assert_eq!((report.cycles, report.reason), (CYCLES, None));

@@ -63,7 +63,10 @@ fn double(message: &[u8], number: u64) -> f64 {
     fields(message, number).first().map_or(0.0, |bytes| f64::from_le_bytes((*bytes).try_into().expect("a double")))
 }
 
-fn described(topics: Topics) -> (Vec<u8>, BTreeMap<String, Vec<(u64, Vec<u8>)>>) {
+/// Messages of each topic, with their times.
+type Messages = BTreeMap<String, Vec<(u64, Vec<u8>)>>;
+
+fn described(topics: Topics) -> (Vec<u8>, Messages) {
     let disk = Disk::default();
     record_topics(&disk, ImagePolicy::All, topics, 60, RecorderOptions::default()).expect("there is room");
     let file = disk.contents();
