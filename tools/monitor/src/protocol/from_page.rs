@@ -84,7 +84,8 @@ pub enum Request {
     Release {},
     /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
     Keep {},
-    /// Requests a change of the tree, or an action of its world. [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
+    /// Requests a change of the tree, or an action of its world.
+    /// [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
     Operate {
         /// The request, with names.
         request: NamedRequest,
