@@ -100,8 +100,10 @@ impl Description {
     /// # Errors
     /// If a name is unknown, or the value does not fit.
     pub fn setting(&self, NamedSetting { component, param, value }: &NamedSetting) -> Result<Setting, Invalid> {
-        let (component, index) = self.param(&format!("{component}.{param}"))?;
-        let value = self.components[component].params[index].value_of(value)?;
+        let path = format!("{component}.{param}");
+        let (component, index) = self.param(&path)?;
+        let value = self.components[component].params[index].value_of(value);
+        let value = value.map_err(|invalid| invalid.within(&format!("`{path}`")))?;
         Ok(Setting::new(ComponentId::new(component), index as u16, value))
     }
 

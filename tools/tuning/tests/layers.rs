@@ -169,7 +169,7 @@ fn a_wrong_assignment_is_an_error() {
     assert_fails(set("Kicker.fra=0.1"), "`Kicker` has no parameter `fra`", "did you mean `far`?");
     assert_fails(
         set("Kicker.far=2"),
-        "`2` is not a value of `far`: 2 is outside 0..=1",
+        "`Kicker.far`: `2` is not a value of `far`: 2 is outside 0..=1",
         "write a number from 0.0 to 1.0 m",
     );
 }

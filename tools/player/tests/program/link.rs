@@ -92,11 +92,11 @@ fn a_served_world_is_shown() {
     let args = ["watch", "--conditions", "Player", "--costs", "--truth", "--images", folder.text(), "--count", "130"];
     let (code, lines, errors) = monitor(&game, &args);
     assert_eq!(code, Some(0), "{errors}");
-    for kind in ["snapshot", "conditions", "costs", "truth", "image"] {
-        let schema = format!("bica/link-{kind}/1");
+    for kind in ["snapshot/1", "conditions/1", "costs/1", "truth/2", "image/2"] {
+        let schema = format!("bica/link-{kind}");
         assert!(lines.iter().any(|line| line["schema"] == *schema), "{kind}");
     }
-    let image = lines.iter().find(|line| line["schema"] == "bica/link-image/1").expect("an image");
+    let image = lines.iter().find(|line| line["schema"] == "bica/link-image/2").expect("an image");
     let pixels = std::fs::read(image["path"].as_str().expect("a path")).expect("a file");
     assert_eq!(pixels.len(), 160 * 120 * 2);
 }
@@ -136,8 +136,9 @@ fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
     assert_eq!(monitor(&game, &["resume"]).0, Some(0));
     let (code, lines, errors) = monitor(&game, &["watch", "--truth", "--count", "20"]);
     assert_eq!(code, Some(0), "{errors}");
-    let truth = lines.iter().find(|line| line["schema"] == "bica/link-truth/1").expect("the true state");
-    assert_eq!(truth["ball"], serde_json::json!([-2.875, 1.5]));
+    let truth = lines.iter().find(|line| line["schema"] == "bica/link-truth/2").expect("the true state");
+    let ball = truth["items"].as_array().expect("items").iter().find(|item| item["name"] == "ball").expect("the ball");
+    assert_eq!((&ball["value"]["x"], &ball["value"]["y"]), (&(-2.875).into(), &1.5.into()));
     finish(game);
     let info = run(&["record", "info", file, "--json"]).json();
     let requests: Vec<_> = info["requests"].as_array().expect("a list").iter().map(|one| &one["request"]).collect();

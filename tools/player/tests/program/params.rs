@@ -93,7 +93,7 @@ fn a_profile_that_parameters_cannot_express_is_refused() {
     changed("saturation = [22, 400]", "", &["`orange` has no range of saturations"]);
     changed("saturation = [22, 400]", "saturation = [22, 1001]", &["profile", "orange_saturation_max", "0 to 1000"]);
     changed("saturation = [0, 8]", "saturation = [1, 8]", &["`white` has other limits"]);
-    changed("hue = [119, 145]", "hue = [119]", &["line", "orange.hue"]);
+    changed("hue = [119, 145]", "hue = [119]", &["line", "`hue = [119]`"]);
     refused(&["params", "--profile", "nao2010"], &["nao2010", "built-in, nao2009 and darwin2013"]);
 }
 

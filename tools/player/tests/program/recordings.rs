@@ -138,7 +138,7 @@ fn errors_name_the_file_and_the_remedy() {
         refused(&[command, &[&none]].concat(), &[&none, "help: "]);
         refused(&[command, &[&text]].concat(), &[&text, "not an MCAP file", "--record"]);
     }
-    for command in ["recover", "trim", "export"] {
+    for command in ["recover", "trim"] {
         refused(&["record", command, &file], &["OUT"]);
         refused(&["record", command, &file, &text], &[&text, "--force"]);
         refused(&["record", command, &file, &file, "--force"], &["the same file"]);

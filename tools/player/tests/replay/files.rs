@@ -16,7 +16,7 @@ use bica_player_program::game::{
     RecordOptions, ReplayOptions, ReplayReport, Rules, WorldKind, play_recorded, recording_header, replay,
 };
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
-use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions, checksum};
+use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions, Topics, checksum};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -60,7 +60,7 @@ pub(crate) fn rules(seed: u64, seconds: f32) -> Rules {
 
 /// Plays and records a game.
 pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
-    let options = RecordOptions { path, images, topics: images.into(), force: true };
+    let options = RecordOptions { path, images, topics: Topics::None, force: true };
     let (summary, recording) = play_recorded(rules, &mut (), Some(options), None).expect("a game");
     let recording = recording.expect("requested");
     assert_eq!((recording.recorded_cycles, recording.dropped_images, recording.reason), (summary.cycles, 0, None));
