@@ -190,9 +190,11 @@ impl Deriver {
             shape::each(&value, &mut |value| all.extend(shape::shapes(&shape, value)));
             let [red, green, blue] = colour.unwrap_or([u8::MAX; 3]).map(|part| f64::from(part) / 255.0);
             let scene = foxglove::scene(time, &frame, &name, &[red, green, blue, 1.0], &all);
-            self.send(&format!("/scene/{name}"), Schema::Foxglove("SceneUpdate"), scene);
+            // Viewers read a space as the end of a path.
+            let topic = name.replace(char::is_whitespace, "_");
+            self.send(&format!("/scene/{topic}"), Schema::Foxglove("SceneUpdate"), scene);
             let points = foxglove::points(time, &frame, &all);
-            self.send(&format!("/points/{name}"), Schema::Foxglove("PointCloud"), points);
+            self.send(&format!("/points/{topic}"), Schema::Foxglove("PointCloud"), points);
         }
     }
 
