@@ -104,7 +104,7 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
         (&["set", "FaceBall.gain=0.875"], "set"),
         (&["modulate", "Body.go", "0.1", "-0.5"], "done"),
         (&["step", "30"], "world"),
-        (&["ball", "1.5", "-0.5"], "ball"),
+        (&["act", "place_ball", "1.5", "-0.5"], "done"),
         (&["rate", "FaceBall", "5", "--seconds", "0.1"], "done"),
         (&["step", "30"], "world"),
         (&["resume"], "world"),
