@@ -33,7 +33,7 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
         };
         shown.find("button", "View", "").await;
         for theme in ["dark", "light"] {
-            shown.run("localStorage.removeItem('jmanager-layout'); localStorage.setItem('jmanager-theme', arguments[0]); location.hash = ''; location.reload()", vec![json!(theme)]).await;
+            shown.run("localStorage.removeItem('jmanager-layout'); localStorage.setItem('jmanager-theme', JSON.stringify(arguments[0])); location.hash = ''; location.reload()", vec![json!(theme)]).await;
             shown
                 .until(
                     "the page is loaded",
