@@ -48,7 +48,9 @@ def test_a_program_that_takes_too_long_is_killed(robot: Program) -> None:
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGKILL])
 def test_no_program_outlives_its_caller(robot: Program, number: int) -> None:
-    code = f"import bica; bica.play(program={str(robot.path)!r}, arguments=['--slow', '986'])"
+    # A shell starts what runs in its background with SIGINT ignored.
+    heed = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{heed}; import bica; bica.play(program={str(robot.path)!r}, arguments=['--slow', '986'])"
     caller = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.DEVNULL)
     wait(lambda: is_running("986"))
     os.kill(caller.pid, number)
