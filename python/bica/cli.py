@@ -19,11 +19,14 @@ INTERRUPTED = 130
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns its exit code: 0 done, 1 nothing was found, 2 wrong arguments or files, 130 interrupted."""
     args = _parser().parse_args(arguments)
-    signal.signal(signal.SIGTERM, _interrupt)
+    # A shell starts what runs in its background with SIGINT ignored.
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
+        signal.signal(number, _interrupt)
     try:
         run = _search if args.command == "search" else _series
         return run(args)
     except KeyboardInterrupt:
+        signal.setitimer(signal.ITIMER_REAL, 0)
         print("interrupted; the same command continues", file=sys.stderr)
         return INTERRUPTED
     except (BicaError, OSError, ImportError) as error:
@@ -32,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
+    # Python loses an exception that is raised in a destructor or a callback: it is raised again until `main` has it.
+    signal.setitimer(signal.ITIMER_REAL, 5)
     raise KeyboardInterrupt
 
 

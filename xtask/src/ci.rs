@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use crate::cli::{Ci, Firmware};
 use crate::install::packages;
 use crate::process::{run, works};
+use crate::python::SHORT;
 use crate::{browser, deny, firmware, miri, mujoco, no_std, peers, publish, python, slow_tests, spelling, viewers};
 
 /// Step of CI, in its order.
@@ -77,7 +78,7 @@ impl Step {
             Self::Peers => peers::check(),
             Self::Games => games(features),
             Self::Viewers => viewers::check(features),
-            Self::Python => python::check(features),
+            Self::Python => python::check(features, &SHORT),
             Self::Miri => miri::check(),
             Self::Budget => budget(),
             Self::Mujoco => mujoco::check(),

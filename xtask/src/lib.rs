@@ -47,7 +47,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Firmware(options) => firmware::check(options),
         Task::Mujoco => mujoco::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),
-        Task::Python => python::check(&[]),
+        Task::Python => python::check(&[], &[]),
         Task::Peers(options) => peers::measure(options),
         Task::Browser(options) => browser::test(options.figures),
         Task::Long(options) => {

@@ -24,12 +24,15 @@ pub(crate) fn install() -> Result<String, String> {
     Ok(python)
 }
 
+/// Tests that CI leaves out: those of clusters, and of searches that are killed, take half of the time.
+pub(crate) const SHORT: [&str; 3] = ["--ignore=python/tests/test_distribution.py", "-k", "not interrupt"];
+
 /// Checks lints, types and tests of the package with the programs of this workspace, then the wheel. `features` are those with
-/// which the program is built.
+/// which the program is built, and `selection` has arguments of pytest.
 ///
 /// # Errors
 /// If an installation or a check fails.
-pub(crate) fn check(features: &[&str]) -> Result<(), String> {
+pub(crate) fn check(features: &[&str], selection: &[&str]) -> Result<(), String> {
     run("cargo", &[&["build", "--release", "--quiet"], features].concat(), &[])?;
     run("cargo", &["build", "--quiet", "-p", "bica-app", "--example", "wall_follower"], &[])?;
     let python = install()?;
@@ -40,7 +43,8 @@ pub(crate) fn check(features: &[&str]) -> Result<(), String> {
     run(&python, &["-m", "ruff", "check", PACKAGE], &[])?;
     run(&python, &["-m", "ruff", "format", "--check", PACKAGE], &[])?;
     run(&python, &["-m", "mypy", "--config-file", &config, "python/bica", "python/tests"], &[])?;
-    run(&python, &["-m", "pytest", "--quiet", "--rootdir", PACKAGE, "-c", &config, "python/tests"], &programs)?;
+    let tests = ["-m", "pytest", "--quiet", "--rootdir", PACKAGE, "-c", &config, "python/tests"];
+    run(&python, &[&tests[..], selection].concat(), &programs)?;
     wheel(&python)
 }
 

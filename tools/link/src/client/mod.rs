@@ -32,6 +32,8 @@ pub use scene::{Shown, Truth};
 
 /// Time between two messages to the robot, if there is nothing else to send.
 const HEARTBEAT: Duration = Duration::from_millis(500);
+/// Time after which a state of the lease is believed that names another owner: an older one may have waited to be read.
+const SETTLED: Duration = Duration::from_millis(100);
 /// Time between two attempts to connect again.
 const RETRY: Duration = Duration::from_millis(100);
 /// Longest time in which a lease is continued after a reconnection.
@@ -178,15 +180,22 @@ impl Client {
     /// # Errors
     /// [`Error::Lease`] if somebody else owns it; [`Error::Timeout`], [`Error::Disconnected`].
     pub fn acquire(&mut self, take: bool) -> Result<(), Error> {
-        self.inbox.lease = None;
-        self.send(&FromMonitor::Lease(if take { LeaseAction::Take } else { LeaseAction::Acquire }))?;
         // The end of another one's lease may be on its way; it is not the answer.
         let is_answer = |lease: &LeaseState| lease.yours || (lease.owned && !take);
-        match self.wait("the lease", |inbox| inbox.lease.filter(is_answer)) {
-            Ok(lease) if lease.yours => Ok(()),
-            Err(Error::Timeout(what)) if self.inbox.lease.is_none() => Err(Error::Timeout(what)),
-            Ok(_) | Err(Error::Timeout(_)) => Err(Error::Lease),
-            Err(error) => Err(error),
+        let began = Instant::now();
+        loop {
+            self.inbox.lease = None;
+            self.send(&FromMonitor::Lease(if take { LeaseAction::Take } else { LeaseAction::Acquire }))?;
+            return match self.wait("the lease", |inbox| inbox.lease.filter(is_answer)) {
+                Ok(lease) if lease.yours => Ok(()),
+                Ok(_) if began.elapsed() < SETTLED => {
+                    std::thread::sleep(SETTLED / 10);
+                    continue;
+                }
+                Err(Error::Timeout(what)) if self.inbox.lease.is_none() => Err(Error::Timeout(what)),
+                Ok(_) | Err(Error::Timeout(_)) => Err(Error::Lease),
+                Err(error) => Err(error),
+            };
         }
     }
 
