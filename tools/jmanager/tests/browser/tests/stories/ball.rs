@@ -43,8 +43,7 @@ async fn pan(page: &Page, condition: &str) {
 /// Tilt of the head, rad, at which the camera that was selected last has a ball in that distance in the middle of its image. The bottom
 /// camera looks down by 0.7 rad more than the top one.
 async fn tilt(page: &Page) -> &'static str {
-    let selected =
-        "return document.querySelector('[aria-label=Camera] .bar .dim').textContent.match(/^(top|bottom)_camera /)?.[1]";
+    let selected = "return document.querySelector('[aria-label=Camera] .bar .dim').textContent.match(/^(top|bottom)_camera /)?.[1]";
     match page.until("an image is shown", selected).await.as_str() {
         Some("bottom") => "-0.15",
         _ => "0.4",
