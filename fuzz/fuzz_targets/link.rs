@@ -59,8 +59,7 @@ fn standing() -> Standing {
     let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
     let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } =
         bica_sim::World::sensors(&mut world);
-    let measured =
-        Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
+    let measured = Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
     Standing { cycle: 0, measured }
 }
 

@@ -49,7 +49,15 @@ fn edit(document: &Document, request: Request) -> Edit {
     let (function, name) = (pick(which), pick(other));
     let child = word.clone();
     match kind % 19 {
-        0 => Edit::AddState { component, name: word.clone(), docs: word.clone(), initial: true, last: false, body: word, after: None },
+        0 => Edit::AddState {
+            component,
+            name: word.clone(),
+            docs: word.clone(),
+            initial: true,
+            last: false,
+            body: word,
+            after: None,
+        },
         1 => Edit::Rename { component, function, to: word },
         2 => Edit::Delete { component, function },
         3 => Edit::Move { component, function, before: Some(name) },
@@ -57,7 +65,14 @@ fn edit(document: &Document, request: Request) -> Edit {
         5 => Edit::SetBody { component, function, body: word },
         6 => Edit::SetDocs { component, function: Some(function), docs: word },
         7 => Edit::SetOption { component, option: "hz".to_owned(), value: (other % 2 == 0).then_some(word) },
-        8 => Edit::AddChild { component, function, child, kind: LinkKind::Requirement, argument: None, import: Some(word) },
+        8 => Edit::AddChild {
+            component,
+            function,
+            child,
+            kind: LinkKind::Requirement,
+            argument: None,
+            import: Some(word),
+        },
         9 => {
             let model = document.model();
             let links = model.components.iter().flat_map(|one| one.functions()).flat_map(|function| function.links());
@@ -65,12 +80,33 @@ fn edit(document: &Document, request: Request) -> Edit {
             Edit::RemoveChild { component, function, child }
         }
         10 => Edit::SetInitial { component, state: function },
-        11 => Edit::AddTransition { component, name: word, from: vec![function], to: name, after_ms: Some(5), body: String::new(), docs: String::new(), after: None },
+        11 => Edit::AddTransition {
+            component,
+            name: word,
+            from: vec![function],
+            to: name,
+            after_ms: Some(5),
+            body: String::new(),
+            docs: String::new(),
+            after: None,
+        },
         12 => Edit::SetSources { component, transition: function, arrow: 0, from: vec![name] },
         13 => Edit::SetTimer { component, transition: function, arrow: 0, after_ms: (other % 2 == 0).then_some(7) },
-        14 => Edit::AddHook { component, name: word, role: HookRole::Entry, states: vec![name], body: String::new(), docs: String::new(), after: None },
+        14 => Edit::AddHook {
+            component,
+            name: word,
+            role: HookRole::Entry,
+            states: vec![name],
+            body: String::new(),
+            docs: String::new(),
+            after: None,
+        },
         15 => Edit::InsertCode { component, code: word, after: None },
-        16 => Edit::SetDefault { parameters: document.model().parameters.first().map_or(child, |group| group.name.text.clone()), parameter: name, value: word },
+        16 => Edit::SetDefault {
+            parameters: document.model().parameters.first().map_or(child, |group| group.name.text.clone()),
+            parameter: name,
+            value: word,
+        },
         17 => Edit::AddArrow { component, transition: function, from: vec!["*".to_owned()], to: name, after_ms: None },
         _ => Edit::Replace { span: Span::new(which as usize, which as usize + other as usize), text: word },
     }

@@ -6,9 +6,9 @@
 use bica_field::{FIELD, GoalColour};
 use bica_motion::pose::Pose2;
 use bica_vision::colour::Classify;
-use bica_vision::pipeline::{Detections, Pipeline};
 use bica_vision::frame::{Frame, MAX_HEIGHT, MAX_WIDTH, MIN_SIDE};
 use bica_vision::localization::{Localizer, Sightings};
+use bica_vision::pipeline::{Detections, Pipeline};
 use bica_vision::profile::{BUILT_IN, BUILT_IN_TABLE};
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, Quat, Vec2, Vec3};
@@ -124,7 +124,11 @@ fn numbers(seen: &Detections, camera: Option<&Camera>) -> Vec<f32> {
 fn detect(frame: &Frame<'_>, colours: &impl Classify, camera: Option<&Camera>) -> Detections {
     let mut pipeline = Box::new(Pipeline::<512, 1024>::new(FIELD.ball_radius()));
     let (seen, again) = (pipeline.detect(frame, colours, camera), pipeline.detect(frame, colours, camera));
-    assert_eq!(numbers(&seen, camera), numbers(&again, camera), "a second run on the same frame gives different detections");
+    assert_eq!(
+        numbers(&seen, camera),
+        numbers(&again, camera),
+        "a second run on the same frame gives different detections"
+    );
     seen
 }
 
