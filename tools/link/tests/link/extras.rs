@@ -1,20 +1,17 @@
 //! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
 
 use std::collections::BTreeSet;
-use std::io::{Read, Write};
-use std::net::TcpListener;
 use std::thread;
 use std::time::Duration;
 
 use bica::runner::Request;
 use bica::runner::{Observer, Runner};
 use bica::{ComponentId, Instant, Probe};
-use bica_link::{Client, ClientOptions, Costs, Error, Event, Image, Truth};
+use bica_link::{Client, Costs, Error, Event, Image, Truth};
 use bica_wire::message::{
     COSTS_CYCLES, ConditionState, ExtraKind, Offers, Reached, RefusalCode, Setting, Stop, StopAt, Taken, Value,
     WorldChange, WorldState,
 };
-use bica_wire::{Encoder, FromRobot, MAX_PACKET, SCHEMA};
 
 use crate::robot::{CART, CartTree};
 use crate::session::{
@@ -353,27 +350,6 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
         let late = matches!(&event, Event::Image(image) if u64::from(image.number) + 100 > session.cycles());
         assert!(!late, "{:?}", session.cycles());
     }
-}
-
-#[test]
-fn a_robot_of_an_older_version_is_named_as_such() {
-    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
-    let address = listener.local_addr().unwrap().to_string();
-    let robot = thread::spawn(move || {
-        let (mut stream, _) = listener.accept().unwrap();
-        stream.read_exact(&mut [0]).unwrap();
-        // The answer to `Attach` before robots stated what they offer.
-        let attached = postcard::to_stdvec(&(0_u8, SCHEMA ^ 1, 7_u64, "Tree", true, 3000_u32)).unwrap();
-        let mut packet = [0; MAX_PACKET];
-        let packet = Encoder::new().encode(&FromRobot::Monitor(&attached), &mut packet).unwrap();
-        stream.write_all(packet).unwrap();
-        // Until the client closes the connection.
-        let _ = stream.read_to_end(&mut Vec::new());
-    });
-    let result = Client::connect(&address.parse().unwrap(), ClientOptions::default());
-    assert!(matches!(&result, Err(Error::Schema { robot }) if *robot == SCHEMA ^ 1), "{:?}", result.err());
-    drop(result);
-    robot.join().unwrap();
 }
 
 #[test]

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
-use std::net::TcpStream;
+use std::net::{TcpListener, TcpStream};
 use std::thread;
 use std::time::Duration;
 
 use bica::runner::Request;
 use bica_link::{Client, ClientOptions, Error, Event};
 use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
-use bica_wire::{Encoder, FromMonitor, MAX_PACKET, SCHEMA, ToRobot};
+use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
 use crate::robot::CART;
@@ -178,4 +178,25 @@ fn a_client_connects_again_and_continues_watching_and_its_lease() {
     let after = snapshot(&mut client, "a new snapshot", |snapshot| snapshot.info.cycle >= now);
     assert_eq!(after.states[0].held, Hold::Latent);
     client.request(Request::Hold { component: CART, hold: Hold::Tree }).unwrap();
+}
+
+#[test]
+fn a_robot_of_an_older_version_is_named_as_such() {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = listener.local_addr().unwrap().to_string();
+    let robot = thread::spawn(move || {
+        let (mut stream, _) = listener.accept().unwrap();
+        stream.read_exact(&mut [0]).unwrap();
+        // The answer to `Attach` before robots stated what they offer.
+        let attached = postcard::to_stdvec(&(0_u8, SCHEMA ^ 1, 7_u64, "Tree", true, 3000_u32)).unwrap();
+        let mut packet = [0; MAX_PACKET];
+        let packet = Encoder::new().encode(&FromRobot::Monitor(&attached), &mut packet).unwrap();
+        stream.write_all(packet).unwrap();
+        // Until the client closes the connection.
+        let _ = stream.read_to_end(&mut Vec::new());
+    });
+    let result = Client::connect(&address.parse().unwrap(), ClientOptions::default());
+    assert!(matches!(&result, Err(Error::Schema { robot }) if *robot == SCHEMA ^ 1), "{:?}", result.err());
+    drop(result);
+    robot.join().unwrap();
 }

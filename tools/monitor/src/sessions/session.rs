@@ -336,17 +336,7 @@ impl Session {
         };
         head.frame(&image.yuyv)
     }
-}
 
-fn limits(options: &Options, kind: SessionKind) -> Limits {
-    Limits {
-        ring_us: (kind != SessionKind::Recording).then_some(options.ring.as_micros() as u64),
-        info_bytes: options.info_bytes,
-        image_bytes: options.image_bytes,
-    }
-}
-
-impl Session {
     /// The image with a number, from memory or from the file of a recording.
     pub(super) fn image(&self, number: u32) -> Result<Image, Failed> {
         let (image, place) = {
@@ -398,5 +388,13 @@ impl Session {
         }
         // A thread that has ended needs no end.
         let _ = self.command(commands::Command::Close);
+    }
+}
+
+fn limits(options: &Options, kind: SessionKind) -> Limits {
+    Limits {
+        ring_us: (kind != SessionKind::Recording).then_some(options.ring.as_micros() as u64),
+        info_bytes: options.info_bytes,
+        image_bytes: options.image_bytes,
     }
 }
