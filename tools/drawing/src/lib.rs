@@ -3,7 +3,6 @@
 //! Coordinates of pictures are pixels: x right, y down.
 
 pub mod canvas;
-mod drawing;
 pub mod layout;
 pub mod palette;
 pub mod png;
@@ -14,7 +13,6 @@ pub mod text;
 mod tree_state;
 pub mod tree_view;
 
-pub use drawing::{Drawing, DrawnBox, DrawnLink};
 pub use svg::svg;
 pub use tree_state::TreeState;
 

@@ -1,13 +1,16 @@
 // The page: bar, docked panels, notices, keys.
 
 import { Fragment, effect, html, render, signal } from './lib/dom.js';
-import { connect, link } from './lib/connection.js';
+import { toTransition } from './lib/axis.js';
+import { connect } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bind } from './lib/keys.js';
+import './lib/messages.js';
 import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
 import * as store from './lib/store.js';
 import { toggleTheme } from './lib/theme.js';
+import { Banner } from './banner.js';
 import { Header } from './bar.js';
 import { Help, helpShown } from './help.js';
 import { Form } from './vicode/ask.js';
@@ -21,21 +24,8 @@ function Notices() {
   </div>`;
 }
 
-/** The state of the connection and of the shown session, if a person must know it. */
-function Lost() {
-  const lost = (text) => html`<div class="banner lost" role="alert">${text}</div>`;
-  if (link.value === 'lost') return lost('The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.');
-  const own = store.session.value?.info.value;
-  if (!own || own.connection === 'connecting') return null;
-  const { name, connection, note, result, kind } = own;
-  if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
-  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<div class="banner" role="status">${name}: <b>${result}</b>${note && `; ${note}`}</div>`;
-  if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
-  return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
-}
-
 function App() {
-  return html`<${Fragment}><${Header} /><${Lost} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Form} /><${Carried} /></${Fragment}>`;
+  return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
 const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
@@ -65,10 +55,10 @@ function first() {
 
 // ---- keys
 
-const { seek, step, cycle_us, range } = store;
+const { seek, step, cycle_us, range, visibleRange } = store;
 const zoom = (factor) => {
-  const { span, end } = range.value;
-  range.value = { span: Math.min(Math.max(span * factor, 20e3), 4 * 3600e6), end };
+  const [from, until] = visibleRange.value;
+  range.value = { span: Math.min(Math.max((until - from) * factor, 20e3), 4 * 3600e6), end: range.value.end };
 };
 
 const KEYS = [
@@ -86,6 +76,8 @@ const KEYS = [
   ['ArrowRight', 'one cycle on', 'Time', () => step(cycle_us.value)],
   ['Shift+ArrowLeft', 'one second back', 'Time', () => step(-1e6)],
   ['Shift+ArrowRight', 'one second on', 'Time', () => step(1e6)],
+  ['[', 'previous transition of the shown component', 'Time', () => toTransition(-1)],
+  [']', 'next transition of the shown component', 'Time', () => toTransition(1)],
   ['Home', 'first moment', 'Time', () => seek(store.session.value?.info.value.from_us ?? 0)],
   ['End', 'last moment', 'Time', () => seek(store.session.value?.info.value.until_us ?? 0)],
   ['+', 'zoom in', 'Time', () => zoom(0.6)],

@@ -17,6 +17,21 @@ pub enum Kind {
     Actuation,
 }
 
+/// Largest number of components and of links of a tree from outside; a layout takes a time that grows with their square.
+const MAX_COMPONENTS: usize = 256;
+const MAX_LINKS: usize = 4 * MAX_COMPONENTS;
+
+/// The kind of each component; nothing of a tree that is too large to draw, or whose links lead nowhere.
+#[must_use]
+pub fn kinds(tree: &Description) -> Vec<Kind> {
+    let (count, links) = (tree.components.len(), tree.components.iter().flat_map(|component| &component.links));
+    let is_valid = tree.root < count && count <= MAX_COMPONENTS && links.clone().all(|link| link.to < count);
+    if !is_valid || links.count() > MAX_LINKS {
+        return Vec::new();
+    }
+    (0..count).map(|index| Kind::of(tree, index)).collect()
+}
+
 impl Kind {
     /// All kinds, in the order of a legend.
     pub const ALL: [Self; 4] = [Self::Machine, Self::Controller, Self::Perception, Self::Actuation];

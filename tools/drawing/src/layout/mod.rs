@@ -5,7 +5,7 @@ mod layers;
 mod placement;
 mod routes;
 
-pub use kind::Kind;
+pub use kind::{Kind, kinds};
 pub use layers::{Item, Layers, Segment};
 pub use placement::{BOX_HEIGHT, BOX_WIDTH, Placement};
 pub use routes::routes;

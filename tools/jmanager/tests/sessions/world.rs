@@ -70,8 +70,8 @@ pub(crate) fn running_on(bench: &Arc<Bench>) -> (Page, Value) {
     let page = Page::new(bench);
     page.open(built_in());
     let described = page.message("described", |message| Some(message.clone()));
-    let boxes = described["drawing"]["boxes"].as_array().unwrap().len();
-    assert_eq!(boxes, described["description"]["components"].as_array().unwrap().len());
+    let kinds = described["kinds"].as_array().unwrap().len();
+    assert_eq!(kinds, described["description"]["components"].as_array().unwrap().len());
     page.cycle(6);
     (page, described["description"].clone())
 }

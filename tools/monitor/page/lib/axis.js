@@ -3,21 +3,8 @@
 import { line } from './canvas.js';
 import { computed } from './dom.js';
 import { css } from './theme.js';
-import { cursor, range, session } from './store.js';
-
-/** Newest time of the session, µs. */
-export const newest = computed(() => {
-  const shown = session.value;
-  return Math.max(shown?.live.value?.time_us ?? 0, shown?.info.value.until_us ?? 0);
-});
-
-/** Visible interval: [from, until], µs. */
-export const visibleRange = computed(() => {
-  const { span, end } = range.value;
-  // A session shorter than the interval begins at the left.
-  const until = end ?? Math.max(newest.value, (session.value?.info.value.from_us ?? 0) + span);
-  return [until - span, until];
-});
+import { request } from './connection.js';
+import { cursor, newest, range, seek, selected, session, visibleRange } from './store.js';
 
 /** Time of the cursor, or the newest. */
 export const shownTime = computed(() => cursor.value ?? newest.value);
@@ -50,10 +37,33 @@ export function showRange(from, until) {
 }
 
 export function pan(us) {
-  const [, until] = visibleRange.value;
-  const span = range.value.span;
+  const [from, until] = visibleRange.value;
+  const span = until - from;
   const end = Math.min(until + us, newest.value + span * 0.05);
   range.value = { span, end: cursor.value === null && end >= newest.value ? null : end };
+}
+
+/** Shows all of a session. A short run grows. */
+export function showWhole() {
+  const { kind, from_us: from } = session.value.info.value;
+  if (kind !== 'recording' && newest.value - from < 60e6) range.value = { span: 20e6, end: null, grows: true };
+  else showRange(from, newest.value);
+}
+
+/** Goes to the next transition of the shown component, or, with −1, to the previous one; also to the begin and end of its activity. */
+export async function toTransition(direction) {
+  const shown = session.value;
+  const description = shown?.description.value;
+  if (!description) return;
+  const component = selected.value ? shown.find(selected.value) : -1;
+  const { from_us: from } = shown.info.value;
+  const rows = await request('timeline', { session: shown.id, from_us: from, until_us: newest.value, resolution_us: 1 });
+  const bars = rows.find((row) => row.component === (component < 0 ? description.root : component))?.bars ?? [];
+  const times = [...new Set(bars.flatMap(([begin, end]) => [begin, end]))].sort((a, b) => a - b);
+  const at = shownTime.value;
+  // The newest time is the end of a bar that goes on, and no transition.
+  const next = direction > 0 ? times.find((time) => time > at && time < newest.value) : times.findLast((time) => time < at);
+  if (next !== undefined) seek(next);
 }
 
 /** Draws the cursor as a line. */

@@ -21,7 +21,7 @@ export const PRESETS = {
     panels: (width, height) => [
       ['tree', {}],
       ['timeline', below('tree', height * 0.32)],
-      ['camera', right('tree', width * 0.53)],
+      ['camera', right('tree', width * 0.5)],
       ['component', right('camera', Math.max(290, width * 0.24))],
       ['drive', within('component')],
       ['recordings', within('component')],

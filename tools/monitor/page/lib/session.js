@@ -68,7 +68,8 @@ export class Session {
     this.id = info.id;
     this.info = signal(info);
     this.description = signal(null);
-    this.drawing = signal(null);
+    /** Kind of each component, by which it is coloured; none of a tree that is too large to draw. */
+    this.kinds = signal([]);
     /** What does not move in the world. */
     this.scenery = signal([]);
     /** Names of the cameras of which images have come. */
@@ -100,7 +101,7 @@ export class Session {
     this.incoming = [];
   }
 
-  describe(description, drawing) {
+  describe(description, kinds) {
     [this.scenery.value, this.cameras.value] = [[], []];
     const components = description.components;
     this.incoming = components.map(() => []);
@@ -116,7 +117,7 @@ export class Session {
     this.newest = { costs: null, truth: null, image: null, conditions: new Map() };
     this.showNewest();
     this.params.value = components.map((component) => component.params.map((param) => param.value ?? param.default));
-    this.drawing.value = drawing;
+    this.kinds.value = kinds;
     this.description.value = description;
   }
 

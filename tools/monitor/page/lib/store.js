@@ -1,10 +1,7 @@
-// The store: all that panels know. Messages of the server change it; panels read its signals and call its actions.
+// The store: all that panels know. Messages of the server, in messages.js, change it; panels read its signals and call its actions.
 
 import { batch, computed, signal } from './dom.js';
-import { listen, link, request } from './connection.js';
-import { Session } from './session.js';
-
-const PROTOCOL = 1;
+import { link, request } from './connection.js';
 
 /** The server's first message. */
 export const hello = signal(null);
@@ -16,8 +13,8 @@ export const current = signal(null);
 export const session = computed(() => sessions.value.get(current.value) ?? null);
 /** Time that all panels show, µs; null: the newest. */
 export const cursor = signal(null);
-/** Length of the visible interval of timeline and plots, µs, and its end; null: it ends at the newest time. */
-export const range = signal({ span: 20e6, end: null });
+/** Length of the visible interval of timeline and plots, µs, and its end; null: it ends at the newest time. One that grows has all of a short run. */
+export const range = signal({ span: 20e6, end: null, grows: true });
 /** Whether a recording is being played on this page. */
 export const playing = signal(false);
 /** Component of the first component tab. */
@@ -43,7 +40,7 @@ export function notify(level, text, help = '') {
 export const dismiss = (id) => { notices.value = notices.value.filter((notice) => notice.id !== id); };
 
 /** Sessions whose control this page has asked to end. */
-const leaving = new Set();
+export const leaving = new Set();
 
 /** Requests that change the tree. */
 const REQUESTS = new Set(['hold', 'rate', 'set', 'modulate']);
@@ -98,17 +95,6 @@ export async function operate() {
   }
 }
 
-/** Why this page's control of a session has ended. */
-const ENDS = { other_page: 'another page has taken control', other_monitor: 'another monitor has taken control', free: 'the log says why; holds, rates and modulations have ended' };
-
-/** Reports who operates now. The server first ends this page's control, and then gives it to another page. */
-function controlEnded({ id, info }) {
-  if (leaving.delete(id)) return;
-  setTimeout(() => {
-    if (info.value.control !== 'yours') notify('error', `you no longer operate ${info.value.name}`, ENDS[info.value.control]);
-  }, 500);
-}
-
 /** Sends a request that only the operator may send. */
 export async function command(type, fields = {}, done = '') {
   return (await operate()) ? act(type, fields, done) : undefined;
@@ -160,7 +146,7 @@ function wishedInfo() {
 
 let lastWatch = '';
 /** Sends what is watched also if it is the same: the server, or the session, is another one. */
-function watchAnew() {
+export function watchAnew() {
   lastWatch = '';
   watchSoon();
 }
@@ -189,6 +175,23 @@ function sendWatch() {
 
 // ---- the cursor
 
+/** Newest time of the session, µs. */
+export const newest = computed(() => Math.max(session.value?.live.value?.time_us ?? 0, session.value?.info.value.until_us ?? 0));
+
+/** Lengths of an interval that grows, µs; a longer run has the last one, up to its newest time. */
+const ROUND = [5e6, 10e6, 20e6, 30e6, 60e6];
+
+/** Visible interval: [from, until], µs. */
+export const visibleRange = computed(() => {
+  const { span, end, grows } = range.value;
+  if (end !== null) return [end - span, end];
+  const begin = session.value?.info.value.from_us ?? 0;
+  const length = grows ? ROUND.find((one) => begin + one * 0.98 >= newest.value) ?? ROUND.at(-1) : span;
+  // A session shorter than the interval begins at the left.
+  const until = Math.max(newest.value + length * 0.02, begin + length);
+  return [until - length, until];
+});
+
 let seeking = false;
 let seekAgain = false;
 
@@ -196,15 +199,17 @@ let seekAgain = false;
 export function seek(time) {
   const shown = session.value;
   if (!shown) return;
-  const { kind, from_us, until_us } = shown.info.value;
-  const newest = Math.max(until_us, shown.live.value?.time_us ?? 0);
-  const at = time === null && kind !== 'recording' ? null : Math.round(Math.min(Math.max(time ?? newest, from_us), newest));
+  const { kind, from_us } = shown.info.value;
+  const last = newest.value;
+  const at = time === null && kind !== 'recording' ? null : Math.round(Math.min(Math.max(time ?? last, from_us), last));
   batch(() => {
     cursor.value = at;
-    const { span, end } = range.value;
-    if (at === null) range.value = { span, end: null };
+    const [from, until] = visibleRange.value;
+    const span = until - from;
+    if (at === null) range.value = { ...range.value, end: null };
+    else if (at >= from && at <= until) range.value = { ...range.value, span, end: until };
     // The interval stays within the known time, except for a margin.
-    else if (end === null || at > end || at < end - span) range.value = { span, end: Math.max(Math.min(at + span / 2, newest + span * 0.02), from_us + span * 0.98) };
+    else range.value = { ...range.value, span, end: Math.max(Math.min(at + span / 2, last + span * 0.02), from_us + span * 0.98) };
   });
   if (at === null) {
     playing.value = false;
@@ -214,6 +219,7 @@ export function seek(time) {
 
 /** Identifier of the request whose image is shown. */
 let asked = 0;
+export const isAsked = (id) => id === asked;
 
 /** Asks for the state at the cursor. While an answer is pending, only the last request is kept. */
 async function seekSoon() {
@@ -255,45 +261,10 @@ export const isLive = computed(() => cursor.value === null);
 /** Length of a cycle, µs. */
 export const cycle_us = computed(() => 1e6 / (session.value?.description.value?.cycle_hz || 100));
 
-// ---- messages
-
-/** Reads the whole log: this page does not know yet when it ends. */
-async function readLines(of) {
-  try {
-    of.setLines(await request('lines', { session: of.id, from_us: 0, until_us: Number.MAX_SAFE_INTEGER, limit: 2000 }));
-  } catch {
-    // New lines are sent in any case.
-  }
-}
-
-const sessionOf = (id) => sessions.value.get(id);
-
-/** Closed sessions; messages about them may still arrive. */
-const gone = new Set();
-
-function showSession(info) {
-  if (gone.has(info.id)) return;
-  const known = sessionOf(info.id);
-  if (known) {
-    const before = known.info.value;
-    known.info.value = info;
-    // A restarted game has no past.
-    if (known === session.value && info.kind !== 'recording' && cursor.value > info.until_us && info.until_us < before.until_us) seek(null);
-    if (before.control === 'yours' && info.control !== 'yours' && info.control !== 'unavailable') controlEnded(known);
-    // The server knows all lines of a recording when it has read it.
-    if (info.kind === 'recording' && before.connection === 'connecting' && info.connection !== 'connecting') {
-      readLines(known);
-      if (known.untouched === range.value) whole(known);
-    }
-    begin(known);
-    return;
-  }
-  sessions.value = new Map(sessions.value).set(info.id, new Session(info));
-  if (current.value === null || !sessions.value.has(current.value)) show(info.id);
-}
+// ---- sessions
 
 /** Shows the beginning of a recording, once some of it was read. */
-function begin(of) {
+export function begin(of) {
   const { kind, from_us, until_us } = of.info.value;
   if (kind !== 'recording' || of.begun || of !== session.value || !of.description.value || until_us === 0) return;
   of.begun = true;
@@ -305,7 +276,7 @@ function begin(of) {
 /** Longest recording that is shown whole when it is opened, µs. */
 const WHOLE = 120e6;
 
-function whole(of) {
+export function whole(of) {
   const { from_us, until_us } = of.info.value;
   const span = Math.max(Math.min(until_us - from_us, WHOLE), 1e6);
   range.value = { span, end: from_us + span };
@@ -314,7 +285,7 @@ function whole(of) {
 /** Shows another session in all panels. */
 export function show(id) {
   if (current.value === id) return;
-  const [before, next] = [session.value, sessionOf(id)];
+  const [before, next] = [session.value, sessions.value.get(id)];
   if (before) {
     [before.left, before.begun] = [cursor.value, false];
     before.showNewest();
@@ -323,7 +294,7 @@ export function show(id) {
     current.value = id;
     cursor.value = null;
     playing.value = false;
-    range.value = { span: range.value.span, end: null };
+    range.value = { span: 20e6, end: null, grows: true };
     undo.value = [];
   });
   watchAnew();
@@ -331,116 +302,7 @@ export function show(id) {
 }
 
 /** Whether the newest of a session is shown, and not its past. */
-const isNewest = (of) => cursor.value === null || of !== session.value;
-
-const HANDLERS = {
-  hello(message) {
-    if (message.protocol !== PROTOCOL) return location.reload();
-    const before = current.value;
-    gone.clear();
-    batch(() => {
-      hello.value = message;
-      const ids = new Set(message.sessions.map((info) => info.id));
-      sessions.value = new Map([...sessions.value].filter(([id]) => ids.has(id)));
-      message.sessions.forEach(showSession);
-      if (!ids.has(before)) show(message.sessions[0]?.id ?? null);
-    });
-    watchAnew();
-    return undefined;
-  },
-  session: (message) => showSession(message.session),
-  closed(message) {
-    gone.add(message.session);
-    const rest = new Map(sessions.value);
-    rest.delete(message.session);
-    batch(() => {
-      sessions.value = rest;
-      if (current.value === message.session) show(rest.keys().next().value ?? null);
-    });
-  },
-  described(message, of) {
-    of.describe(message.description, message.drawing);
-    readLines(of);
-    if (of !== session.value) return;
-    watchAnew();
-    begin(of);
-  },
-  update(message, of) {
-    of.live.value = message;
-    if (isNewest(of)) of.moment.value = message;
-  },
-  info(message, of) {
-    const changed = new Set();
-    for (const [component, index, time, value] of message.samples) {
-      const information = of.info_of(component, index);
-      information.add(time, value);
-      changed.add(information);
-    }
-    for (const information of changed) {
-      if (isNewest(of)) information.showNewest();
-      information.version.value += 1;
-    }
-  },
-  conditions(message, of) {
-    of.newest.conditions.set(message.component, message);
-    if (isNewest(of)) of.conditions_of(message.component).value = message;
-  },
-  costs(message, of) {
-    of.newest.costs = message;
-    if (isNewest(of)) of.costs.value = message;
-    const worst = [...of.worst.value, { time: message.worst_us, us: message.chain_us[1] }];
-    of.worst.value = worst.sort((a, b) => b.us - a.us).slice(0, 20);
-  },
-  scenery(message, of) {
-    of.scenery.value = message.scenery;
-  },
-  truth(message, of) {
-    of.newest.truth = message;
-    if (isNewest(of)) of.truth.value = message;
-  },
-  params(message, of) { of.params.value = of.params.value.with(message.component, message.values); },
-  log: (message, of) => of.addLines(message.lines),
-};
-
-listen((message, frame) => {
-  if (frame) return image(frame);
-  const handler = HANDLERS[message.type];
-  if (!handler) return undefined;
-  const of = message.session?.id ?? message.session;
-  if (message.type === 'hello' || message.type === 'session' || message.type === 'closed') return handler(message);
-  return sessionOf(of) && batch(() => handler(message, sessionOf(of)));
-});
+export const isNewest = (of) => cursor.value === null || of !== session.value;
 
 /** Frames that answer a request, by its identifier. */
 export const classified = signal(null);
-
-function image(frame) {
-  const view = new DataView(frame);
-  const begin = 32 + view.getUint8(1);
-  const head = {
-    kind: view.getUint8(0),
-    camera: new TextDecoder().decode(new Uint8Array(frame, 32, begin - 32)),
-    session: view.getUint32(4, true),
-    number: view.getUint32(8, true),
-    width: view.getUint16(12, true),
-    height: view.getUint16(14, true),
-    time_us: Number(view.getBigUint64(16, true)),
-    id: view.getUint32(24, true),
-  };
-  const of = sessionOf(head.session);
-  if (!of) return;
-  const shown = { ...head, pixels: new Uint8Array(frame, begin) };
-  if (head.kind === 2) classified.value = shown;
-  else if (head.id === 0) {
-    of.newest.image = shown;
-    if (isNewest(of)) of.showImage(shown, true);
-  } else if (head.id === asked && !isNewest(of)) of.showImage(shown, false);
-}
-
-// ---- control: the lease ends 3 s after the last message of a page that froze or was closed
-
-setInterval(() => {
-  for (const one of sessions.value.values()) {
-    if (one.info.value.control === 'yours') request('keep', { session: one.id }).catch(() => {});
-  }
-}, 500);

@@ -86,3 +86,8 @@ export function download(name, blob) {
   anchor.click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
+
+/** Changes the text of an element if it is another one. */
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}

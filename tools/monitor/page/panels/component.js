@@ -32,6 +32,7 @@ export function ComponentTab({ visible, params, retitle }) {
   return html`<article class="tab" key=${name}>
     <${Head} ...${{ shown, component, index, own }} />
     <${Why} ...${{ shown, component, index }} />
+    ${component.doc && html`<p class="doc">${component.doc}</p>`}
     ${component.info.length > 0 && html`<${InformationList} ...${{ shown, component, index, visible }} />`}
     ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
     <${ByHand} ...${{ shown, component, index }} />
@@ -47,17 +48,14 @@ async function edit(name) {
 }
 
 function Head({ shown, component, index, own }) {
-  const kind = shown.drawing.value?.boxes[index]?.kind ?? 'component';
+  const kind = shown.kinds.value[index] ?? 'component';
   const now = shown.moment.value?.components?.[index];
-  const state = now?.[2] === null || now?.[2] === undefined ? null : component.states[now[2]];
   const since = now && shown.moment.value ? shown.moment.value.time_us - now[4] : null;
   return html`<header class="head">
-    <h2><span class=${`kind ${kind}`}>${component.name}</span>${state && html` <span class="arrow" aria-hidden="true">→</span> <span class="current-state">${state.name}</span>`}
-      ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>own tab</button>`}
+    <h2><span class=${`kind ${kind}`}>${component.name}</span><span class="grow"></span>
+      ${!own && html`<button class="small" title="Open in a tab of its own" aria-label=${`Open ${component.name} in a tab of its own`} onClick=${() => openComponent(component.name, true)}>↗</button>`}
       ${hello.value?.source && html`<button class="small" title="Open its source in the designer" onClick=${() => edit(component.name)}>${component.states.length > 0 ? 'edit states' : 'edit code'}</button>`}</h2>
     <p class="dim facts" role="status">${kind} · <b class=${now?.[0] ? 'yes' : ''}>${now?.[0] ? 'active' : 'latent'}</b>${since !== null && html` for ${duration(Math.max(0, since))}`}${now && now[1] !== 'tree' && html` · <b class="warn">held ${now[1]}</b>`}${cursor.value !== null && ` · at ${time(cursor.value)}`}</p>
-    ${component.doc && html`<p>${component.doc}</p>`}
-    ${state?.doc && html`<p class="dim"><b>${state.name}</b>: ${state.doc}</p>`}
   </header>`;
 }
 

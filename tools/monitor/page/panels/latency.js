@@ -25,7 +25,7 @@ export function Latency({ visible }) {
     .filter(({ runs }) => runs > 0)
     .sort((a, b) => b.total - a.total);
   const sum = shares.reduce((total, one) => total + one.total, 0);
-  const boxes = shown.drawing.value?.boxes;
+  const kinds = shown.kinds.value;
   return html`<div class="latency">
     <section aria-label="Chain"><h3>From sensor values to command</h3>
       <div class="gauge" role="img" aria-label=${`mean ${duration(mean)}, longest ${duration(longest)} of ${number(budget / 1000)} ms`}><i class="longest" ref=${setWidth(longest / budget)}></i><i class="mean" ref=${setWidth(mean / budget)}></i></div>
@@ -39,7 +39,7 @@ export function Latency({ visible }) {
         const component = description.components[index];
         const over = component.budget_us && each > component.budget_us;
         return html`<tr key=${index}><td><button class="name" onClick=${() => openComponent(component.name)}>${component.name}</button></td>
-          <td class="bar-cell"><i class=${boxes?.[index]?.kind ?? ''} ref=${setWidth(total / (shares[0].total || 1))}></i><span>${((total / sum) * 100).toFixed(1)} %</span></td>
+          <td class="bar-cell"><i class=${kinds[index] ?? ''} ref=${setWidth(total / (shares[0].total || 1))}></i><span>${((total / sum) * 100).toFixed(1)} %</span></td>
           <td class=${`n ${over ? 'warn' : ''}`}>${number(each)} µs</td><td class="n">${number(worst)} µs</td><td class="n dim">${component.budget_us ? `${number(component.budget_us)} µs` : ''}</td><td class="n dim">${(runs / seconds).toFixed(0)}</td></tr>`;
       })}</tbody></table></section>
   </div>`;

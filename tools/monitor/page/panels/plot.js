@@ -4,8 +4,8 @@ import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
 import { number, numberAt, numbers, text, time, valueAt } from '../lib/format.js';
-import { marks, shownTime, showRange, visibleRange } from '../lib/axis.js';
-import { cursor, notify, range, seek, session, watch } from '../lib/store.js';
+import { marks, shownTime, showRange } from '../lib/axis.js';
+import { cursor, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
 import { css, curveColour, theme } from '../lib/theme.js';
 import { Bar, Empty, download } from '../lib/ui.js';
 

@@ -2,17 +2,13 @@
 
 import { effect, html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { bind, isPointed } from '../lib/keys.js';
-import { duration, number } from '../lib/format.js';
 import { openComponent } from '../lib/dock.js';
-import { hovered, selected, session, watch } from '../lib/store.js';
+import { command, hovered, selected, session, watch } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { carry } from '../vicode/carry.js';
-
-const [WIDTH, HEIGHT] = [104, 38];
-/** Shares of the budget from which the cost is drawn as a warning, and as an error. */
-const [NEAR, OVER] = [0.8, 1];
-/** Scale below which names stand on two lines. */
-const COMPACT = 0.74;
+import { LOW, TALL, drawBox, widthsOf } from './tree/boxes.js';
+import { placed } from './tree/places.js';
+import { wired } from './tree/wires.js';
 
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
@@ -30,11 +26,13 @@ function hiddenBy(description, folded) {
 export function Tree({ visible }) {
   const shown = session.value;
   const description = shown?.description.value;
-  const drawing = shown?.drawing.value;
+  const kinds = shown?.kinds.value;
   const search = useSignal('');
   const activeOnly = useSignal(false);
   const folded = useSignal(new Set());
   const box = useSignal(null);
+  const size = useSignal([600, 400]);
+  const drawing = useMemo(() => (kinds?.length ? draw(description, size.value) : null), [description, kinds, size.value]);
   const field = useRef(null);
   useEffect(() => bind({ key: '/', text: 'search a component', group: 'Tree', run: () => field.current?.focus() }), []);
   useEffect(() => (visible.value ? watch({ costs: true }) : undefined), [visible.value]);
@@ -44,7 +42,7 @@ export function Tree({ visible }) {
     const info = shown.info.value;
     return html`<${Empty} what=${info.connection === 'connecting' ? `Connecting to ${info.name}` : `Nothing is known of ${info.name} yet`} help=${info.note || 'The tree is drawn as soon as the robot has described it.'} />`;
   }
-  if (!drawing?.boxes.length) return html`<${Empty} what="This tree is too large to draw" help="Use the search of the timeline, and the component tabs." />`;
+  if (!kinds?.length) return html`<${Empty} what="This tree is too large to draw" help="Use the search of the timeline, and the component tabs." />`;
   const found = description.components.filter((component) => matches(component, search.value)).length;
   const fit = () => { box.value = null; };
   const zoom = (factor) => { box.value = zoomed(box.value ?? whole(drawing), factor, 0.5, 0.5); };
@@ -58,7 +56,26 @@ export function Tree({ visible }) {
       <button onClick=${fit} title="Show the whole tree">Fit</button>
       ${folded.value.size > 0 && html`<button onClick=${() => { folded.value = new Set(); }}>Unfold all</button>`}
     <//>
-    <${Drawn} ...${{ shown, description, drawing, search, activeOnly, folded, box, visible }} />`;
+    <${Holds} shown=${shown} />
+    <${Drawn} ...${{ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }} />`;
+}
+
+/** Places and wires for the size of the panel. */
+function draw({ components }, size) {
+  const places = placed(components, widthsOf(components), size, { low: LOW, tall: TALL });
+  return { ...places, wires: wired(components.flatMap(({ links }, from) => links.map(({ to }) => ({ from, to }))), places) };
+}
+
+/** What is held, and the button that ends it. */
+function Holds({ shown }) {
+  const { components } = shown.description.value;
+  const held = (shown.moment.value?.components ?? []).flatMap(([, hold], index) => (hold === 'tree' ? [] : [{ index, hold, name: components[index].name }]));
+  if (held.length === 0) return null;
+  const release = async () => {
+    for (const { index } of held) if ((await command('hold', { component: index, hold: 'tree' })) === undefined) return;
+  };
+  return html`<div class="holds" role="status"><b>${held.length} hold${held.length > 1 ? 's' : ''}</b> <span class="names">${held.map(({ name, hold }) => `${name} ${hold}`).join(' · ')}</span>
+    <span class="dim until">end 3 s after this page is gone</span><span class="grow"></span><button disabled=${!shown.info.value.can.operate} onClick=${release}>Release all</button></div>`;
 }
 
 const matches = (component, text) => component.name.toLowerCase().includes(text.toLowerCase().trim());
@@ -84,48 +101,45 @@ function Counts({ shown }) {
   return `${components.filter(([active]) => active).length} of ${components.length} active`;
 }
 
-function Drawn({ shown, description, drawing, search, activeOnly, folded, box, visible }) {
+function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }) {
   const svg = useRef(null);
-  const compact = useSignal(false);
   const links = useMemo(() => description.components.flatMap((component, from) => component.links.map((one) => ({ from, ...one }))), [description]);
   const [x, y, width, height] = box.value ?? whole(drawing);
 
-  // Where the tree is drawn small, names are larger and stand on two lines.
   useEffect(() => {
-    const measure = () => {
-      const [, , boxWidth, boxHeight] = box.value ?? whole(drawing);
-      compact.value = Math.min(svg.current.clientWidth / boxWidth, svg.current.clientHeight / boxHeight) < COMPACT;
-    };
-    const observer = new ResizeObserver(measure);
-    observer.observe(svg.current);
-    const stop = effect(() => {
-      void box.value;
-      measure();
+    const observer = new ResizeObserver(([{ contentRect }]) => {
+      const now = [contentRect.width, contentRect.height].map(Math.floor);
+      if (now[0] > 0 && now.join() !== size.peek().join()) [size.value, box.value] = [now, null];
     });
-    return () => {
-      observer.disconnect();
-      stop();
-    };
-  }, [drawing]);
+    observer.observe(svg.current);
+    return () => observer.disconnect();
+  }, []);
 
   // State and costs change often: they are written to the elements, without a new rendering.
   useEffect(() => {
     const boxes = [...svg.current.querySelectorAll('.component')];
-    const paths = [...svg.current.querySelectorAll('.link')];
+    const paths = links.map((_, index) => svg.current.querySelector(`[data-link="${index}"]`));
     return effect(() => {
       if (!visible.value) return;
       const components = shown.moment.value?.components;
       const costs = shown.costs.value;
       const hidden = hiddenBy(description, folded.value);
-      boxes.forEach((element, index) => drawComponent(element, { index, now: components?.[index], cost: costs?.components[index], window: costs?.window_us, description, hidden, folded: folded.value.has(index), search: foundAny(description, search.value), activeOnly: activeOnly.value, compact: compact.value }));
+      const text = foundAny(description, search.value);
+      boxes.forEach((element, index) => {
+        const [component, now] = [description.components[index], components?.[index]];
+        const isFound = text !== '' && matches(component, text);
+        drawBox(element, drawing.boxes[index], {
+          component, now, cost: costs?.components[index], window: costs?.window_us, folded: folded.value.has(index), found: isFound,
+          other: text !== '' && !isFound, gone: hidden.has(index) || (activeOnly.value && !now?.[0]),
+        });
+      });
       paths.forEach((element, index) => {
-        const { from, to, state } = links[index];
+        const { from, to } = links[index];
         const active = isActive(components, links[index]);
         element.classList.toggle('active', active);
         const near = hovered.value === from || hovered.value === to;
         element.classList.toggle('near', near);
-        const gone = hidden.has(from) || hidden.has(to) || folded.value.has(from) || (activeOnly.value && !active) || (state !== null && !active && !near);
-        element.classList.toggle('gone', gone);
+        element.classList.toggle('gone', hidden.has(from) || hidden.has(to) || folded.value.has(from) || (!active && !near));
       });
     });
   }, [shown, description, drawing]);
@@ -161,15 +175,16 @@ function Drawn({ shown, description, drawing, search, activeOnly, folded, box, v
     event.stopPropagation();
   };
   return html`<svg class="tree fill" ref=${svg} viewBox=${`${x} ${y} ${width} ${height}`} role="group" aria-label="Activation tree" onWheel=${wheel} onPointerDown=${drag}>
-    ${drawing.links.map(({ from, path }) => html`<path class=${`link ${drawing.boxes[from].kind}`} d=${path} />`)}
+    ${trunks(drawing, links).map((all) => html`<g class=${`wires ${kinds[links[all[0]].from]}`}>${all.map((index) => html`<path class="link" data-link=${index} d=${drawing.wires[index].d} />`)}</g>`)}
     ${description.components.map((component, index) => {
-      const { x: centre, y: top, kind } = drawing.boxes[index];
-      return html`<g key=${component.name} class=${`component ${kind}`} transform=${`translate(${centre - WIDTH / 2} ${top})`} role="button" tabindex=${index === stop ? 0 : -1} aria-label=${component.name}
+      const { x: centre, y: middle, width: wide, height: tall } = drawing.boxes[index];
+      const two = tall >= TALL;
+      return html`<g key=${component.name} class=${`component ${kinds[index]}`} transform=${`translate(${centre - wide / 2} ${middle - tall / 2})`} role="button" tabindex=${index === stop ? 0 : -1} aria-label=${component.name}
         aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onPointerDown=${(event) => carry(event, component.name)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
         <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
-        <rect width=${WIDTH} height=${HEIGHT} rx="6" /><text class="title" x=${WIDTH / 2} y="17">${component.name}</text><text class="sub" x=${WIDTH / 2} y="30"></text>
-        <rect class="cost" x="5" y=${HEIGHT - 5} height="2" width="0" rx="1" /><text class="held" x=${WIDTH - 6} y="11"></text></g>`;
+        <rect class="frame" width=${wide} height=${tall} rx="5" /><text class="title" x=${wide / 2} y=${two ? 18 : 16.5}>${component.name}<tspan class="state"></tspan></text><text class="sub" x=${wide / 2} y="33"></text>
+        <rect class="cost" x="6" y=${tall - 4.5} height="2" width="0" rx="1" /><g class="badge" transform=${`translate(${wide - 34} -9)`}><rect width="42" height="16" rx="8" /><text x="21" y="12"></text></g></g>`;
     })}
   </svg>`;
 }
@@ -198,49 +213,5 @@ function isActive(components, { from, to, state }) {
   return Boolean(source?.[0] && target?.[0] && (state === null || source[2] === state));
 }
 
-function drawComponent(element, { index, now, cost, window, description, hidden, folded, search, activeOnly, compact }) {
-  const component = description.components[index];
-  const active = now?.[0] ?? false;
-  const { classList } = element;
-  classList.toggle('active', active);
-  classList.toggle('gone', hidden.has(index) || (activeOnly && !active));
-  classList.toggle('found', search !== '' && matches(component, search));
-  classList.toggle('other', search !== '' && !matches(component, search));
-  classList.toggle('folded', folded);
-  const [, , title, sub, bar, held] = element.children;
-  const runs = cost && window ? (cost[0] / window) * 1e6 : null;
-  const state = now?.[2] === null || now?.[2] === undefined ? null : component.states[now[2]]?.name;
-  const [first, second] = compact ? split(component.name, state) : [component.name, state ?? rateText(component, now, runs, active)];
-  write(title, first);
-  write(sub, second);
-  classList.toggle('compact', compact);
-  classList.toggle('two', compact && state === null);
-  title.setAttribute('y', second === '' ? '24' : '17');
-  const share = component.budget_us && cost?.[0] ? cost[1] / component.budget_us : 0;
-  bar.setAttribute('width', String(Math.min(share, 1) * (WIDTH - 10)));
-  bar.setAttribute('class', `cost ${share > OVER ? 'over' : share > NEAR ? 'nearly' : ''}`);
-  write(held, now?.[1] === 'active' ? '▲' : now?.[1] === 'latent' ? '▼' : folded ? '…' : '');
-  const text = [active ? 'active' : 'latent', state && `state ${state}`, now && now[1] !== 'tree' && `held ${now[1]}`, runs !== null && active && `${runs.toFixed(0)} Hz`,
-    cost?.[0] && `${duration(cost[1])}${component.budget_us ? ` of ${number(component.budget_us)} µs` : ''}`].filter(Boolean).join(', ');
-  if (element.getAttribute('aria-description') !== text) element.setAttribute('aria-description', text);
-}
-
-/** Two lines of a small box: the name and the state, or the two halves of the name. */
-function split(name, state) {
-  if (state !== null) return [name, state.replaceAll('_', ' ')];
-  const parts = name.split(/(?=[A-Z])/);
-  const half = Math.ceil(parts.length / 2);
-  return [parts.slice(0, half).join(''), parts.slice(half).join('')];
-}
-
-function rateText(component, now, runs, active) {
-  const wanted = now?.[3] ?? component.hz;
-  if (!active) return wanted ? `${number(wanted)} Hz` : '';
-  const reached = runs !== null && runs > 0 ? runs.toFixed(0) : null;
-  if (!wanted) return reached ? `${reached} Hz` : 'each cycle';
-  return reached ? `${reached} of ${number(wanted)} Hz` : `${number(wanted)} Hz`;
-}
-
-function write(element, text) {
-  if (element.textContent !== text) element.textContent = text;
-}
+/** The numbers of the links of each trunk. */
+const trunks = ({ wires }, links) => [...Map.groupBy(links.keys(), (index) => wires[index].trunk).values()];

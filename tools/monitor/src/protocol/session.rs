@@ -13,6 +13,8 @@ pub struct SessionInfo {
     pub kind: SessionKind,
     /// Name for people: world and seed, address, or file.
     pub name: String,
+    /// Seed of a world of this process.
+    pub seed: Option<u64>,
     /// State of the connection.
     pub connection: Connection,
     /// What the connection's state means, for people; empty if all is well.

@@ -1,6 +1,6 @@
 //! Messages to the page.
 
-use bica_drawing::Drawing;
+use bica_drawing::layout::Kind;
 use bica_link::{Description, Plain, Shown};
 use serde::Serialize;
 
@@ -48,8 +48,8 @@ pub enum ToPage {
         session: SessionId,
         /// The tree, with the current values of parameters.
         description: Box<Description>,
-        /// Where components and links are drawn.
-        drawing: Drawing,
+        /// Kind of each component; none of a tree that is too large to draw, or whose links lead nowhere.
+        kinds: Vec<Kind>,
     },
     /// What does not move in the world of a session, sent after the tree.
     Scenery {

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-use bica_drawing::Drawing;
+use bica_drawing::layout::{Kind, kinds};
 use bica_link::{Description, Shown};
 
 use super::commands;
@@ -48,6 +48,8 @@ pub(super) struct Shared {
     pub(super) note: String,
     /// How the run ended; empty before.
     pub(super) result: String,
+    /// Seed of a world of this process.
+    pub(super) seed: Option<u64>,
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
     /// File with the run of a world.
@@ -60,7 +62,7 @@ pub(super) struct Shared {
     /// Whether the rules of a world of this process have ended its run.
     pub(super) is_over: bool,
     pub(super) description: Option<Arc<Description>>,
-    pub(super) drawing: Drawing,
+    pub(super) kinds: Vec<Kind>,
     /// What does not move in the world.
     pub(super) scenery: Vec<Shown>,
     pub(super) history: History,
@@ -152,7 +154,8 @@ impl Session {
         SessionInfo {
             id: self.id,
             kind: self.kind,
-            name: self.name.clone(),
+            name: shared.seed.map_or_else(|| self.name.clone(), |seed| format!("{}, seed {seed}", self.name)),
+            seed: shared.seed,
             connection: shared.connection,
             note: shared.note.clone(),
             result: shared.result.clone(),
@@ -212,7 +215,7 @@ impl Session {
     /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
     pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
         let components = description.components.len();
-        let drawing = Drawing::of(&description);
+        let kinds = kinds(&description);
         let mut shared = self.shared();
         if goes_on {
             shared.history.interrupt();
@@ -227,7 +230,7 @@ impl Session {
             shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
         }
         shared.description = Some(Arc::new(description));
-        shared.drawing = drawing;
+        shared.kinds = kinds;
         shared.can = can;
         // A world of this process that a person has paused begins again paused.
         shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
@@ -243,8 +246,8 @@ impl Session {
         let Some(description) = shared.description.clone() else { return };
         if shared.described.insert(page) {
             let description = Box::new((*description).clone());
-            let drawing = shared.drawing.clone();
-            self.pages.state(page, ToPage::Described { session: self.id, description, drawing });
+            let kinds = shared.kinds.clone();
+            self.pages.state(page, ToPage::Described { session: self.id, description, kinds });
             if !shared.scenery.is_empty() {
                 self.pages.state(page, ToPage::Scenery { session: self.id, scenery: shared.scenery.clone() });
             }

@@ -4,14 +4,16 @@ import { html } from '../../lib/dom.js';
 import { duration } from '../../lib/format.js';
 import { openComponent } from '../../lib/dock.js';
 import { cursor } from '../../lib/store.js';
+import { Answer, blocking } from './answer.js';
 
 export function Why({ shown, component, index }) {
   const components = shown.moment.value?.components;
   if (!components) return null;
   const active = components[index]?.[0];
-  return html`
+  const reasons = reasonsOf(shown, index, components);
+  return html`<${Answer} ...${{ shown, component, index, reasons }} />
     ${component.states.length > 0 && html`<${Machine} ...${{ shown, component, index, active }} />`}
-    <${Activators} ...${{ shown, component, index, components, active }} />`;
+    <${Activators} ...${{ shown, index, components, active, reasons }} />`;
 }
 
 /** States, and the transitions that leave the current one. */
@@ -21,28 +23,26 @@ function Machine({ shown, component, index, active }) {
   const conditions = shown.conditions_of(index).value?.conditions;
   const leaving = component.transitions.map((transition, number) => ({ ...transition, number })).filter(({ from }) => from === current);
   const last = component.states[current]?.last;
-  return html`<section aria-label="States"><h3>${active ? 'Why it does not proceed' : component.resume ? 'Continues here' : 'States'}</h3>
-    <ul class="states">${component.states.map((state, number) => html`<li class=${number === current ? 'current' : ''} title=${state.doc} aria-current=${number === current ? 'step' : undefined}>${state.name}</li>`)}</ul>
+  const blocks = active ? blocking(component, current) : undefined;
+  return html`<section aria-label="States"><h3>${active ? `Leaves ${component.states[current]?.name} by` : component.resume ? 'Continues in' : 'Was last in'}${!active && html` <b title=${component.states[current]?.doc}>${component.states[current]?.name}</b>`}</h3>
     ${leaving.length === 0 && html`<p class="dim">${last ? 'This is a last state: no transition leaves it.' : 'No transition leaves this state.'}</p>`}
     ${leaving.map((transition) => {
       const condition = conditions?.[transition.number];
       const holds = condition?.holds;
       const waits = condition?.remaining_ms > 0;
       const since = condition ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
-      return html`<div key=${transition.number} class=${`why ${holds ? 'true' : ''} ${waits ? 'false' : ''}`} title=${transition.doc}>
-        <b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}</span>
-        <span class="value">${condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`}</span>
-        ${transition.after_ms !== null && html`<span class=${`timer ${waits ? 'warn' : 'dim'}`}>${waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${transition.after_ms / 1000} s left` : `after ${transition.after_ms / 1000} s`}</span>`}
-      </div>`;
+      const value = condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`;
+      const timer = transition.after_ms === null ? '' : waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${transition.after_ms / 1000} s left` : `after ${transition.after_ms / 1000} s`;
+      return html`<div key=${transition.number} class=${`why leaves ${holds ? 'true' : ''} ${transition.number === blocks ? 'blocking' : ''}`} title=${transition.doc}>
+        <span class="names"><b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}</span></span><span class="value">${[value, timer].filter(Boolean).join(' · ')}</span></div>`;
     })}
     ${leaving.length > 0 && !conditions && html`<p class="dim">${!shown.info.value.can.conditions ? 'This session does not send the values of conditions.' : cursor.value === null ? 'Values of the conditions follow.' : 'The values of the conditions at this moment are not known.'}</p>`}</section>`;
 }
 
-/** Who activates it, or what would. */
-function Activators({ shown, component, index, components, active }) {
+/** Who activates it, or what would, the strongest first: [{from, name, why}]. */
+function reasonsOf(shown, index, components) {
   const description = shown.description.value;
   const links = shown.incoming[index] ?? [];
-  const held = components[index]?.[1];
   const merged = [...Map.groupBy(links, (one) => one.from)].map(([from, all]) => ({ from, states: all.map((one) => one.state), modulation: all.every((one) => one.kind === 'modulation') }));
   const reason = ({ from, states, modulation }) => {
     const source = description.components[from];
@@ -55,14 +55,19 @@ function Activators({ shown, component, index, components, active }) {
     const when = always ? '' : `, and would activate this only in ${names.join(', ')}`;
     return { level: 'off', text: sourceHeld === 'latent' ? `is held latent${when}` : `is latent${when}` };
   };
-  const rows = merged.map((one) => ({ ...one, why: reason(one) })).sort((a, b) => order(a) - order(b));
+  return merged.map((one) => ({ from: one.from, name: description.components[one.from].name, why: reason(one) })).sort((a, b) => order(a) - order(b));
+}
+
+function Activators({ shown, index, components, active, reasons }) {
+  const description = shown.description.value;
+  const held = components[index]?.[1];
   return html`<section aria-label=${active ? 'Why it is active' : 'Why it is latent'}><h3>${active ? 'Why it is active' : 'Why it is latent'}</h3>
     ${held === 'latent' && html`<div class="why false"><b>An operator holds it latent.</b> Choose “by the tree” below.</div>`}
     ${held === 'active' && html`<div class="why true"><b>An operator holds it active.</b></div>`}
     ${description.root === index && held === 'tree' && html`<div class="why true"><b>It is the root</b> of the tree.</div>`}
-    ${rows.map(({ from, why }) => html`<div key=${from} class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
-      <button class="name" onClick=${() => openComponent(description.components[from].name)}>${description.components[from].name}</button> <span>${why.text}</span></div>`)}
-    ${rows.length === 0 && description.root !== index && html`<p class="dim">No component activates it.</p>`}</section>`;
+    ${reasons.map(({ from, name, why }) => html`<div key=${from} class=${`why ${why.level === 'yes' ? 'true' : why.level === 'no' ? 'false' : ''}`}>
+      <button class="name" onClick=${() => openComponent(name)}>${name}</button> <span>${why.text}</span></div>`)}
+    ${reasons.length === 0 && description.root !== index && html`<p class="dim">No component activates it.</p>`}</section>`;
 }
 
 const order = ({ why }) => ['yes', 'no', 'off'].indexOf(why.level);

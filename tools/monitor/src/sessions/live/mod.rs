@@ -43,8 +43,7 @@ pub(super) fn open_world(
     record: Option<PathBuf>,
 ) -> Result<Arc<Session>, Failed> {
     drop(setup.prepare(&common.program, &common.options)?);
-    let name = format!("{}, seed {}", setup.world, setup.seed);
-    start((id, SessionKind::World, name), common, Source::World(setup), record)
+    start((id, SessionKind::World, setup.world.clone()), common, Source::World(setup), record)
 }
 
 /// Opens a robot: `tcp://HOST:PORT` or `serial:DEVICE[@BAUD]`.
@@ -132,6 +131,7 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
     match source {
         Source::Robot(address) => Ok((Client::connect(address, options)?, None)),
         Source::World(setup) => {
+            session.shared().seed = Some(setup.seed);
             let game = setup.prepare(&session.program, &session.options)?;
             let file = match &session.record {
                 Some(file) => unused(file),

@@ -6,6 +6,7 @@ mod designing;
 mod faults;
 mod figures;
 mod firmware;
+mod glance;
 mod looks;
 mod moments;
 mod operating;

@@ -1,0 +1,125 @@
+//! What the page answers at the first glance, in the smallest usual window.
+
+use jmanager_browser::{Page, Server};
+use serde_json::json;
+
+use crate::{game, open_in};
+
+const SMALL: (u32, u32) = (1280, 800);
+
+/// Faults of a drawing's geometry on the screen: `boxes` and `lines` are selectors, a line may touch the boxes at its own ends only.
+const GEOMETRY: &str = r"
+const [root, boxes, lines] = arguments;
+const svg = document.querySelector(root);
+const faults = [];
+const shown = (selector) => [...svg.querySelectorAll(selector)].filter((one) => one.getClientRects().length > 0);
+const all = shown(boxes).map((one) => ({ name: one.parentElement.ariaLabel ?? one.textContent, ...one.getBoundingClientRect().toJSON() }));
+const around = svg.getBoundingClientRect();
+for (const [at, a] of all.entries()) {
+  if (a.left < around.left || a.right > around.right || a.top < around.top || a.bottom > around.bottom) faults.push(`${a.name} is outside`);
+  for (const b of all.slice(at + 1)) if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) faults.push(`${a.name} covers ${b.name}`);
+}
+for (const line of svg.querySelectorAll(lines)) {
+  const [length, matrix] = [line.getTotalLength(), line.getScreenCTM()];
+  for (let at = 0; at < length; at += 2) {
+    const { x, y } = line.getPointAtLength(at).matrixTransform(matrix);
+    const hit = all.find((box) => x > box.left + 1.5 && x < box.right - 1.5 && y > box.top + 1.5 && y < box.bottom - 1.5);
+    if (hit) { faults.push(`a line crosses ${hit.name}`); break; }
+  }
+}
+for (const one of shown('text, tspan')) {
+  const size = Number.parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a;
+  if (one.textContent && size < 10.99) faults.push(`${one.textContent} is ${size.toFixed(1)} px`);
+}
+return faults;
+";
+
+async fn faults(page: &Page, root: &str, boxes: &str, lines: &str) -> serde_json::Value {
+    page.run(GEOMETRY, vec![json!(root), json!(boxes), json!(lines)]).await
+}
+
+/// Gives the page itself a size, not the window with its frame.
+async fn show_in(page: &Page, (width, height): (u32, u32)) {
+    page.resize((width, height)).await;
+    let inner = page.run("return [innerWidth, innerHeight]", vec![]).await;
+    let side = |at: usize| inner[at].as_u64().and_then(|side| u32::try_from(side).ok()).expect("a size");
+    page.resize((2 * width - side(0), 2 * height - side(1))).await;
+    tokio::time::sleep(std::time::Duration::from_millis(500)).await;
+}
+
+#[tokio::test]
+async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
+    let server = Server::start("glance", &[]);
+    let page = open_in(&server, SMALL).await;
+    page.press("1").await;
+    for size in [SMALL, (1600, 1000)] {
+        show_in(&page, size).await;
+        assert_eq!(faults(&page, "svg.tree", ".frame", ".link").await, json!([]), "{size:?}");
+        let filled = "const tree = document.querySelector('svg.tree').getBoundingClientRect(); \
+            const boxes = [...document.querySelectorAll('.frame')].map((one) => one.getBoundingClientRect()); \
+            return [(Math.max(...boxes.map((one) => one.right)) - Math.min(...boxes.map((one) => one.left))) / tree.width, \
+                (Math.max(...boxes.map((one) => one.bottom)) - Math.min(...boxes.map((one) => one.top))) / tree.height]";
+        let filled = page.run(filled, vec![]).await;
+        for share in filled.as_array().expect("two shares") {
+            assert!(share.as_f64().expect("a share") > 0.8, "the tree fills {filled} of its panel");
+        }
+        let header = page.run("return document.querySelector('header.top').offsetHeight", vec![]).await;
+        assert!(header.as_f64().is_some_and(|height| height < 50.0), "the header has one line: {header} px");
+    }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_answer_names_what_blocks_and_the_way_to_a_wanted_state() {
+    let (_server, page) = game("answer").await;
+    page.click("button", "Player", "Activation tree").await;
+    page.find("combobox", "Wanted state", "").await.set("dribble").await;
+    page.until(
+        "it waits in approach",
+        "return /^approach: waits for goal_far_ahead \\(.*\\); then dribble$/.test(document.querySelector('.answer').innerText.trim())",
+    )
+    .await;
+    page.find("combobox", "Wanted state", "").await.set("kick").await;
+    page.until(
+        "the way has two transitions",
+        "return /^approach: waits for ball_reached \\(.*\\); then search_net → kick$/.test(document.querySelector('.answer').innerText.trim()) \
+            && document.querySelectorAll('.chain li').length === 2 && document.querySelector('.why.blocking').textContent.startsWith('ball_reached')",
+    )
+    .await;
+    // Values change without a move of the text: the rows are one line each.
+    let heights = "return new Set([...document.querySelectorAll('.why.leaves')].map((one) => one.offsetHeight)).size";
+    assert_eq!(page.run(heights, vec![]).await, 1);
+    page.click("button", "Kicker", "Activation tree").await;
+    page.until(
+        "a latent one says why",
+        "return /^Latent: Fixmove is latent/.test(document.querySelector('.answer').innerText)",
+    )
+    .await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn held_components_have_a_badge_and_are_released_together() {
+    let (_server, page) = game("holds").await;
+    for name in ["Kicker", "Turn"] {
+        page.click("button", name, "Activation tree").await;
+        page.click("radio", "latent", "By hand").await;
+    }
+    page.reads("2 holds").await;
+    let badges = "return [...document.querySelectorAll('.badge')].filter((one) => one.getAttribute('visibility') === 'visible' && one.textContent === 'latent').length";
+    assert_eq!(page.run(badges, vec![]).await, 2);
+    page.click("button", "Release all", "").await;
+    page.until("nothing is held", "return !document.querySelector('.holds')").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_run_that_has_ended_offers_the_next_one() {
+    let server = Server::start("ended", &[]);
+    let page = open_in(&server, SMALL).await;
+    page.until("the game is over", "return [...document.querySelectorAll('.banner button')].some((one) => one.textContent.startsWith('Next seed'))").await;
+    page.click("button", "Next seed", "").await;
+    page.reads("built-in, seed 1").await;
+    page.until("the banner is gone", "return !document.querySelector('.banner')").await;
+    page.close().await;
+}

@@ -1,0 +1,220 @@
+// The drawing of the timeline: rows of bars, events, late cycles, and the axis.
+
+import { line as stroke, rounded, within } from '../../lib/canvas.js';
+import { duration, time as timeText } from '../../lib/format.js';
+import { drawCursor, marks, shownTime } from '../../lib/axis.js';
+import { hovered, newest, visibleRange } from '../../lib/store.js';
+import { css, kindColour } from '../../lib/theme.js';
+
+/** Width of the names, and heights of the rows below the bars, px. */
+export const [LABELS, AXIS] = [118, 22];
+const [EVENTS, OVERRUNS] = [18, 16];
+/** Width of a column of late cycles, px. */
+const COLUMN = 4;
+
+export function drawTimeline(context, view, { shown, pointer, selection }) {
+  drawRows(context, view, shown, pointer);
+  for (const gap of shown.info.value.gaps) drawGap(context, view, gap);
+  drawFuture(context, view);
+  drawEvents(context, view, shown);
+  drawOverruns(context, view);
+  drawCursor(context, view.x(shownTime.value), view.height - AXIS);
+  drawAxis(context, view);
+  if (selection) drawSelection(context, view, selection);
+  if (pointer) drawPointer(context, view, shown, pointer);
+}
+
+export function viewOf(width, height, rows, scroll) {
+  const [from, until] = visibleRange.value;
+  const most = height - AXIS - EVENTS - OVERRUNS;
+  const row = Math.max(13, Math.min(22, most / Math.max(rows.length, 1)));
+  // Only whole rows are shown.
+  const room = Math.max(1, Math.floor(most / row + 0.01)) * row;
+  const offset = Math.min(scroll, Math.max(0, rows.length * row - room));
+  const scale = (width - LABELS) / (until - from);
+  return {
+    width, height, rows, row, room, offset, from, until,
+    x: (time) => LABELS + (time - from) * scale,
+    time: (x) => from + (x - LABELS) / scale,
+    y: (index) => index * row - offset,
+    rowAt: (y) => (y < room ? Math.floor((y + offset) / row) : -1),
+  };
+}
+
+function drawRows(context, view, shown, pointer) {
+  const { rows, row, room, width } = view;
+  const kinds = shown.kinds.value;
+  const live = shown.live.value;
+  context.font = `${Math.min(11.5, row - 2)}px ${css('--font')}`;
+  context.textBaseline = 'middle';
+  within(context, 0, 0, width, room, () => rows.forEach(({ component, index, bars }, line) => {
+    const y = view.y(line);
+    if (y + row < 0 || y > room) return;
+    const colour = kindColour(kinds[index]);
+    const marked = hovered.value === index || (pointer && view.rowAt(pointer.y) === line);
+    if (marked) {
+      context.fillStyle = css('--hover');
+      context.fillRect(0, y, width, row);
+    }
+    const now = shown.moment.value?.components?.[index];
+    context.fillStyle = css(now?.[0] ? '--text' : '--dim');
+    context.fillText(component.name, 8, y + row / 2, LABELS - 14);
+    within(context, LABELS, y, width - LABELS, row, () => {
+      drawBars(context, view, { bars, component, colour, y, now: live?.components?.[index], last: live?.time_us });
+    });
+  }));
+  context.strokeStyle = css('--line');
+  stroke(context, LABELS - 0.5, 0, LABELS - 0.5, room);
+}
+
+function drawBars(context, view, { bars, component, colour, y, now, last }) {
+  const { row } = view;
+  bars.forEach(([begin, end, state], index) => {
+    // The last bar grows between two readings, as long as nothing changed.
+    const grows = index === bars.length - 1 && now?.[0] && now[2] === state && now[4] <= end;
+    const [left, right] = [Math.max(view.x(begin), LABELS), Math.min(view.x(grows ? Math.max(end, last) : end), view.width)];
+    if (right < LABELS || left > view.width) return;
+    const width = Math.max(right - left - 1, 1);
+    context.globalAlpha = state === null ? 0.42 : 0.5 + 0.32 * ((state * 0.618) % 1);
+    context.fillStyle = colour;
+    rounded(context, left, y + 1.5, width, row - 3, Math.min(3, width / 2));
+    context.globalAlpha = 1;
+    if (view.x(begin) > LABELS) context.fillRect(left, y + 1.5, 1.5, row - 3);
+    const name = state === null ? null : component.states[state]?.name;
+    const text = name && shortened(context, name, width - 9);
+    if (text) {
+      context.fillStyle = css('--on-bar');
+      context.fillText(text, left + 6, y + row / 2);
+    }
+  });
+}
+
+/** As much of a name as fits; nothing below three letters. */
+function shortened(context, name, width) {
+  if (context.measureText(name).width <= width) return name;
+  for (let count = name.length - 1; count >= 3; count -= 1) {
+    const text = `${name.slice(0, count)}…`;
+    if (context.measureText(text).width <= width) return text;
+  }
+  return '';
+}
+
+/** Hatches a time in which nothing was received. */
+function drawGap(context, view, [from, until]) {
+  const [left, right] = [Math.max(view.x(from), LABELS), Math.min(view.x(until), view.width)];
+  if (right <= left) return;
+  within(context, left, 0, right - left, view.room, () => {
+    context.fillStyle = css('--hover');
+    context.fillRect(left, 0, right - left, view.room);
+    context.strokeStyle = css('--line');
+    for (let x = left - view.room; x < right; x += 9) stroke(context, x, view.room, x + view.room, 0);
+    textStyle(context, '--dim');
+    if (context.measureText('not received').width < right - left - 8) context.fillText('not received', left + 5, view.room / 2);
+  });
+}
+
+const events = (shown) => shown.lines.filter(({ kind }) => kind === 'referee' || kind === 'note');
+
+function textStyle(context, colour) {
+  context.font = `11px ${css('--font')}`;
+  context.fillStyle = css(colour);
+  context.textBaseline = 'middle';
+}
+
+/** How many cycles of components were late, in columns. */
+function drawOverruns(context, view) {
+  const { room, rows, width } = view;
+  const [top, low] = [room + EVENTS, room + EVENTS + OVERRUNS - 3];
+  textStyle(context, '--dim');
+  context.fillText('Late', 8, top + OVERRUNS / 2);
+  const columns = new Map();
+  for (const time of rows.flatMap(({ overruns }) => overruns)) {
+    const column = Math.floor((view.x(time) - LABELS) / COLUMN);
+    columns.set(column, (columns.get(column) ?? 0) + 1);
+  }
+  context.fillStyle = css('--dim');
+  for (const [column, count] of columns) {
+    const x = LABELS + column * COLUMN;
+    const height = Math.min(OVERRUNS - 5, 3 + 2 * count);
+    if (x >= LABELS && x < width) context.fillRect(x, low - height, COLUMN - 1, height);
+  }
+}
+
+/** Darkens what has not happened yet. */
+function drawFuture(context, view) {
+  const x = Math.max(LABELS, view.x(newest.value));
+  context.fillStyle = css('--future');
+  if (x < view.width) context.fillRect(x, 0, view.width - x, view.height - AXIS);
+}
+
+function drawEvents(context, view, shown) {
+  const { room } = view;
+  const y = room + EVENTS / 2;
+  let free = LABELS;
+  textStyle(context, '--dim');
+  context.fillText('Events', 8, y);
+  for (const { time_us, kind, text } of events(shown)) {
+    const x = view.x(time_us);
+    if (x < LABELS || x > view.width) continue;
+    const colour = css(kind === 'note' ? '--control' : '--warn');
+    context.strokeStyle = colour;
+    context.setLineDash([2, 3]);
+    stroke(context, x, 0, x, room + EVENTS);
+    context.setLineDash([]);
+    if (x >= free) {
+      context.fillStyle = colour;
+      context.fillText(text, x + 4, y);
+      free = x + 12 + context.measureText(text).width;
+    }
+  }
+}
+
+function drawAxis(context, view) {
+  const { width, height, from, until } = view;
+  const y = height - AXIS;
+  context.strokeStyle = css('--line');
+  stroke(context, 0, y + 0.5, width, y + 0.5);
+  textStyle(context, '--dim');
+  const { times, digits } = marks(from, until, width - LABELS);
+  const label = timeText(shownTime.value, 2);
+  const wide = context.measureText(label).width + 10;
+  const at = view.x(shownTime.value);
+  const left = at < LABELS || at > width ? width : Math.max(LABELS, Math.min(at - wide / 2, width - wide));
+  const right = left + wide;
+  for (const time of times) {
+    const x = view.x(time);
+    context.fillRect(x, y, 1, 4);
+    const text = timeText(time, digits);
+    // The label of the cursor hides one that is near it.
+    if (x + 8 + context.measureText(text).width < left || x > right) context.fillText(text, x + 4, y + AXIS / 2 + 1);
+  }
+  context.fillStyle = css('--cursor');
+  rounded(context, left, y + 2, right - left, AXIS - 4, 3);
+  context.fillStyle = css('--panel');
+  context.fillText(label, left + 5, y + AXIS / 2 + 1);
+}
+
+function drawSelection(context, view, [a, b]) {
+  context.fillStyle = css('--selection');
+  context.fillRect(Math.min(a, b), 0, Math.abs(b - a), view.height - AXIS);
+}
+
+function drawPointer(context, view, shown, { x, y }) {
+  if (x < LABELS) return;
+  const line = view.rows[view.rowAt(y)];
+  const time = view.time(x);
+  const bar = line?.bars.find(([begin, end]) => begin <= time && time <= end);
+  const state = bar && bar[2] !== null ? line.component.states[bar[2]]?.name : null;
+  const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5);
+  const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
+  const text = [timeText(time, 3), near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
+  context.font = `11.5px ${css('--font')}`;
+  const width = context.measureText(text).width + 14;
+  const left = Math.min(x + 10, view.width - width - 4);
+  const top = Math.max(2, Math.min(y - 26, view.height - 26));
+  context.fillStyle = css('--tip');
+  rounded(context, left, top, width, 20, 4);
+  context.fillStyle = css('--text');
+  context.textBaseline = 'middle';
+  context.fillText(text, left + 7, top + 10.5);
+}

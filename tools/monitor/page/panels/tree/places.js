@@ -1,0 +1,126 @@
+// Places of the components in the panel: rows by the longest path from the root, which share the panel's height.
+
+/** White around all, usual and least distance of two boxes of a row, and of two rows, px. */
+const [MARGIN, GAP, LEAST, CORRIDOR] = [8, 14, 5, 9];
+/** Passes over the rows that sort them; each goes down, then up. */
+const SWEEPS = 8;
+
+/**
+ * Places boxes of given widths: {boxes: [{x, y, width, height, row}], rows: [[index]], width, height}; x and y are the centre. `height` of a
+ * box is at most `tall`. The drawing is as large as the panel, and larger if its boxes need more.
+ */
+export function placed(components, widths, [panelWidth, panelHeight], { low, tall }) {
+  const rows = rowsOf(components, widths);
+  sortRows(rows, components);
+  const needed = Math.max(...rows.map((row) => row.reduce((sum, index) => sum + widths[index] + LEAST, -LEAST))) + 2 * MARGIN;
+  const width = Math.max(panelWidth, needed);
+  const height = Math.max(panelHeight, rows.length * (low + CORRIDOR) - CORRIDOR + 2 * MARGIN);
+  const pitch = (height - 2 * MARGIN) / rows.length;
+  const boxHeight = Math.max(low, Math.min(tall, pitch - 3 * CORRIDOR));
+  const step = rows.length > 1 ? (height - 2 * MARGIN - boxHeight) / (rows.length - 1) : 0;
+  const x = columns(rows, components, widths, width);
+  const boxes = components.map((_, index) => ({ x: x[index], width: widths[index], height: boxHeight }));
+  rows.forEach((row, number) => row.forEach((index) => Object.assign(boxes[index], { row: number, y: MARGIN + boxHeight / 2 + number * step })));
+  return { boxes, rows, width, height };
+}
+
+const targets = ({ links }) => [...new Set(links.map(({ to }) => to))];
+
+/** The depth of each component: the length of the longest path to it, from one without a parent. */
+function depths(count, next) {
+  const depth = new Array(count).fill(0);
+  // A path has no more parts than there are components, also if a description has a circle.
+  for (let pass = 0, changed = true; changed && pass < count; pass += 1) {
+    changed = false;
+    for (let from = 0; from < count; from += 1) {
+      for (const to of next(from)) {
+        if (depth[to] <= depth[from] && depth[from] + 1 < count) [depth[to], changed] = [depth[from] + 1, true];
+      }
+    }
+  }
+  return depth;
+}
+
+/** Rows of indices. A component that may stand in several rows goes to the one with most room. */
+function rowsOf(components, widths) {
+  const count = components.length;
+  const children = components.map(targets);
+  const parents = components.map(() => []);
+  children.forEach((all, from) => all.forEach((to) => parents[to].push(from)));
+  const first = depths(count, (from) => children[from]);
+  const below = depths(count, (from) => parents[from]);
+  const rows = Array.from({ length: Math.max(...first) + 1 }, () => []);
+  const used = rows.map(() => 0);
+  const row = new Array(count);
+  const put = (index, at) => {
+    row[index] = at;
+    rows[at].push(index);
+    used[at] += widths[index] + GAP;
+  };
+  const last = (index) => rows.length - 1 - below[index];
+  const order = [...components.keys()].sort((a, b) => first[a] - first[b]);
+  order.filter((index) => first[index] >= last(index)).forEach((index) => put(index, first[index]));
+  for (const index of order.filter((one) => row[one] === undefined)) {
+    const from = Math.max(first[index], ...parents[index].map((one) => (row[one] ?? -1) + 1));
+    let best = from;
+    for (let at = from; at <= last(index); at += 1) if (used[at] < used[best]) best = at;
+    put(index, best);
+  }
+  return rows;
+}
+
+/** Sorts each row by the mean place of the neighbours, so that few links cross. */
+function sortRows(rows, components) {
+  const near = components.map((component) => targets(component));
+  components.forEach((component, from) => targets(component).forEach((to) => near[to].push(from)));
+  const place = new Array(components.length);
+  const number = (row) => row.forEach((index, at) => { place[index] = (at + 0.5) / row.length; });
+  rows.forEach(number);
+  const mean = (index) => near[index].reduce((sum, one) => sum + place[one], 0) / Math.max(near[index].length, 1);
+  for (let sweep = 0; sweep < SWEEPS; sweep += 1) {
+    for (const row of sweep % 2 === 0 ? rows : rows.toReversed()) {
+      const wanted = new Map(row.map((index) => [index, near[index].length > 0 ? mean(index) : place[index]]));
+      row.sort((a, b) => wanted.get(a) - wanted.get(b));
+      number(row);
+    }
+  }
+}
+
+/** The middles of all boxes: near those of their neighbours, and spread over the width. */
+function columns(rows, components, widths, width) {
+  const near = components.map((component) => targets(component));
+  components.forEach((component, from) => targets(component).forEach((to) => near[to].push(from)));
+  const x = new Array(components.length).fill(width / 2);
+  const [left, right] = [MARGIN, width - MARGIN];
+  for (let sweep = 0; sweep < SWEEPS; sweep += 1) {
+    for (const row of sweep % 2 === 0 ? rows : rows.toReversed()) {
+      const even = (at) => left + ((at + 0.5) / row.length) * (right - left);
+      const wanted = row.map((index, at) => (even(at) + near[index].reduce((sum, one) => sum + x[one], 0)) / (near[index].length + 1));
+      const own = row.map((index) => widths[index]);
+      const spare = (right - left - own.reduce((sum, one) => sum + one)) / Math.max(row.length - 1, 1);
+      apart(wanted, own, left, right, Math.min(GAP, spare)).forEach((place, at) => { x[row[at]] = place; });
+    }
+  }
+  return x;
+}
+
+/** The places next to the wanted ones at which boxes of a row do not touch: neighbours that would are moved together. */
+export function apart(wanted, widths, left, right, gap) {
+  const offsets = [];
+  widths.reduce((sum, width, at) => {
+    offsets.push(sum + width / 2);
+    return sum + width + gap;
+  }, 0);
+  const room = right - (offsets.at(-1) ?? 0) - (widths.at(-1) ?? 0) / 2;
+  const groups = [];
+  wanted.forEach((place, at) => {
+    groups.push({ sum: place - offsets[at], count: 1 });
+    while (groups.length > 1 && groups.at(-2).sum / groups.at(-2).count > groups.at(-1).sum / groups.at(-1).count) {
+      const { sum, count } = groups.pop();
+      groups.at(-1).sum += sum;
+      groups.at(-1).count += count;
+    }
+  });
+  const starts = groups.flatMap(({ sum, count }) => new Array(count).fill(Math.max(left, Math.min(sum / count, room))));
+  return starts.map((start, at) => start + offsets[at]);
+}
