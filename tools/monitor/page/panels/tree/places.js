@@ -101,7 +101,18 @@ function columns(rows, components, widths, width) {
       apart(wanted, own, left, right, Math.min(GAP, spare)).forEach((place, at) => { x[row[at]] = place; });
     }
   }
-  return x;
+  return stretched(x, widths, left, right);
+}
+
+/** Moves boxes apart so that they fill the width. */
+function stretched(x, widths, left, right) {
+  const [edge, end] = [(at) => x[at] - widths[at] / 2, (at) => x[at] + widths[at] / 2];
+  const all = [...x.keys()];
+  const first = all.reduce((best, at) => (edge(at) < edge(best) ? at : best), 0);
+  const last = all.reduce((best, at) => (end(at) > end(best) ? at : best), 0);
+  const begin = left + widths[first] / 2;
+  const factor = x[last] > x[first] ? (right - widths[last] / 2 - begin) / (x[last] - x[first]) : 1;
+  return x.map((place, at) => Math.max(left + widths[at] / 2, Math.min(begin + (place - x[first]) * factor, right - widths[at] / 2)));
 }
 
 /** The places next to the wanted ones at which boxes of a row do not touch: neighbours that would are moved together. */
