@@ -24,6 +24,9 @@ const TEST: [&str; 9] = [
 /// Firefox's `WebDriver`, with its version.
 const GECKODRIVER: &str = "geckodriver@0.37.1";
 
+/// Checks of accessibility, with its version.
+const AXE: &str = "axe-core@4.10.3";
+
 /// Builds JManager and tests its page.
 ///
 /// # Errors
@@ -52,7 +55,7 @@ fn prepare() -> Result<(), String> {
     run("cargo", &PROGRAMS, &[])
 }
 
-/// Installs Chromium, Firefox and their `WebDriver`s.
+/// Installs Chromium, Firefox, their `WebDriver`s, and the checks of accessibility.
 ///
 /// # Errors
 /// If an installation fails.
@@ -62,6 +65,13 @@ pub(crate) fn install() -> Result<(), String> {
     }
     if !works("firefox-esr", &["--version"]) {
         packages(&["firefox-esr"])?;
+    }
+    if !folder("axe").join("node_modules/axe-core").exists() {
+        if !works("npm", &["--version"]) {
+            packages(&["npm"])?;
+        }
+        let prefix = folder("axe").display().to_string();
+        run("npm", &["install", "--silent", "--no-save", "--prefix", &prefix, AXE], &[])?;
     }
     // Debian has no package of it.
     let root = folder("geckodriver").display().to_string();

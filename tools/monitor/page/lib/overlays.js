@@ -31,8 +31,8 @@ const SHAPES = {
   ImagePolyline: ({ points }) => ({ line: points, label: points.at(0) }),
 };
 
-/** Draws one component's findings. `at` maps columns and rows to the panel. */
-export function drawOverlay(context, shown, overlay, image, at, live) {
+/** Draws one component's findings. `at` maps columns and rows to the panel; `taken` are the places of earlier names. */
+export function drawOverlay(context, shown, overlay, image, { at, live, taken }) {
   const { colour } = overlay;
   [context.strokeStyle, context.fillStyle, context.lineWidth] = [colour, colour, 2];
   context.font = `12px ${css('--font')}`;
@@ -49,16 +49,25 @@ export function drawOverlay(context, shown, overlay, image, at, live) {
     }
   }
   const first = values.find(({ label }) => label)?.label;
-  if (first) label(context, overlay.component, at.x(first.x) + Math.max((first.radius ?? 0) * at.scale, 4) + 7, at.y(first.y), colour);
+  if (first) label(context, overlay.component, at.x(first.x) + Math.max((first.radius ?? 0) * at.scale, 4) + 7, at.y(first.y), { colour, taken, right: at.left + image.width * at.scale });
 }
 
-function label(context, text, x, y, colour) {
-  const width = context.measureText(text).width;
+/** Height of a name, px. */
+const TALL = 18;
+
+/** Writes a name within the image, below names that were there. */
+function label(context, text, wantedX, wantedY, { colour, taken, right }) {
+  const width = context.measureText(text).width + 10;
+  const x = Math.min(wantedX, right - width - 2);
+  let y = wantedY - TALL / 2;
+  const covers = (one) => one.x < x + width && x < one.x + one.width && one.y < y + TALL && y < one.y + TALL;
+  for (let one = taken.find(covers); one; one = taken.find(covers)) y = one.y + TALL + 1;
+  taken.push({ x, y, width });
   context.fillStyle = css('--shade');
   context.beginPath();
-  context.roundRect(x, y - 9, width + 10, 18, 4);
+  context.roundRect(x, y, width, TALL, 4);
   context.fill();
   context.fillStyle = colour;
   context.textBaseline = 'middle';
-  context.fillText(text, x + 5, y);
+  context.fillText(text, x + 5, y + TALL / 2);
 }

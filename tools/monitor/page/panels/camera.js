@@ -73,9 +73,10 @@ export function Camera({ visible }) {
     context.beginPath();
     context.rect(at.left, at.top, one.width * at.scale, one.height * at.scale);
     context.clip();
+    const taken = [];
     overlays.forEach((overlay) => {
       const active = shown.moment.value?.components?.[overlay.place]?.[0];
-      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, one, at, cursor.value === null);
+      if (active && !hidden.value.has(overlay.component)) drawOverlay(context, shown, overlay, one, { at, live: cursor.value === null, taken });
     });
     context.restore();
     if (pointer.value) drawPixel(context, shown, one, at, pointer.value, width, height);

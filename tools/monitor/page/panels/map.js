@@ -176,21 +176,30 @@ function drawTrail(context, map, { parts: [part], matrix, style: { colour, dash 
   drawPart(context, map, { line: points }, IDENTITY, { colour, dash: dash && [2, 4], faint: true });
 }
 
-/** What the colours mean, in the lower border. */
+/** What the colours mean: lines at the lower border. */
 function drawLegend(context, width, height, entries) {
   context.font = `11px ${css('--font')}`;
   context.textBaseline = 'middle';
-  const y = height - 12;
-  let x = 8;
+  const lines = [[]];
+  let used = 0;
   for (const [text, colour] of entries) {
     const wide = context.measureText(text).width + 22;
-    if (x + wide > width) return;
-    context.fillStyle = css('--shade');
-    context.fillRect(x - 3, y - 8, wide - 4, 16);
-    context.fillStyle = colour;
-    context.fillRect(x, y - 4, 8, 8);
-    context.fillStyle = css('--shade-text');
-    context.fillText(text, x + 12, y + 0.5);
-    x += wide;
+    if (used > 0 && used + wide > width - 10) {
+      lines.push([]);
+      used = 0;
+    }
+    lines.at(-1).push({ text, colour, x: 8 + used, wide });
+    used += wide;
   }
+  lines.forEach((line, number) => {
+    const y = height - 12 - (lines.length - 1 - number) * 17;
+    for (const { text, colour, x, wide } of line) {
+      context.fillStyle = css('--shade');
+      context.fillRect(x - 3, y - 8, wide, 17);
+      context.fillStyle = colour;
+      context.fillRect(x, y - 4, 8, 8);
+      context.fillStyle = css('--shade-text');
+      context.fillText(text, x + 12, y + 0.5);
+    }
+  });
 }

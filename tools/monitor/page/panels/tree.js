@@ -183,7 +183,7 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
         aria-pressed=${selected.value === component.name} onClick=${(event) => openComponent(component.name, event.shiftKey)} onPointerDown=${(event) => carry(event, component.name)} onDblClick=${() => fold(index)} onKeyDown=${(event) => key(event, component, index)}
         onPointerEnter=${() => { hovered.value = index; }} onPointerLeave=${() => { hovered.value = null; }}>
         <title>${component.doc || component.name}${'\n'}Click: show. Shift-click: own tab. Double click or f: fold. Drag onto a state: make it a child.</title>
-        <rect class="frame" width=${wide} height=${tall} rx="5" /><text class="title" x=${wide / 2} y=${two ? 18 : 16.5}>${component.name}<tspan class="state"></tspan></text><text class="sub" x=${wide / 2} y="33"></text>
+        <rect class="frame" width=${wide} height=${tall} rx="5" /><text class="title" x=${wide / 2} y=${two ? 18 : 16.5}>${component.name}<tspan class="now"></tspan></text><text class="sub" x=${wide / 2} y="33"></text>
         <rect class="cost" x="6" y=${tall - 4.5} height="2" width="0" rx="1" /><g class="badge" transform=${`translate(${wide - 34} -9)`}><rect width="42" height="16" rx="8" /><text x="21" y="12"></text></g></g>`;
     })}
   </svg>`;

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use crate::{game, open_in};
 
-const SMALL: (u32, u32) = (1280, 800);
+pub(crate) const SMALL: (u32, u32) = (1280, 800);
 
 /// Faults of a drawing's geometry on the screen: `boxes` and `lines` are selectors, a line may touch the boxes at its own ends only.
 const GEOMETRY: &str = r"

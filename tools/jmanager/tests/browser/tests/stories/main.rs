@@ -1,5 +1,6 @@
 //! Stories of people with the page, told by roles and names of its controls.
 
+mod access;
 mod attacks;
 mod ball;
 mod designing;

@@ -1,0 +1,48 @@
+//! The page for people with a keyboard, a screen reader or an unsteady hand.
+
+use jmanager_browser::{Page, Server, target};
+use serde_json::json;
+
+use crate::glance::SMALL;
+use crate::open_in;
+
+/// Buttons and fields with a side below 24 px, as far as they are shown.
+const TARGETS: &str = r"
+const small = (one) => { const { width, height } = one.getBoundingClientRect(); return Math.min(width, height) < 23.5; };
+const controls = [...document.querySelectorAll('button, select, input:not([type=range]), summary, [role=button], [role=tab]')].filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest('.chart'));
+return controls.filter(small).map((one) => `${one.ariaLabel || one.textContent || one.outerHTML.slice(0, 80)} ${Math.round(one.getBoundingClientRect().width)}×${Math.round(one.getBoundingClientRect().height)}`);
+";
+
+/// What axe finds of the two upper levels.
+const AXE: &str = r"
+return axe.run(document, { resultTypes: ['violations'] }).then(({ violations }) => violations.filter(({ impact }) => impact === 'critical' || impact === 'serious')
+  .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 4).map(({ target, any }) => `${target} ${any[0]?.message ?? ''}`).join('; ')}`));
+";
+
+async fn in_each_layout(page: &Page, check: &str) {
+    for theme in ["dark", "light"] {
+        if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
+            page.press("t").await;
+        }
+        for key in ["1", "2", "3", "4", "5", "6"] {
+            page.press(key).await;
+            page.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
+            tokio::time::sleep(std::time::Duration::from_millis(400)).await;
+            assert_eq!(page.run(check, vec![]).await, json!([]), "layout {key}, {theme}");
+        }
+    }
+}
+
+#[tokio::test]
+async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
+    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
+    let server = Server::start("access", &["--source", sources]);
+    let page = open_in(&server, SMALL).await;
+    let file = target().join("axe/node_modules/axe-core/axe.min.js");
+    let axe = std::fs::read_to_string(&file)
+        .unwrap_or_else(|error| panic!("{}: {error}; `cargo xtask browser` installs it", file.display()));
+    page.run(&format!("{axe}; window.axe = axe;"), vec![]).await;
+    in_each_layout(&page, TARGETS).await;
+    in_each_layout(&page, AXE).await;
+    page.close().await;
+}
