@@ -13,6 +13,7 @@ import { toggleTheme } from './lib/theme.js';
 import { Banner } from './banner.js';
 import { Header } from './bar.js';
 import { Help, helpShown } from './help.js';
+import { Palette, paletteShown } from './palette.js';
 import { Form } from './vicode/ask.js';
 import { Carried } from './vicode/carry.js';
 
@@ -25,7 +26,7 @@ function Notices() {
 }
 
 function App() {
-  return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Form} /><${Carried} /></${Fragment}>`;
+  return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Palette} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
 const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
@@ -63,6 +64,7 @@ const zoom = (factor) => {
 
 const KEYS = [
   ['?', 'this list', 'Page', () => { helpShown.value = !helpShown.value; }],
+  ['Ctrl+k', 'find anything', 'Page', () => { paletteShown.value = true; }],
   ['t', 'dark or light', 'Page', toggleTheme],
   ['F6', 'next panel', 'Page', () => dock.focusNext(1)],
   ['Shift+F6', 'previous panel', 'Page', () => dock.focusNext(-1)],

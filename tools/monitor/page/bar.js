@@ -11,6 +11,7 @@ import * as store from './lib/store.js';
 import { theme, toggleTheme } from './lib/theme.js';
 import { Menu, download } from './lib/ui.js';
 import { helpShown } from './help.js';
+import { paletteShown } from './palette.js';
 import { askForm } from './vicode/ask.js';
 
 const CONNECTION = { connecting: 'connecting', connected: '', lost: 'lost', ended: 'ended' };
@@ -171,6 +172,7 @@ export function Header() {
     <${Clock} /><${Costs} />
     <span class="grow"></span>
     <${Control} /><${World} /><${Recording} />
+    <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>Find…</button>
     <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment" onClick=${copyLink}>Link</button>
     <${View} />
     <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>

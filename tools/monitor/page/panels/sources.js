@@ -15,7 +15,7 @@ async function show(file, name) {
 
 export function Sources() {
   const search = useSignal('');
-  useEffect(() => { if (hello.value?.source && !list.value) readList(); }, []);
+  useEffect(() => { if (hello.value?.source && !list.value) readList(); }, [hello.value]);
   if (hello.value && !hello.value.source) return html`<${Empty} what="No folder of sources is open" help="Start the program with --source FOLDER." />`;
   const wanted = search.value.trim().toLowerCase();
   const all = (list.value ?? []).flatMap((one) => (one.problem ? [{ ...one, name: null }] : one.components.map((each) => ({ file: one.file, ...each }))));

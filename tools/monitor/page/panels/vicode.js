@@ -9,6 +9,7 @@ import { Drawn, Tips } from '../vicode/canvas/drawn.js';
 import { bindCanvasKeys } from '../vicode/canvas/keys.js';
 import { Minimap } from '../vicode/canvas/minimap.js';
 import { band, doubleClick, press, sketch, target, wheel } from '../vicode/canvas/pointer.js';
+import { ALL, NAMES } from '../vicode/canvas/rows.js';
 import { stage } from '../vicode/canvas/stage.js';
 import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
@@ -49,7 +50,8 @@ function Canvas({ machine: own, isStale, search, visible }) {
   /** Whether the focus is moved by the page, and not by a person. */
   const follows = useRef(false);
   // Drawn from the machine and the places; kept while only the selection changes.
-  useMemo(() => stage.take(own, positions.value), [own, positions.value]);
+  const look = stage.look.value;
+  useMemo(() => stage.take(own, positions.value), [own, positions.value, look]);
   const chosen = new Set(selection.value);
   const text = search.value.trim().toLowerCase();
   const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
@@ -59,17 +61,20 @@ function Canvas({ machine: own, isStale, search, visible }) {
     view.attach(svg.current, layer.current);
     const observer = new ResizeObserver(() => {
       if (!view.resize()) return;
-      if (view.whole) view.fit(stage.all());
+      if (view.whole) stage.fit();
       else view.apply();
     });
     observer.observe(svg.current.parentElement);
     const ends = [on(svg.current, { wheel }, { passive: false }), () => observer.disconnect()];
     return () => ends.forEach((end) => end());
   }, []);
-  useLayoutEffect(() => view.fit(stage.all()), [shown]);
+  useLayoutEffect(() => stage.fit(), [shown]);
+  useLayoutEffect(() => stage.settle(), [look]);
   useLayoutEffect(() => {
     stage.collect(layer.current);
     svg.current.classList.toggle('small', view.small);
+    svg.current.classList.toggle('names', view.isAutomatic && look.level === NAMES);
+    svg.current.classList.toggle('brief', view.isAutomatic && look.level > ALL);
     writeLive();
     for (const [key, element] of stage.elements) {
       element.classList.toggle('wrong', marked.value.get(key) === 'error');
@@ -103,7 +108,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
     ${own.states.length === 0 && html`<${Blank} machine=${own} />`}
     <${NameField} view=${view} /><${Minimap} chosen=${chosen} />
     ${(own.start.length > 0 || own.stop.length > 0) && html`<p class="whole-hooks">${[...own.start, ...own.stop].map((hook) => html`<span><em>${hook.role}</em> / ${hook.function.name.text}</span>`)}</p>`}
-    <div class="zoom" role="group" aria-label="Zoom"><button aria-label="Zoom in" onClick=${() => view.zoom(1.25)}>+</button><button aria-label="Zoom out" onClick=${() => view.zoom(0.8)}>−</button><button title="Show the whole machine (f)" onClick=${() => view.fit(stage.all())}>Fit</button></div>
+    <div class="zoom" role="group" aria-label="Zoom"><button aria-label="Zoom in" onClick=${() => view.zoom(1.25)}>+</button><button aria-label="Zoom out" onClick=${() => view.zoom(0.8)}>−</button><button title="Show the whole machine (f)" onClick=${() => stage.fit()}>Fit</button></div>
   </div>`;
 }
 

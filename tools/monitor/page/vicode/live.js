@@ -80,9 +80,16 @@ function markHit(described) {
   }
 }
 
+function mark({ classList }, leaves, condition) {
+  classList.toggle('leaves', leaves);
+  classList.toggle('holds', condition?.holds === true);
+  classList.toggle('fails', condition?.holds === false);
+}
+
 function writeArrows({ shown, index, described, now, current, own }) {
   const conditions = described ? shown.conditions_of(index).value?.conditions : null;
   const ways = counts.get(shown?.id);
+  const names = new Map();
   const stateAt = (name) => described.states.findIndex((one) => one.name === name);
   for (const arrow of own.arrows) {
     const element = stage.elements.get(arrow.key);
@@ -90,10 +97,16 @@ function writeArrows({ shown, index, described, now, current, own }) {
     const leaves = Boolean(now?.[0]) && current !== null && (arrow.any ? current !== arrow.to : arrow.from === current);
     const number = leaves ? described.transitions.findIndex((one) => one.name === arrow.name && one.from === stateAt(current) && one.to === stateAt(arrow.to)) : -1;
     const condition = number >= 0 ? conditions?.[number] : undefined;
-    element.classList.toggle('leaves', leaves);
-    element.classList.toggle('holds', condition?.holds === true);
-    element.classList.toggle('fails', condition?.holds === false);
-    write(element.querySelector('text.live'), textOf({ shown, condition, arrow, described, ways, index, stateAt }));
+    mark(element, leaves, condition);
+    // A bundle has one name, which says what is so of the arrow that can be taken.
+    const owner = stage.courses.get(arrow.key)?.owner ?? arrow.key;
+    if (leaves || !names.has(owner)) names.set(owner, { leaves, condition, text: textOf({ shown, condition, arrow, described, ways, index, stateAt }) });
+  }
+  for (const [owner, { leaves, condition, text }] of names) {
+    const label = stage.labels.get(owner);
+    if (!label) continue;
+    mark(label, leaves, condition);
+    write(label.querySelector('text.live'), text);
   }
 }
 

@@ -1,5 +1,6 @@
 // The store of VICODE: the open file, what is selected in it, and the requests that change it.
 
+import { stage } from './canvas/stage.js';
 import { batch, computed, effect, signal } from '../lib/dom.js';
 import { link, listen, request } from '../lib/connection.js';
 import { hello, notify } from '../lib/store.js';
@@ -177,7 +178,7 @@ async function back(from, to, type, side) {
   for (;;) {
     from.pop();
     to.push(step);
-    const done = step.kind === 'move' ? await ask('move_states', { file, positions: step[side] }) : await ask(type, { file });
+    const done = step.kind !== 'move' ? await ask(type, { file }) : step[side] ? await ask('move_states', { file, positions: step[side] }) : await ask('arrange_states', { file, component: step.component });
     const next = from.at(-1);
     const goesOn = next && (side === 'before' ? belongs(step, next) : belongs(next, step));
     if (done === undefined || !goesOn) return;
@@ -194,17 +195,24 @@ export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
 
 const placesOf = (all, name) => all.filter((one) => one.component === name).map(({ state, x, y }) => ({ component: name, state, x, y }));
 
+/** Whether somebody has placed a state of a component. */
+const isPlaced = (all, name) => all.some((one) => one.component === name && one.placed);
+
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
 export async function move(places, own = true) {
   const { file, positions: all } = opened.value;
   const name = component.value;
-  const after = Object.entries(places).map(([state, { x, y }]) => ({ component: name, state, x: Math.round(x), y: Math.round(y) }));
-  const before = placesOf(all, name).filter(({ state }) => places[state]);
+  const automatic = !isPlaced(all, name);
+  // An automatic drawing places a new state itself.
+  if (automatic && !own) return;
+  const moved = automatic ? stage.fixed(places) : places;
+  const after = Object.entries(moved).map(([state, { x, y }]) => ({ component: name, state, x: Math.round(x), y: Math.round(y) }));
+  const before = automatic ? null : placesOf(all, name).filter(({ state }) => places[state]);
   const known = new Map(after.map((one) => [one.state, one]));
   // Shown at once; the answer has the same.
   opened.value = { ...opened.value, positions: all.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
   const done = await ask('move_states', { file, positions: after });
-  if (done !== undefined && own) remember({ kind: 'move', before, after });
+  if (done !== undefined && own) remember({ kind: 'move', component: name, before, after });
 }
 
 /** Places all states of the component automatically. */
@@ -212,7 +220,7 @@ export async function arrange() {
   const { file, positions: before } = opened.value;
   const name = component.value;
   const answer = await ask('arrange_states', { file, component: name });
-  if (answer) remember({ kind: 'move', before: placesOf(before, name), after: placesOf(answer.positions, name) });
+  if (answer && isPlaced(before, name)) remember({ kind: 'move', component: name, before: placesOf(before, name), after: null });
 }
 
 // ---- messages

@@ -7,6 +7,9 @@ import { farthest, shortestWay } from '../../lib/ways.js';
 /** The states that a person wants components to reach, by name of the component. */
 const wanted = signal(new Map());
 
+/** Shows the way of a component to one of its states. */
+export const wish = (component, state) => { wanted.value = new Map(wanted.value).set(component, state); };
+
 /** The state to which the way of a machine is shown. */
 export function wantedState(component) {
   const named = component.states.findIndex(({ name }) => name === wanted.value.get(component.name));
@@ -51,7 +54,7 @@ function sinceText(shown, condition) {
 function Way({ component, current }) {
   const target = wantedState(component);
   const way = shortestWay(component, current, target) ?? [];
-  const choose = (event) => { wanted.value = new Map(wanted.value).set(component.name, event.target.value); };
+  const choose = (event) => wish(component.name, event.target.value);
   const transitions = way.map((number) => component.transitions[number]);
   return html`<div class="way"><label>Way to <select aria-label="Wanted state" onChange=${choose}>${component.states.map(({ name }, state) => html`<option selected=${state === target}>${name}</option>`)}</select></label>
     <span class="dim">${way.length === 1 ? '1 transition' : `${way.length} transitions`}</span>

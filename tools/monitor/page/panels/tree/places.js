@@ -18,7 +18,7 @@ export function placed(components, widths, [panelWidth, panelHeight], { low, tal
   const pitch = (height - 2 * MARGIN) / rows.length;
   const boxHeight = Math.max(low, Math.min(tall, pitch - 3 * CORRIDOR));
   const step = rows.length > 1 ? (height - 2 * MARGIN - boxHeight) / (rows.length - 1) : 0;
-  const x = columns(rows, components, widths, width);
+  const x = columns(rows, components, widths, { width, gap: GAP });
   const boxes = components.map((_, index) => ({ x: x[index], width: widths[index], height: boxHeight }));
   rows.forEach((row, number) => row.forEach((index) => Object.assign(boxes[index], { row: number, y: MARGIN + boxHeight / 2 + number * step })));
   return { boxes, rows, width, height };
@@ -70,7 +70,7 @@ function rowsOf(components, widths) {
 }
 
 /** Sorts each row by the mean place of the neighbours, so that few links cross. */
-function sortRows(rows, components) {
+export function sortRows(rows, components) {
   const near = components.map((component) => targets(component));
   components.forEach((component, from) => targets(component).forEach((to) => near[to].push(from)));
   const place = new Array(components.length);
@@ -86,8 +86,8 @@ function sortRows(rows, components) {
   }
 }
 
-/** The middles of all boxes: near those of their neighbours, and spread over the width. */
-function columns(rows, components, widths, width) {
+/** The middles of all boxes: near those of their neighbours, and spread over the width. Boxes of a row have the gap between them, if there is room. */
+export function columns(rows, components, widths, { width, gap }) {
   const near = components.map((component) => targets(component));
   components.forEach((component, from) => targets(component).forEach((to) => near[to].push(from)));
   const x = new Array(components.length).fill(width / 2);
@@ -98,7 +98,7 @@ function columns(rows, components, widths, width) {
       const wanted = row.map((index, at) => (even(at) + near[index].reduce((sum, one) => sum + x[one], 0)) / (near[index].length + 1));
       const own = row.map((index) => widths[index]);
       const spare = (right - left - own.reduce((sum, one) => sum + one)) / Math.max(row.length - 1, 1);
-      apart(wanted, own, left, right, Math.min(GAP, spare)).forEach((place, at) => { x[row[at]] = place; });
+      apart(wanted, own, left, right, Math.min(gap, spare)).forEach((place, at) => { x[row[at]] = place; });
     }
   }
   return stretched(x, widths, left, right);

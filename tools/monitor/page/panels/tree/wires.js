@@ -6,6 +6,8 @@ import { apart } from './places.js';
 /** Cost of a part that another link of the trunk has taken, and of one more passage through a row, px. */
 const [SHARED, PASSAGE] = [0.05, 14];
 const [RADIUS, LANE] = [5, 4];
+/** How far a course may lead away from both of its ends, px. */
+const ASIDE = 260;
 
 /** The path of each link, [{from, to}], in their order, and its trunk: [{d, trunk}]. */
 export function wired(links, { boxes, rows, width }) {
@@ -27,7 +29,7 @@ export function wired(links, { boxes, rows, width }) {
     const xs = courseOf(boxes[from], boxes[to], gaps, trunk);
     courses.set(key, { trunk, from, to, xs });
   }
-  spreadPasses([...courses.values()], gaps, boxes);
+  spreadPasses([...courses.values()], gaps, ({ from }) => boxes[from].row);
   const lanes = lanesOf([...courses.values()], boxes);
   const [edge, half] = [(row) => boxes[rows[row][0]].y, boxes[0].height / 2];
   const level = (corridor, trunk) => {
@@ -49,16 +51,15 @@ export function wired(links, { boxes, rows, width }) {
 }
 
 /** The free intervals of a row. */
-function gapsOf(row, width) {
+export function gapsOf(row, width, left = 2) {
   const sorted = [...row].sort((a, b) => a.x - b.x);
-  const ends = [2, ...sorted.flatMap((box) => [box.x - box.width / 2 - 3, box.x + box.width / 2 + 3]), width - 2];
+  const ends = [left, ...sorted.flatMap((box) => [box.x - box.width / 2 - 3, box.x + box.width / 2 + 3]), width - 2];
   return ends.flatMap((end, at) => (at % 2 === 0 && ends[at + 1] - end > 1 ? [[end, ends[at + 1]]] : []));
 }
 
-const clamp = (x, [low, high]) => Math.min(Math.max(x, low), high);
-
 /** The cheapest course: x at the parent, in each row that is passed, and at the child. */
-function courseOf(from, to, gaps, trunk) {
+export function courseOf(from, to, gaps, trunk) {
+  const [low, high] = [Math.min(from.x, to.x) - ASIDE, Math.max(from.x, to.x) + ASIDE];
   let layer = [{ x: from.x, cost: 0, before: null }];
   const step = (x, row, extra) => {
     let best = null;
@@ -69,7 +70,11 @@ function courseOf(from, to, gaps, trunk) {
     return best;
   };
   for (let row = from.row + 1; row < to.row; row += 1) {
-    const fresh = gaps[row].flatMap((gap) => [from.x, to.x, (gap[0] + gap[1]) / 2].map((x) => clamp(x, gap)));
+    const near = gaps[row].filter((gap) => gap[1] >= low && gap[0] <= high);
+    const fresh = (near.length > 0 ? near : gaps[row]).flatMap((gap) => {
+      const straight = [from.x, to.x].filter((x) => x >= gap[0] && x <= gap[1]);
+      return straight.length > 0 ? straight : [(gap[0] + gap[1]) / 2];
+    });
     const taken = trunk.passes[row];
     layer = [...new Set([...fresh, ...taken])].map((x) => step(x, row, taken.includes(x) ? 0 : PASSAGE));
   }
@@ -88,11 +93,11 @@ function aside(a, b, spans) {
 }
 
 /** Moves the passages of different trunks through one gap apart. */
-function spreadPasses(courses, gaps, boxes) {
+export function spreadPasses(courses, gaps, rowOf, lane = LANE) {
   gaps.forEach((row, number) => row.forEach((gap) => {
     const passes = new Map();
     for (const course of courses) {
-      const at = number - boxes[course.from].row;
+      const at = number - rowOf(course);
       const x = course.xs[at];
       if (at <= 0 || at >= course.xs.length - 1 || x < gap[0] || x > gap[1]) continue;
       const key = `${course.trunk.number} ${x}`;
@@ -100,7 +105,7 @@ function spreadPasses(courses, gaps, boxes) {
       passes.get(key).all.push([course, at]);
     }
     const sorted = [...passes.values()].sort((a, b) => a.x - b.x);
-    const distance = Math.min(LANE, (gap[1] - gap[0]) / Math.max(sorted.length - 1, 1));
+    const distance = Math.min(lane, (gap[1] - gap[0]) / Math.max(sorted.length - 1, 1));
     const places = apart(sorted.map(({ x }) => x), sorted.map(() => 0), ...gap, distance);
     sorted.forEach(({ all }, at) => all.forEach(([course, place]) => { course.xs[place] = places[at]; }));
   }));

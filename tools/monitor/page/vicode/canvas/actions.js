@@ -5,7 +5,6 @@ import { freeName, parsed, stateKey } from '../machine.js';
 import { change, choose, chosen, chosenStates, component, list, locked, machine, move, opened, selection, wish } from '../sources.js';
 import { notify } from '../../lib/store.js';
 import { renameUsed } from '../rename.js';
-import { WIDTH } from './boxes.js';
 import { stage } from './stage.js';
 
 const GRID = 8;
@@ -171,7 +170,7 @@ export function align(how) {
     for (const box of boxes) places[box.name] = { x: box.x, y: box.y, [how]: value };
   } else {
     const key = how === 'across' ? 'x' : 'y';
-    const size = (box) => (key === 'x' ? WIDTH : box.height);
+    const size = (box) => (key === 'x' ? box.width : box.height);
     const sorted = [...boxes].sort((a, b) => a[key] - b[key]);
     const least = sorted.reduce((sum, box) => sum + size(box) + 60, -60);
     const [first, last] = [sorted[0], sorted.at(-1)];

@@ -1,7 +1,5 @@
 // Courses of transitions: curves between boxes that stay apart from each other and do not run through other boxes.
 
-import { WIDTH } from './boxes.js';
-
 /** Distance of neighbouring curves between the same states, points. */
 const APART = 46;
 const LOOP = 30;
@@ -26,10 +24,10 @@ export function lanes(arrows) {
 }
 
 /** Where a line from the centre of a box to a point leaves it. */
-function border({ x, y, height }, [px, py], gap = 0) {
+function border({ x, y, width, height }, [px, py], gap = 0) {
   const [dx, dy] = [px - x, py - y];
-  if (dx === 0 && dy === 0) return [x + WIDTH / 2, y];
-  const [halfX, halfY] = [WIDTH / 2 + gap, height / 2 + gap];
+  if (dx === 0 && dy === 0) return [x + width / 2, y];
+  const [halfX, halfY] = [width / 2 + gap, height / 2 + gap];
   const scale = Math.min(halfX / Math.abs(dx || 1e-9), halfY / Math.abs(dy || 1e-9));
   return [x + dx * scale, y + dy * scale];
 }
@@ -41,14 +39,14 @@ function hits(a, c, b, boxes, from, to) {
   let count = 0;
   let points = null;
   // A curve stays within its three points.
-  const [left, right] = [Math.min(a[0], c[0], b[0]) - WIDTH / 2 - 6, Math.max(a[0], c[0], b[0]) + WIDTH / 2 + 6];
+  const [left, right] = [Math.min(a[0], c[0], b[0]) - 6, Math.max(a[0], c[0], b[0]) + 6];
   const [top, bottom] = [Math.min(a[1], c[1], b[1]) - 6, Math.max(a[1], c[1], b[1]) + 6];
   for (const box of boxes) {
     if (box === from || box === to) continue;
-    if (box.x < left || box.x > right || box.y + box.height / 2 < top || box.y - box.height / 2 > bottom) continue;
+    if (box.x + box.width / 2 < left || box.x - box.width / 2 > right || box.y + box.height / 2 < top || box.y - box.height / 2 > bottom) continue;
     points ??= Array.from({ length: 11 }, (_, index) => at(a, c, b, (index + 1) / 12));
     for (const [x, y] of points) {
-      if (Math.abs(x - box.x) < WIDTH / 2 + 6 && Math.abs(y - box.y) < box.height / 2 + 6) count += 1;
+      if (Math.abs(x - box.x) < box.width / 2 + 6 && Math.abs(y - box.y) < box.height / 2 + 6) count += 1;
     }
   }
   return count;
@@ -73,13 +71,13 @@ function curve(from, to, bend, boxes) {
 export function courseOf(arrow, lane, box, boxes) {
   const to = box(arrow.to);
   if (arrow.any) {
-    const x = to.x + WIDTH / 2 - 26 - lane.index * 26;
+    const x = to.x + to.width / 2 - 26 - lane.index * 26;
     const top = to.y - to.height / 2;
     const rise = 30 + lane.index * 27;
     return { d: `M${round(x)} ${round(top - rise)}L${round(x)} ${round(top - 7)}`, label: [x + 6, top - rise - 5], anchor: 'middle', start: [x, top - rise] };
   }
   if (arrow.from === arrow.to) {
-    const [x, y] = [to.x + WIDTH / 2, to.y];
+    const [x, y] = [to.x + to.width / 2, to.y];
     const reach = LOOP + lane.index * 26;
     const half = 9 + lane.index * 6;
     return { d: `M${x + 1} ${y - half}C${x + reach * 1.4} ${y - half - 12} ${x + reach * 1.4} ${y + half + 12} ${x + 7} ${y + half}`, label: [x + reach + 8, y - 2 + lane.index * 30], anchor: 'start', start: [x, y - half] };

@@ -26,14 +26,15 @@ export function cut(text, width, size = 11) {
   return `${text.slice(0, length).trimEnd()}…`;
 }
 
-/** The parts of a state's box: {height, docs: y, hooks: [{y, …}], chips: [{x, y, width, …}]}. */
-export function boxOf(state) {
+/** The parts of a state's box: {width, height, docs: y, hooks: [{y, …}], chips: [{x, y, width, …}]}. Above the first level it has a name only. */
+export function boxOf(state, level = 1) {
+  if (level > 1) return { docs: null, hooks: [], chips: [], width: widthOf(state.name, 13) * 1.08 + 78, height: 28 };
   let y = HEAD;
   const docs = state.docs.split('\n')[0];
-  const box = { docs: docs ? { y: y + 7, text: cut(docs, WIDTH - 2 * PAD, 10.5) } : null, hooks: [], chips: [] };
+  const box = { docs: docs ? { y: y + 7, text: cut(docs, WIDTH - 2 * PAD, 11) } : null, hooks: [], chips: [] };
   if (docs) y += DOCS;
   for (const hook of state.hooks) {
-    box.hooks.push({ ...hook, y: y + 9, text: cut(`${hook.role} / ${hook.name}`, WIDTH - 2 * PAD, 10.5) });
+    box.hooks.push({ ...hook, y: y + 9, text: cut(`${hook.role} / ${hook.name}`, WIDTH - 2 * PAD, 11) });
     y += HOOK;
   }
   let x = PAD;
@@ -49,14 +50,14 @@ export function boxOf(state) {
     x += width + GAP;
   }
   if (state.children.length > 0) y += CHIP;
-  return { ...box, height: Math.max(46, y + END) };
+  return { ...box, width: WIDTH, height: Math.max(46, y + END) };
 }
 
 /** Smallest rectangle around boxes {x, y, height} with centres; with a margin. */
 export function bounds(boxes, margin = 52) {
   if (boxes.length === 0) return { x: -200, y: -120, width: 400, height: 240 };
-  const left = Math.min(...boxes.map(({ x }) => x - WIDTH / 2)) - margin;
-  const right = Math.max(...boxes.map(({ x }) => x + WIDTH / 2)) + margin;
+  const left = Math.min(...boxes.map(({ x, width }) => x - width / 2)) - margin;
+  const right = Math.max(...boxes.map(({ x, width }) => x + width / 2)) + margin;
   const top = Math.min(...boxes.map(({ y, height }) => y - height / 2)) - margin;
   const bottom = Math.max(...boxes.map(({ y, height }) => y + height / 2)) + margin;
   return { x: left, y: top, width: right - left, height: bottom - top };

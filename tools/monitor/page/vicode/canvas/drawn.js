@@ -1,8 +1,8 @@
 // States and transitions as elements of the drawing.
 
 import { html } from '../../lib/dom.js';
-import { WIDTH } from './boxes.js';
-import { labelWidth, stage, timerText } from './stage.js';
+import { labelWidth, timerText } from './labels.js';
+import { stage } from './stage.js';
 
 const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate of' };
 
@@ -23,7 +23,7 @@ function keep(next, key, { of, place, flags: all }, make) {
 
 const facts = ({ function: _, ...one }) => one;
 
-/** All arrows, then all states: states lie above. */
+/** All arrows, their names, then all states: what is later lies above. */
 export function Drawn({ machine, chosen, found, stops }) {
   const near = ({ from, to, any }) => chosen.has(`s:${to}`) || (!any && chosen.has(`s:${from}`));
   const next = new Map();
@@ -33,12 +33,16 @@ export function Drawn({ machine, chosen, found, stops }) {
     return keep(next, arrow.key, { of: arrow, place: stage.courses.get(arrow.key), flags: all }, () => html`<${Arrow} key=${arrow.key} arrow=${arrow} ...${all} />`);
   });
   const states = machine.states.map((state) => {
-    const { x, y } = stage.boxes.get(state.name);
+    const { x, y, width } = stage.boxes.get(state.name);
     const all = flagsOf(state);
-    return keep(next, state.key, { of: state, place: `${x} ${y}`, flags: all }, () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+    return keep(next, state.key, { of: state, place: `${x} ${y} ${width}`, flags: all }, () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+  });
+  const names = machine.arrows.map((arrow) => {
+    const all = { ...flagsOf(arrow), near: near(arrow) };
+    return keep(next, `label ${arrow.key}`, { of: arrow, place: stage.courses.get(arrow.key), flags: all }, () => html`<${Name} key=${arrow.key} arrow=${arrow} ...${all} />`);
   });
   kept = next;
-  return html`<g class="arrows">${arrows}</g><g class="states">${states}</g>`;
+  return html`<g class="arrows">${arrows}</g><g class="names">${names}</g><g class="states">${states}</g>`;
 }
 
 const flags = (...all) => all.filter(Boolean).join(' ');
@@ -47,31 +51,39 @@ const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
 function Arrow({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
   const timer = timerText(arrow.after_ms);
-  const width = labelWidth(arrow);
   const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}`;
-  return html`<g class=${flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped')} data-key=${arrow.key}
+  return html`<g class=${arrowFlags({ arrow, chosen, near, found, stop })} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
     <path class="hit" d=${course.d} /><path class="line" d=${course.d} marker-end=${`url(#tip${chosen ? '-chosen' : ''})`} />
-    <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} />
-    <g class="label" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
-      <title>${arrow.docs || name}</title>
-      <rect class="ground" x=${course.anchor === 'start' ? -4 : -width / 2} y="-8" width=${width} height="16" rx="3" />
-      <text y="4">${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
-      <text class="live" y="17"></text></g></g>`;
+    <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} /></g>`;
 }
 
+/** The name of an arrow; those of one bundle have it in the same place. */
+function Name({ arrow, chosen, near, found, stop }) {
+  const course = stage.courses.get(arrow.key);
+  const timer = timerText(arrow.after_ms);
+  const width = labelWidth(arrow);
+  return html`<g class=${`label ${arrowFlags({ arrow, chosen, near, found, stop })} ${(course.owner ?? arrow.key) === arrow.key ? '' : 'shared'}`} data-key=${arrow.key} aria-hidden="true" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
+    <title>${arrow.docs || arrow.name}</title>
+    <rect class="ground" x=${course.anchor === 'start' ? -4 : -width / 2} y="-8" width=${width} height="16" rx="3" />
+    <text y="4">${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
+    <text class="live" y="17"></text></g>`;
+}
+
+const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped');
+
 function State({ state, chosen, found, stop }) {
-  const { x, y, height, box } = stage.boxes.get(state.name);
+  const { x, y, width, height, box } = stage.boxes.get(state.name);
   const told = [state.initial && 'initial', state.last && 'last', ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
   return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped')} data-key=${state.key} data-state=${state.name}
-      transform=${`translate(${x - WIDTH / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
+      transform=${`translate(${x - width / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
     <title>${state.docs || state.name}</title>
     ${state.initial && html`<circle class="begin" cx="-34" cy="20" r="6" /><path class="line" d="M-28 20L-7 20" marker-end="url(#tip)" />`}
-    <rect class="body" width=${WIDTH} height=${height} rx="9" />
-    ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${WIDTH - 7} height=${height - 7} rx="6" />`}
+    <rect class="body" width=${width} height=${height} rx="9" />
+    ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${width - 7} height=${height - 7} rx="6" />`}
     <circle class="stop" cx="12" cy="17" r="5"><title>Breakpoint (b)</title></circle>
     <text class="name" x="24" y="21">${state.name}</text>
-    <text class="live" x=${WIDTH - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
+    <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
     ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
     ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}
     ${box.chips.map((chip) => html`<g class=${`link-chip ${chip.kind}`} data-child=${chip.child} transform=${`translate(${chip.x} ${chip.y})`}>
@@ -79,7 +91,7 @@ function State({ state, chosen, found, stop }) {
       <rect width=${chip.width} height=${chip.height} rx="10" /><text x=${chip.width / 2} y="14" text-anchor="middle">${chip.text}</text></g>`)}
     ${['0 0.5', '1 0.5', '0.5 0', '0.5 1'].map((at) => {
       const [px, py] = at.split(' ').map(Number);
-      return html`<circle class="handle" cx=${px * WIDTH} cy=${py * height} r="6"><title>Drag to draw a transition</title></circle>`;
+      return html`<circle class="handle" cx=${px * width} cy=${py * height} r="6"><title>Drag to draw a transition</title></circle>`;
     })}</g>`;
 }
 

@@ -94,7 +94,7 @@ const KEYS = [
   ['Ctrl+a', 'select all states', chooseAll],
   ['Ctrl+c', 'copy states and transitions', on(copy)], ['Ctrl+v', 'paste, also into another component', paste],
   ['Ctrl+z', 'undo', undo], ['Ctrl+Z', 'make it again', redo], ['Ctrl+y', 'make it again', redo],
-  ['f', 'show the whole machine', () => view.fit(stage.all())],
+  ['f', 'show the whole machine', () => stage.fit()],
   ['+', 'zoom in', () => view.zoom(1.25)], ['-', 'zoom out', () => view.zoom(0.8)],
   ['/', 'search a state or transition', () => document.querySelector('.machine-search')?.focus()],
   [' ', 'select, or not', (event) => { const key = focused(event); if (key) choose(selection.value.includes(key) ? selection.value.filter((one) => one !== key) : [...selection.value, key]); }],

@@ -1,7 +1,7 @@
 // The whole machine in small, with the part that is seen.
 
 import { html, useEffect, useRef, useSignal } from '../../lib/dom.js';
-import { WIDTH, bounds } from './boxes.js';
+import { bounds } from './boxes.js';
 import { stage } from './stage.js';
 
 const { view } = stage;
@@ -28,6 +28,6 @@ export function Minimap({ chosen }) {
     view.centre(point.x, point.y);
   };
   return html`<svg class="minimap" ref=${svg} viewBox=${`${area.x} ${area.y} ${area.width} ${area.height}`} role="img" aria-label="Overview of the machine" onPointerDown=${show} onPointerMove=${show}>
-    ${boxes.map(({ name, x, y, height }) => html`<rect class=${`mini ${chosen.has(`s:${name}`) ? 'chosen' : ''}`} x=${x - WIDTH / 2} y=${y - height / 2} width=${WIDTH} height=${height} rx="12" />`)}
+    ${boxes.map(({ name, x, y, width, height }) => html`<rect class=${`mini ${chosen.has(`s:${name}`) ? 'chosen' : ''}`} x=${x - width / 2} y=${y - height / 2} width=${width} height=${height} rx="12" />`)}
     ${seen.value && html`<rect class="seen" ...${seen.value} />`}</svg>`;
 }

@@ -7,7 +7,6 @@ import { change, choose, chosenStates, locked, machine, move, selection, wish } 
 import { toggleStop } from '../stops.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
 import { courseTo } from './arrows.js';
-import { WIDTH } from './boxes.js';
 import { stage } from './stage.js';
 
 /** Distance from an edge within which a drag draws a transition, points; least length of a drag. */
@@ -115,7 +114,7 @@ function drawTransition(event, from) {
       if (!moved) return choose([stateKey(from)]);
       const over = stage.at(point, 6);
       const [a, b] = [stage.boxes.get(from), over ?? { x: point[0], y: point[1] }];
-      const middle = over ? (over.name === from ? [a.x + WIDTH / 2 + 60, a.y] : [(a.x + b.x) / 2, (a.y + b.y) / 2]) : point;
+      const middle = over ? (over.name === from ? [a.x + a.width / 2 + 60, a.y] : [(a.x + b.x) / 2, (a.y + b.y) / 2]) : point;
       addTransition(names, over?.name ?? null, middle);
     },
   });
@@ -153,8 +152,8 @@ function bendArrow(event, key) {
 /** Whether a point lies at the edge of a box. */
 function atEdge(box, [x, y]) {
   // Of a box that is drawn small the middle moves it, too.
-  const [edgeX, edgeY] = [WIDTH, box.height].map((size) => Math.min(EDGE / Math.min(1, view.k), size / 4));
-  return Math.abs(x - box.x) > WIDTH / 2 - edgeX || Math.abs(y - box.y) > box.height / 2 - edgeY;
+  const [edgeX, edgeY] = [box.width, box.height].map((size) => Math.min(EDGE / Math.min(1, view.k), size / 4));
+  return Math.abs(x - box.x) > box.width / 2 - edgeX || Math.abs(y - box.y) > box.height / 2 - edgeY;
 }
 
 export function press(event) {

@@ -1,8 +1,11 @@
 // What is drawn where: boxes of states and courses of arrows, and their elements while something is dragged.
 
-import { WIDTH, boxOf, widthOf } from './boxes.js';
+import { signal } from '../../lib/dom.js';
+import { WIDTH, boxOf, bounds } from './boxes.js';
 import { courseOf, lanes } from './arrows.js';
+import { labelWidth } from './labels.js';
 import { Lifted } from './lifted.js';
+import { ALL, NAMES, arranged } from './rows.js';
 import { View } from './view.js';
 
 /** Places on a curve where its name may stand, the best first. */
@@ -20,20 +23,21 @@ function covered(area, others) {
   return sum;
 }
 const along = ({ start: a, control: c, end: b }, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t * b[0], (1 - t) ** 2 * a[1] + 2 * t * (1 - t) * c[1] + t * t * b[1]];
-const boxRect = ({ x, y, height }) => ({ left: x - WIDTH / 2, right: x + WIDTH / 2, top: y - height / 2, bottom: y + height / 2 });
+const boxRect = ({ x, y, width, height }) => ({ left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 });
 
-/** A timer as it is written at an arrow. */
-export const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
-
-/** Width of an arrow's name with its timer. */
-export function labelWidth({ name, any, after_ms: after }) {
-  const timer = timerText(after);
-  return widthOf(name, 11.5) + (timer ? widthOf(` ${timer}`, 10.5) + 4 : 0) + (any ? widthOf('any · ', 10.5) : 0) + 8;
-}
+/** Number of states above which an automatic drawing begins with names only. */
+const FEW = 30;
+/** Scales from which an automatic drawing shows more, and less. */
+const [MORE, LESS] = [1.5, 0.62];
 
 class Stage {
   constructor() {
     this.view = new View();
+    this.view.onZoom = (x, y) => this.zoomed(x, y);
+    /** How much an automatic drawing shows, and width by height of its panel. */
+    this.look = signal({ level: ALL, shape: 1.3 });
+    /** The state that stays in its place when more or less is shown: {name, at}. */
+    this.anchor = null;
     this.lifted = null;
     this.boxes = new Map();
     this.courses = new Map();
@@ -41,7 +45,7 @@ class Stage {
   }
 
   clear() {
-    Object.assign(this, { machine: null, arrows: [], lanes: new Map(), elements: new Map() });
+    Object.assign(this, { machine: null, arrows: [], lanes: new Map(), elements: new Map(), labels: new Map(), area: null });
     this.boxes.clear();
     this.courses.clear();
   }
@@ -50,13 +54,20 @@ class Stage {
   take(machine, positions) {
     const places = new Map(positions.filter((one) => one.component === machine.name).map((one) => [one.state, one]));
     this.machine = machine;
+    this.arrows = machine.arrows;
+    this.lanes = lanes(machine.arrows);
+    this.view.isAutomatic = ![...places.values()].some(({ placed }) => placed);
+    if (this.view.isAutomatic) {
+      const { level, shape } = this.look.value;
+      Object.assign(this, arranged(machine, level, shape));
+      return;
+    }
+    this.area = null;
     this.boxes = new Map(machine.states.map((state, index) => {
       const { x, y } = places.get(state.name) ?? this.boxes.get(state.name) ?? { x: 110 + (index % 4) * 290, y: 110 + Math.floor(index / 4) * 160 };
       const box = boxOf(state);
-      return [state.name, { name: state.name, x, y, height: box.height, box }];
+      return [state.name, { name: state.name, x, y, width: box.width, height: box.height, box }];
     }));
-    this.arrows = machine.arrows;
-    this.lanes = lanes(machine.arrows);
     this.courses = new Map();
     const all = [...this.boxes.values()];
     for (const arrow of this.arrows) this.courses.set(arrow.key, this.course(arrow, all));
@@ -90,7 +101,56 @@ class Stage {
 
   /** Finds the elements that a rendering made. */
   collect(layer) {
-    this.elements = new Map([...layer.querySelectorAll('[data-key]')].map((element) => [element.dataset.key, element]));
+    const found = (selector) => new Map([...layer.querySelectorAll(selector)].map((element) => [element.dataset.key, element]));
+    [this.elements, this.labels] = [found('[data-key]:not(.label)'), found('.label')];
+  }
+
+  /** Shows the whole machine; an automatic drawing shows as much as can be read. */
+  fit() {
+    const { view } = this;
+    if (view.isAutomatic && view.width > 0 && view.height > 0) {
+      const shape = Math.round((view.width / view.height) * 10) / 10;
+      const fits = (level) => level === NAMES || (this.machine.states.length <= FEW && view.scaleFor(arranged(this.machine, level, shape).area) >= 1);
+      const level = [ALL, ALL + 1, NAMES].find(fits);
+      if (level !== this.look.value.level || shape !== this.look.value.shape) {
+        [this.anchor, view.whole] = [null, true];
+        this.look.value = { level, shape };
+        return;
+      }
+    }
+    view.fit(this.area ?? bounds(this.all()));
+  }
+
+  /** Shows more of an automatic drawing that was enlarged around a point of the window, and less of one that was made smaller. */
+  zoomed(x, y) {
+    const { level, shape } = this.look.value;
+    const next = this.view.k > MORE && level > ALL ? level - 1 : this.view.k < LESS && level < NAMES ? level + 1 : level;
+    if (!this.view.isAutomatic || next === level || this.boxes.size === 0) return;
+    const away = (box) => Math.hypot(...this.view.place([box.x, box.y]).map((value, axis) => value - [x, y][axis]));
+    const box = this.all().reduce((best, one) => (away(one) < away(best) ? one : best));
+    this.anchor = { name: box.name, at: this.view.place([box.x, box.y]) };
+    this.look.value = { level: next, shape };
+  }
+
+  /** After a change of the look: the same state is in the same place, or all is in view. */
+  settle() {
+    const box = this.anchor && this.boxes.get(this.anchor.name);
+    if (box) this.view.put([box.x, box.y], this.anchor.at);
+    else if (this.view.whole) this.view.fit(this.area ?? bounds(this.all()));
+    this.anchor = null;
+  }
+
+  /** The places of all states of an automatic drawing after some were moved, apart enough for whole boxes; the view stays. */
+  fixed(places) {
+    const all = this.all();
+    const height = new Map(this.machine.states.map((state) => [state.name, boxOf(state).height]));
+    const needed = (a, b) => Math.min((WIDTH + 24) / Math.abs(a.x - b.x), ((height.get(a.name) + height.get(b.name)) / 2 + 24) / Math.abs(a.y - b.y));
+    // What was moved may lie on another one.
+    const still = all.filter(({ name }) => !places[name]);
+    const factor = still.reduce((most, a, at) => still.slice(at + 1).reduce((more, b) => Math.max(more, needed(a, b)), most), 1);
+    this.view.k /= factor;
+    this.view.apply();
+    return Object.fromEntries(all.map(({ name, x, y }) => [name, { x: (places[name]?.x ?? x) * factor, y: (places[name]?.y ?? y) * factor }]));
   }
 
   /** Lifts states and the arrows that touch them, to drag them. */
@@ -113,7 +173,7 @@ class Stage {
     for (const [name, [x, y]] of Object.entries(places)) {
       const box = this.boxes.get(name);
       [box.x, box.y] = [x, y];
-      shown(`s:${name}`)?.setAttribute('transform', `translate(${x - WIDTH / 2} ${y - box.height / 2})`);
+      shown(`s:${name}`)?.setAttribute('transform', `translate(${x - box.width / 2} ${y - box.height / 2})`);
     }
     for (const arrow of this.arrows) {
       if (!(arrow.from in places) && !(arrow.to in places)) continue;
@@ -121,7 +181,7 @@ class Stage {
       const course = this.course(arrow, all);
       if (course.control) course.label = along(course, (course.t = t));
       this.courses.set(arrow.key, course);
-      writeArrow(shown(arrow.key), course);
+      writeArrow(shown(arrow.key), this.labels.get(arrow.key), course);
     }
   }
 
@@ -129,7 +189,7 @@ class Stage {
 
   /** The state under a point of the drawing. */
   at([x, y], margin = 0) {
-    return this.all().findLast((box) => Math.abs(x - box.x) <= WIDTH / 2 + margin && Math.abs(y - box.y) <= box.height / 2 + margin) ?? null;
+    return this.all().findLast((box) => Math.abs(x - box.x) <= box.width / 2 + margin && Math.abs(y - box.y) <= box.height / 2 + margin) ?? null;
   }
 
   /** Names of the states within a rectangle of two points. */
@@ -154,14 +214,14 @@ class Stage {
   }
 }
 
-function writeArrow(element, { d, label, start }) {
+function writeArrow(element, name, { d, label, start }) {
   if (!element) return;
   const [hit, line, dot] = element.children;
   hit.setAttribute('d', d);
   line.setAttribute('d', d);
   dot.setAttribute('cx', start[0]);
   dot.setAttribute('cy', start[1]);
-  element.lastElementChild.setAttribute('transform', `translate(${label[0].toFixed(1)} ${label[1].toFixed(1)})`);
+  name?.setAttribute('transform', `translate(${label[0].toFixed(1)} ${label[1].toFixed(1)})`);
 }
 
 /** The stage of the canvas; there is one canvas on a page. */

@@ -1,7 +1,5 @@
 // Pan and zoom of the canvas: a transformation that is written to the drawing directly, without a new rendering.
 
-import { bounds } from './boxes.js';
-
 const [SMALLEST, LARGEST] = [0.08, 3];
 /** Scale below which only names are drawn, larger. */
 const SMALL = 0.42;
@@ -12,6 +10,10 @@ export class View {
     Object.assign(this, { x: 0, y: 0, k: 1, svg: null, layer: null, width: 0, height: 0, listeners: new Set() });
     /** Whether the whole machine is kept in view. */
     this.whole = true;
+    /** Whether nobody has placed a state. */
+    this.isAutomatic = false;
+    /** Called after a zoom around a point of the window. */
+    this.onZoom = () => {};
   }
 
   attach(svg, layer) {
@@ -45,7 +47,7 @@ export class View {
   }
 
   get small() {
-    return this.k < SMALL;
+    return this.k < SMALL && !this.isAutomatic;
   }
 
   /** The point of the drawing under the pointer. */
@@ -73,14 +75,23 @@ export class View {
     this.y = y - (y - this.y) * (k / this.k);
     this.k = k;
     this.apply();
+    this.onZoom(x, y);
   }
 
-  /** Shows all boxes, not larger than they are drawn. */
-  fit(boxes, largest = 1.15) {
+  /** The scale at which an area fits, not larger than it is drawn. */
+  scaleFor({ width, height }, largest = 1.15) { return Math.min(this.width / width, this.height / height, largest); }
+
+  /** Shows a point of the drawing at a point of the window, at its own size. */
+  put([x, y], [atX, atY]) {
+    [this.k, this.x, this.y] = [1, atX - x, atY - y];
+    this.apply();
+  }
+
+  /** Shows an area. */
+  fit(all) {
     const { width, height } = this;
     if (!width || !height) return;
-    const all = bounds(boxes);
-    this.k = Math.min(width / all.width, height / all.height, largest);
+    this.k = this.scaleFor(all);
     this.x = (width - all.width * this.k) / 2 - all.x * this.k;
     this.y = (height - all.height * this.k) / 2 - all.y * this.k;
     this.whole = true;

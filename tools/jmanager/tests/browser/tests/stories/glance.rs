@@ -3,43 +3,13 @@
 use jmanager_browser::{Page, Server};
 use serde_json::json;
 
+use crate::geometry::faults;
 use crate::{game, open_in};
 
 pub(crate) const SMALL: (u32, u32) = (1280, 800);
 
-/// Faults of a drawing's geometry on the screen: `boxes` and `lines` are selectors, a line may touch the boxes at its own ends only.
-const GEOMETRY: &str = r"
-const [root, boxes, lines] = arguments;
-const svg = document.querySelector(root);
-const faults = [];
-const shown = (selector) => [...svg.querySelectorAll(selector)].filter((one) => one.getClientRects().length > 0);
-const all = shown(boxes).map((one) => ({ name: one.parentElement.ariaLabel ?? one.textContent, ...one.getBoundingClientRect().toJSON() }));
-const around = svg.getBoundingClientRect();
-for (const [at, a] of all.entries()) {
-  if (a.left < around.left || a.right > around.right || a.top < around.top || a.bottom > around.bottom) faults.push(`${a.name} is outside`);
-  for (const b of all.slice(at + 1)) if (a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom) faults.push(`${a.name} covers ${b.name}`);
-}
-for (const line of svg.querySelectorAll(lines)) {
-  const [length, matrix] = [line.getTotalLength(), line.getScreenCTM()];
-  for (let at = 0; at < length; at += 2) {
-    const { x, y } = line.getPointAtLength(at).matrixTransform(matrix);
-    const hit = all.find((box) => x > box.left + 1.5 && x < box.right - 1.5 && y > box.top + 1.5 && y < box.bottom - 1.5);
-    if (hit) { faults.push(`a line crosses ${hit.name}`); break; }
-  }
-}
-for (const one of shown('text, tspan')) {
-  const size = Number.parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a;
-  if (one.textContent && size < 10.99) faults.push(`${one.textContent} is ${size.toFixed(1)} px`);
-}
-return faults;
-";
-
-async fn faults(page: &Page, root: &str, boxes: &str, lines: &str) -> serde_json::Value {
-    page.run(GEOMETRY, vec![json!(root), json!(boxes), json!(lines)]).await
-}
-
 /// Gives the page itself a size, not the window with its frame.
-async fn show_in(page: &Page, (width, height): (u32, u32)) {
+pub(crate) async fn show_in(page: &Page, (width, height): (u32, u32)) {
     page.resize((width, height)).await;
     let inner = page.run("return [innerWidth, innerHeight]", vec![]).await;
     let side = |at: usize| inner[at].as_u64().and_then(|side| u32::try_from(side).ok()).expect("a size");
@@ -54,7 +24,7 @@ async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
     page.press("1").await;
     for size in [SMALL, (1600, 1000)] {
         show_in(&page, size).await;
-        assert_eq!(faults(&page, "svg.tree", ".frame", ".link").await, json!([]), "{size:?}");
+        assert_eq!(faults(&page, "svg.tree", ".frame", ".link", ".no-names").await, json!([]), "{size:?}");
         let filled = "const tree = document.querySelector('svg.tree').getBoundingClientRect(); \
             const boxes = [...document.querySelectorAll('.frame')].map((one) => one.getBoundingClientRect()); \
             return [(Math.max(...boxes.map((one) => one.right)) - Math.min(...boxes.map((one) => one.left))) / tree.width, \

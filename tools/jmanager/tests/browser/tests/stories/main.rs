@@ -7,6 +7,7 @@ mod designing;
 mod faults;
 mod figures;
 mod firmware;
+mod geometry;
 mod glance;
 mod looks;
 mod moments;
