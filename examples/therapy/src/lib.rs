@@ -1,0 +1,18 @@
+//! A player of therapy sessions.
+//!
+//! - [`skeleton`]: the points of a person's body, from several detectors.
+//! - [`exercise`]: counts repetitions and judges them against correct ones of the same person.
+//! - [`input`]: components that keep what the robot receives.
+//! - `judge`: judges recorded exercises.
+//! - `cli`: the program.
+//!
+//! It is no medical device and makes no clinical claim; its stop is no certified safety function.
+#![cfg_attr(not(any(feature = "host", test)), no_std)]
+
+#[cfg(feature = "host")]
+pub mod cli;
+pub mod exercise;
+pub mod input;
+#[cfg(feature = "host")]
+pub mod judge;
+pub mod skeleton;
