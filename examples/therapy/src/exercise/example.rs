@@ -13,7 +13,7 @@ const KEPT: usize = 6;
 /// Share of the largest range that a repetition must have; a swing of the arm has less.
 const WHOLE: f32 = 0.6;
 /// Time at the beginning in which the arms rest, s.
-const REST: f32 = 0.16;
+const REST: f32 = 0.1;
 /// Noise that is added to that of an arm, degrees, when the arms are compared.
 const USUAL_NOISE: f32 = 5.0;
 

@@ -15,7 +15,7 @@ pub struct Posture {
 }
 
 /// Points of the trunk. The mean of several is less noisy than one.
-const UPPER: [Point; 3] = [Point::Chest, Point::Neck, Point::Head];
+const UPPER: [Point; 2] = [Point::Chest, Point::Neck];
 const LOWER: [Point; 3] = [Point::Waist, Point::LeftHip, Point::RightHip];
 const SHOULDERS: [Point; 2] = [Point::LeftShoulder, Point::RightShoulder];
 
@@ -27,9 +27,10 @@ impl Posture {
         if !(sure(&UPPER) && sure(&LOWER) && sure(&SHOULDERS)) {
             return None;
         }
-        let middle = |points: [Point; 3]| points.iter().map(|&point| skeleton.at(point)).sum::<Vec3>() / 3.0;
+        let middle =
+            |points: &[Point]| points.iter().map(|&point| skeleton.at(point)).sum::<Vec3>() / points.len() as f32;
         let [left, right] = SHOULDERS.map(|point| skeleton.at(point));
-        let trunk = (middle(UPPER) - middle(LOWER)).try_normalize()?;
+        let trunk = (middle(&UPPER) - middle(&LOWER)).try_normalize()?;
         let lateral = (left - right).reject_from(trunk).try_normalize()?;
         let forward = lateral.cross(trunk);
         let arm = |shoulder: Vec3, elbow: Point| {

@@ -102,7 +102,7 @@ impl Repetition {
         let (low, high) = (quantile(&sorted, 0.05), quantile(&sorted, 0.95));
         let top = &sorted[sorted.len() - (sorted.len() / 10).clamp(1, sorted.len())..];
         let peak = top.iter().sum::<f32>() / top.len() as f32;
-        let width = 9.min(kept.len() / 8);
+        let width = kept.len() / 5;
         let noise = noise(kept);
         let trunk = |sample: &Sample| sample.trunk;
         let trunks = smoothed(kept, width, trunk);
