@@ -1,6 +1,8 @@
 //! The command line.
 
-use std::path::PathBuf;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use bica::Params;
@@ -9,6 +11,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::exercise::Judging;
 use crate::judge;
+use crate::script::{EXAMPLE, Problem, Script};
 
 /// A player of therapy sessions. It is no medical device, and its stop is no certified safety function
 #[derive(Debug, Parser)]
@@ -20,8 +23,26 @@ struct Program {
 
 #[derive(Debug, Subcommand)]
 enum Commands {
+    /// Check a session: its words, and that its files exist
+    Check(Check),
+    /// Write a session that shows what can be said, to begin with
+    New(New),
     /// Judge recorded exercises against the first three correct ones of each person
     Judge(Judge),
+}
+
+#[derive(Debug, Args)]
+struct Check {
+    /// The session
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct New {
+    /// The new file
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
 }
 
 #[derive(Debug, Args)]
@@ -45,8 +66,43 @@ fn rate(text: &str) -> Result<f32, String> {
 /// Runs the command of the command line; returns the exit code.
 #[must_use]
 pub fn run() -> ExitCode {
-    let Commands::Judge(args) = Program::parse().command;
-    run_judge(&args).map_or_else(ExitCode::from, ExitCode::from)
+    let done = match Program::parse().command {
+        Commands::Check(Check { file }) => check(&file),
+        Commands::New(New { file }) => new(&file),
+        Commands::Judge(args) => run_judge(&args),
+    };
+    done.map_or_else(ExitCode::from, ExitCode::from)
+}
+
+/// Reads a session and checks it and its files.
+///
+/// # Errors
+/// If it cannot be read, or something is wrong in it; all errors are told, each at its place.
+pub fn open(file: &Path) -> Result<Script, Failure> {
+    let failed = |error| Failure::of_path("read", file, &error, "give the file of a session; `therapy new` makes one");
+    let text = fs::read_to_string(file).map_err(failed)?;
+    let told = |problems: &[Problem]| {
+        let lines: Vec<_> = problems.iter().map(|problem| format!("{}:{problem}", file.display())).collect();
+        Failure::new(lines.join("\n       "), "docs/therapy.md describes the session language")
+    };
+    let script = Script::parse(&text).map_err(|problems| told(&problems))?;
+    let problems = script.check_files(file.parent().unwrap_or(Path::new("")));
+    if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }
+}
+
+fn check(file: &Path) -> Result<Outcome, Failure> {
+    let script = open(file)?;
+    let (steps, sounds) = (script.steps.len(), script.clips.len());
+    Console::new(false).print(&format!("{}: {steps} steps, {sounds} sounds, no errors", file.display()))?;
+    Ok(Outcome::Success)
+}
+
+fn new(file: &Path) -> Result<Outcome, Failure> {
+    let created = fs::File::create_new(file).and_then(|mut made| made.write_all(EXAMPLE.as_bytes()));
+    created
+        .map_err(|error| Failure::of_path("create", file, &error, "choose another name, in a folder that exists"))?;
+    Console::new(false).print(&format!("{}: change it, then run `therapy check` on it", file.display()))?;
+    Ok(Outcome::Success)
 }
 
 fn run_judge(args: &Judge) -> Result<Outcome, Failure> {

@@ -3,6 +3,8 @@
 //! - [`skeleton`]: the points of a person's body, from several detectors.
 //! - [`exercise`]: counts repetitions and judges them against correct ones of the same person.
 //! - [`input`]: components that keep what the robot receives.
+//! - [`session`]: what a session does, step by step.
+//! - `script`: the session language.
 //! - `judge`: judges recorded exercises.
 //! - `cli`: the program.
 //!
@@ -15,4 +17,7 @@ pub mod exercise;
 pub mod input;
 #[cfg(feature = "host")]
 pub mod judge;
+#[cfg(feature = "host")]
+pub mod script;
+pub mod session;
 pub mod skeleton;

@@ -1,0 +1,5 @@
+//! What a session does, step by step, as the robot runs it.
+
+mod step;
+
+pub use step::{Button, Lamp, Movement, Signal, Step, Task, Tasks, Until};
