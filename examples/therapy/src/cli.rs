@@ -1,25 +1,22 @@
 //! The command line.
 
+use std::env;
+use std::ffi::OsString;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use bica::Params;
-use bica_app::{Console, Failure, Outcome};
-use clap::{Args, Parser, Subcommand};
+use bica::{Params, Tree};
+use bica_app::{App, Console, Failure, Outcome};
+use clap::{Args, Subcommand};
 
 use crate::exercise::Judging;
 use crate::judge;
+use crate::robot::Therapist;
+use crate::room::Room;
 use crate::script::{EXAMPLE, Problem, Script};
-
-/// A player of therapy sessions. It is no medical device, and its stop is no certified safety function
-#[derive(Debug, Parser)]
-#[command(name = "therapy", arg_required_else_help = true)]
-struct Program {
-    #[command(subcommand)]
-    command: Commands,
-}
+use crate::session::Session;
 
 #[derive(Debug, Subcommand)]
 enum Commands {
@@ -63,15 +60,39 @@ fn rate(text: &str) -> Result<f32, String> {
     rate.ok_or_else(|| "give a number from 1 to 240".to_owned())
 }
 
+const AFTER: &str = "\
+Examples:
+  therapy new morning.session                 write a session, to begin with
+  therapy check morning.session               check it
+  therapy play morning.session                play it in a simulated room; the same as
+  therapy run --option session=morning.session
+  therapy play morning.session --realtime --serve 127.0.0.1:7400
+  therapy judge FOLDER --json                 judge recorded exercises
+
+It is no medical device, and its stop is no certified safety function.";
+
 /// Runs the command of the command line; returns the exit code.
 #[must_use]
 pub fn run() -> ExitCode {
-    let done = match Program::parse().command {
+    let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
+    let app = app.try_world("room", Room::open).until(|robot| robot.state_name::<Session>() == Some("finished"));
+    let app = app.commands(|command| match command {
         Commands::Check(Check { file }) => check(&file),
         Commands::New(New { file }) => new(&file),
         Commands::Judge(args) => run_judge(&args),
-    };
-    done.map_or_else(ExitCode::from, ExitCode::from)
+    });
+    app.run_from(arguments(env::args_os()))
+}
+
+/// Replaces `play FILE` by the command and the option of a run.
+fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut arguments: Vec<_> = given.collect();
+    if arguments.get(1).is_some_and(|command| command == "play") && arguments.len() > 2 {
+        let mut session = OsString::from("session=");
+        session.push(&arguments[2]);
+        arguments.splice(1..3, [OsString::from("run"), OsString::from("--option"), session]);
+    }
+    arguments
 }
 
 /// Reads a session and checks it and its files.

@@ -108,6 +108,12 @@ impl ExerciseCheck {
         (self.counts, self.last) = (Counts::default(), None);
     }
 
+    /// Whether it learns.
+    #[must_use]
+    pub const fn is_learning(&self) -> bool {
+        matches!(self.stage, Stage::Learning(_))
+    }
+
     /// Number of examples so far, 0 to 3.
     #[info]
     #[must_use]

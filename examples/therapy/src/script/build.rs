@@ -4,11 +4,7 @@ use std::collections::BTreeMap;
 
 use super::command::{self, Command};
 use super::{Clip, Problem, Script};
-use crate::session::Step;
-
-/// Most steps of a script, and most nested loops.
-const MOST_STEPS: usize = 500;
-const DEEPEST: usize = 4;
+use crate::session::{DEEPEST, MOST_CLIPS, MOST_STEPS, Step};
 
 /// What has begun and has no `end` yet.
 enum Block {
@@ -181,14 +177,10 @@ impl Builder {
         if self.problems.is_empty() && self.script.steps.is_empty() {
             self.problems.push(Problem::new((lines.max(1), 1), "the script has no steps", "", &[]));
         }
-        if self.script.steps.len() > MOST_STEPS {
-            let line = self.script.lines[MOST_STEPS];
-            self.problems.push(Problem::new(
-                (line, 1),
-                format!("the script has more than {MOST_STEPS} steps"),
-                "",
-                &[],
-            ));
+        let steps = self.script.lines.get(MOST_STEPS).map(|line| (*line, format!("{MOST_STEPS} steps")));
+        let clips = self.script.places.get(MOST_CLIPS).map(|(line, _)| (*line, format!("{MOST_CLIPS} sounds")));
+        for (line, most) in steps.into_iter().chain(clips) {
+            self.problems.push(Problem::new((line, 1), format!("the script has more than {most}"), "", &[]));
         }
         (self.script, self.problems)
     }

@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 pub use problem::Problem;
 
+use crate::robot::Order;
 use crate::session::Step;
 
 /// A session.
@@ -71,7 +72,7 @@ impl Script {
             let Clip::File(file) = clip else { return None };
             let what = match fs::read(folder.join(file)) {
                 Err(error) => format!("the file `{}` cannot be read: {error}", file.display()),
-                Ok(bytes) if !(bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WAVE")) => {
+                Ok(bytes) if wav_seconds(&bytes).is_none() => {
                     format!("the file `{}` is not in WAV format", file.display())
                 }
                 Ok(_) => return None,
@@ -79,5 +80,39 @@ impl Script {
             Some(Problem::new(*place, what, "", &[]))
         };
         self.clips.iter().zip(&self.places).filter_map(check).collect()
+    }
+
+    /// What a robot is told to load the session, whose files are relative to a folder. A file that cannot be read has no duration.
+    #[must_use]
+    pub fn orders(&self, folder: &Path) -> Vec<Order> {
+        let seconds = |clip: &Clip| match clip {
+            Clip::File(file) => fs::read(folder.join(file)).ok().and_then(|bytes| wav_seconds(&bytes)).unwrap_or(0.0),
+            Clip::Text { text, .. } => PAUSE + text.chars().count() as f32 / CHARACTERS,
+        };
+        let clips = self.clips.iter().map(|clip| Order::Clip(seconds(clip)));
+        clips.chain(self.steps.iter().copied().map(Order::Step)).chain([Order::Loaded]).collect()
+    }
+}
+
+/// Estimated duration of spoken texts: a pause, s, and characters per second. Our choice: slow speech.
+const PAUSE: f32 = 0.5;
+const CHARACTERS: f32 = 12.0;
+
+/// Duration of a sound in WAV format, s; `None` if it is not in this format.
+fn wav_seconds(bytes: &[u8]) -> Option<f32> {
+    if !(bytes.starts_with(b"RIFF") && bytes.get(8..12)? == b"WAVE") {
+        return None;
+    }
+    let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes);
+    let (mut at, mut rate) = (12, None);
+    loop {
+        let size = number(at + 4)?;
+        match bytes.get(at..at + 4)? {
+            b"fmt " => rate = number(at + 16),
+            b"data" => return rate.filter(|rate| *rate > 0).map(|rate| size as f32 / rate as f32),
+            _ => {}
+        }
+        // Parts begin at even places.
+        at += 8 + size.next_multiple_of(2) as usize;
     }
 }

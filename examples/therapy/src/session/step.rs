@@ -1,8 +1,10 @@
 //! Steps of a session.
 
+use bica::prelude::*;
 use bica_motion::robot::Light;
 
 /// A step. Numbers of steps count from 0; a step at or behind the last one ends the session.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// Begins a movement; `tempo` is a share of its usual one, 0.2 to 1.
@@ -55,6 +57,7 @@ pub enum Step {
 }
 
 /// What is waited for.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Until {
     /// The time.
@@ -66,6 +69,7 @@ pub enum Until {
 }
 
 /// A press or a touch.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     /// A button.
@@ -79,6 +83,7 @@ pub enum Signal {
 }
 
 /// A button.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Button {
     /// In the chest.
@@ -90,6 +95,7 @@ pub enum Button {
 }
 
 /// Lights.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lamp {
     /// Both eyes.
@@ -114,6 +120,7 @@ pub enum Task {
 }
 
 /// A set of tasks.
+#[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tasks(u8);
 
@@ -135,6 +142,7 @@ impl Tasks {
 }
 
 /// One of the seven movements of physiotherapy.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Movement {
     /// One arm up while the other goes down.
