@@ -152,8 +152,14 @@ impl Room {
 
     /// Presses the bumper of the left foot.
     #[action]
-    pub fn press_bumper(&mut self) {
+    pub fn press_left_bumper(&mut self) {
         self.press(Pressed { left: true, ..Pressed::default() }, 0.2);
+    }
+
+    /// Presses the bumper of the right foot.
+    #[action]
+    pub fn press_right_bumper(&mut self) {
+        self.press(Pressed { right: true, ..Pressed::default() }, 0.2);
     }
 
     /// Touches the head.

@@ -28,6 +28,8 @@ struct Running {
     /// Key posture that is approached: `keys.len() * ROUNDS` is the rest.
     next: usize,
     tempo: f32,
+    /// Time for which every second key posture is held, s: the first one of a round is the far one.
+    hold: f32,
     from: Joints,
     to: Joints,
     seconds: f32,
@@ -60,26 +62,26 @@ impl Mover {
             for joint in 0..JOINTS {
                 self.targets.0[joint] = running.from.0[joint] + share * (running.to.0[joint] - running.from.0[joint]);
             }
-            if running.time >= running.seconds {
+            if running.time >= running.seconds + running.held() {
                 self.running = running.after();
             }
         }
         motors.set(&self.targets);
     }
 
-    /// Begins a movement, at a share of the usual tempo, 0.2 to 1.
-    pub fn begin(&mut self, movement: Movement, tempo: f32) {
-        self.run(keys(movement), tempo.clamp(0.2, 1.0));
+    /// Begins a movement, at a share of the usual tempo, 0.2 to 1. Its far posture is held for so many seconds.
+    pub fn begin(&mut self, movement: Movement, tempo: f32, hold: f32) {
+        self.run(keys(movement), tempo.clamp(0.2, 1.0), hold);
     }
 
     /// Moves to rest.
     pub fn rest(&mut self) {
-        self.run(&[], 0.5);
+        self.run(&[], 0.5, 0.0);
     }
 
-    fn run(&mut self, keys: &'static [Key], tempo: f32) {
+    fn run(&mut self, keys: &'static [Key], tempo: f32, hold: f32) {
         let (from, to) = (self.targets, REST);
-        self.running = Some(Running { keys, next: 0, tempo, from, to, seconds: 0.0, time: 0.0 });
+        self.running = Some(Running { keys, next: 0, tempo, hold, from, to, seconds: 0.0, time: 0.0 });
     }
 
     /// Ends the movement where it is.
@@ -109,6 +111,11 @@ impl Running {
         self.seconds = (PEAK * longest / tuned.speed).max(tuned.shortest) / self.tempo;
     }
 
+    /// Time for which the key is held, s.
+    const fn held(&self) -> f32 {
+        if self.next.is_multiple_of(2) && self.next < self.keys.len() * ROUNDS { self.hold } else { 0.0 }
+    }
+
     /// What follows when the key is reached.
     fn after(&self) -> Option<Self> {
         let ended = self.next >= self.keys.len() * ROUNDS;
@@ -127,7 +134,7 @@ mod tests {
         let time = Time { now: Instant::from_millis(0), since_run: Duration::from_millis(10), in_state: Duration::MIN };
         for (name, movement) in Movement::NAMES {
             let (mut mover, mut motors) = (Mover::new(), Motors::new());
-            mover.begin(movement, 1.0);
+            mover.begin(movement, 1.0, 0.0);
             let (mut last, mut seconds, mut farthest) = (REST, 0.0, 0.0_f32);
             while mover.is_running() {
                 mover.step(&Tuned::new(Tempo::DEFAULT), &time, &mut motors);

@@ -29,7 +29,9 @@ enum Wish {
 #[derive(Debug)]
 pub struct Session {
     plan: Plan,
+    /// The newest wish, and what this run heard. A wish that cannot be granted at once is dropped: nothing goes on later by itself.
     wish: Option<Wish>,
+    heard: Option<Wish>,
     /// Time in the present wait or exercise, s.
     waited: f32,
     /// Time without a new skeleton, s, and the number of the newest.
@@ -43,7 +45,7 @@ impl Session {
     /// Creates the component without a session.
     #[must_use]
     pub const fn new() -> Self {
-        Self { plan: Plan::new(), wish: None, waited: 0.0, unseen: (0.0, 0), ease: 1.0 }
+        Self { plan: Plan::new(), wish: None, heard: None, waited: 0.0, unseen: (0.0, 0), ease: 1.0 }
     }
 
     /// The session, to be loaded.
@@ -53,7 +55,9 @@ impl Session {
 
     /// Waits for the start.
     #[state(initial)]
-    fn ready(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {}
+    fn ready(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
 
     /// Does the steps up to the next wait.
     #[state]
@@ -66,10 +70,11 @@ impl Session {
         _signals: &mut Signals,
         _guard: &mut Guard,
     ) {
+        self.hear();
         for _ in 0..AT_ONCE {
             let Some(step) = self.plan.step() else { return };
             match step {
-                Step::Move { movement, tempo } => mover.begin(movement, tempo * self.ease),
+                Step::Move { movement, tempo } => mover.begin(movement, tempo * self.ease, 0.0),
                 Step::Speak(clip) => sound.speak(clip, self.plan.seconds(clip)),
                 Step::Play(clip) => sound.play(clip, self.plan.seconds(clip)),
                 Step::Volume(volume) => sound.set_volume(volume),
@@ -94,6 +99,7 @@ impl Session {
         _signals: &mut Signals,
         _guard: &mut Guard,
     ) {
+        self.hear();
         self.waited += time.dt();
     }
 
@@ -109,15 +115,16 @@ impl Session {
         _signals: &mut Signals,
         _guard: &mut Guard,
     ) {
+        self.hear();
         self.waited += time.dt();
         self.unseen.0 += time.dt();
         if self.unseen.1 != pose.number() {
             self.unseen = (0.0, pose.number());
         }
-        if let Some(Step::Exercise { movement, .. }) = self.plan.step()
+        if let Some(Step::Exercise { movement, hold, .. }) = self.plan.step()
             && !mover.is_running()
         {
-            mover.begin(movement, self.ease);
+            mover.begin(movement, self.ease, hold);
         }
         if check.examples() == 0 && !check.is_learning() {
             check.learn();
@@ -126,22 +133,28 @@ impl Session {
 
     /// Rests with the arms down until somebody lets it go on.
     #[state]
-    fn paused(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {}
+    fn paused(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
 
     /// Stands still until somebody expressly lets it go on.
     #[state]
-    fn stopped(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {}
+    fn stopped(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
 
     /// The session is over.
     #[state]
-    fn finished(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {}
+    fn finished(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
 
     /// A person stops the session: by the page, or by a bumper that the session does not wait for.
     #[transition(ready | running | waiting | exercising | paused | finished -> stopped)]
     fn is_stopped(&self, signals: &Signals) -> bool {
         let bumper = [Button::Left, Button::Right].map(Signal::Press).into_iter();
         let bumper = bumper.filter(|signal| self.awaited() != Some(*signal)).any(|signal| signals.begins(signal));
-        self.wish == Some(Wish::Stop) || bumper
+        self.heard == Some(Wish::Stop) || bumper
     }
 
     /// A trouble pauses the session; a fall stops it.
@@ -154,23 +167,23 @@ impl Session {
     fn is_paused(&self, signals: &Signals, guard: &Guard) -> bool {
         let chest = Signal::Press(Button::Chest);
         let pressed = self.awaited() != Some(chest) && signals.begins(chest);
-        self.wish == Some(Wish::Pause) || pressed || guard.trouble().is_some()
+        self.heard == Some(Wish::Pause) || pressed || guard.trouble().is_some()
     }
 
     #[transition(ready -> running)]
     fn is_started(&self, signals: &Signals) -> bool {
-        self.plan.is_loaded() && (self.wish == Some(Wish::Start) || signals.begins(Signal::Press(Button::Chest)))
+        self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Press(Button::Chest)))
     }
 
     #[transition(paused -> running)]
     fn goes_on(&self, signals: &Signals, guard: &Guard) -> bool {
-        let wished = self.wish == Some(Wish::GoOn) || signals.begins(Signal::Press(Button::Chest));
+        let wished = self.heard == Some(Wish::GoOn) || signals.begins(Signal::Press(Button::Chest));
         wished && guard.trouble().is_none()
     }
 
     #[transition(stopped -> running)]
     fn goes_on_after_stop(&self, signals: &Signals, guard: &Guard) -> bool {
-        (self.wish == Some(Wish::GoOn) || signals.chest_held() > EXPRESS)
+        (self.heard == Some(Wish::GoOn) || signals.chest_held() > EXPRESS)
             && guard.trouble().is_none()
             && self.plan.is_loaded()
     }
@@ -224,7 +237,7 @@ impl Session {
 
     #[exit(waiting)]
     fn end_wait(&mut self, mover: &Mover, sound: &Sound, signals: &Signals) {
-        if self.wish.is_none() && self.has_waited(mover, sound, signals) {
+        if self.heard.is_none() && self.has_waited(mover, sound, signals) {
             self.plan.pass(None);
         }
     }
@@ -239,19 +252,14 @@ impl Session {
 
     #[entry(paused)]
     fn pause_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
-        self.halt(sound, lights, Light(1.0, 0.6, 0.0));
+        halt(sound, lights, Light(1.0, 0.6, 0.0));
         mover.rest();
     }
 
     #[entry(stopped)]
     fn stop_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
-        self.halt(sound, lights, Light(1.0, 0.0, 0.0));
+        halt(sound, lights, Light(1.0, 0.0, 0.0));
         mover.freeze();
-    }
-
-    #[entry(running)]
-    fn forget_wish(&mut self) {
-        self.wish = None;
     }
 
     #[exit(paused)]
@@ -266,10 +274,8 @@ impl Session {
         self.plan.go_back();
     }
 
-    fn halt(&mut self, sound: &mut Sound, lights: &mut Lights, chest: Light) {
-        self.wish = None;
-        sound.stop(Tasks::ALL);
-        lights.set(Lamp::Chest, chest);
+    fn hear(&mut self) {
+        self.heard = self.wish.take();
     }
 
     /// The signal that the present step waits for.
@@ -323,6 +329,13 @@ impl Session {
         self.ease = (0.8 * self.ease).max(0.4);
     }
 
+    /// Whether no step is left.
+    #[info]
+    #[must_use]
+    pub fn is_at_end(&self) -> bool {
+        self.plan.is_over()
+    }
+
     /// Number of the present step, from 0.
     #[info]
     #[must_use]
@@ -337,4 +350,10 @@ fn end(tasks: Tasks, mover: &mut Mover, sound: &mut Sound) {
     if tasks.has(Task::Movement) {
         mover.freeze();
     }
+}
+
+/// Ends all sound, and shows why.
+fn halt(sound: &mut Sound, lights: &mut Lights, chest: Light) {
+    sound.stop(Tasks::ALL);
+    lights.set(Lamp::Chest, chest);
 }
