@@ -143,6 +143,26 @@ fn wait_ends_at_its_limit() {
 }
 
 #[test]
+fn next_ends_at_the_end_and_previous_at_the_begin() {
+    let mut test = start("volume 10\nwait 50 s\nvolume 20\nwait 50 s");
+    let mut at = |wish: fn(&mut Session), steps: u16| {
+        wish(test.tree_mut().get_mut::<Session>());
+        test.run_for(ms(50));
+        assert_eq!(test.tree().get::<Session>().at(), steps);
+        test.state::<Session>().expect("a state")
+    };
+    assert_eq!(at(Session::previous, 1), "waiting", "there is nothing before");
+    assert_eq!(at(Session::next, 3), "waiting");
+    assert_eq!(at(Session::previous, 1), "waiting");
+    assert_eq!(at(Session::next, 3), "waiting");
+    assert_eq!(at(Session::repeat, 3), "waiting");
+    assert_eq!(at(Session::stop, 3), "stopped");
+    assert_eq!(at(Session::next, 4), "stopped", "it stays stopped");
+    assert_eq!(at(Session::go_on, 4), "finished");
+    assert_eq!(at(Session::next, 4), "finished", "not past the end");
+}
+
+#[test]
 fn each_result_of_an_exercise_has_its_branch() {
     let text = |limit| {
         format!(

@@ -77,6 +77,12 @@ impl Plan {
         self.place.step
     }
 
+    /// Step with which the present steps began.
+    #[must_use]
+    pub const fn begun(&self) -> u16 {
+        self.begun.step
+    }
+
     /// Whether the last step is done.
     #[must_use]
     pub fn is_over(&self) -> bool {
@@ -112,6 +118,31 @@ impl Plan {
             }
             Some(_) => self.place.step += 1,
         }
+    }
+
+    /// Goes to a step, at most to the end, as if it followed a wait. Loops begin anew.
+    pub fn go_to(&mut self, step: u16) {
+        self.place = Place { step: step.min(self.steps.len() as u16), counters: [0; DEEPEST] };
+        self.begun = self.place;
+    }
+
+    /// First step after the next wait or exercise, or the end.
+    #[must_use]
+    pub fn next(&self) -> u16 {
+        (self.place.step + 1..self.steps.len() as u16)
+            .find(|step| self.begins(*step))
+            .unwrap_or(self.steps.len() as u16)
+    }
+
+    /// First step after the wait or exercise before the one in which the present steps began, or the begin.
+    #[must_use]
+    pub fn previous(&self) -> u16 {
+        (0..self.begun.step).rev().find(|step| self.begins(*step)).unwrap_or(0)
+    }
+
+    fn begins(&self, step: u16) -> bool {
+        let before = self.steps.get(usize::from(step).wrapping_sub(1));
+        matches!(before, None | Some(Step::Wait(..) | Step::Exercise { .. }))
     }
 
     /// Goes back to where the steps after the last wait begin.

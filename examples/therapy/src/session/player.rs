@@ -19,6 +19,8 @@ const NOBODY: f32 = 15.0;
 /// What a person asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Wish {
+    /// Goes to a step.
+    GoTo(u16),
     Start,
     Pause,
     GoOn,
@@ -170,6 +172,12 @@ impl Session {
         self.heard == Some(Wish::Pause) || pressed || guard.trouble().is_some()
     }
 
+    /// A person goes to another step; a stopped session stays stopped.
+    #[transition(waiting | exercising -> running)]
+    fn goes_to(&self) -> bool {
+        matches!(self.heard, Some(Wish::GoTo(_)))
+    }
+
     #[transition(ready -> running)]
     fn is_started(&self, signals: &Signals) -> bool {
         self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Press(Button::Chest)))
@@ -244,7 +252,9 @@ impl Session {
 
     #[exit(exercising)]
     fn end_exercise(&mut self, check: &ExerciseCheck, mover: &mut Mover) {
-        if let Some(result) = self.result(check) {
+        if self.heard.is_none()
+            && let Some(result) = self.result(check)
+        {
             self.plan.pass(Some(result));
             mover.rest();
         }
@@ -276,6 +286,9 @@ impl Session {
 
     fn hear(&mut self) {
         self.heard = self.wish.take();
+        if let Some(Wish::GoTo(step)) = self.heard {
+            self.plan.go_to(step);
+        }
     }
 
     /// The signal that the present step waits for.
@@ -321,6 +334,30 @@ impl Session {
     #[modulation]
     pub const fn stop(&mut self) {
         self.wish = Some(Wish::Stop);
+    }
+
+    /// Goes on with what follows the present wait or exercise.
+    #[modulation]
+    pub fn next(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.next()));
+    }
+
+    /// Goes back to what was before the present wait or exercise.
+    #[modulation]
+    pub fn previous(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.previous()));
+    }
+
+    /// Does the present steps again.
+    #[modulation]
+    pub const fn repeat(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.begun()));
+    }
+
+    /// Goes to a step, from 0.
+    #[modulation]
+    pub const fn go_to(&mut self, #[range(0..=500)] step: u32) {
+        self.wish = Some(Wish::GoTo(step as u16));
     }
 
     /// Makes tempo and number of repetitions less, by a fifth.
