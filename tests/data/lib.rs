@@ -29,6 +29,12 @@ pub fn images() -> &'static Path {
     Path::new(env!("BICA_IMAGES"))
 }
 
+/// Folder of the recorded exercises; it may not exist.
+#[must_use]
+pub fn exercises() -> &'static Path {
+    Path::new(env!("BICA_EXERCISES"))
+}
+
 /// Test that needs the recorded images. It is ignored, with the reason, if they are missing.
 #[cfg(shared_images)]
 #[macro_export]
@@ -44,5 +50,23 @@ macro_rules! images_test {
 macro_rules! images_test {
     ($($(#[$meta:meta])* fn $name:ident() $body:block)+) => {
         $($(#[$meta])* #[test] #[ignore = "needs recorded images in ../shared/images or $BICA_SHARED/images"] fn $name() $body)+
+    };
+}
+
+/// Test that needs the recorded exercises. It is ignored, with the reason, if they are missing.
+#[cfg(shared_exercises)]
+#[macro_export]
+macro_rules! exercises_test {
+    ($($(#[$meta:meta])* fn $name:ident() $body:block)+) => {
+        $($(#[$meta])* #[test] fn $name() $body)+
+    };
+}
+
+/// Test that needs the recorded exercises. It is ignored, with the reason, if they are missing.
+#[cfg(not(shared_exercises))]
+#[macro_export]
+macro_rules! exercises_test {
+    ($($(#[$meta:meta])* fn $name:ident() $body:block)+) => {
+        $($(#[$meta])* #[test] #[ignore = "needs recorded exercises in ../shared/exercises or $BICA_SHARED/exercises"] fn $name() $body)+
     };
 }

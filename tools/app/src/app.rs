@@ -1,5 +1,6 @@
 //! The program of a robot.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::marker::PhantomData;
 use std::process::ExitCode;
@@ -170,7 +171,16 @@ where
     where
         R: Recordable<Error: fmt::Display>,
     {
-        let matches = self.command().get_matches();
+        self.run_from(std::env::args_os())
+    }
+
+    /// Runs the command of other arguments, of which the first is the name of the program; returns the exit code.
+    #[must_use]
+    pub fn run_from(self, arguments: impl IntoIterator<Item = OsString>) -> ExitCode
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        let matches = self.command().get_matches_from(arguments);
         start(move || self.dispatch(&matches))
     }
 

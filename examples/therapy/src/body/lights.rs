@@ -1,0 +1,49 @@
+//! The lights.
+
+use bica::prelude::*;
+use bica_motion::robot::Light;
+
+use crate::session::Lamp;
+
+/// Lights of the robot.
+#[message]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shining {
+    /// Both eyes.
+    pub eyes: Light,
+    /// Both ears, 0 to 1.
+    pub ears: f32,
+    /// The chest button.
+    pub chest: Light,
+}
+
+/// Keeps the lights.
+#[derive(Debug)]
+pub struct Lights {
+    shining: Shining,
+}
+
+#[component(budget_us = 1)]
+impl Lights {
+    /// Creates the component with dark lights.
+    #[must_use]
+    pub const fn new() -> Self {
+        const DARK: Light = Light(0.0, 0.0, 0.0);
+        Self { shining: Shining { eyes: DARK, ears: 0.0, chest: DARK } }
+    }
+
+    /// Sets a light.
+    pub const fn set(&mut self, lamp: Lamp, light: Light) {
+        match lamp {
+            Lamp::Eyes => self.shining.eyes = light,
+            Lamp::Ears => self.shining.ears = light.2,
+            Lamp::Chest => self.shining.chest = light,
+        }
+    }
+
+    /// The lights.
+    #[must_use]
+    pub const fn shining(&self) -> Shining {
+        self.shining
+    }
+}

@@ -1,0 +1,146 @@
+//! The command line.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use bica::{Params, Tree};
+use bica_app::{App, Console, Failure, Outcome};
+use clap::{Args, Subcommand};
+
+use crate::exercise::Judging;
+use crate::judge;
+use crate::robot::Therapist;
+use crate::room::Room;
+use crate::script::{EXAMPLE, Problem, Script};
+use crate::session::Session;
+
+#[derive(Debug, Subcommand)]
+enum Commands {
+    /// Check a session: its words, and that its files exist
+    Check(Check),
+    /// Write a session that shows what can be said, to begin with
+    New(New),
+    /// Judge recorded exercises against the first three correct ones of each person
+    Judge(Judge),
+}
+
+#[derive(Debug, Args)]
+struct Check {
+    /// The session
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct New {
+    /// The new file
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct Judge {
+    /// Folder with `correct/` and `incorrect/`: files `mMM_sSS_eEE_positions.txt` and `…_angles.txt`, also compressed (.gz)
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// Skeletons a second
+    #[arg(long, value_name = "HZ", default_value_t = 30.0, value_parser = rate)]
+    rate: f32,
+    /// Print a line of JSON for each recording; all other output goes to stderr
+    #[arg(long)]
+    json: bool,
+}
+
+fn rate(text: &str) -> Result<f32, String> {
+    let rate = text.parse().ok().filter(|rate| (1.0..=240.0).contains(rate));
+    rate.ok_or_else(|| "give a number from 1 to 240".to_owned())
+}
+
+const AFTER: &str = "\
+Examples:
+  therapy new morning.session                 write a session, to begin with
+  therapy check morning.session               check it
+  therapy play morning.session                play it in a simulated room; the same as
+  therapy run --option session=morning.session
+  therapy play morning.session --realtime --serve 127.0.0.1:7400
+  therapy judge FOLDER --json                 judge recorded exercises
+
+It is no medical device, and its stop is no certified safety function.";
+
+/// Runs the command of the command line; returns the exit code.
+#[must_use]
+pub fn run() -> ExitCode {
+    let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
+    let app = app.try_world("room", Room::open).until(|robot| robot.state_name::<Session>() == Some("finished"));
+    let app = app.commands(|command| match command {
+        Commands::Check(Check { file }) => check(&file),
+        Commands::New(New { file }) => new(&file),
+        Commands::Judge(args) => run_judge(&args),
+    });
+    app.run_from(arguments(env::args_os()))
+}
+
+/// Replaces `play FILE` by the command and the option of a run.
+fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut arguments: Vec<_> = given.collect();
+    if arguments.get(1).is_some_and(|command| command == "play") && arguments.len() > 2 {
+        let mut session = OsString::from("session=");
+        session.push(&arguments[2]);
+        arguments.splice(1..3, [OsString::from("run"), OsString::from("--option"), session]);
+    }
+    arguments
+}
+
+/// Reads a session and checks it and its files.
+///
+/// # Errors
+/// If it cannot be read, or something is wrong in it; all errors are told, each at its place.
+pub fn open(file: &Path) -> Result<Script, Failure> {
+    let failed = |error| Failure::of_path("read", file, &error, "give the file of a session; `therapy new` makes one");
+    let text = fs::read_to_string(file).map_err(failed)?;
+    let told = |problems: &[Problem]| {
+        let lines: Vec<_> = problems.iter().map(|problem| format!("{}:{problem}", file.display())).collect();
+        Failure::new(lines.join("\n       "), "docs/therapy.md describes the session language")
+    };
+    let script = Script::parse(&text).map_err(|problems| told(&problems))?;
+    let problems = script.check_files(file.parent().unwrap_or(Path::new("")));
+    if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }
+}
+
+fn check(file: &Path) -> Result<Outcome, Failure> {
+    let script = open(file)?;
+    let (steps, sounds) = (script.steps.len(), script.clips.len());
+    Console::new(false).print(&format!("{}: {steps} steps, {sounds} sounds, no errors", file.display()))?;
+    Ok(Outcome::Success)
+}
+
+fn new(file: &Path) -> Result<Outcome, Failure> {
+    let created = fs::File::create_new(file).and_then(|mut made| made.write_all(EXAMPLE.as_bytes()));
+    created
+        .map_err(|error| Failure::of_path("create", file, &error, "choose another name, in a folder that exists"))?;
+    Console::new(false).print(&format!("{}: change it, then run `therapy check` on it", file.display()))?;
+    Ok(Outcome::Success)
+}
+
+fn run_judge(args: &Judge) -> Result<Outcome, Failure> {
+    // Recordings have no times, so their tempo is not known.
+    let judging = Judging { tempo: 0.0, ..Judging::DEFAULT };
+    let judged = judge::judge(&args.folder, args.rate, &judging)?;
+    let console = Console::new(args.json);
+    for each in &judged {
+        if args.json {
+            console.print_json_line(each)?;
+        } else {
+            let (reasons, plural) = (each.reasons.join(", "), if each.repetitions == 1 { "" } else { "s" });
+            console.print(&format!(
+                "{}  {}  {} repetition{plural}  {reasons}",
+                each.file, each.verdict, each.repetitions
+            ))?;
+        }
+    }
+    Ok(Outcome::Success)
+}

@@ -1,0 +1,269 @@
+//! The component.
+
+use bica::prelude::*;
+
+use super::{Counter, EXAMPLES, Example, Judgement, Judging, Learner, Posture, Verdict};
+use crate::input::PatientPose;
+
+/// Counts the repetitions of a person and judges them. It first learns from three correct ones, which a therapist watches.
+#[derive(Debug)]
+pub struct ExerciseCheck {
+    stage: Stage,
+    /// Number of the newest skeleton that was taken.
+    taken: u32,
+    /// Time since then, s.
+    waited: f32,
+    counts: Counts,
+    last: Option<Judgement>,
+}
+
+/// What the check does.
+#[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one check, and no memory to allocate from")]
+enum Stage {
+    Idle,
+    Learning(Learner),
+    Judging(Example, Counter),
+}
+
+/// Numbers of judged repetitions.
+#[output]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Repetitions.
+    pub repetitions: u16,
+    /// Correct ones.
+    pub correct: u16,
+    /// Incorrect ones.
+    pub incorrect: u16,
+    /// Those that could not be judged.
+    pub cannot_tell: u16,
+}
+
+#[component(hz = 50, budget_us = 200)]
+impl ExerciseCheck {
+    /// Creates the component without examples.
+    #[must_use]
+    pub const fn new() -> Self {
+        let counts = Counts { repetitions: 0, correct: 0, incorrect: 0, cannot_tell: 0 };
+        Self { stage: Stage::Idle, taken: 0, waited: 0.0, counts, last: None }
+    }
+
+    fn step(&mut self, tuned: &Tuned<Judging>, pose: &PatientPose, time: &Time) {
+        self.waited += time.dt();
+        let is_new = pose.number() != self.taken;
+        if !is_new && self.waited < tuned.age {
+            return;
+        }
+        let posture = pose.skeleton().filter(|_| is_new).and_then(|skeleton| Posture::of(skeleton, tuned.confidence));
+        let dt = core::mem::replace(&mut self.waited, 0.0);
+        self.taken = pose.number();
+        self.take(posture.as_ref(), dt, tuned);
+    }
+
+    fn take(&mut self, posture: Option<&Posture>, dt: f32, judging: &Judging) {
+        match &mut self.stage {
+            Stage::Idle => {}
+            Stage::Learning(learner) => {
+                learner.push(posture, dt);
+                if let Some(example) = learner.example(EXAMPLES) {
+                    self.stage = Stage::Judging(example, Counter::new(example.reference));
+                }
+            }
+            Stage::Judging(example, counter) => {
+                let Some((trunk, arm)) = posture.and_then(|seen| Some((seen.trunk, seen.arms[example.arm.index()]?)))
+                else {
+                    return counter.miss(dt);
+                };
+                if let Some(repetition) = counter.push(trunk, arm, dt) {
+                    let judgement = judging.judge(example, &repetition);
+                    self.count(judgement);
+                }
+            }
+        }
+    }
+
+    fn count(&mut self, judgement: Judgement) {
+        self.last = Some(judgement);
+        self.counts.repetitions += 1;
+        *match judgement.verdict {
+            Verdict::Correct => &mut self.counts.correct,
+            Verdict::Incorrect => &mut self.counts.incorrect,
+            Verdict::CannotTell => &mut self.counts.cannot_tell,
+        } += 1;
+    }
+
+    /// Forgets the examples, and learns from the next three repetitions.
+    #[modulation]
+    pub fn learn(&mut self) {
+        *self = Self { stage: Stage::Learning(Learner::new()), taken: self.taken, ..Self::new() };
+    }
+
+    /// Counts from 0, with the same examples.
+    #[modulation]
+    pub fn restart(&mut self) {
+        if let Stage::Judging(example, counter) = &mut self.stage {
+            *counter = Counter::new(example.reference);
+        }
+        (self.counts, self.last) = (Counts::default(), None);
+    }
+
+    /// Whether it learns.
+    #[must_use]
+    pub const fn is_learning(&self) -> bool {
+        matches!(self.stage, Stage::Learning(_))
+    }
+
+    /// Number of examples so far, 0 to 3.
+    #[info]
+    #[must_use]
+    pub fn examples(&self) -> u8 {
+        match &self.stage {
+            Stage::Idle => 0,
+            Stage::Learning(learner) => learner.repetitions() as u8,
+            Stage::Judging(..) => EXAMPLES as u8,
+        }
+    }
+
+    /// Numbers of repetitions since the examples.
+    #[info]
+    #[must_use]
+    pub const fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// The judgement of the newest repetition.
+    #[info]
+    #[must_use]
+    pub const fn last(&self) -> Option<Judgement> {
+        self.last
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+    use crate::skeleton::{POINTS, Point, Skeleton};
+
+    /// Skeletons per second.
+    const RATE: u32 = 20;
+
+    /// How an arm is raised and lowered again.
+    #[derive(Clone, Copy)]
+    struct Lift {
+        /// Highest angle, degrees.
+        peak: f32,
+        /// Largest lean of the trunk, degrees.
+        lean: f32,
+        /// Angle of its plane in front of the shoulders, degrees.
+        plane: f32,
+        seconds: f32,
+        /// Of so many skeletons one is seen.
+        seen: u32,
+    }
+
+    const CORRECT: Lift = Lift { peak: 100.0, lean: 1.0, plane: 0.0, seconds: 2.0, seen: 1 };
+    const REST: Lift = Lift { peak: 0.0, lean: 0.0, seconds: 0.5, ..CORRECT };
+
+    /// The person at a share of the lift, 0 to 1.
+    fn person(lift: &Lift, share: f32) -> Skeleton {
+        let (sin, cos) = libm::sincosf((share * lift.lean).to_radians());
+        let (up, across) = (Vec3::new(sin, cos, 0.0), Vec3::new(-cos, sin, 0.0));
+        let (ahead, aside) = libm::sincosf(lift.plane.to_radians());
+        let (sin, cos) = libm::sincosf((share * lift.peak).to_radians());
+        let arm = 0.3 * (sin * (aside * across + ahead * Vec3::Z) - cos * up);
+        let mut skeleton = Skeleton { points: [Vec3::ZERO; POINTS], confidence: [1.0; POINTS] };
+        for (point, at) in [
+            (Point::Head, 0.7 * up),
+            (Point::Neck, 0.52 * up),
+            (Point::Chest, 0.5 * up),
+            (Point::LeftShoulder, 0.5 * up + 0.2 * across),
+            (Point::RightShoulder, 0.5 * up - 0.2 * across),
+            (Point::LeftElbow, 0.5 * up + 0.2 * across + arm),
+            (Point::RightElbow, 0.2 * up - 0.2 * across),
+            (Point::LeftHip, 0.1 * across),
+            (Point::RightHip, -0.1 * across),
+        ] {
+            skeleton.points[point as usize] = at;
+        }
+        skeleton
+    }
+
+    /// The check and the newest skeleton.
+    struct Room {
+        check: ExerciseCheck,
+        pose: PatientPose,
+    }
+
+    impl Room {
+        /// After three examples.
+        fn new() -> Self {
+            let mut room = Self { check: ExerciseCheck::new(), pose: PatientPose::new() };
+            room.check.learn();
+            (0..3).for_each(|_| room.repeat(&CORRECT));
+            assert_eq!((room.check.examples(), room.check.counts().repetitions), (3, 0));
+            room
+        }
+
+        fn pass(&mut self, skeleton: Option<Skeleton>) {
+            if let Some(skeleton) = skeleton {
+                self.pose.see(skeleton);
+            }
+            let since_run = Duration::from_millis(1000 / u64::from(RATE));
+            let time = Time { now: Instant::from_millis(0), since_run, in_state: since_run };
+            self.check.step(&Tuned::new(Judging::DEFAULT), &self.pose, &time);
+        }
+
+        /// Rests for 0.5 s, then lifts the arm and lowers it.
+        fn repeat(&mut self, lift: &Lift) {
+            (0..RATE / 2).for_each(|_| self.pass(Some(person(&REST, 0.0))));
+            let frames = (lift.seconds * RATE as f32) as u32;
+            for frame in 0..=frames {
+                let mut skeleton = person(lift, libm::sinf(core::f32::consts::PI * frame as f32 / frames as f32));
+                skeleton.confidence = [if frame % lift.seen == 0 { 1.0 } else { 0.1 }; POINTS];
+                self.pass(Some(skeleton));
+            }
+        }
+    }
+
+    #[test]
+    fn a_repetition_is_judged_for_each_reason() {
+        for (lift, verdict, reasons) in [
+            (Lift { peak: 98.0, lean: 1.5, plane: 10.0, seconds: 2.2, ..CORRECT }, Verdict::Correct, ""),
+            (Lift { peak: 80.0, ..CORRECT }, Verdict::Incorrect, "too low"),
+            (Lift { lean: 8.0, ..CORRECT }, Verdict::Incorrect, "leaning"),
+            (Lift { plane: 60.0, ..CORRECT }, Verdict::Incorrect, "wrong direction"),
+            (Lift { seconds: 0.7, ..CORRECT }, Verdict::Incorrect, "too fast"),
+            (Lift { peak: 80.0, seen: 3, ..CORRECT }, Verdict::CannotTell, "not seen"),
+        ] {
+            let mut room = Room::new();
+            room.repeat(&lift);
+            room.repeat(&REST);
+            let last = room.check.last().expect("a repetition");
+            let names: Vec<_> = last.reasons.names().collect();
+            assert_eq!((room.check.counts().repetitions, last.verdict, &*names.join(", ")), (1, verdict, reasons));
+        }
+    }
+
+    #[test]
+    fn a_person_who_leaves_is_not_judged() {
+        let mut room = Room::new();
+        (0..10).for_each(|step| room.pass(Some(person(&CORRECT, 0.1 * step as f32))));
+        (0..600).for_each(|_| room.pass(None));
+        room.repeat(&REST);
+        assert_eq!(room.check.last().map(|last| last.verdict), Some(Verdict::CannotTell));
+    }
+
+    #[test]
+    fn counts_begin_again_with_the_same_examples() {
+        let mut room = Room::new();
+        (0..4).for_each(|_| room.repeat(&CORRECT));
+        room.repeat(&REST);
+        let counts = Counts { repetitions: 4, correct: 4, ..Counts::default() };
+        assert_eq!(room.check.counts(), counts);
+        room.check.restart();
+        assert_eq!((room.check.counts(), room.check.examples()), (Counts::default(), 3));
+    }
+}

@@ -1,0 +1,139 @@
+//! Judges one repetition.
+
+use bica::prelude::*;
+
+use super::{Example, Repetition};
+
+/// When a repetition is judged, and what is correct.
+#[derive(Clone, Debug, PartialEq, Params)]
+pub struct Judging {
+    /// How far the arm may stay below the least peak of the examples.
+    #[param(default = 8.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
+    pub too_low: f32,
+    /// How far the trunk may lean beyond the largest lean of the examples.
+    #[param(default = 1.25, range = 0.0..=45.0, unit = "°", step = 0.25)]
+    pub leaning: f32,
+    /// Largest angle between the plane of the movement and that of the examples.
+    #[param(default = 25.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
+    pub direction: f32,
+    /// Least share of the duration of the examples; 0: the tempo is not judged.
+    #[param(default = 0.5, range = 0.0..=1.0, step = 0.05)]
+    pub tempo: f32,
+    /// Least confidence in a point of the skeleton.
+    #[param(default = 0.5, range = 0.0..=1.0, step = 0.05)]
+    pub confidence: f32,
+    /// Least share of the skeletons in which trunk and arm must be seen.
+    #[param(default = 0.6, range = 0.0..=1.0, step = 0.05)]
+    pub seen: f32,
+    /// Largest noise of the direction of the trunk.
+    #[param(default = 5.0, range = 0.5..=20.0, unit = "°", step = 0.5)]
+    pub noise: f32,
+    /// Age from which a skeleton is old.
+    #[param(default = 0.5, range = 0.1..=5.0, unit = "s", step = 0.1)]
+    pub age: f32,
+}
+
+/// Fewest skeletons of a repetition that is judged.
+const FEWEST: u32 = 8;
+
+/// Whether a repetition was correct.
+#[output]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// As the examples.
+    Correct,
+    /// Not as the examples, for the reasons that are named.
+    Incorrect,
+    /// The person was not seen well enough, or there are no examples. It does not count as wrong.
+    CannotTell,
+}
+
+impl Verdict {
+    /// The verdict in a record, as `cannot_tell`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Correct => "correct",
+            Self::Incorrect => "incorrect",
+            Self::CannotTell => "cannot_tell",
+        }
+    }
+}
+
+/// Why a repetition is not correct, or cannot be judged.
+#[output]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
+pub struct Reasons {
+    /// The arm stayed too low.
+    pub too_low: bool,
+    /// The trunk leaned.
+    pub leaning: bool,
+    /// The arm moved in another plane.
+    pub wrong_direction: bool,
+    /// The repetition was too short.
+    pub too_fast: bool,
+    /// Trunk or arm were not seen, or too few skeletons came.
+    pub not_seen: bool,
+    /// The skeleton was too noisy.
+    pub unsure: bool,
+    /// There are no examples of this person.
+    pub no_examples: bool,
+}
+
+impl Reasons {
+    /// The names of the reasons that hold.
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        let all = [
+            (self.too_low, "too low"),
+            (self.leaning, "leaning"),
+            (self.wrong_direction, "wrong direction"),
+            (self.too_fast, "too fast"),
+            (self.not_seen, "not seen"),
+            (self.unsure, "unsure"),
+            (self.no_examples, "no examples"),
+        ];
+        all.into_iter().filter_map(|(holds, name)| holds.then_some(name))
+    }
+}
+
+/// A verdict with its reasons.
+#[output]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Judgement {
+    /// Whether the repetition was correct.
+    pub verdict: Verdict,
+    /// Why not; none of a correct one.
+    pub reasons: Reasons,
+}
+
+impl Judgement {
+    /// It cannot be told, for these reasons.
+    #[must_use]
+    pub const fn cannot_tell(reasons: Reasons) -> Self {
+        Self { verdict: Verdict::CannotTell, reasons }
+    }
+}
+
+impl Judging {
+    /// Judges a repetition against the examples of the same person.
+    #[must_use]
+    pub fn judge(&self, example: &Example, repetition: &Repetition) -> Judgement {
+        let Repetition { seen, missed, noise, .. } = *repetition;
+        let not_seen = seen < FEWEST || (seen as f32) < self.seen * (seen + missed) as f32;
+        let unsure = noise > self.noise;
+        if not_seen || unsure {
+            return Judgement::cannot_tell(Reasons { not_seen, unsure, ..Reasons::default() });
+        }
+        let normal = example.reference.normal.unwrap_or(repetition.normal);
+        let reasons = Reasons {
+            too_low: repetition.peak < example.peak - self.too_low,
+            leaning: repetition.lean > example.lean + self.leaning,
+            wrong_direction: repetition.normal.angle_between(normal).to_degrees() > self.direction,
+            too_fast: repetition.seconds < self.tempo * example.seconds,
+            ..Reasons::default()
+        };
+        let is_correct = reasons == Reasons::default();
+        Judgement { verdict: if is_correct { Verdict::Correct } else { Verdict::Incorrect }, reasons }
+    }
+}

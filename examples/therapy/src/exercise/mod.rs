@@ -1,0 +1,19 @@
+//! Counts the repetitions of an exercise and judges each against three correct ones of the same person.
+//!
+//! The check looks at one upper arm and at the trunk: how far the arm moves from its rest, in which plane, and how far the trunk leans.
+//! It does not judge the rotation of a shoulder, which depth cameras see badly. Rules and limits were chosen on five healthy people
+//! of UI-PRMD, each time on four of them and tested on the fifth; see `docs/therapy.md` for the figures.
+
+mod check;
+mod counter;
+mod example;
+mod judgement;
+mod posture;
+mod repetition;
+
+pub use check::ExerciseCheck;
+pub use counter::{Counter, Reference};
+pub use example::{EXAMPLES, Example, Learner};
+pub use judgement::{Judgement, Judging, Reasons, Verdict};
+pub use posture::Posture;
+pub use repetition::Repetition;

@@ -1,0 +1,42 @@
+//! Directions of trunk and upper arms.
+
+use glam::Vec3;
+
+use crate::skeleton::{Point, Skeleton};
+
+/// What the check of an exercise looks at in one skeleton.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Posture {
+    /// Direction of the trunk upwards, in the frame of the camera, unit length.
+    pub trunk: Vec3,
+    /// Direction of the left and the right upper arm in the frame of the body, unit length: from the right to the left shoulder, along
+    /// the trunk upwards, and at right angles to both.
+    pub arms: [Option<Vec3>; 2],
+}
+
+/// Points of the trunk. The mean of several is less noisy than one.
+const UPPER: [Point; 2] = [Point::Chest, Point::Neck];
+const LOWER: [Point; 3] = [Point::Waist, Point::LeftHip, Point::RightHip];
+const SHOULDERS: [Point; 2] = [Point::LeftShoulder, Point::RightShoulder];
+
+impl Posture {
+    /// Computes the directions from the points with at least this confidence, 0 to 1; `None` if the trunk is not seen.
+    #[must_use]
+    pub fn of(skeleton: &Skeleton, confidence: f32) -> Option<Self> {
+        let sure = |points: &[Point]| skeleton.is_sure(points, confidence);
+        if !(sure(&UPPER) && sure(&LOWER) && sure(&SHOULDERS)) {
+            return None;
+        }
+        let middle =
+            |points: &[Point]| points.iter().map(|&point| skeleton.at(point)).sum::<Vec3>() / points.len() as f32;
+        let [left, right] = SHOULDERS.map(|point| skeleton.at(point));
+        let trunk = (middle(&UPPER) - middle(&LOWER)).try_normalize()?;
+        let lateral = (left - right).reject_from(trunk).try_normalize()?;
+        let forward = lateral.cross(trunk);
+        let arm = |shoulder: Vec3, elbow: Point| {
+            let arm = (skeleton.at(elbow) - shoulder).try_normalize().filter(|_| sure(&[elbow]))?;
+            Some(Vec3::new(arm.dot(lateral), arm.dot(trunk), arm.dot(forward)))
+        };
+        Some(Self { trunk, arms: [arm(left, Point::LeftElbow), arm(right, Point::RightElbow)] })
+    }
+}

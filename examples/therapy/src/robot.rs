@@ -1,0 +1,118 @@
+//! The activation tree, its sensors and its command.
+
+use core::convert::Infallible;
+
+use bica::prelude::*;
+use bica::runner::Robot;
+use bica_motion::joints::Joints;
+use glam::Vec3;
+
+use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding};
+use crate::exercise::ExerciseCheck;
+use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
+use crate::session::{Session, Step};
+use crate::skeleton::{POINTS, Skeleton};
+
+/// Sensor values of a cycle.
+#[message]
+#[derive(Clone, Debug)]
+pub struct Sensors {
+    /// Temperatures of the motors, °C; NaN where unknown.
+    pub temperatures: Joints,
+    /// Roll and pitch of the torso, rad.
+    pub tilt: [f32; 2],
+    /// Buttons and touch.
+    pub pressed: Pressed,
+    /// Charge of the battery, 0 to 1.
+    pub battery: f32,
+    /// A new skeleton of the person.
+    pub person: Option<Seen>,
+    /// A part of a session that is loaded.
+    pub order: Option<Order>,
+}
+
+/// A skeleton as a message; see [`Skeleton`].
+#[message]
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Positions.
+    pub points: [[f32; 3]; POINTS],
+    /// Confidence in each, 0 to 1.
+    pub confidence: [f32; POINTS],
+}
+
+/// A part of a session.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Order {
+    /// The next step.
+    Step(Step),
+    /// The next clip of sound, with its duration, s.
+    Clip(f32),
+    /// All parts are there.
+    Loaded,
+}
+
+/// Command of a cycle.
+#[message]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Command {
+    /// Targets of the joints, rad.
+    pub targets: Joints,
+    /// Stiffness of each joint, 0 to 1.
+    pub stiffness: Joints,
+    /// Lights.
+    pub lights: Shining,
+    /// Sound.
+    pub sound: Sounding,
+}
+
+/// Stiffness of all joints after a fall.
+const FALLEN: f32 = 0.1;
+
+activation_tree! {
+    /// A robot that plays therapy sessions: it shows movements, speaks, and judges the exercises of a person.
+    pub struct Therapist {
+        root: Session,
+        cycle_hz: 100,
+        budget_ms: 5,
+        tunable,
+        components: [
+            Session,
+            ExerciseCheck, PatientPose,
+            Mover, Motors, Sound, Lights,
+            Signals, Guard,
+        ],
+    }
+}
+
+impl Robot for Therapist {
+    type Sensors<'a> = Sensors;
+    type Command = Command;
+    type Error = Infallible;
+
+    fn sense(&mut self, sensors: &Sensors) -> Result<(), Infallible> {
+        self.get_mut::<Signals>().receive(sensors.pressed);
+        self.get_mut::<Guard>().measure(sensors.tilt, &sensors.temperatures);
+        if let Some(Seen { points, confidence }) = sensors.person.clone() {
+            self.get_mut::<PatientPose>().see(Skeleton { points: points.map(Vec3::from_array), confidence });
+        }
+        let plan = self.get_mut::<Session>().plan_mut();
+        match sensors.order {
+            Some(Order::Step(step)) => plan.add_step(step),
+            Some(Order::Clip(seconds)) => plan.add_clip(seconds),
+            Some(Order::Loaded) => plan.loaded(),
+            None => {}
+        }
+        Ok(())
+    }
+
+    fn act(&mut self) -> Command {
+        let motors = self.get::<Motors>();
+        let (targets, stiffness) = (*motors.targets(), motors.stiffness());
+        let fallen = self.get::<Guard>().trouble() == Some(Trouble::Fallen);
+        let stiffness = if fallen { Joints(stiffness.0.map(|stiffness| stiffness.min(FALLEN))) } else { stiffness };
+        let (lights, sound) = (self.get::<Lights>().shining(), self.get::<Sound>().sounding());
+        Command { targets, stiffness, lights, sound }
+    }
+}

@@ -1,0 +1,56 @@
+//! Which steps a session reaches.
+
+use super::{Problem, Script};
+use crate::session::Step;
+
+/// Steps that can follow a step; a loop that ends is followed only once.
+fn next(script: &Script, index: usize) -> Vec<usize> {
+    match script.steps[index] {
+        Step::GoTo(to) => vec![to.into()],
+        Step::Exercise { then, .. } => then.map(usize::from).to_vec(),
+        _ => vec![index + 1],
+    }
+}
+
+/// Whether time passes in a step.
+const fn takes_time(step: &Step) -> bool {
+    matches!(step, Step::Wait(..) | Step::Exercise { .. })
+}
+
+/// Finds steps that are never reached, and circles in which no time passes.
+pub(super) fn check(script: &Script) -> Vec<Problem> {
+    let mut reached = vec![false; script.steps.len()];
+    let mut open = vec![0];
+    while let Some(index) = open.pop() {
+        if index < reached.len() && !std::mem::replace(&mut reached[index], true) {
+            open.extend(next(script, index));
+        }
+    }
+    let written = |index: &usize| !matches!(script.steps[*index], Step::GoTo(_) | Step::Again { .. });
+    let lost = (0..reached.len()).filter(|index| !reached[*index]).find(written);
+    let lost = lost.map(|index| Problem::new((script.lines[index], 1), "this line is never reached", "", &[]));
+    let circle = (0..script.steps.len()).filter(|index| reached[*index]).find(|index| returns(script, *index));
+    let circle = circle.map(|index| {
+        Problem::new((script.lines[index], 1), "this goes round for ever without a pause", "", &["a `wait` between"])
+    });
+    lost.into_iter().chain(circle).collect()
+}
+
+/// Whether a jump leads back to itself through steps in which no time passes.
+fn returns(script: &Script, start: usize) -> bool {
+    if !matches!(script.steps[start], Step::GoTo(_)) {
+        return false;
+    }
+    let mut index = start;
+    for _ in 0..=script.steps.len() {
+        match script.steps.get(index) {
+            None => return false,
+            Some(step) if takes_time(step) => return false,
+            Some(_) => index = next(script, index)[0],
+        }
+        if index == start {
+            return true;
+        }
+    }
+    false
+}

@@ -1,0 +1,118 @@
+//! The session language: a text that a therapist writes.
+//!
+//! [`Script::parse`] checks the whole text. What it returns can be run: each jump has its place, each step can be reached, each wait
+//! has a limit, and no loop is without a pause. [`Script::check_files`] checks the sound files.
+
+mod build;
+mod command;
+mod flow;
+mod problem;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+pub use problem::Problem;
+
+use crate::robot::Order;
+use crate::session::Step;
+
+/// A session.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Script {
+    /// Its title.
+    pub title: String,
+    /// Its steps.
+    pub steps: Vec<Step>,
+    /// Line of each step, from 1.
+    pub lines: Vec<usize>,
+    /// Clips of sound; steps name them by their number.
+    pub clips: Vec<Clip>,
+    /// Place of the file of each clip in the text: line and column.
+    places: Vec<(usize, usize)>,
+}
+
+/// A clip of sound.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Clip {
+    /// A file in WAV format, relative to the script.
+    File(PathBuf),
+    /// A text that is spoken.
+    Text {
+        /// The text.
+        text: String,
+        /// Code of its language in ISO 639-1.
+        language: String,
+    },
+}
+
+/// A script with one command of each kind: what `therapy new` writes.
+pub const EXAMPLE: &str = include_str!("example.session");
+
+impl Script {
+    /// Reads a script and checks it.
+    ///
+    /// # Errors
+    /// All problems, in the order of their places.
+    pub fn parse(text: &str) -> Result<Self, Vec<Problem>> {
+        let (script, mut problems) = build::build(text);
+        if problems.is_empty() {
+            problems.extend(flow::check(&script));
+        }
+        problems.sort_by_key(|problem| (problem.line, problem.column));
+        if problems.is_empty() { Ok(script) } else { Err(problems) }
+    }
+
+    /// Checks that the sound files, relative to a folder, exist and are in WAV format.
+    #[must_use]
+    pub fn check_files(&self, folder: &Path) -> Vec<Problem> {
+        let check = |(clip, place): (&Clip, &(usize, usize))| {
+            let Clip::File(file) = clip else { return None };
+            let what = match fs::read(folder.join(file)) {
+                Err(error) => format!("the file `{}` cannot be read: {error}", file.display()),
+                Ok(bytes) if wav_seconds(&bytes).is_none() => {
+                    format!("the file `{}` is not in WAV format", file.display())
+                }
+                Ok(_) => return None,
+            };
+            Some(Problem::new(*place, what, "", &[]))
+        };
+        self.clips.iter().zip(&self.places).filter_map(check).collect()
+    }
+
+    /// What a robot is told to load the session, whose files are relative to a folder. A file that cannot be read has no duration.
+    #[must_use]
+    pub fn orders(&self, folder: &Path) -> Vec<Order> {
+        let seconds = |clip: &Clip| match clip {
+            Clip::File(file) => fs::read(folder.join(file)).ok().and_then(|bytes| wav_seconds(&bytes)).unwrap_or(0.0),
+            Clip::Text { text, .. } => PAUSE + text.chars().count() as f32 / CHARACTERS,
+        };
+        let clips = self.clips.iter().map(|clip| Order::Clip(seconds(clip)));
+        clips.chain(self.steps.iter().copied().map(Order::Step)).chain([Order::Loaded]).collect()
+    }
+}
+
+/// Estimated duration of spoken texts: a pause, s, and characters per second. Our choice: slow speech.
+const PAUSE: f32 = 0.5;
+const CHARACTERS: f32 = 12.0;
+
+/// Duration of a sound in WAV format, s; `None` if it is not in this format.
+fn wav_seconds(bytes: &[u8]) -> Option<f32> {
+    if !(bytes.starts_with(b"RIFF") && bytes.get(8..12)? == b"WAVE") {
+        return None;
+    }
+    let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes);
+    let (mut at, mut rate) = (12, None);
+    loop {
+        let size = number(at + 4)?;
+        match bytes.get(at..at + 4)? {
+            b"fmt " => rate = number(at + 16),
+            b"data" => return rate.filter(|rate| *rate > 0).map(|rate| size as f32 / rate as f32),
+            _ => {}
+        }
+        // Parts begin at even places.
+        at += 8 + size.next_multiple_of(2) as usize;
+    }
+}

@@ -1,0 +1,55 @@
+//! Errors of a script.
+
+use std::fmt;
+
+/// An error at its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Line, from 1.
+    pub line: usize,
+    /// Character of the line, from 1.
+    pub column: usize,
+    /// What is wrong.
+    pub what: String,
+    /// What can stand there; empty if nothing else can.
+    pub allowed: Vec<String>,
+    /// The nearest of these, if one is like what stands there.
+    pub nearest: Option<String>,
+}
+
+/// Least likeness of two words, 0 to 1, of which one may be meant for the other.
+const LIKE: f64 = 0.5;
+
+impl Problem {
+    /// An error, with what can stand there instead of `found`.
+    pub(super) fn new(at: (usize, usize), what: impl Into<String>, found: &str, allowed: &[&str]) -> Self {
+        let found = found.to_lowercase();
+        let like = |word: &&&str| {
+            let begins = found.len() > 1 && word.starts_with(&found);
+            if begins { 1.0 } else { strsim::normalized_damerau_levenshtein(&found, word) }
+        };
+        let nearest = allowed.iter().filter(|word| like(word) >= LIKE).max_by(|a, b| like(a).total_cmp(&like(b)));
+        let nearest = nearest.map(ToString::to_string);
+        let allowed = allowed.iter().map(ToString::to_string).collect();
+        Self { line: at.0, column: at.1, what: what.into(), allowed, nearest }
+    }
+
+    /// The same error with another list of what can stand there.
+    pub(super) fn with_allowed(self, allowed: &[&str]) -> Self {
+        Self { allowed: allowed.iter().map(ToString::to_string).collect(), ..self }
+    }
+}
+
+impl fmt::Display for Problem {
+    /// `LINE:COLUMN: what is wrong; what is allowed`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.line, self.column, self.what)?;
+        if let Some(nearest) = &self.nearest {
+            write!(f, "; did you mean `{nearest}`?")?;
+        }
+        if !self.allowed.is_empty() {
+            write!(f, " Allowed: {}", self.allowed.join(", "))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,185 @@
+//! The words of a line.
+
+use std::ops::RangeInclusive;
+
+use winnow::ascii::{float, multispace0};
+use winnow::combinator::{alt, delimited, preceded, repeat, terminated};
+use winnow::prelude::*;
+use winnow::stream::Location;
+use winnow::token::{one_of, take_till, take_while};
+use winnow::{LocatingSlice, Result};
+
+use super::Problem;
+
+type Input<'a> = LocatingSlice<&'a str>;
+
+/// A word, a number or a text in quotes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Word<'a> {
+    Name(&'a str),
+    Number(f32),
+    Text(&'a str),
+}
+
+fn word<'a>(input: &mut Input<'a>) -> Result<(usize, Word<'a>)> {
+    let at = input.current_token_start();
+    let start = one_of(|c: char| c.is_alphabetic());
+    let name = (start, take_while(0.., |c: char| c.is_alphanumeric() || "_.-".contains(c))).take();
+    let digits = one_of(('0'..='9', '-', '.'));
+    let number = (winnow::combinator::peek(digits), float).map(|(_, number): (_, f32)| number);
+    let text = delimited('"', take_till(0.., '"'), '"');
+    let word = alt((text.map(Word::Text), name.map(Word::Name), number.map(Word::Number))).parse_next(input)?;
+    Ok((at, word))
+}
+
+fn words<'a>(input: &mut Input<'a>) -> Result<Vec<(usize, Word<'a>)>> {
+    preceded(multispace0, repeat(0.., terminated(word, multispace0))).parse_next(input)
+}
+
+/// The words of a line that are not yet read.
+pub(super) struct Line<'a> {
+    number: usize,
+    text: &'a str,
+    words: std::vec::IntoIter<(usize, Word<'a>)>,
+}
+
+impl<'a> Line<'a> {
+    /// Splits a line without its comment. `number` is that of the line, from 1.
+    pub(super) fn new(number: usize, line: &'a str) -> std::result::Result<Self, Problem> {
+        let text = without_comment(line);
+        let mut input = LocatingSlice::new(text);
+        let words = words(&mut input).unwrap_or_default();
+        let line = Self { number, text, words: words.into_iter() };
+        let offset = input.current_token_start();
+        let Some(sign) = text[offset..].chars().next() else { return Ok(line) };
+        let at = line.place(offset);
+        if sign == '"' {
+            return Err(Problem::new(at, "the text has no closing quote `\"`", "", &[]));
+        }
+        Err(Problem::new(at, format!("`{sign}` cannot stand here"), "", &["a word", "a number", "a text in quotes"]))
+    }
+
+    fn place(&self, offset: usize) -> (usize, usize) {
+        (self.number, self.text[..offset].chars().count() + 1)
+    }
+
+    /// Whether all words are read.
+    pub(super) fn is_done(&self) -> bool {
+        self.words.as_slice().is_empty()
+    }
+
+    /// Whether the next word is a number.
+    pub(super) fn next_is_number(&self) -> bool {
+        matches!(self.first(), Some((_, Word::Number(_))))
+    }
+
+    fn first(&self) -> Option<(usize, Word<'a>)> {
+        self.words.as_slice().first().copied()
+    }
+
+    /// Place of the next word, or of the end.
+    pub(super) fn next_place(&self) -> (usize, usize) {
+        self.place(self.first().map_or(self.text.trim_end().len(), |(offset, _)| offset))
+    }
+
+    /// An error at the next word.
+    fn wrong(&self, wanted: &str, allowed: &[&str]) -> Problem {
+        let at = self.next_place();
+        let (what, found) = match self.first() {
+            None => (format!("{wanted} is missing"), ""),
+            Some((_, Word::Name(name))) => (format!("`{name}` is not {wanted}"), name),
+            Some((_, Word::Number(number))) => (format!("{number} is not {wanted}"), ""),
+            Some((_, Word::Text(text))) => (format!("\"{text}\" is not {wanted}"), ""),
+        };
+        Problem::new(at, what, found, allowed)
+    }
+
+    /// Reads one of these words.
+    pub(super) fn choice<T: Copy>(&mut self, wanted: &str, choices: &[(&str, T)]) -> std::result::Result<T, Problem> {
+        let found = match self.first() {
+            Some((_, Word::Name(name))) => choices.iter().find(|(word, _)| *word == name),
+            _ => None,
+        };
+        let Some((_, choice)) = found else {
+            let allowed: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
+            return Err(self.wrong(wanted, &allowed));
+        };
+        self.words.next();
+        Ok(*choice)
+    }
+
+    /// Reads a word if it is next.
+    pub(super) fn has(&mut self, wanted: &str) -> bool {
+        let is_next = matches!(self.first(), Some((_, Word::Name(name))) if name == wanted);
+        if is_next {
+            self.words.next();
+        }
+        is_next
+    }
+
+    /// Reads these words.
+    pub(super) fn expect(&mut self, wanted: &[&str]) -> std::result::Result<(), Problem> {
+        wanted.iter().try_for_each(|word| {
+            let found = self.has(word);
+            if found { Ok(()) } else { Err(self.wrong(&format!("`{word}`"), &[word])) }
+        })
+    }
+
+    /// Reads a name that the author chooses.
+    pub(super) fn name(&mut self, wanted: &str) -> std::result::Result<(&'a str, (usize, usize)), Problem> {
+        let at = self.next_place();
+        let Some((_, Word::Name(name))) = self.first() else { return Err(self.wrong(wanted, &[])) };
+        self.words.next();
+        Ok((name, at))
+    }
+
+    /// Reads a text in quotes.
+    pub(super) fn text(&mut self, wanted: &str) -> std::result::Result<(&'a str, (usize, usize)), Problem> {
+        let at = self.next_place();
+        let Some((_, Word::Text(text))) = self.first() else {
+            return Err(self.wrong(wanted, &["a text in quotes"]));
+        };
+        if text.trim().is_empty() {
+            return Err(Problem::new(at, format!("{wanted} is empty"), "", &[]));
+        }
+        self.words.next();
+        Ok((text, at))
+    }
+
+    /// Reads a number within a range.
+    pub(super) fn number(&mut self, wanted: &str, range: RangeInclusive<f32>) -> std::result::Result<f32, Problem> {
+        let allowed = format!("{} to {}", range.start(), range.end());
+        match self.first() {
+            Some((_, Word::Number(number))) if range.contains(&number) => {
+                self.words.next();
+                Ok(number)
+            }
+            _ => Err(self.wrong(wanted, &[&allowed])),
+        }
+    }
+
+    /// Reads a whole number within a range.
+    pub(super) fn count(&mut self, wanted: &str, range: RangeInclusive<u16>) -> std::result::Result<u16, Problem> {
+        let at = self.next_place();
+        let number = self.number(wanted, f32::from(*range.start())..=f32::from(*range.end()))?;
+        if number.fract() == 0.0 {
+            return Ok(number as u16);
+        }
+        Err(Problem::new(at, format!("{number} is not {wanted}"), "", &["a whole number"]))
+    }
+
+    /// Checks that all words are read.
+    pub(super) fn end(&self) -> std::result::Result<(), Problem> {
+        if self.is_done() { Ok(()) } else { Err(self.wrong("the end of the line", &[])) }
+    }
+}
+
+/// Cuts `#` and what follows it, unless it is in a text.
+fn without_comment(line: &str) -> &str {
+    let mut quoted = false;
+    let comment = line.char_indices().find(|(_, sign)| {
+        quoted ^= *sign == '"';
+        *sign == '#' && !quoted
+    });
+    &line[..comment.map_or(line.len(), |(index, _)| index)]
+}

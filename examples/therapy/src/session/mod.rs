@@ -1,0 +1,9 @@
+//! What a session does, step by step, as the robot runs it.
+
+mod plan;
+mod player;
+mod step;
+
+pub use plan::{DEEPEST, MOST_CLIPS, MOST_STEPS, Plan};
+pub use player::Session;
+pub use step::{Button, Lamp, Movement, Signal, Step, Task, Tasks, Until};

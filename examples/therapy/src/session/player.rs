@@ -1,0 +1,396 @@
+//! The component that plays a session.
+
+use bica::prelude::*;
+use bica_motion::robot::Light;
+
+use super::{Lamp, Plan, Signal, Step, Task, Tasks, Until};
+use crate::body::{Lights, Motors, Mover, Sound};
+use crate::exercise::ExerciseCheck;
+use crate::input::{Guard, PatientPose, Signals, Trouble};
+use crate::session::Button;
+
+/// Steps without a wait that are done in one run.
+const AT_ONCE: usize = 16;
+/// Time for which the chest must be pressed to go on after a stop, s.
+const EXPRESS: f32 = 2.0;
+/// Time without a skeleton after which nobody is there, s.
+const NOBODY: f32 = 15.0;
+
+/// What a person asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wish {
+    /// Goes to a step.
+    GoTo(u16),
+    Start,
+    Pause,
+    GoOn,
+    Stop,
+}
+
+/// Plays a session. Whatever happens, a stop ends movement, sound and speech, and only an express wish goes on.
+#[derive(Debug)]
+pub struct Session {
+    plan: Plan,
+    /// The newest wish, and what this run heard. A wish that cannot be granted at once is dropped: nothing goes on later by itself.
+    wish: Option<Wish>,
+    heard: Option<Wish>,
+    /// Time in the present wait or exercise, s.
+    waited: f32,
+    /// Time without a new skeleton, s, and the number of the newest.
+    unseen: (f32, u32),
+    /// Share of tempo and repetitions.
+    ease: f32,
+}
+
+#[component(hz = 100, budget_us = 20)]
+impl Session {
+    /// Creates the component without a session.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { plan: Plan::new(), wish: None, heard: None, waited: 0.0, unseen: (0.0, 0), ease: 1.0 }
+    }
+
+    /// The session, to be loaded.
+    pub const fn plan_mut(&mut self) -> &mut Plan {
+        &mut self.plan
+    }
+
+    /// Waits for the start.
+    #[state(initial)]
+    fn ready(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
+
+    /// Does the steps up to the next wait.
+    #[state]
+    fn running(
+        &mut self,
+        mover: &mut Mover,
+        sound: &mut Sound,
+        lights: &mut Lights,
+        motors: &mut Motors,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
+        self.hear();
+        for _ in 0..AT_ONCE {
+            let Some(step) = self.plan.step() else { return };
+            match step {
+                Step::Move { movement, tempo } => mover.begin(movement, tempo * self.ease, 0.0),
+                Step::Speak(clip) => sound.speak(clip, self.plan.seconds(clip)),
+                Step::Play(clip) => sound.play(clip, self.plan.seconds(clip)),
+                Step::Volume(volume) => sound.set_volume(volume),
+                Step::Light(lamp, light) => lights.set(lamp, light),
+                Step::Stop(tasks) => end(tasks, mover, sound),
+                Step::Stiffness(stiff) => motors.soften(!stiff),
+                Step::Wait(..) | Step::Exercise { .. } => return,
+                // Jumps are the plan's; walking is refused when the session is loaded.
+                Step::GoTo(_) | Step::Again { .. } | Step::Walk(_) => {}
+            }
+            self.plan.advance();
+        }
+    }
+
+    /// Waits as the step says.
+    #[state]
+    fn waiting(
+        &mut self,
+        time: &Time,
+        _mover: &mut Mover,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
+        self.hear();
+        self.waited += time.dt();
+    }
+
+    /// Shows a movement and watches the person.
+    #[state]
+    fn exercising(
+        &mut self,
+        time: &Time,
+        mover: &mut Mover,
+        check: &mut ExerciseCheck,
+        pose: &PatientPose,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
+        self.hear();
+        self.waited += time.dt();
+        self.unseen.0 += time.dt();
+        if self.unseen.1 != pose.number() {
+            self.unseen = (0.0, pose.number());
+        }
+        if let Some(Step::Exercise { movement, hold, .. }) = self.plan.step()
+            && !mover.is_running()
+        {
+            mover.begin(movement, self.ease, hold);
+        }
+        if check.examples() == 0 && !check.is_learning() {
+            check.learn();
+        }
+    }
+
+    /// Rests with the arms down until somebody lets it go on.
+    #[state]
+    fn paused(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
+
+    /// Stands still until somebody expressly lets it go on.
+    #[state]
+    fn stopped(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
+
+    /// The session is over.
+    #[state]
+    fn finished(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+        self.hear();
+    }
+
+    /// A person stops the session: by the page, or by a bumper that the session does not wait for.
+    #[transition(ready | running | waiting | exercising | paused | finished -> stopped)]
+    fn is_stopped(&self, signals: &Signals) -> bool {
+        let bumper = [Button::Left, Button::Right].map(Signal::Press).into_iter();
+        let bumper = bumper.filter(|signal| self.awaited() != Some(*signal)).any(|signal| signals.begins(signal));
+        self.heard == Some(Wish::Stop) || bumper
+    }
+
+    /// A trouble pauses the session; a fall stops it.
+    #[transition(ready | running | waiting | exercising | paused | finished -> stopped)]
+    fn has_fallen(&self, guard: &Guard) -> bool {
+        guard.trouble() == Some(Trouble::Fallen)
+    }
+
+    #[transition(running | waiting | exercising -> paused)]
+    fn is_paused(&self, signals: &Signals, guard: &Guard) -> bool {
+        let chest = Signal::Press(Button::Chest);
+        let pressed = self.awaited() != Some(chest) && signals.begins(chest);
+        self.heard == Some(Wish::Pause) || pressed || guard.trouble().is_some()
+    }
+
+    /// A person goes to another step; a stopped session stays stopped.
+    #[transition(waiting | exercising -> running)]
+    fn goes_to(&self) -> bool {
+        matches!(self.heard, Some(Wish::GoTo(_)))
+    }
+
+    #[transition(ready -> running)]
+    fn is_started(&self, signals: &Signals) -> bool {
+        self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Press(Button::Chest)))
+    }
+
+    #[transition(paused -> running)]
+    fn goes_on(&self, signals: &Signals, guard: &Guard) -> bool {
+        let wished = self.heard == Some(Wish::GoOn) || signals.begins(Signal::Press(Button::Chest));
+        wished && guard.trouble().is_none()
+    }
+
+    #[transition(stopped -> running)]
+    fn goes_on_after_stop(&self, signals: &Signals, guard: &Guard) -> bool {
+        (self.heard == Some(Wish::GoOn) || signals.chest_held() > EXPRESS)
+            && guard.trouble().is_none()
+            && self.plan.is_loaded()
+    }
+
+    #[transition(running -> finished)]
+    fn is_over(&self) -> bool {
+        self.plan.is_over()
+    }
+
+    #[transition(running -> waiting)]
+    fn must_wait(&self) -> bool {
+        matches!(self.plan.step(), Some(Step::Wait(..)))
+    }
+
+    #[transition(running -> exercising)]
+    fn must_watch(&self) -> bool {
+        matches!(self.plan.step(), Some(Step::Exercise { .. }))
+    }
+
+    #[transition(waiting -> running)]
+    fn has_waited(&self, mover: &Mover, sound: &Sound, signals: &Signals) -> bool {
+        let Some(Step::Wait(until, limit)) = self.plan.step() else { return true };
+        let ends = |tasks: Tasks| {
+            let runs =
+                [(Task::Movement, mover.is_running()), (Task::Speech, sound.speaks()), (Task::Music, sound.plays())];
+            runs.into_iter().all(|(task, runs)| !(runs && tasks.has(task)))
+        };
+        self.waited >= limit
+            || match until {
+                Until::Time => false,
+                Until::Ends(tasks) => ends(tasks),
+                Until::Signal(signal) => signals.begins(signal),
+            }
+    }
+
+    #[transition(exercising -> running)]
+    fn has_exercised(&self, check: &ExerciseCheck) -> bool {
+        self.result(check).is_some()
+    }
+
+    #[entry(waiting)]
+    fn begin_wait(&mut self) {
+        self.waited = 0.0;
+    }
+
+    #[entry(exercising)]
+    fn begin_exercise(&mut self, check: &mut ExerciseCheck) {
+        (self.waited, self.unseen.0) = (0.0, 0.0);
+        check.restart();
+    }
+
+    #[exit(waiting)]
+    fn end_wait(&mut self, mover: &Mover, sound: &Sound, signals: &Signals) {
+        if self.heard.is_none() && self.has_waited(mover, sound, signals) {
+            self.plan.pass(None);
+        }
+    }
+
+    #[exit(exercising)]
+    fn end_exercise(&mut self, check: &ExerciseCheck, mover: &mut Mover) {
+        if self.heard.is_none()
+            && let Some(result) = self.result(check)
+        {
+            self.plan.pass(Some(result));
+            mover.rest();
+        }
+    }
+
+    #[entry(paused)]
+    fn pause_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
+        halt(sound, lights, Light(1.0, 0.6, 0.0));
+        mover.rest();
+    }
+
+    #[entry(stopped)]
+    fn stop_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
+        halt(sound, lights, Light(1.0, 0.0, 0.0));
+        mover.freeze();
+    }
+
+    #[exit(paused)]
+    fn repeat_begun(&mut self) {
+        self.plan.go_back();
+    }
+
+    /// A movement that was stopped is not continued; what was begun begins anew.
+    #[exit(stopped)]
+    fn leave_stop(&mut self, mover: &mut Mover) {
+        mover.rest();
+        self.plan.go_back();
+    }
+
+    fn hear(&mut self) {
+        self.heard = self.wish.take();
+        if let Some(Wish::GoTo(step)) = self.heard {
+            self.plan.go_to(step);
+        }
+    }
+
+    /// The signal that the present step waits for.
+    fn awaited(&self) -> Option<Signal> {
+        match self.plan.step() {
+            Some(Step::Wait(Until::Signal(signal), _)) => Some(signal),
+            _ => None,
+        }
+    }
+
+    /// Result of the exercise once it has ended: 0 done, 1 not done, 2 nobody there.
+    fn result(&self, check: &ExerciseCheck) -> Option<usize> {
+        let Some(Step::Exercise { repetitions, limit, .. }) = self.plan.step() else { return None };
+        let wanted = (f32::from(repetitions) * self.ease) as u16;
+        if check.counts().repetitions >= wanted.max(1) {
+            Some(0)
+        } else if self.unseen.0 > NOBODY {
+            Some(2)
+        } else {
+            (self.waited >= limit).then_some(1)
+        }
+    }
+
+    /// Starts the session.
+    #[modulation]
+    pub const fn start(&mut self) {
+        self.wish = Some(Wish::Start);
+    }
+
+    /// Pauses the session: the arms go down.
+    #[modulation]
+    pub const fn pause(&mut self) {
+        self.wish = Some(Wish::Pause);
+    }
+
+    /// Lets a paused or stopped session go on, from what it did when it was interrupted.
+    #[modulation]
+    pub const fn go_on(&mut self) {
+        self.wish = Some(Wish::GoOn);
+    }
+
+    /// Stops the session: nothing moves or sounds.
+    #[modulation]
+    pub const fn stop(&mut self) {
+        self.wish = Some(Wish::Stop);
+    }
+
+    /// Goes on with what follows the present wait or exercise.
+    #[modulation]
+    pub fn next(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.next()));
+    }
+
+    /// Goes back to what was before the present wait or exercise.
+    #[modulation]
+    pub fn previous(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.previous()));
+    }
+
+    /// Does the present steps again.
+    #[modulation]
+    pub const fn repeat(&mut self) {
+        self.wish = Some(Wish::GoTo(self.plan.begun()));
+    }
+
+    /// Goes to a step, from 0.
+    #[modulation]
+    pub const fn go_to(&mut self, #[range(0..=500)] step: u32) {
+        self.wish = Some(Wish::GoTo(step as u16));
+    }
+
+    /// Makes tempo and number of repetitions less, by a fifth.
+    #[modulation]
+    pub fn easier(&mut self) {
+        self.ease = (0.8 * self.ease).max(0.4);
+    }
+
+    /// Whether no step is left.
+    #[info]
+    #[must_use]
+    pub fn is_at_end(&self) -> bool {
+        self.plan.is_over()
+    }
+
+    /// Number of the present step, from 0.
+    #[info]
+    #[must_use]
+    pub const fn at(&self) -> u16 {
+        self.plan.at()
+    }
+}
+
+/// Ends tasks.
+fn end(tasks: Tasks, mover: &mut Mover, sound: &mut Sound) {
+    sound.stop(tasks);
+    if tasks.has(Task::Movement) {
+        mover.freeze();
+    }
+}
+
+/// Ends all sound, and shows why.
+fn halt(sound: &mut Sound, lights: &mut Lights, chest: Light) {
+    sound.stop(Tasks::ALL);
+    lights.set(Lamp::Chest, chest);
+}

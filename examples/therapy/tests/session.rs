@@ -1,0 +1,215 @@
+//! Sessions in the simulated room.
+
+use std::path::Path;
+
+use bica::runner::harness::{Harness, InWorld};
+use bica::{Duration, Tree};
+use bica_motion::joints::{JOINTS, Joints};
+use rand_pcg::{Pcg32, rand_core::Rng};
+use therapy::body::Mover;
+use therapy::exercise::ExerciseCheck;
+use therapy::input::Guard;
+use therapy::robot::Therapist;
+use therapy::room::Room;
+use therapy::script::Script;
+use therapy::session::Session;
+
+type Test = Harness<Therapist, InWorld<Room>>;
+
+/// A session with all that can be stopped.
+const LIVELY: &str = "say \"This text is long enough to be stopped at any time.\"\nmovement arms_together\nwait 4 s\n\
+    repeat 3 times\nmovement arms_open\nsay \"Open.\"\nwait movement at most 30 s\nend\n\
+    exercise arms_open reps 2 hold 1 s at most 60 s\nwait press left at most 20 s\nwait 1 s";
+
+fn room(text: &str, seed: u64, person: bool) -> Test {
+    let script = Script::parse(text).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let orders = script.orders(Path::new("."));
+    let loaded = Duration::from_millis(10 * orders.len() as u64 + 20);
+    let mut test = Harness::new(Therapist::new()).in_world(Room::new(orders, seed, person, false));
+    test.run_for(loaded);
+    test
+}
+
+fn start(text: &str) -> Test {
+    let mut test = room(text, 0, true);
+    test.tree_mut().get_mut::<Session>().start();
+    test.run_for(ms(20));
+    test
+}
+
+const fn ms(milliseconds: u64) -> Duration {
+    Duration::from_millis(milliseconds)
+}
+
+/// Largest change of an angle, degrees.
+fn way(from: &Joints, to: &Joints) -> f32 {
+    (0..JOINTS).map(|joint| (to.0[joint] - from.0[joint]).abs().to_degrees()).fold(0.0, f32::max)
+}
+
+/// Asserts that nothing moves or sounds from 200 ms on, and that it stays so.
+fn assert_stops(test: &mut Test, still: Duration) {
+    test.run_for(ms(200));
+    let (sound, targets) = (test.world().sound(), *test.world().angles());
+    assert_eq!((sound.speech, sound.music), (None, None));
+    let steps = still.as_millis() / 100;
+    for _ in 0..steps {
+        test.run_for(ms(100));
+        assert_eq!(test.state::<Session>(), Some("stopped"));
+        let sound = test.world().sound();
+        assert!(way(&targets, test.world().angles()) < 1e-3 && (sound.speech, sound.music) == (None, None));
+    }
+}
+
+#[test]
+fn stop_at_a_thousand_instants_ends_all_until_somebody_lets_it_go_on() {
+    let mut random = Pcg32::new(29, 1);
+    let mut test = start(LIVELY);
+    let mut seen = std::collections::BTreeMap::new();
+    for stop in 0..1000 {
+        let longest = if stop % 4 == 0 { 40_000 } else { 3000 };
+        test.run_for(ms(20 + u64::from(random.next_u32() % longest)));
+        *seen.entry(test.state::<Session>().expect("a state")).or_insert(0) += 1;
+        match stop % 2 {
+            0 => test.tree_mut().get_mut::<Session>().stop(),
+            _ => {
+                // The bumper that is not waited for.
+                test.world_mut().press_right_bumper();
+            }
+        }
+        assert_stops(&mut test, ms(500));
+        if test.tree().get::<Session>().is_at_end() {
+            test = start(LIVELY);
+            continue;
+        }
+        test.tree_mut().get_mut::<Session>().go_on();
+        test.run_for(ms(20));
+        assert_ne!(test.state::<Session>(), Some("stopped"));
+    }
+    let states: Vec<_> = seen.keys().copied().collect();
+    assert!(["exercising", "finished", "waiting"].iter().all(|state| states.contains(state)), "{seen:?}");
+}
+
+#[test]
+fn stop_holds_in_every_state_and_against_every_button() {
+    for state in ["ready", "running", "paused", "stopped", "finished"] {
+        let mut test = if state == "finished" { start("volume 50") } else { room(LIVELY, 0, true) };
+        if state == "paused" {
+            test.tree_mut().get_mut::<Session>().start();
+            test.run_for(ms(1000));
+            test.tree_mut().get_mut::<Session>().pause();
+        } else if state == "running" {
+            test.tree_mut().get_mut::<Session>().start();
+        } else if state == "stopped" {
+            test.tree_mut().get_mut::<Session>().stop();
+        }
+        test.reaches::<Session>(state, ms(1000));
+        test.tree_mut().get_mut::<Session>().stop();
+        test.reaches::<Session>("stopped", ms(50));
+        test.world_mut().press_chest(0.5);
+        test.world_mut().touch_head();
+        assert_stops(&mut test, ms(5000));
+    }
+    let mut test = start(LIVELY);
+    test.tree_mut().get_mut::<Session>().stop();
+    test.reaches::<Session>("stopped", ms(50));
+    test.world_mut().press_chest(2.5);
+    test.stays::<Session>("stopped", ms(1900));
+    test.reaches::<Session>("running", ms(200));
+}
+
+#[test]
+fn pause_lowers_the_arms_and_repeats_what_was_begun() {
+    let mut test = start("movement arms_open\nwait movement at most 60 s\nmovement nod\nwait movement at most 60 s");
+    test.run_for(ms(1500));
+    let raised = *test.world().angles();
+    test.world_mut().press_chest(0.2);
+    test.reaches::<Session>("paused", ms(50));
+    test.until("the arms are down", ms(5000), |test| !test.tree().get::<Mover>().is_running());
+    assert!(way(&raised, test.world().angles()) > 20.0);
+    test.stays::<Session>("paused", ms(3000));
+    test.world_mut().press_chest(0.2);
+    test.reaches::<Session>("waiting", ms(50));
+    assert_eq!(test.tree().get::<Session>().at(), 1, "the first movement begins anew");
+}
+
+#[test]
+fn wait_ends_at_its_limit() {
+    let mut test = start("wait press chest at most 2 s\nwait touch head at most 3 s");
+    test.reaches::<Session>("waiting", ms(50));
+    assert!(test.reaches::<Session>("running", ms(3000)) >= ms(1950));
+    test.run_for(ms(100));
+    test.world_mut().touch_head();
+    test.reaches::<Session>("finished", ms(50));
+}
+
+#[test]
+fn next_ends_at_the_end_and_previous_at_the_begin() {
+    let mut test = start("volume 10\nwait 50 s\nvolume 20\nwait 50 s");
+    let mut at = |wish: fn(&mut Session), steps: u16| {
+        wish(test.tree_mut().get_mut::<Session>());
+        test.run_for(ms(50));
+        assert_eq!(test.tree().get::<Session>().at(), steps);
+        test.state::<Session>().expect("a state")
+    };
+    assert_eq!(at(Session::previous, 1), "waiting", "there is nothing before");
+    assert_eq!(at(Session::next, 3), "waiting");
+    assert_eq!(at(Session::previous, 1), "waiting");
+    assert_eq!(at(Session::next, 3), "waiting");
+    assert_eq!(at(Session::repeat, 3), "waiting");
+    assert_eq!(at(Session::stop, 3), "stopped");
+    assert_eq!(at(Session::next, 4), "stopped", "it stays stopped");
+    assert_eq!(at(Session::go_on, 4), "finished");
+    assert_eq!(at(Session::next, 4), "finished", "not past the end");
+}
+
+#[test]
+fn each_result_of_an_exercise_has_its_branch() {
+    let text = |limit| {
+        format!(
+            "exercise arms_open reps 2 at most {limit} s\nwhen done\nvolume 11\nwhen not_done\nvolume 22\nwhen nobody\nvolume 33\nend"
+        )
+    };
+    for (person, limit, volume) in [(true, 60, 0.11), (true, 5, 0.22), (false, 60, 0.33)] {
+        let mut test = room(&text(limit), 0, person);
+        test.tree_mut().get_mut::<Session>().start();
+        test.reaches::<Session>("finished", ms(61_000));
+        assert!((test.world().sound().volume - volume).abs() < 1e-6, "{person} {limit}: {:?}", test.world().sound());
+        let counts = test.tree().get::<ExerciseCheck>().counts();
+        assert_eq!(counts.correct, if volume < 0.2 { 2 } else { 0 }, "{counts:?}");
+    }
+}
+
+#[test]
+fn troubles_pause_or_stop_and_only_a_person_lets_it_go_on() {
+    let mut test = start(LIVELY);
+    test.world_mut().heat(true);
+    test.reaches::<Session>("paused", ms(50));
+    test.tree_mut().get_mut::<Session>().go_on();
+    test.stays::<Session>("paused", ms(1000));
+    test.world_mut().heat(false);
+    test.stays::<Session>("paused", ms(1000));
+    test.world_mut().press_chest(0.2);
+    test.reaches::<Session>("waiting", ms(100));
+    test.world_mut().push_over(true);
+    test.reaches::<Session>("stopped", ms(50));
+    test.world_mut().push_over(false);
+    assert_stops(&mut test, ms(3000));
+    test.tree_mut().get_mut::<Session>().go_on();
+    test.reaches::<Session>("waiting", ms(100));
+    test.tree_mut().get_mut::<Guard>().page_is_here();
+    test.run_for(ms(2900));
+    assert_ne!(test.state::<Session>(), Some("paused"));
+    test.reaches::<Session>("paused", ms(300));
+}
+
+#[test]
+fn equal_seeds_give_equal_logs() {
+    let play = |seed| {
+        let mut test = room(LIVELY, seed, true);
+        test.tree_mut().get_mut::<Session>().start();
+        test.reaches::<Session>("finished", ms(300_000));
+        test.world().log().to_vec()
+    };
+    assert_eq!(play(1), play(1));
+    assert!(play(1).len() > 6);
+}
