@@ -1,12 +1,14 @@
 //! The state of joints, inertial unit and feet.
 
 use bica::prelude::*;
+use bica::visual::{self, Imu};
 use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
+use crate::info;
 use crate::output::JointCommand;
 
 /// Contact of the feet with the ground.
@@ -105,6 +107,20 @@ impl RobotState {
     #[info(unit = "rad")]
     const fn joint_angles(&self) -> [f32; JOINTS] {
         self.angles.0
+    }
+
+    /// Joint angles with the names of the joints.
+    #[info(unit = "rad", frame = "robot")]
+    fn joint_state(&self) -> visual::Joints<Joint, JOINTS> {
+        let (names, positions) = (Joint::ALL.into_iter().collect(), self.angles.0.into_iter().collect());
+        visual::Joints { names, positions }
+    }
+
+    /// The inertial unit.
+    #[info(frame = "torso")]
+    fn inertial_unit(&self) -> Imu {
+        let Inertial { gyro, acceleration, .. } = self.inertial;
+        Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
     }
 
     /// Roll of the torso, positive to the right.
