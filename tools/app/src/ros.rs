@@ -15,7 +15,7 @@ const MAX_DOMAIN: i64 = 232;
 /// Arguments of a ROS 2 node.
 #[derive(Clone, Debug, Args)]
 pub struct NodeArgs {
-    /// ROS domain, 0 to 232 [default: that of ROS_DOMAIN_ID, or 0]
+    /// ROS domain, 0 to 232 [default: that of `ROS_DOMAIN_ID`, or 0]
     #[arg(long = "ros-domain", value_name = "N", value_parser = clap::value_parser!(u16).range(..=MAX_DOMAIN))]
     domain: Option<u16>,
     /// Namespace of the node and of its frames, for one of several robots

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use bica::runner::Request;
 use bica::{ComponentId, Hold, Value};
 use bica_link::{Client, Error};
-use bica_wire::model::{Description, Kind, Param, Plain};
+use bica_wire::model::{Description, Info, Kind, Param, Plain};
 
 use crate::message::Twist;
 
@@ -14,6 +14,13 @@ const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
 /// Silence after which the robot is stopped.
 const SILENCE: Duration = Duration::from_millis(500);
 
+/// Returns the components with an output that is the place of a frame.
+fn guides(description: &Description) -> Vec<ComponentId> {
+    let is_place = |info: &Info| info.placement.as_ref().is_some_and(|one| one.child.is_some());
+    let components = description.components.iter().enumerate().filter(|(_, one)| one.info.iter().any(is_place));
+    components.map(|(index, _)| ComponentId::new(index)).collect()
+}
+
 /// The modulation that moves a robot.
 #[derive(Debug)]
 pub(super) struct Drive {
@@ -21,6 +28,8 @@ pub(super) struct Drive {
     component: ComponentId,
     modulation: u16,
     arguments: Vec<Param>,
+    /// Components that know places of frames, such as odometry: a driver needs them, too.
+    guides: Vec<ComponentId>,
     /// Whether the tree's own behaviour is held latent.
     is_held: bool,
     /// Last speed, if it was not zero, and when it came.
@@ -47,6 +56,7 @@ impl Drive {
             component: ComponentId::new(component),
             modulation,
             arguments: called.arguments.clone(),
+            guides: guides(description),
             is_held: false,
             moving: None,
         })
@@ -67,6 +77,9 @@ impl Drive {
         if !self.is_held {
             link.send_request(Request::Hold { component: self.root, hold: Hold::Latent })?;
             link.send_request(Request::Hold { component: self.component, hold: Hold::Active })?;
+            for &component in &self.guides {
+                link.send_request(Request::Hold { component, hold: Hold::Active })?;
+            }
             self.is_held = true;
         }
         let moves = speeds.iter().any(|speed| *speed != Value::F32(0.0));

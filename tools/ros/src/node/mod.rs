@@ -150,6 +150,8 @@ struct Bridge {
     start: u64,
     /// Values of the parameters that nodes know.
     values: Vec<Vec<bica::Value>>,
+    /// Last line of the log: what is driven repeats its own.
+    last_line: String,
 }
 
 impl Bridge {
@@ -166,7 +168,19 @@ impl Bridge {
         let calls = Calls::serve(&mut network, &robot, names)?;
         let values = robot.link.description().components.iter().map(|_| Vec::new()).collect();
         let (times, waiting) = (VecDeque::new(), Vec::new());
-        Ok(Self { robot, network, topics, parameters, calls, drive, times, waiting, start: 0, values })
+        Ok(Self {
+            robot,
+            network,
+            topics,
+            parameters,
+            calls,
+            drive,
+            times,
+            waiting,
+            start: 0,
+            values,
+            last_line: String::new(),
+        })
     }
 
     fn run(mut self, stop: &dyn Fn() -> bool) -> Result<(), Invalid> {
@@ -261,7 +275,10 @@ impl Bridge {
             }
             Event::Params { component } => self.changed(component),
             Event::Answer(answer) => self.answer(answer),
-            Event::Log { time_us, level, text } => self.log(self.time(time_us), level, &text),
+            Event::Log { time_us, level, text } if text != self.last_line => {
+                self.log(self.time(time_us), level, &text);
+                self.last_line = text;
+            }
             Event::Result(text) => self.log(self.now(), 2, &text),
             Event::Costs(costs) => {
                 let messages =
