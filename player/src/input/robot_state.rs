@@ -103,21 +103,15 @@ impl RobotState {
         [&self.feet[0], &self.feet[1]]
     }
 
-    /// Joint angles, in the order of [`Joint`].
-    #[info(unit = "rad")]
-    const fn joint_angles(&self) -> [f32; JOINTS] {
-        self.angles.0
-    }
-
-    /// Joint angles with the names of the joints.
+    /// Joint angles.
     #[info(unit = "rad", frame = "robot")]
-    fn joint_state(&self) -> visual::Joints<Joint, JOINTS> {
+    fn joint_angles(&self) -> visual::Joints<Joint, JOINTS> {
         let (names, positions) = (Joint::ALL.into_iter().collect(), self.angles.0.into_iter().collect());
         visual::Joints { names, positions }
     }
 
-    /// The inertial unit.
-    #[info(frame = "torso")]
+    /// Turn rates of the gyroscope and acceleration, along the torso's axes.
+    #[info(unit = "rad/s, m/s²", frame = "torso")]
     fn inertial_unit(&self) -> Imu {
         let Inertial { gyro, acceleration, .. } = self.inertial;
         Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
@@ -133,18 +127,6 @@ impl RobotState {
     #[info(unit = "rad")]
     const fn pitch(&self) -> f32 {
         self.inertial.pitch
-    }
-
-    /// Turn rate by the gyroscope about the torso's x, y and z axes.
-    #[info(unit = "rad/s")]
-    const fn turn_rates(&self) -> [f32; 3] {
-        self.inertial.gyro.to_array()
-    }
-
-    /// Acceleration along the torso's x, y and z axes.
-    #[info(unit = "m/s²")]
-    const fn acceleration(&self) -> [f32; 3] {
-        self.inertial.acceleration.to_array()
     }
 
     /// Force on the left and on the right sole.
