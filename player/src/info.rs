@@ -29,6 +29,11 @@ pub(crate) fn pose_in_space(pose: &Affine3A) -> Pose3 {
     Pose3 { position: Point3 { x, y, z }, orientation: Quaternion { x: turn.x, y: turn.y, z: turn.z, w: turn.w } }
 }
 
+/// Returns a vector in space.
+pub(crate) const fn vector(Vec3 { x, y, z }: Vec3) -> Point3 {
+    Point3 { x, y, z }
+}
+
 /// Returns a pixel.
 pub(crate) const fn pixel(Vec2 { x, y }: Vec2) -> ImagePoint {
     ImagePoint { x, y }

@@ -8,7 +8,9 @@ use crate::cli::{Ci, Firmware};
 use crate::install::packages;
 use crate::process::{run, works};
 use crate::python::SHORT;
-use crate::{browser, deny, firmware, miri, mujoco, no_std, peers, publish, python, slow_tests, spelling, viewers};
+use crate::{
+    browser, deny, firmware, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling, viewers,
+};
 
 /// Step of CI, in its order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -30,6 +32,8 @@ pub(crate) enum Step {
     Viewers,
     /// The Python package with a cluster, a database and its notebook
     Python,
+    /// Robots as ROS 2 nodes, with rclpy and with another DDS
+    Ros,
     /// Tests of the framework in Miri, which detects undefined behaviour
     Miri,
     /// Instructions of the benchmarks
@@ -55,6 +59,7 @@ impl Step {
             Self::Advisories => deny::fetch_advisories(),
             Self::Viewers => viewers::install().map(drop),
             Self::Python => python::install().map(drop),
+            Self::Ros => ros::install().map(drop),
             Self::Miri => miri::install(),
             Self::Budget if !works("valgrind", &["--version"]) => packages(&["valgrind"]),
             Self::Mujoco => mujoco::install(),
@@ -79,6 +84,7 @@ impl Step {
             Self::Games => games(features),
             Self::Viewers => viewers::check(features),
             Self::Python => python::check(features, &SHORT),
+            Self::Ros => ros::check(false),
             Self::Miri => miri::check(),
             Self::Budget => budget(),
             Self::Mujoco => mujoco::check(),
@@ -103,7 +109,13 @@ fn docs() -> Result<(), String> {
 
 /// Checks all targets, with the self-test of the firmware, which needs a feature.
 fn lints() -> Result<(), String> {
-    let targets = ["clippy", "--workspace", "--all-targets", "--features", "bica-emulator/self-test,bica-app/monitor"];
+    let targets = [
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--features",
+        "bica-emulator/self-test,bica-app/monitor,bica-app/ros",
+    ];
     run("cargo", &[&targets[..], &["--", "-D", "warnings"]].concat(), &[])
 }
 
@@ -194,9 +206,9 @@ mod tests {
     #[test]
     fn steps_left_out_are_named() {
         let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], only: Vec::new() });
-        assert_eq!((steps.len(), summary(&left_out)), (15, "LEFT OUT: miri, browser".to_owned()));
+        assert_eq!((steps.len(), summary(&left_out)), (16, "LEFT OUT: miri, browser".to_owned()));
         let (steps, left_out) = select(&Ci { without: Vec::new(), only: vec![Step::NoStd] });
-        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 16));
+        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 17));
         assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
     }
 

@@ -16,6 +16,7 @@ mod peers;
 mod process;
 mod publish;
 mod python;
+mod ros;
 mod slow_tests;
 mod spelling;
 mod viewers;
@@ -48,6 +49,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Mujoco => mujoco::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),
         Task::Python => python::check(&[], &[]),
+        Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),
         Task::Browser(options) => browser::test(options.figures),
         Task::Long(options) => {

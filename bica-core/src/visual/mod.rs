@@ -37,6 +37,7 @@
 //! assert_eq!((obstacle.shape, obstacle.frame, obstacle.child), ("Point2", "robot", None));
 //! ```
 
+mod body;
 mod image;
 mod list;
 mod plane;
@@ -44,6 +45,7 @@ mod scan;
 mod scene;
 mod space;
 
+pub use body::{Imu, Joints};
 pub use image::{CameraCalibration, ImageCircle, ImagePoint, ImagePolyline, ImageSegment};
 pub use list::List;
 pub use plane::{Circle, Ellipse, Point2, Polyline, Pose2, Rectangle, Segment};
@@ -109,6 +111,10 @@ impl<V: Visual, const N: usize> Visual for List<V, N> {
     const NAME: &'static str = V::NAME;
 }
 
+impl<J, const N: usize> Visual for Joints<J, N> {
+    const NAME: &'static str = "Joints";
+}
+
 /// Implements [`Visual`] with the type's own name.
 macro_rules! visual {
     ($($name:ident $(<$n:ident>)?),*) => {
@@ -119,4 +125,4 @@ macro_rules! visual {
 }
 
 visual!(Point2, Pose2, Ellipse, Circle, Rectangle, Segment, Polyline<N>, Scan<N>, Point3, Pose3);
-visual!(ImagePoint, ImageCircle, ImageSegment, ImagePolyline<N>, CameraCalibration);
+visual!(Imu, ImagePoint, ImageCircle, ImageSegment, ImagePolyline<N>, CameraCalibration);

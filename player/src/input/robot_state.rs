@@ -1,12 +1,14 @@
 //! The state of joints, inertial unit and feet.
 
 use bica::prelude::*;
+use bica::visual::{self, Imu};
 use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
+use crate::info;
 use crate::output::JointCommand;
 
 /// Contact of the feet with the ground.
@@ -101,10 +103,18 @@ impl RobotState {
         [&self.feet[0], &self.feet[1]]
     }
 
-    /// Joint angles, in the order of [`Joint`].
-    #[info(unit = "rad")]
-    const fn joint_angles(&self) -> [f32; JOINTS] {
-        self.angles.0
+    /// Joint angles.
+    #[info(unit = "rad", frame = "robot")]
+    fn joint_angles(&self) -> visual::Joints<Joint, JOINTS> {
+        let (names, positions) = (Joint::ALL.into_iter().collect(), self.angles.0.into_iter().collect());
+        visual::Joints { names, positions }
+    }
+
+    /// Turn rates of the gyroscope and acceleration, along the torso's axes.
+    #[info(unit = "rad/s, m/s²", frame = "torso")]
+    fn inertial_unit(&self) -> Imu {
+        let Inertial { gyro, acceleration, .. } = self.inertial;
+        Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
     }
 
     /// Roll of the torso, positive to the right.
@@ -117,18 +127,6 @@ impl RobotState {
     #[info(unit = "rad")]
     const fn pitch(&self) -> f32 {
         self.inertial.pitch
-    }
-
-    /// Turn rate by the gyroscope about the torso's x, y and z axes.
-    #[info(unit = "rad/s")]
-    const fn turn_rates(&self) -> [f32; 3] {
-        self.inertial.gyro.to_array()
-    }
-
-    /// Acceleration along the torso's x, y and z axes.
-    #[info(unit = "m/s²")]
-    const fn acceleration(&self) -> [f32; 3] {
-        self.inertial.acceleration.to_array()
     }
 
     /// Force on the left and on the right sole.

@@ -9,6 +9,8 @@ mod monitor;
 mod params;
 mod record;
 mod replay;
+#[cfg(feature = "ros")]
+mod ros;
 mod run;
 mod start;
 mod tool;
@@ -17,8 +19,10 @@ mod world;
 pub use app::App;
 pub use clap;
 pub use console::*;
-pub use link::ServeArgs;
+pub use link::{RosNode, ServeArgs};
 pub use params::{Layer, TuningArgs};
 pub use record::{Images, RecordArgs, RecordedFile, TopicsArg};
+#[cfg(feature = "ros")]
+pub use ros::NodeArgs;
 pub use run::seconds;
 pub use world::WorldOptions;

@@ -26,6 +26,9 @@ pub(crate) enum Tool<L: Layer> {
     Replay(ReplayArgs),
     /// Attach to a running robot: describe, watch, set, hold, rate, modulate, log
     Link(Link),
+    /// Make a robot behind a link a ROS 2 node
+    #[cfg(feature = "ros")]
+    Ros(crate::ros::RosArgs),
 }
 
 impl<L: Layer> Tool<L> {
@@ -37,6 +40,8 @@ impl<L: Layer> Tool<L> {
             Self::Record(args) => record::run(args),
             Self::Replay(args) => replay::run(args, replay),
             Self::Link(args) => link::run(args),
+            #[cfg(feature = "ros")]
+            Self::Ros(args) => crate::ros::run(args),
         }
     }
 }

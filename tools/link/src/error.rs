@@ -87,6 +87,12 @@ impl Error {
     }
 }
 
+impl From<Error> for Invalid {
+    fn from(error: Error) -> Self {
+        Self::new(error.to_string(), error.help())
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,5 +1,6 @@
 //! `player play`: one game or a series.
 
+use std::cell::OnceCell;
 use std::time::Duration;
 
 use crate::game::{
@@ -18,7 +19,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         let what = "--image names a firmware image, and this game is played without firmware";
         return Err(Failure::new(what, "give --world firmware, too"));
     }
-    let built = FirmwareImage::built(args.size, args.link.serve.is_some());
+    let built = FirmwareImage::built(args.size, args.link.address().is_some());
     let image = || args.image.clone().unwrap_or_else(|| built.into());
     let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
     let rules = Rules {
@@ -27,7 +28,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         size: args.size,
         robots: args.robots,
         limit: Duration::from_secs_f64(args.seconds),
-        realtime: args.realtime || (args.link.serve.is_some() && !args.link.unpaced),
+        realtime: args.realtime || args.link.is_paced(),
         firmware,
         settings: settings(args)?,
     };
@@ -37,10 +38,16 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             let RecordArgs { record, images, force, .. } = &args.record;
             let (images, topics, force) = ((*images).into(), args.record.topics(), *force);
             let record = record.as_deref().map(|path| RecordOptions { path, images, topics, force });
-            let started = |address: &str| console.print_row("link", &format!("monitors attach at {address}"));
-            let serve = args.link.serve.as_ref();
-            let serve =
-                serve.map(|address| ServeOptions { address, anywhere: args.link.listen_anywhere, started: &started });
+            let address = args.link.address();
+            let node = OnceCell::new();
+            let started = |bound: &str| {
+                let started = address.as_ref().map(|address| args.link.started(console, &GRAPH, address, bound));
+                // The game has one server, which starts once.
+                let _ = node.set(started.transpose()?);
+                Ok(())
+            };
+            let anywhere = args.link.listen_anywhere;
+            let serve = address.as_ref().map(|address| ServeOptions { address, anywhere, started: &started });
             play_one(&rules, console, pictures, args.film.as_deref(), record, serve)
         }
         Some(games) => {

@@ -55,7 +55,7 @@ pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use scenery::Scenery;
-pub use topics::Topics;
+pub use topics::{Jpeg, Topics, jpeg, shape};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

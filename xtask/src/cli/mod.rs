@@ -50,6 +50,10 @@ pub(crate) enum Task {
     /// First installs `PostgreSQL` (with apt), and the package with Ray and Optuna (with pip) into target/python/venv, which is an
     /// environment to work in.
     Python,
+    /// Test robots as ROS 2 nodes with rclpy and with another DDS
+    ///
+    /// First installs both (with pip, no ROS is needed) into target/ros. Takes about seven minutes.
+    Ros,
     /// Test JManager's page in a real browser
     ///
     /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium (with apt).

@@ -11,7 +11,7 @@ use crate::cargo;
 use crate::pages::{Page, root};
 
 /// Generic packages; every other one may use what it needs.
-const GENERIC: [&str; 13] = [
+const GENERIC: [&str; 14] = [
     "bica",
     "bica-core",
     "bica-syntax",
@@ -21,6 +21,7 @@ const GENERIC: [&str; 13] = [
     "bica-app",
     "bica-link",
     "bica-recording",
+    "bica-ros",
     "bica-tuning",
     "bica-drawing",
     "bica-monitor",

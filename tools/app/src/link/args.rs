@@ -135,6 +135,6 @@ fn hold() -> impl TypedValueParser<Value = Hold> {
     })
 }
 
-pub(super) fn address(text: &str) -> Result<Address, String> {
+pub(crate) fn address(text: &str) -> Result<Address, String> {
     text.parse().map_err(|error: bica_link::Error| error.help())
 }

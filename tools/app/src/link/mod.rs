@@ -19,7 +19,9 @@ pub(crate) use args::Link;
 use args::LinkAction;
 
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
-pub use serve::ServeArgs;
+#[cfg(feature = "ros")]
+pub(crate) use args::address;
+pub use serve::{RosNode, ServeArgs};
 
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);

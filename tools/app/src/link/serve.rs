@@ -1,9 +1,11 @@
 //! Arguments of programs that serve a robot.
 
+use bica::Graph;
 use bica_link::Address;
 use clap::Args;
 
 use super::args::address;
+use crate::console::{Console, Failure};
 
 /// Arguments that say how a robot is served to monitors.
 #[derive(Clone, Debug, Args)]
@@ -18,4 +20,86 @@ pub struct ServeArgs {
     /// With --serve, run as fast as possible instead of in real time
     #[arg(long, requires = "serve", conflicts_with = "realtime")]
     pub unpaced: bool,
+    /// Make the robot a ROS 2 node, in real time
+    #[cfg(feature = "ros")]
+    #[arg(long)]
+    pub ros: bool,
+    /// How it is a node
+    #[cfg(feature = "ros")]
+    #[command(flatten)]
+    pub node: crate::ros::NodeArgs,
+}
+
+/// Node of a robot in ROS; it leaves the network when it is dropped.
+#[cfg(feature = "ros")]
+pub type RosNode = bica_ros::Ros;
+/// Node of a robot in ROS, of which there is none without the feature `ros`.
+#[cfg(not(feature = "ros"))]
+pub type RosNode = std::convert::Infallible;
+
+impl ServeArgs {
+    /// Returns the address at which the run is served: `None` if nobody asks for it, in this process if only the ROS node does.
+    #[must_use]
+    pub fn address(&self) -> Option<Address> {
+        #[cfg(feature = "ros")]
+        let own = self.ros.then(|| Address::Memory(bica_link::Memory::default()));
+        #[cfg(not(feature = "ros"))]
+        let own = None;
+        self.serve.clone().or(own)
+    }
+
+    /// Whether the run is in real time because of those to whom it is served.
+    #[must_use]
+    pub fn is_paced(&self) -> bool {
+        self.address().is_some() && !self.unpaced
+    }
+
+    /// Prints where the run is served, and makes it a ROS node if that is requested. `bound` is the address with the port that the
+    /// operating system chose.
+    ///
+    /// # Errors
+    /// If the node cannot be made.
+    pub fn started(
+        &self,
+        console: Console,
+        graph: &'static Graph,
+        address: &Address,
+        bound: &str,
+    ) -> Result<Option<RosNode>, Failure> {
+        if self.serve.is_some() {
+            console.print_row("link", &format!("monitors attach at {bound}"))?;
+        }
+        self.node(console, graph, address, bound)
+    }
+
+    #[cfg(feature = "ros")]
+    fn node(
+        &self,
+        console: Console,
+        graph: &'static Graph,
+        address: &Address,
+        bound: &str,
+    ) -> Result<Option<RosNode>, Failure> {
+        if !self.ros {
+            return Ok(None);
+        }
+        let address = match address {
+            Address::Tcp(_) => bound.parse()?,
+            Address::Memory(_) => address.clone(),
+            Address::Serial { .. } => {
+                let help = "leave --ros out, and make the robot a node with the command `ros attach` at the other end of the line";
+                return Err(Failure::new("a serial line has one monitor, which the ROS node would be", help));
+            }
+        };
+        let options = self.node.options()?;
+        let node = RosNode::start(&address, &bica_wire::model::Description::of(graph), &options)?;
+        console.print_row("ros", &self.node.describe(node.name(), &options))?;
+        Ok(Some(node))
+    }
+
+    #[cfg(not(feature = "ros"))]
+    #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "with the feature `ros` it starts a node")]
+    fn node(&self, _: Console, _: &'static Graph, _: &Address, _: &str) -> Result<Option<RosNode>, Failure> {
+        Ok(None)
+    }
 }

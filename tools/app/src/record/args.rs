@@ -20,6 +20,9 @@ pub(super) enum RecordAction {
     Recover(Recover),
     /// Write a span of time of a recording to a new file
     Trim(Trim),
+    /// Write a recording as a bag of ROS 2: an MCAP file that `ros2 bag` reads
+    #[cfg(feature = "ros")]
+    Bag(Files),
 }
 
 #[derive(Clone, Debug, Args)]
@@ -33,7 +36,7 @@ pub(super) struct InfoArgs {
 }
 
 #[derive(Clone, Debug, Args)]
-pub(super) struct Recover {
+pub(super) struct Files {
     /// The recording
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
@@ -43,18 +46,24 @@ pub(super) struct Recover {
     /// Replace OUT if it exists
     #[arg(long)]
     pub(super) force: bool,
-    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the recording]
-    #[arg(long, value_name = "WHICH")]
-    pub(super) topics: Option<TopicsArg>,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(super) json: bool,
 }
 
 #[derive(Clone, Debug, Args)]
+pub(super) struct Recover {
+    #[command(flatten)]
+    pub(super) files: Files,
+    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the recording]
+    #[arg(long, value_name = "WHICH")]
+    pub(super) topics: Option<TopicsArg>,
+}
+
+#[derive(Clone, Debug, Args)]
 pub(super) struct Trim {
     #[command(flatten)]
-    pub(super) files: Recover,
+    pub(super) written: Recover,
     /// Begin of the span, s since the start of the run
     #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
     pub(super) from: f64,

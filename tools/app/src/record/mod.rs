@@ -11,7 +11,7 @@ use bica_recording::repair::{self, Copied};
 use bica_recording::{Error, Info, Topics, create};
 use serde::Serialize;
 
-use args::{InfoArgs, RecordAction, Recover, Trim};
+use args::{Files, InfoArgs, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
 pub(crate) use args::{Record, time};
@@ -21,18 +21,21 @@ pub use file::{Images, RecordArgs, RecordedFile, TopicsArg};
 pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
     match &args.action {
         RecordAction::Info(args) => info(args),
-        RecordAction::Recover(args) => {
-            write(args, "recovered", |source, target, topics| repair::recover(source, target, topics))
+        RecordAction::Recover(Recover { files, topics }) => {
+            write(files, "recovered", |source, target| repair::recover(source, target, topics.map(Topics::from)))
         }
-        RecordAction::Trim(Trim { files, from, until }) => {
+        RecordAction::Trim(Trim { written: Recover { files, topics }, from, until }) => {
             let nanoseconds = |seconds: f64| (seconds * 1e9) as u64;
             let until = until.map_or(u64::MAX, nanoseconds);
             let from = nanoseconds(*from);
             if until < from {
                 return Err(Failure::new("--until is before --from", "give a later time with --until"));
             }
-            write(files, "trimmed", |source, target, topics| repair::trim(source, target, from, until, topics))
+            let topics = topics.map(Topics::from);
+            write(files, "trimmed", |source, target| repair::trim(source, target, from, until, topics))
         }
+        #[cfg(feature = "ros")]
+        RecordAction::Bag(files) => write(files, "converted", |source, target| bica_ros::bag(source, target)),
     }
 }
 
@@ -133,9 +136,9 @@ struct Written<'a> {
 
 /// Writes a new file from a recording.
 fn write(
-    args: &Recover,
+    args: &Files,
     done: &str,
-    copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>, Option<Topics>) -> Result<Copied, Error>,
+    copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
 ) -> Result<Outcome, Failure> {
     let source = open(&args.file)?;
     if is_same_file(&args.file, &args.out) {
@@ -149,7 +152,7 @@ fn write(
     };
     let target = create(&args.out, args.force).map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
     let mut target = BufWriter::with_capacity(1 << 16, target);
-    let copied = copy(source, &mut target, args.topics.map(Topics::from)).map_err(|error| {
+    let copied = copy(source, &mut target).map_err(|error| {
         // Nobody needs the begin of a file; the error is what the user has to know.
         let _ = fs::remove_file(&args.out);
         failure(&args.file, &error)

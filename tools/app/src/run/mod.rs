@@ -14,6 +14,7 @@ use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
 
 use crate::console::{Console, Failure, Outcome, interrupt};
+use crate::link::RosNode;
 use crate::params::Layer;
 use crate::record::RecordedFile;
 use crate::world::{RegisteredWorld, WorldOptions};
@@ -47,8 +48,8 @@ where
     let mut robot = Box::<R>::default();
     args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
     let console = Console::new(args.json);
-    let is_paced = args.realtime || registered.is_device || (args.link.serve.is_some() && !args.link.unpaced);
-    let (server, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
+    let is_paced = args.realtime || registered.is_device || args.link.is_paced();
+    let (served, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
     let header = |images| {
         let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);
         header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
@@ -57,7 +58,7 @@ where
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);
     // Monitors may look at a robot that has reached its aim.
-    let aim = is_done.filter(|_| args.link.serve.is_none());
+    let aim = is_done.filter(|_| served.is_none());
     let limit = args.seconds.map(|seconds| bica::Duration::from_micros((seconds * 1e6) as u64));
     let end = loop {
         let interrupted = || interrupt::requested().then_some(End::Interrupted);
@@ -72,7 +73,7 @@ where
         }
     };
     // Monitors get the last values before the result is printed.
-    if let Some(server) = server {
+    if let Some((server, _)) = served {
         server.set_result(&running.result(end));
     }
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
@@ -92,7 +93,7 @@ where
 }
 
 /// Halves of the link in the loop.
-type Served<R> = (Option<LinkServer>, Option<LinkRequests>, Option<LinkObserver<R>>);
+type Served<R> = (Option<(LinkServer, Option<RosNode>)>, Option<LinkRequests>, Option<LinkObserver<R>>);
 
 /// Starts the server, if that is requested.
 fn serve<R: Robot>(
@@ -103,11 +104,11 @@ fn serve<R: Robot>(
     realtime: bool,
     console: Console,
 ) -> Result<Served<R>, Failure> {
-    let Some(address) = &args.link.serve else { return Ok((None, None, None)) };
+    let Some(address) = args.link.address() else { return Ok((None, None, None)) };
     let offers = if is_device { Offers::default() } else { Offers::PAUSE };
     let options =
         ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
-    let (server, requests, observer) = LinkServer::start_in_world::<R>(address, options, world)?;
-    console.print_row("link", &format!("monitors attach at {}", server.address()))?;
-    Ok((Some(server), Some(requests), Some(observer)))
+    let (server, requests, observer) = LinkServer::start_in_world::<R>(&address, options, world)?;
+    let node = args.link.started(console, const { &R::GRAPH }, &address, server.address())?;
+    Ok((Some((server, node)), Some(requests), Some(observer)))
 }

@@ -9,7 +9,7 @@ mod outputs;
 mod preview;
 mod protobuf;
 mod schema;
-mod shape;
+pub mod shape;
 
 use std::collections::BTreeMap;
 
@@ -26,6 +26,7 @@ use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
 use crate::scenery::Scenery;
 use outputs::{Outputs, Seen};
+pub use preview::{Jpeg, jpeg};
 use preview::{Preview, is_image};
 use protobuf::Protobuf;
 pub(crate) use schema::Schema;

@@ -8,17 +8,13 @@ use serde_json::Value;
 use super::foxglove::{annotations, calibration, colour, points, scene, transforms};
 use super::preview::Preview;
 use super::protobuf::Protobuf;
-use super::shape::{Pose, each, pose, shapes};
+use super::shape::{CALIBRATION, OPTICAL, each, pose, shapes};
 use super::{Derived, Schema};
 use crate::mcap::Compression;
 use crate::message::TreeRecord;
 
 /// Time after which a value is written again, although it has not changed, ns.
 const AGAIN_AFTER: u64 = 1_000_000_000;
-/// Rotation from the axes of an image, x right, y down and z ahead, to those of its camera.
-const OPTICAL: Pose = Pose { position: [0.0; 3], rotation: [-0.5, 0.5, -0.5, 0.5] };
-/// Visual type of the parameters of a camera.
-const CALIBRATION: &str = "CameraCalibration";
 
 /// Values of outputs, by the indices of component and output.
 pub(super) type Values = BTreeMap<(usize, usize), Value>;

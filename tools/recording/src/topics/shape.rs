@@ -9,19 +9,23 @@ const CORNERS: u32 = 24;
 /// Distance of the points on a line, m, and most of them on one edge.
 const SAMPLE: (f64, f64) = (0.1, 32.0);
 /// Length of the arrow that shows a pose, m.
-pub(super) const ARROW: f64 = 0.3;
+pub const ARROW: f64 = 0.3;
 
 /// Place of a frame in another one: position, m, and rotation, a quaternion `x, y, z, w`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pose {
-    pub(super) position: [f64; 3],
-    pub(super) rotation: [f64; 4],
+pub struct Pose {
+    /// Position, m.
+    pub position: [f64; 3],
+    /// Rotation, a unit quaternion `x, y, z, w`.
+    pub rotation: [f64; 4],
 }
 
 /// Something that is drawn, m.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Shape {
+pub enum Shape {
+    /// A point.
     Dot([f64; 3]),
+    /// A pose.
     Arrow(Pose),
     /// Points joined by lines; the last one with the first one, if it is closed.
     Line(Vec<[f64; 3]>, bool),
@@ -29,8 +33,13 @@ pub(super) enum Shape {
     Cloud(Vec<[f64; 3]>),
 }
 
+/// Rotation from the axes of an image, x right, y down and z ahead, to those of its camera.
+pub const OPTICAL: Pose = Pose { position: [0.0; 3], rotation: [-0.5, 0.5, -0.5, 0.5] };
+/// Visual type of the parameters of a camera.
+pub const CALIBRATION: &str = "CameraCalibration";
+
 /// Calls a function with each value of an output, which may be an option or a list.
-pub(super) fn each<'a>(value: &'a Value, take: &mut impl FnMut(&'a Value)) {
+pub fn each<'a>(value: &'a Value, take: &mut impl FnMut(&'a Value)) {
     match value {
         Value::Array(values) => values.iter().for_each(|value| each(value, take)),
         Value::Null => {}
@@ -39,7 +48,8 @@ pub(super) fn each<'a>(value: &'a Value, take: &mut impl FnMut(&'a Value)) {
 }
 
 /// Returns numbers with these names; `None` if one is missing or not finite.
-pub(super) fn numbers<const N: usize>(value: &Value, names: [&str; N]) -> Option<[f64; N]> {
+#[must_use]
+pub fn numbers<const N: usize>(value: &Value, names: [&str; N]) -> Option<[f64; N]> {
     let mut numbers = [0.0; N];
     for (number, name) in numbers.iter_mut().zip(names) {
         *number = value.get(name)?.as_f64()?;
@@ -48,17 +58,21 @@ pub(super) fn numbers<const N: usize>(value: &Value, names: [&str; N]) -> Option
 }
 
 /// Returns a point on the ground or in space.
-fn point(value: &Value) -> Option<[f64; 3]> {
+#[must_use]
+pub fn point(value: &Value) -> Option<[f64; 3]> {
     let [x, y] = numbers(value, ["x", "y"])?;
     Some([x, y, value.get("z").map_or(Some(0.0), Value::as_f64)?])
 }
 
-fn points(values: &Value) -> Option<Vec<[f64; 3]>> {
+/// Returns the points of a polyline.
+#[must_use]
+pub fn points(values: &Value) -> Option<Vec<[f64; 3]>> {
     values.get("points")?.as_array()?.iter().map(point).collect()
 }
 
 /// Returns a pose on the ground or in space.
-pub(super) fn pose(value: &Value) -> Option<Pose> {
+#[must_use]
+pub fn pose(value: &Value) -> Option<Pose> {
     if let Some(position) = value.get("position") {
         let rotation = numbers(value.get("orientation")?, ["x", "y", "z", "w"])?;
         return Some(Pose { position: point(position)?, rotation });
@@ -69,7 +83,8 @@ pub(super) fn pose(value: &Value) -> Option<Pose> {
 }
 
 /// Returns what one value of a visual type looks like; nothing if it has a number that is not finite.
-pub(super) fn shapes(kind: &str, value: &Value) -> Vec<Shape> {
+#[must_use]
+pub fn shapes(kind: &str, value: &Value) -> Vec<Shape> {
     of_value(kind, value).unwrap_or_default()
 }
 
@@ -127,7 +142,8 @@ fn scan(value: &Value) -> Option<Shape> {
 
 impl Shape {
     /// Returns points on the shape.
-    pub(super) fn sampled(&self) -> Vec<[f64; 3]> {
+    #[must_use]
+    pub fn sampled(&self) -> Vec<[f64; 3]> {
         match self {
             Self::Dot(point) => vec![*point],
             Self::Cloud(points) => points.clone(),

@@ -1,0 +1,10 @@
+#![doc = include_str!("../README.md")]
+
+mod bag;
+mod message;
+mod names;
+mod node;
+mod topics;
+
+pub use bag::bag;
+pub use node::{Options, Ros, bridge};

@@ -1,0 +1,53 @@
+//! Messages and services that nodes send to a robot, and their parts.
+
+use ros2_client::Message;
+use serde::{Deserialize, Serialize};
+
+use super::messages;
+
+messages!(derive(Serialize, Deserialize);
+    builtin_interfaces/Time as Time { sec: i32, nanosec: u32 }
+    geometry_msgs/Vector3 as Vector3 { x: f64, y: f64, z: f64 }
+    geometry_msgs/Twist as Twist { linear: Vector3, angular: Vector3 }
+    std_msgs/MultiArrayDimension as MultiArrayDimension { label: String, size: u32, stride: u32 }
+    std_msgs/MultiArrayLayout as MultiArrayLayout { dim: Vec<MultiArrayDimension>, data_offset: u32 }
+    std_msgs/Float32MultiArray as Numbers { layout: MultiArrayLayout, data: Vec<f32> }
+    rcl_interfaces/ParameterValue as ParameterValue {
+        r#type: u8, bool_value: bool, integer_value: i64, double_value: f64, string_value: String, byte_array_value: Vec<u8>,
+        bool_array_value: Vec<bool>, integer_array_value: Vec<i64>, double_array_value: Vec<f64>,
+        string_array_value: Vec<String>,
+    }
+    rcl_interfaces/Parameter as Parameter { name: String, value: ParameterValue }
+    rcl_interfaces/SetParametersResult as SetResult { successful: bool, reason: String }
+    rcl_interfaces/FloatingPointRange as FloatingPointRange { from_value: f64, to_value: f64, step: f64 }
+    rcl_interfaces/IntegerRange as IntegerRange { from_value: i64, to_value: i64, step: u64 }
+    rcl_interfaces/ParameterDescriptor as ParameterDescriptor {
+        name: String, r#type: u8, description: String, additional_constraints: String, read_only: bool, dynamic_typing: bool,
+        floating_point_range: Vec<FloatingPointRange>, integer_range: Vec<IntegerRange>,
+    }
+    rcl_interfaces/ListParametersResult as ListResult { names: Vec<String>, prefixes: Vec<String> }
+);
+
+/// Declares requests and responses of services.
+macro_rules! services {
+    ($($name:ident { $($field:ident: $kind:ty),* $(,)? })*) => {$(
+        #[derive(Clone, Debug, Default, Serialize, Deserialize)]
+        pub(crate) struct $name { $(pub(crate) $field: $kind),* }
+        impl Message for $name {}
+    )*};
+}
+
+services!(
+    Names { names: Vec<String> }
+    Values { values: Vec<ParameterValue> }
+    Types { types: Vec<u8> }
+    Descriptors { descriptors: Vec<ParameterDescriptor> }
+    List { prefixes: Vec<String>, depth: u64 }
+    Listed { result: ListResult }
+    Parameters { parameters: Vec<Parameter> }
+    Results { results: Vec<SetResult> }
+    SingleResult { result: SetResult }
+    // A structure without fields has one byte in the encoding of ROS.
+    Nothing { structure_needs_at_least_one_member: u8 }
+    TriggerResponse { success: bool, message: String }
+);

@@ -1,0 +1,89 @@
+//! Names of topics, parameters and frames.
+
+use bica_wire::model::Description;
+
+/// Names of a robot in ROS.
+#[derive(Clone, Debug)]
+pub(crate) struct Names {
+    /// `/`, or `/NAME` of one of several robots.
+    pub(crate) namespace: String,
+    /// Name of the node.
+    pub(crate) node: String,
+    /// The frame in which odometry has its place, if there is one.
+    map: Option<String>,
+}
+
+/// Frames of a tree that REP 105 names otherwise.
+const FRAMES: [(&str, &str); 2] = [("robot", "base_link"), ("odometry", "odom")];
+
+impl Names {
+    /// The names of a robot in a namespace, which may be empty.
+    pub(crate) fn new(description: &Description, namespace: &str) -> Self {
+        let placements =
+            description.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
+        let map = placements.filter(|one| one.child.as_deref() == Some("odometry")).map(|one| one.frame.clone()).next();
+        Self { namespace: format!("/{}", namespace.trim_matches('/')), node: snake(&description.name), map }
+    }
+
+    /// Returns the absolute name of what other nodes know by its short name, such as `scan`.
+    pub(crate) fn public(&self, name: &str) -> String {
+        format!("{}/{name}", self.namespace.trim_end_matches('/'))
+    }
+
+    /// Returns the absolute name of something that belongs to this node alone, of parts such as component and output.
+    pub(crate) fn private(&self, parts: &[&str]) -> String {
+        let parts: Vec<_> = parts.iter().map(|part| snake(part)).collect();
+        self.public(&format!("{}/{}", self.node, parts.join("/")))
+    }
+
+    /// Returns the absolute name of the node.
+    pub(crate) fn full(&self) -> String {
+        self.public(&self.node)
+    }
+
+    /// Returns the name of a frame by REP 105. Those of a robot in a namespace begin with it.
+    pub(crate) fn frame(&self, frame: &str) -> String {
+        let known = FRAMES.iter().find(|(own, _)| *own == frame).map(|(_, name)| *name);
+        let is_map = self.map.as_deref() == Some(frame);
+        let name = known.or_else(|| is_map.then_some("map")).map_or_else(|| snake(frame), str::to_owned);
+        self.public(&name).trim_start_matches('/').to_owned()
+    }
+}
+
+/// Returns a name in the form of ROS: small letters, digits and single underscores, with a letter first.
+pub(crate) fn snake(name: &str) -> String {
+    let mut snake = String::new();
+    let mut before = '_';
+    for letter in name.chars() {
+        let begins_word = letter.is_uppercase() && (before.is_lowercase() || before.is_ascii_digit());
+        if (begins_word || !letter.is_ascii_alphanumeric()) && !snake.is_empty() && !snake.ends_with('_') {
+            snake.push('_');
+        }
+        if letter.is_ascii_alphanumeric() {
+            snake.push(letter.to_ascii_lowercase());
+        }
+        before = letter;
+    }
+    let snake = snake.trim_end_matches('_');
+    if snake.starts_with(|first: char| first.is_ascii_lowercase()) { snake.to_owned() } else { format!("x{snake}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_have_the_form_of_ros() {
+        let pairs = [
+            ("WallFollower", "wall_follower"),
+            ("Store<f32>", "store_f32"),
+            ("place_box", "place_box"),
+            ("Is2D__x", "is2_d_x"),
+            ("3D", "x3d"),
+            ("ä", "x"),
+        ];
+        for (name, expected) in pairs {
+            assert_eq!(snake(name), expected);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Driving by `cmd_vel`.
+
+use std::time::{Duration, Instant};
+
+use bica::runner::Request;
+use bica::{ComponentId, Hold, Value};
+use bica_link::{Client, Error};
+use bica_wire::model::{Description, Info, Kind, Param, Plain};
+
+use crate::message::Twist;
+
+/// Arguments of a modulation that moves a robot: speeds ahead and to the left, m/s, and turning speed to the left, rad/s.
+const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
+/// Silence after which the robot is stopped.
+const SILENCE: Duration = Duration::from_millis(500);
+
+/// Returns the components with an output that is the place of a frame.
+fn guides(description: &Description) -> Vec<ComponentId> {
+    let is_place = |info: &Info| info.placement.as_ref().is_some_and(|one| one.child.is_some());
+    let components = description.components.iter().enumerate().filter(|(_, one)| one.info.iter().any(is_place));
+    components.map(|(index, _)| ComponentId::new(index)).collect()
+}
+
+/// The modulation that moves a robot.
+#[derive(Debug)]
+pub(super) struct Drive {
+    root: ComponentId,
+    component: ComponentId,
+    modulation: u16,
+    arguments: Vec<Param>,
+    /// Components that know places of frames, such as odometry: a driver needs them, too.
+    guides: Vec<ComponentId>,
+    /// Whether the tree's own behaviour is held latent.
+    is_held: bool,
+    /// Last speed, if it was not zero, and when it came.
+    moving: Option<Instant>,
+}
+
+impl Drive {
+    /// Finds the modulation with the most of the arguments, among them the first two, and with no other ones.
+    pub(super) fn find(description: &Description) -> Option<Self> {
+        let is_known =
+            |param: &Param| ARGUMENTS.contains(&param.name.as_str()) && matches!(param.kind, Kind::F32 { .. });
+        let has = |arguments: &[Param], name: &str| arguments.iter().any(|param| param.name == name);
+        let components = description.components.iter().enumerate();
+        let all =
+            components.flat_map(|(index, one)| one.modulations.iter().zip(0..).map(move |called| (index, called)));
+        let fits = all.filter(|(_, (called, _))| {
+            called.arguments.iter().all(is_known) && ARGUMENTS[..2].iter().all(|name| has(&called.arguments, name))
+        });
+        // Of several with the same arguments the first one.
+        let best =
+            fits.reduce(|best, next| if next.1.0.arguments.len() > best.1.0.arguments.len() { next } else { best });
+        best.map(|(component, (called, modulation))| Self {
+            root: ComponentId::new(description.root),
+            component: ComponentId::new(component),
+            modulation,
+            arguments: called.arguments.clone(),
+            guides: guides(description),
+            is_held: false,
+            moving: None,
+        })
+    }
+
+    /// Moves the robot; a speed beyond the range is the greatest one. The tree's root is held latent.
+    pub(super) fn drive(&mut self, link: &mut Client, Twist { linear, angular }: &Twist) -> Result<(), Error> {
+        let speed = |param: &Param| {
+            let speed = match param.name.as_str() {
+                "forward" => linear.x,
+                "left" => linear.y,
+                _ => angular.z,
+            };
+            let Kind::F32 { min, max, .. } = param.kind else { return None };
+            param.value_of(&Plain::Number(speed.clamp(min.into(), max.into()))).ok()
+        };
+        let Some(speeds) = self.arguments.iter().map(speed).collect::<Option<Vec<_>>>() else { return Ok(()) };
+        if !self.is_held {
+            link.send_request(Request::Hold { component: self.root, hold: Hold::Latent })?;
+            link.send_request(Request::Hold { component: self.component, hold: Hold::Active })?;
+            for &component in &self.guides {
+                link.send_request(Request::Hold { component, hold: Hold::Active })?;
+            }
+            self.is_held = true;
+        }
+        let moves = speeds.iter().any(|speed| *speed != Value::F32(0.0));
+        self.moving = moves.then(Instant::now);
+        let (component, modulation) = (self.component, self.modulation);
+        link.send_request(Request::Modulate { component, modulation, arguments: &speeds })?;
+        Ok(())
+    }
+
+    /// Stops a robot whose driver is silent, and notes the end of its lease.
+    pub(super) fn end_silence(&mut self, link: &mut Client) -> Result<(), Error> {
+        if !link.lease().yours {
+            (self.is_held, self.moving) = (false, None);
+        } else if self.moving.is_some_and(|moving| moving.elapsed() > SILENCE) {
+            self.drive(link, &Twist::default())?;
+        }
+        Ok(())
+    }
+}

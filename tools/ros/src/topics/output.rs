@@ -1,0 +1,257 @@
+//! Outputs as messages.
+
+use std::collections::BTreeMap;
+
+use bica_recording::shape::{self, CALIBRATION, Pose as Place};
+use bica_wire::model::{Description, Info, Placement};
+use serde_json::Value;
+
+use super::convert::{camera, ellipse, imu, joints, path, point, pose, scan, transform};
+use super::markers::markers;
+use super::{Quality, Sent, sent, stamp};
+use crate::message::{
+    Bool, CameraInfo, Fixed, Float32, Float64, Header, Imu, Int64, JointState, Kind, LaserScan, MarkerArray, Numbers64,
+    Odometry, Path, PointStamped, PoseStamped, PoseWithCovariance, PoseWithCovarianceStamped, Text, Transforms, Twist,
+    TwistWithCovariance, UInt64, Vector3,
+};
+use crate::names::Names;
+
+/// Colour of outputs.
+const COLOUR: [f32; 3] = [0.9, 0.6, 0.0];
+
+/// How values become messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// Places of frames, of which there is no message but the transform.
+    Frame,
+    Odometry,
+    Scan,
+    Joints,
+    Imu,
+    Camera,
+    Point,
+    Pose,
+    Ellipse,
+    Path,
+    Markers,
+    Float32,
+    Float64,
+    Int,
+    UInt,
+    Bool,
+    Numbers,
+    Text,
+}
+
+/// An output of a component.
+#[derive(Debug)]
+pub(super) struct Output {
+    form: Form,
+    /// Name and type of what is shown.
+    name: String,
+    shape: String,
+    /// Frames of ROS: the value's, and the one whose place it is.
+    frame: String,
+    child: Option<String>,
+    /// Topic of the messages, and of transforms.
+    pub(super) topics: [Option<usize>; 2],
+    /// Size of the last image, px.
+    pub(super) image_size: Option<[u32; 2]>,
+    /// The last place and its time, ns.
+    last: Option<(u64, Place)>,
+}
+
+/// Returns the outputs of a tree, by the indices of component and output.
+pub(super) fn all(
+    description: &Description,
+    names: &Names,
+    tf: usize,
+    add: &mut impl FnMut(String, Kind, Quality) -> usize,
+) -> BTreeMap<(usize, usize), Output> {
+    let infos = || {
+        let components = description.components.iter().enumerate();
+        components.flat_map(|(index, one)| {
+            one.info.iter().enumerate().map(move |(info, output)| ((index, info), one, output))
+        })
+    };
+    let mut outputs = BTreeMap::new();
+    for (key, component, info) in infos() {
+        let form = Form::of(info);
+        let is_only = infos().filter(|(_, _, other)| Form::of(other) == form).count() == 1;
+        let own = || names.private(&[&component.name, &info.name]);
+        let placement = info.placement.as_ref();
+        let frame = placement.map(|one| one.frame.as_str()).unwrap_or_default();
+        let name = match form.public(frame).filter(|_| is_only) {
+            Some(name) => names.public(&name),
+            None => own(),
+        };
+        let topic = (form != Form::Frame).then(|| add(name, form.kind(), form.quality()));
+        let child = placement.and_then(|one| one.child.as_deref()).map(|child| names.frame(child));
+        let frame = match form {
+            Form::Camera => format!("{}_optical", names.frame(frame)),
+            _ => names.frame(frame),
+        };
+        let shape = placement.map(|one| one.shape.clone()).unwrap_or_default();
+        let name = format!("{}/{}", component.name, info.name);
+        let topics = [topic, child.is_some().then_some(tf)];
+        outputs.insert(key, Output { form, name, shape, frame, child, topics, image_size: None, last: None });
+    }
+    outputs
+}
+
+impl Form {
+    fn of(info: &Info) -> Self {
+        match &info.placement {
+            Some(placement) => Self::of_shape(placement, &info.type_name),
+            None => Self::of_type(&info.type_name),
+        }
+    }
+
+    /// Only one value of a type can be a message of its own.
+    fn of_shape(Placement { shape, frame, child }: &Placement, type_name: &str) -> Self {
+        let is_list = type_name.contains(['[']) || type_name.contains("List");
+        match shape.as_str() {
+            "Pose2" | "Pose3" if child.is_some() => {
+                if frame == "odometry" {
+                    Self::Odometry
+                } else {
+                    Self::Frame
+                }
+            }
+            "Scan" if !is_list => Self::Scan,
+            "Joints" if !is_list => Self::Joints,
+            "Imu" if !is_list => Self::Imu,
+            CALIBRATION => Self::Camera,
+            image if image.starts_with("Image") => Self::Text,
+            "Point2" | "Point3" if !is_list => Self::Point,
+            "Pose2" | "Pose3" if !is_list => Self::Pose,
+            "Ellipse" if !is_list => Self::Ellipse,
+            "Polyline" if !is_list => Self::Path,
+            _ => Self::Markers,
+        }
+    }
+
+    /// A value that may be missing is none of a number, so it is text.
+    fn of_type(type_name: &str) -> Self {
+        let name: String = type_name.chars().filter(|letter| !letter.is_whitespace()).collect();
+        let inner = name.strip_prefix('[').and_then(|rest| rest.split(';').next());
+        match (name.as_str(), inner) {
+            ("f32" | "Option<f32>", _) => Self::Float32,
+            ("f64" | "Option<f64>", _) => Self::Float64,
+            ("i8" | "i16" | "i32" | "i64", _) => Self::Int,
+            ("u8" | "u16" | "u32" | "u64" | "usize", _) => Self::UInt,
+            ("bool", _) => Self::Bool,
+            (_, Some("f32" | "f64" | "i8" | "i16" | "i32" | "u8" | "u16" | "u32")) => Self::Numbers,
+            _ => Self::Text,
+        }
+    }
+
+    /// Returns the name under which other nodes look for the only output of this form.
+    fn public(self, frame: &str) -> Option<String> {
+        Some(match self {
+            Self::Odometry => "odom".to_owned(),
+            Self::Scan => "scan".to_owned(),
+            Self::Joints => "joint_states".to_owned(),
+            Self::Imu => "imu".to_owned(),
+            Self::Camera => format!("{frame}/camera_info"),
+            _ => return None,
+        })
+    }
+
+    const fn kind(self) -> Kind {
+        match self {
+            Self::Frame => Kind::of::<Transforms>(),
+            Self::Odometry => Kind::of::<Odometry>(),
+            Self::Scan => Kind::of::<LaserScan>(),
+            Self::Joints => Kind::of::<JointState>(),
+            Self::Imu => Kind::of::<Imu>(),
+            Self::Camera => Kind::of::<CameraInfo>(),
+            Self::Point => Kind::of::<PointStamped>(),
+            Self::Pose => Kind::of::<PoseStamped>(),
+            Self::Ellipse => Kind::of::<PoseWithCovarianceStamped>(),
+            Self::Path => Kind::of::<Path>(),
+            Self::Markers => Kind::of::<MarkerArray>(),
+            Self::Float32 => Kind::of::<Float32>(),
+            Self::Float64 => Kind::of::<Float64>(),
+            Self::Int => Kind::of::<Int64>(),
+            Self::UInt => Kind::of::<UInt64>(),
+            Self::Bool => Kind::of::<Bool>(),
+            Self::Numbers => Kind::of::<Numbers64>(),
+            Self::Text => Kind::of::<Text>(),
+        }
+    }
+
+    const fn quality(self) -> Quality {
+        match self {
+            Self::Scan | Self::Imu | Self::Camera => Quality::Sensor,
+            _ => Quality::Reliable,
+        }
+    }
+}
+
+impl Output {
+    /// Returns the messages of a value after the cycle at a time, ns.
+    pub(super) fn messages(&mut self, time: u64, value: &Value) -> Vec<Sent> {
+        let header = Header { stamp: stamp(time), frame_id: self.frame.clone() };
+        let place = shape::pose(value);
+        let child = self.child.clone();
+        let frame = child.zip(place.as_ref()).zip(self.topics[1]).map(|((child, place), topic)| {
+            sent(topic, &Transforms { transforms: vec![transform(header.clone(), child, place)] })
+        });
+        let own = self.topics[0].and_then(|topic| self.message(topic, header, value));
+        self.last = place.map(|place| (time, place));
+        frame.into_iter().chain(own).flatten().collect()
+    }
+
+    fn message(&self, topic: usize, header: Header, value: &Value) -> Option<Vec<Sent>> {
+        let float = || value.as_f64().unwrap_or(f64::NAN);
+        Some(match self.form {
+            Form::Frame => return None,
+            Form::Odometry => sent(topic, &self.odometry(header, &shape::pose(value)?)),
+            Form::Scan => sent(topic, &scan(header, value)?),
+            Form::Joints => sent(topic, &joints(header, value)?),
+            Form::Imu => sent(topic, &imu(header, value)?),
+            Form::Camera => sent(topic, &camera(header, value, self.image_size.unwrap_or_default())?),
+            Form::Point => sent(topic, &PointStamped { header, point: point(shape::point(value)?) }),
+            Form::Pose => sent(topic, &PoseStamped { header, pose: pose(&shape::pose(value)?) }),
+            Form::Ellipse => sent(topic, &ellipse(header, value)?),
+            Form::Path => sent(topic, &path(&header, value)?),
+            Form::Markers => {
+                let markers = markers(&header, &self.name, &self.shape, value, COLOUR);
+                sent(topic, &MarkerArray { markers })
+            }
+            Form::Float32 => sent(topic, &Float32 { data: float() as f32 }),
+            Form::Float64 => sent(topic, &Float64 { data: float() }),
+            Form::Int => sent(topic, &Int64 { data: value.as_i64()? }),
+            Form::UInt => sent(topic, &UInt64 { data: value.as_u64()? }),
+            Form::Bool => sent(topic, &Bool { data: value.as_bool()? }),
+            Form::Numbers => {
+                let data = value.as_array()?.iter().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect();
+                sent(topic, &Numbers64 { data, ..Numbers64::default() })
+            }
+            Form::Text => sent(topic, &Text { data: value.as_str().map_or_else(|| value.to_string(), str::to_owned) }),
+        })
+    }
+
+    /// Returns a place with the speed since the last one, in the robot's frame.
+    fn odometry(&self, header: Header, place: &Place) -> Odometry {
+        let time = u64::from(header.stamp.sec.unsigned_abs()) * 1_000_000_000 + u64::from(header.stamp.nanosec);
+        let before = self.last.as_ref().filter(|(last, _)| *last < time);
+        let twist = before.map(|(last, before)| speed(before, place, (time - last) as f64 * 1e-9)).unwrap_or_default();
+        let pose = PoseWithCovariance { pose: pose(place), covariance: Fixed::default() };
+        let twist = TwistWithCovariance { twist, covariance: Fixed::default() };
+        Odometry { header, child_frame_id: self.child.clone().unwrap_or_default(), pose, twist }
+    }
+}
+
+/// Returns the speed between two places, m/s and rad/s, in the axes of the second one: motion on the ground.
+fn speed(before: &Place, place: &Place, seconds: f64) -> Twist {
+    let heading = |[x, y, z, w]: [f64; 4]| (2.0 * (w * z + x * y)).atan2(1.0 - 2.0 * (y * y + z * z));
+    let [dx, dy, dz] = [0, 1, 2].map(|axis| (place.position[axis] - before.position[axis]) / seconds);
+    let now = heading(place.rotation);
+    let turned = (now - heading(before.rotation) + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU)
+        - std::f64::consts::PI;
+    let (sin, cos) = now.sin_cos();
+    let linear = Vector3 { x: cos * dx + sin * dy, y: cos * dy - sin * dx, z: dz };
+    Twist { linear, angular: Vector3 { z: turned / seconds, ..Vector3::default() } }
+}
