@@ -13,12 +13,9 @@ pub const JOINTS: usize = 25;
 ///
 /// `LHipYawPitch` is the one motor that both legs share; there is no right one.
 #[expect(missing_docs, reason = "the names are those of the robot's interface and need no explanation")]
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, postcard_schema::Schema,
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, postcard_schema::Schema)]
 #[repr(u8)]
 pub enum Joint {
-    #[default]
     HeadYaw,
     HeadPitch,
     LShoulderPitch,

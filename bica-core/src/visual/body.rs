@@ -1,15 +1,15 @@
 //! What a robot measures of its own body. Nothing is drawn; the types have standard messages in ROS.
 
-use super::{List, Point3, Quaternion};
+use super::{Point3, Quaternion};
 
-/// Positions of joints. `J` names a joint: an enum, or a text.
+/// Positions of joints: arrays, or [`List`](super::List)s, of names and of numbers. A name is a value of an enum, or a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
-pub struct Joints<J, const N: usize> {
+pub struct Joints<Names, Positions> {
     /// The joints.
-    pub names: List<J, N>,
+    pub names: Names,
     /// Position of each joint, rad, or m of a joint that slides.
-    pub positions: List<f32, N>,
+    pub positions: Positions,
 }
 
 /// Values of an inertial unit, along the axes of its frame.

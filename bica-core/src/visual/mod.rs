@@ -111,7 +111,7 @@ impl<V: Visual, const N: usize> Visual for List<V, N> {
     const NAME: &'static str = V::NAME;
 }
 
-impl<J, const N: usize> Visual for Joints<J, N> {
+impl<Names, Positions> Visual for Joints<Names, Positions> {
     const NAME: &'static str = "Joints";
 }
 

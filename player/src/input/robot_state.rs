@@ -105,9 +105,8 @@ impl RobotState {
 
     /// Joint angles.
     #[info(unit = "rad", frame = "robot")]
-    fn joint_angles(&self) -> visual::Joints<Joint, JOINTS> {
-        let (names, positions) = (Joint::ALL.into_iter().collect(), self.angles.0.into_iter().collect());
-        visual::Joints { names, positions }
+    const fn joint_angles(&self) -> visual::Joints<[Joint; JOINTS], [f32; JOINTS]> {
+        visual::Joints { names: Joint::ALL, positions: self.angles.0 }
     }
 
     /// Turn rates of the gyroscope and acceleration, along the torso's axes.

@@ -79,7 +79,7 @@ mod tests {
             ("Store<f32>", "store_f32"),
             ("place_box", "place_box"),
             ("Is2D__x", "is2_d_x"),
-            ("3D", "x3d"),
+            ("3D", "x3_d"),
             ("ä", "x"),
         ];
         for (name, expected) in pairs {

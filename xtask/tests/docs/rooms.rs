@@ -33,8 +33,8 @@ const TREES: [&str; 2] = ["player/src/forward.rs", "examples/goalkeeper/src/tree
 const JOINTS: &str = "bica-motion/src/joints.rs";
 /// Words of soccer: `BALL`, `place_ball` and `BallKeeper` contain one of them.
 const OBJECTS: [&str; 4] = ["ball", "goal", "soccer", "nao"];
-/// Components whose names generic code may use for something else.
-const WORDS: [&str; 5] = ["Body", "Head", "Turn", "Player", "Walk"];
+/// Components whose names generic code may use for something else, such as a message of ROS.
+const WORDS: [&str; 6] = ["Body", "Head", "Odometry", "Turn", "Player", "Walk"];
 /// Cameras of a robot.
 const CAMERAS: [&str; 2] = ["top_camera", "bottom_camera"];
 

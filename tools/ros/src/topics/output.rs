@@ -109,7 +109,7 @@ impl Form {
 
     /// Only one value of a type can be a message of its own.
     fn of_shape(Placement { shape, frame, child }: &Placement, type_name: &str) -> Self {
-        let is_list = type_name.contains(['[']) || type_name.contains("List");
+        let is_list = type_name.contains('[') || type_name.contains("List");
         match shape.as_str() {
             "Pose2" | "Pose3" if child.is_some() => {
                 if frame == "odometry" {
@@ -119,8 +119,8 @@ impl Form {
                 }
             }
             "Scan" if !is_list => Self::Scan,
-            "Joints" if !is_list => Self::Joints,
-            "Imu" if !is_list => Self::Imu,
+            "Joints" => Self::Joints,
+            "Imu" => Self::Imu,
             CALIBRATION => Self::Camera,
             image if image.starts_with("Image") => Self::Text,
             "Point2" | "Point3" if !is_list => Self::Point,
