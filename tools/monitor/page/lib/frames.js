@@ -40,12 +40,14 @@ export function inverse(m) {
 export const headingOf = (m) => Math.atan2(m[4], m[0]);
 
 const IN_IMAGE = /^(Image|CameraCalibration)/;
+/** Types with a frame that are numbers, not drawings. */
+const NUMBERS = /^(Joints|Imu)$/;
 
 /** The outputs that can be drawn on a map, or in an image: [{component, name, index, info}] with the component's number and name. */
 export function visuals(description, inImage) {
   return (description?.components ?? []).flatMap(({ name, info: infos }, component) => infos
     .map((info, index) => ({ component, name, index, info }))
-    .filter(({ info }) => info.frame && IN_IMAGE.test(info.shape) === inImage));
+    .filter(({ info }) => info.frame && !NUMBERS.test(info.shape) && IN_IMAGE.test(info.shape) === inImage));
 }
 
 /** Number of the colour of a component, the same on the map and in the image. */

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::foxglove::{annotations, calibration, colour, points, scene, transforms};
 use super::preview::Preview;
 use super::protobuf::Protobuf;
-use super::shape::{CALIBRATION, OPTICAL, each, pose, shapes};
+use super::shape::{CALIBRATION, OPTICAL, each, is_drawn, pose, shapes};
 use super::{Derived, Schema};
 use crate::mcap::Compression;
 use crate::message::TreeRecord;
@@ -41,7 +41,8 @@ impl Outputs {
         let mut outputs = Vec::new();
         for (component, owner) in tree.components.iter().enumerate() {
             for (index, info) in owner.info.iter().enumerate() {
-                let Some(placement) = info.placement.clone() else { continue };
+                let placement = info.placement.clone().filter(|placement| is_drawn(&placement.shape));
+                let Some(placement) = placement else { continue };
                 let name = format!("{}/{}", owner.name, info.name);
                 outputs.push(Output { key: (component, index), name, placement, last: (Value::Null, None) });
             }

@@ -38,6 +38,12 @@ pub const OPTICAL: Pose = Pose { position: [0.0; 3], rotation: [-0.5, 0.5, -0.5,
 /// Visual type of the parameters of a camera.
 pub const CALIBRATION: &str = "CameraCalibration";
 
+/// Whether values of a visual type are drawn; those of a robot's own body are numbers.
+#[must_use]
+pub fn is_drawn(kind: &str) -> bool {
+    !matches!(kind, "Joints" | "Imu")
+}
+
 /// Calls a function with each value of an output, which may be an option or a list.
 pub fn each<'a>(value: &'a Value, take: &mut impl FnMut(&'a Value)) {
     match value {
