@@ -8,7 +8,7 @@ use bica_motion::joints::Joints;
 use glam::Vec3;
 
 use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding};
-use crate::exercise::{ExerciseCheck, Judgement, Reasons, Verdict};
+use crate::exercise::{ExerciseCheck, Judgement};
 use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
 use crate::session::{Session, Step};
 use crate::skeleton::{POINTS, Skeleton};
@@ -71,45 +71,16 @@ pub struct Command {
 
 /// A repetition of a person.
 #[message]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noted {
     /// Number of the step.
     pub step: u16,
-    /// Whether it was correct; `None` if it could not be told.
-    pub correct: Option<bool>,
-    /// The arm stayed too low.
-    pub too_low: bool,
-    /// The trunk leaned.
-    pub leaning: bool,
-    /// The arm moved in another plane.
-    pub wrong_direction: bool,
-    /// It was too short.
-    pub too_fast: bool,
-    /// The person was not seen well enough.
-    pub not_seen: bool,
+    /// The judgement.
+    pub judgement: Judgement,
     /// Largest angle of the arm, degrees.
     pub peak: f32,
     /// Angle that is enough, degrees.
     pub goal: f32,
-}
-
-impl Noted {
-    const fn new(step: u16, judgement: Judgement, [peak, goal]: [f32; 2]) -> Self {
-        let Reasons { too_low, leaning, wrong_direction, too_fast, not_seen, unsure, .. } = judgement.reasons;
-        let correct = match judgement.verdict {
-            Verdict::Correct => Some(true),
-            Verdict::Incorrect => Some(false),
-            Verdict::CannotTell => None,
-        };
-        Self { step, correct, too_low, leaning, wrong_direction, too_fast, not_seen: not_seen || unsure, peak, goal }
-    }
-
-    /// The names of the reasons that hold.
-    pub fn reasons(&self) -> impl Iterator<Item = &'static str> {
-        let Self { too_low, leaning, wrong_direction, too_fast, not_seen, .. } = *self;
-        Reasons { too_low, leaning, wrong_direction, too_fast, not_seen, ..Reasons::default() }.names()
-    }
 }
 
 /// Stiffness of all joints after a fall.
@@ -160,7 +131,7 @@ impl Robot for Therapist {
         let (lights, sound) = (self.get::<Lights>().shining(), self.get::<Sound>().sounding());
         let step = self.get::<Session>().at();
         let noted = self.get_mut::<ExerciseCheck>().take_news();
-        let noted = noted.map(|(judgement, angles)| Noted::new(step, judgement, angles));
+        let noted = noted.map(|(judgement, [peak, goal])| Noted { step, judgement, peak, goal });
         Command { targets, stiffness, lights, sound, noted }
     }
 }

@@ -17,6 +17,7 @@ use rand_pcg::{Pcg32, rand_core::Rng};
 
 use crate::body::{REST, Sounding};
 use crate::cli;
+use crate::exercise::Judgement;
 use crate::input::Pressed;
 use crate::record::Record;
 use crate::robot::{Command, Order, Seen, Sensors, Therapist};
@@ -215,7 +216,9 @@ impl World<Therapist> for Room {
         self.sound = command.sound;
         if let Some(noted) = &command.noted {
             let seconds = self.cycle as f32 / RATE as f32;
-            self.log.push(format!("{seconds:8.2} s  {noted:?}"));
+            let Judgement { verdict, reasons } = noted.judgement;
+            let reasons: Vec<_> = reasons.names().collect();
+            self.log.push(format!("{seconds:8.2} s  {} {}", verdict.name(), reasons.join(", ")));
             if let Some(Err(failure)) = self.record.as_mut().map(|record| record.note(seconds, noted)) {
                 self.log.push(format!("{failure:?}"));
             }

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 pub use report::report;
 
+use crate::exercise::Judgement;
 use crate::robot::Noted;
 
 /// What a record begins with.
@@ -32,8 +33,8 @@ pub struct Line {
     pub seconds: f32,
     /// Line of the exercise in the session.
     pub line: usize,
-    /// Whether it was correct; `None` if it could not be told.
-    pub correct: Option<bool>,
+    /// `correct`, `incorrect` or `cannot_tell`.
+    pub verdict: String,
     /// Why not.
     pub reasons: Vec<String>,
     /// Largest angle of the arm, degrees.
@@ -85,8 +86,9 @@ impl Record {
     /// If the file cannot be written.
     pub fn note(&mut self, seconds: f32, noted: &Noted) -> Result<(), Failure> {
         let line = self.lines.get(usize::from(noted.step)).copied().unwrap_or_default();
-        let reasons = noted.reasons().map(str::to_owned).collect();
-        self.write(&Line { seconds, line, correct: noted.correct, reasons, peak: noted.peak, goal: noted.goal })
+        let Judgement { verdict, reasons } = noted.judgement;
+        let (verdict, reasons) = (verdict.name().to_owned(), reasons.names().map(str::to_owned).collect());
+        self.write(&Line { seconds, line, verdict, reasons, peak: noted.peak, goal: noted.goal })
     }
 
     fn write(&mut self, value: &impl Serialize) -> Result<(), Failure> {
@@ -134,6 +136,7 @@ pub fn forget(folder: &Path, code: &str) -> Result<usize, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exercise::{Reasons, Verdict};
 
     #[test]
     fn a_record_is_reported_and_forgotten_and_others_stay() {
@@ -141,10 +144,15 @@ mod tests {
         fs::create_dir_all(&folder).expect("a folder");
         for code in ["K-27", "K-27", "K-2"] {
             let mut record = Record::begin(&folder, code, "Arms <gentle>", vec![7, 9]).expect("a record");
-            let good = Noted { step: 1, correct: Some(true), peak: 98.0, goal: 90.0, ..Noted::default() };
-            record.note(3.0, &good).expect("a line");
-            record.note(6.0, &Noted { correct: Some(false), too_low: true, peak: 70.0, ..good }).expect("a line");
-            record.note(9.0, &Noted { correct: None, not_seen: true, ..good }).expect("a line");
+            let reasons = Reasons::default();
+            for (verdict, reasons, peak) in [
+                (Verdict::Correct, reasons, 98.0),
+                (Verdict::Incorrect, Reasons { too_low: true, ..reasons }, 70.0),
+                (Verdict::CannotTell, Reasons { not_seen: true, ..reasons }, 90.0),
+            ] {
+                let judgement = Judgement { verdict, reasons };
+                record.note(3.0, &Noted { step: 1, judgement, peak, goal: 90.0 }).expect("a line");
+            }
         }
         let page = report(&folder, "K-27").expect("a page");
         assert_eq!(page.matches("<h2>Arms &lt;gentle&gt;").count(), 2, "{page}");

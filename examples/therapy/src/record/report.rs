@@ -13,8 +13,8 @@ const BAR: usize = 34;
 const HEIGHT: f32 = 180.0;
 
 const STYLE: &str = "body{font:18px sans-serif;max-width:60em;margin:2em auto;color:#14202e}svg{display:block}\
-    rect{stroke-width:2}.yes{fill:#2c9a5f;stroke:#137a48}.no{fill:#f4b232;stroke:#8a5200}\
-    .unknown{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
+    rect{stroke-width:2}.correct{fill:#2c9a5f;stroke:#137a48}.incorrect{fill:#f4b232;stroke:#8a5200}\
+    .cannot_tell{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
 
 /// Makes a page in HTML about all sessions of a code.
 ///
@@ -42,17 +42,13 @@ pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
 }
 
 fn write_exercise(page: &mut String, lines: &[Line]) {
-    let count = |told: Option<bool>| lines.iter().filter(|line| line.correct == told).count();
-    let mut reasons: Vec<&str> = lines
-        .iter()
-        .filter(|line| line.correct == Some(false))
-        .flat_map(|line| &line.reasons)
-        .map(|reason| &**reason)
-        .collect();
+    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
+    let wrong = lines.iter().filter(|line| line.verdict == "incorrect");
+    let mut reasons: Vec<&str> = wrong.flat_map(|line| &line.reasons).map(String::as_str).collect();
     reasons.sort_unstable();
     reasons.dedup();
     let reasons = if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join(", ")) };
-    let (yes, no, unknown) = (count(Some(true)), count(Some(false)), count(None));
+    let (yes, no, unknown) = (count("correct"), count("incorrect"), count("cannot_tell"));
     let _ = writeln!(
         page,
         "<h3>Line {}</h3><p>{yes} correct, {no} not correct{reasons}, {unknown} not seen</p>",
@@ -64,10 +60,13 @@ fn write_exercise(page: &mut String, lines: &[Line]) {
         "<svg width=\"{width}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"highest angle of each repetition\">"
     );
     for (index, line) in lines.iter().enumerate() {
-        let class = line.correct.map_or("unknown", |correct| if correct { "yes" } else { "no" });
         let height = line.peak.clamp(0.0, HEIGHT);
         let (x, y) = (BAR * index + 6, HEIGHT - height);
-        let _ = write!(page, "<rect class=\"{class}\" x=\"{x}\" y=\"{y:.0}\" width=\"24\" height=\"{height:.0}\">");
+        let _ = write!(
+            page,
+            "<rect class=\"{}\" x=\"{x}\" y=\"{y:.0}\" width=\"24\" height=\"{height:.0}\">",
+            line.verdict
+        );
         let _ = write!(page, "<title>{:.0}°, goal {:.0}°</title></rect>", line.peak, line.goal);
     }
     let goal = HEIGHT - lines[0].goal.clamp(0.0, HEIGHT);
