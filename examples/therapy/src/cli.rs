@@ -13,6 +13,7 @@ use clap::{Args, Subcommand};
 
 use crate::exercise::Judging;
 use crate::judge;
+use crate::record;
 use crate::robot::Therapist;
 use crate::room::Room;
 use crate::script::{EXAMPLE, Problem, Script};
@@ -24,6 +25,10 @@ enum Commands {
     Check(Check),
     /// Write a session that shows what can be said, to begin with
     New(New),
+    /// Print a page about the records of a person
+    Report(Records),
+    /// Delete all records of a person
+    Forget(Records),
     /// Judge recorded exercises against the first three correct ones of each person
     Judge(Judge),
 }
@@ -40,6 +45,16 @@ struct New {
     /// The new file
     #[arg(value_name = "FILE")]
     file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+struct Records {
+    /// Folder of the records
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// Code of the person
+    #[arg(value_name = "CODE")]
+    code: String,
 }
 
 #[derive(Debug, Args)]
@@ -67,6 +82,8 @@ Examples:
   therapy play morning.session                play it in a simulated room; the same as
   therapy run --option session=morning.session
   therapy play morning.session --realtime --serve 127.0.0.1:7400
+  therapy play morning.session --option code=K-27 --option records=FOLDER
+  therapy report FOLDER K-27 > page.html      what was done
   therapy judge FOLDER --json                 judge recorded exercises
 
 It is no medical device, and its stop is no certified safety function.";
@@ -79,6 +96,10 @@ pub fn run() -> ExitCode {
     let app = app.commands(|command| match command {
         Commands::Check(Check { file }) => check(&file),
         Commands::New(New { file }) => new(&file),
+        Commands::Report(Records { folder, code }) => print(&record::report(&folder, &code)?),
+        Commands::Forget(Records { folder, code }) => {
+            print(&format!("{code}: {} records deleted", record::forget(&folder, &code)?))
+        }
         Commands::Judge(args) => run_judge(&args),
     });
     app.run_from(arguments(env::args_os()))
@@ -111,19 +132,22 @@ pub fn open(file: &Path) -> Result<Script, Failure> {
     if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }
 }
 
+fn print(text: &str) -> Result<Outcome, Failure> {
+    Console::new(false).print(text)?;
+    Ok(Outcome::Success)
+}
+
 fn check(file: &Path) -> Result<Outcome, Failure> {
     let script = open(file)?;
     let (steps, sounds) = (script.steps.len(), script.clips.len());
-    Console::new(false).print(&format!("{}: {steps} steps, {sounds} sounds, no errors", file.display()))?;
-    Ok(Outcome::Success)
+    print(&format!("{}: {steps} steps, {sounds} sounds, no errors", file.display()))
 }
 
 fn new(file: &Path) -> Result<Outcome, Failure> {
     let created = fs::File::create_new(file).and_then(|mut made| made.write_all(EXAMPLE.as_bytes()));
     created
         .map_err(|error| Failure::of_path("create", file, &error, "choose another name, in a folder that exists"))?;
-    Console::new(false).print(&format!("{}: change it, then run `therapy check` on it", file.display()))?;
-    Ok(Outcome::Success)
+    print(&format!("{}: change it, then run `therapy check` on it", file.display()))
 }
 
 fn run_judge(args: &Judge) -> Result<Outcome, Failure> {

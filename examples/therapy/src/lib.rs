@@ -6,6 +6,7 @@
 //! - [`input`]: components that keep what the robot receives.
 //! - [`session`]: what a session does, step by step.
 //! - [`robot`]: the activation tree, its sensors and its command.
+//! - `record`: what is kept of a session.
 //! - `room`: a simulated room with a person.
 //! - `script`: the session language.
 //! - `judge`: judges recorded exercises.
@@ -21,6 +22,8 @@ pub mod exercise;
 pub mod input;
 #[cfg(feature = "host")]
 pub mod judge;
+#[cfg(feature = "host")]
+pub mod record;
 pub mod robot;
 #[cfg(feature = "host")]
 pub mod room;

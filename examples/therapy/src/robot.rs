@@ -8,7 +8,7 @@ use bica_motion::joints::Joints;
 use glam::Vec3;
 
 use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding};
-use crate::exercise::ExerciseCheck;
+use crate::exercise::{ExerciseCheck, Judgement};
 use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
 use crate::session::{Session, Step};
 use crate::skeleton::{POINTS, Skeleton};
@@ -65,6 +65,22 @@ pub struct Command {
     pub lights: Shining,
     /// Sound.
     pub sound: Sounding,
+    /// A repetition of the person, to be recorded.
+    pub noted: Option<Noted>,
+}
+
+/// A repetition of a person.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Noted {
+    /// Number of the step.
+    pub step: u16,
+    /// The judgement.
+    pub judgement: Judgement,
+    /// Largest angle of the arm, degrees.
+    pub peak: f32,
+    /// Angle that is enough, degrees.
+    pub goal: f32,
 }
 
 /// Stiffness of all joints after a fall.
@@ -113,6 +129,9 @@ impl Robot for Therapist {
         let fallen = self.get::<Guard>().trouble() == Some(Trouble::Fallen);
         let stiffness = if fallen { Joints(stiffness.0.map(|stiffness| stiffness.min(FALLEN))) } else { stiffness };
         let (lights, sound) = (self.get::<Lights>().shining(), self.get::<Sound>().sounding());
-        Command { targets, stiffness, lights, sound }
+        let step = self.get::<Session>().at();
+        let noted = self.get_mut::<ExerciseCheck>().take_news();
+        let noted = noted.map(|(judgement, [peak, goal])| Noted { step, judgement, peak, goal });
+        Command { targets, stiffness, lights, sound, noted }
     }
 }

@@ -17,7 +17,9 @@ use rand_pcg::{Pcg32, rand_core::Rng};
 
 use crate::body::{REST, Sounding};
 use crate::cli;
+use crate::exercise::Judgement;
 use crate::input::Pressed;
+use crate::record::Record;
 use crate::robot::{Command, Order, Seen, Sensors, Therapist};
 use crate::session::Step;
 use crate::skeleton::{POINTS, Point};
@@ -46,10 +48,12 @@ pub struct Room {
     peak: f32,
     /// What began and ended, with its time.
     log: Vec<String>,
+    record: Option<Record>,
 }
 
 impl Room {
-    /// A room for the options of a run: `session` is a file, `person` is `yes` or `no`, `start` too.
+    /// A room for the options of a run: `session` is a file, `person` is `yes` or `no`, `start` too. With `code`, a record is kept in
+    /// the folder `records`.
     ///
     /// # Errors
     /// If an option is missing or wrong, or the session has an error.
@@ -65,7 +69,12 @@ impl Room {
         }
         let yes = |name| options.value(name, "yes".to_owned()).map(|value| value == "yes");
         let orders = script.orders(file.parent().unwrap_or(Path::new("")));
-        Ok(Self::new(orders, options.seed, yes("person")?, yes("start")?))
+        let mut room = Self::new(orders, options.seed, yes("person")?, yes("start")?);
+        let (code, folder) = (options.value("code", String::new())?, options.value("records", ".".to_owned())?);
+        if !code.is_empty() {
+            room.record = Some(Record::begin(Path::new(&folder), &code, &script.title, script.lines)?);
+        }
+        Ok(room)
     }
 
     /// A room where a session is loaded, and started if wanted.
@@ -83,6 +92,7 @@ impl Room {
             person: person.then(|| Pcg32::new(seed, 1)),
             peak: 100.0,
             log: Vec::new(),
+            record: None,
         }
     }
 
@@ -204,6 +214,15 @@ impl World<Therapist> for Room {
             self.log.push(format!("{:8.2} s  {:?}", self.cycle as f32 / RATE as f32, command.sound));
         }
         self.sound = command.sound;
+        if let Some(noted) = &command.noted {
+            let seconds = self.cycle as f32 / RATE as f32;
+            let Judgement { verdict, reasons } = noted.judgement;
+            let reasons: Vec<_> = reasons.names().collect();
+            self.log.push(format!("{seconds:8.2} s  {} {}", verdict.name(), reasons.join(", ")));
+            if let Some(Err(failure)) = self.record.as_mut().map(|record| record.note(seconds, noted)) {
+                self.log.push(format!("{failure:?}"));
+            }
+        }
         self.pressed.1 = self.pressed.1.saturating_sub(1);
         self.cycle += 1;
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 use bica::runner::harness::{Harness, InWorld};
 use bica::{Duration, Tree};
 use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::model::Nao;
 use rand_pcg::{Pcg32, rand_core::Rng};
 use therapy::body::Mover;
 use therapy::exercise::ExerciseCheck;
@@ -212,4 +213,39 @@ fn equal_seeds_give_equal_logs() {
     };
     assert_eq!(play(1), play(1));
     assert!(play(1).len() > 6);
+}
+
+/// A silent song of three minutes: 8000 bytes a second.
+fn song(folder: &Path) {
+    let size: u32 = 180 * 8000;
+    let mut wav = b"RIFF\0\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1f\0\0\x40\x1f\0\0\x01\0\x08\0data".to_vec();
+    wav.extend(size.to_le_bytes());
+    wav.resize(wav.len() + size as usize, 128);
+    std::fs::write(folder.join("song.wav"), wav).expect("a file");
+}
+
+#[test]
+fn long_sessions_keep_ranges_speed_and_time() {
+    let folder = std::env::temp_dir().join(format!("therapy-session-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    song(&folder);
+    for name in ["physiotherapy", "music", "language"] {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("sessions/{name}.session"));
+        let script = Script::parse(&std::fs::read_to_string(file).expect("a session")).expect("a right session");
+        assert_eq!(script.check_files(&folder), []);
+        let mut test = Harness::new(Therapist::new()).in_world(Room::new(script.orders(&folder), 1, true, true));
+        let (mut last, mut at_once) = (*test.world().angles(), 0);
+        while test.state::<Session>() != Some("finished") {
+            test.cycle();
+            let angles = *test.world().angles();
+            assert!(angles.within_limits::<Nao>() && way(&last, &angles) <= 0.65, "{name} {:?}", test.now());
+            // The cycles between two waits: each command begins within 100 ms of its place.
+            at_once = if test.state::<Session>() == Some("running") { at_once + 1 } else { 0 };
+            assert!(at_once < 10, "{name} {:?}", test.now());
+            last = angles;
+        }
+        let minutes = test.now().as_secs() as f32 / 60.0;
+        assert!((10.0..20.0).contains(&minutes), "{name}: {minutes} min");
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder");
 }

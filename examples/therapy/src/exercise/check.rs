@@ -15,6 +15,8 @@ pub struct ExerciseCheck {
     waited: f32,
     counts: Counts,
     last: Option<Judgement>,
+    /// What is to be recorded of the newest repetition.
+    news: Option<(Judgement, [f32; 2])>,
 }
 
 /// What the check does.
@@ -46,7 +48,7 @@ impl ExerciseCheck {
     #[must_use]
     pub const fn new() -> Self {
         let counts = Counts { repetitions: 0, correct: 0, incorrect: 0, cannot_tell: 0 };
-        Self { stage: Stage::Idle, taken: 0, waited: 0.0, counts, last: None }
+        Self { stage: Stage::Idle, taken: 0, waited: 0.0, counts, last: None, news: None }
     }
 
     fn step(&mut self, tuned: &Tuned<Judging>, pose: &PatientPose, time: &Time) {
@@ -77,6 +79,7 @@ impl ExerciseCheck {
                 };
                 if let Some(repetition) = counter.push(trunk, arm, dt) {
                     let judgement = judging.judge(example, &repetition);
+                    self.news = Some((judgement, [repetition.peak, example.peak - judging.too_low]));
                     self.count(judgement);
                 }
             }
@@ -106,6 +109,11 @@ impl ExerciseCheck {
             *counter = Counter::new(example.reference);
         }
         (self.counts, self.last) = (Counts::default(), None);
+    }
+
+    /// Takes the judgement of a new repetition with the largest angle and the angle that is enough, degrees.
+    pub const fn take_news(&mut self) -> Option<(Judgement, [f32; 2])> {
+        self.news.take()
     }
 
     /// Whether it learns.

@@ -37,7 +37,7 @@ pub struct Judging {
 const FEWEST: u32 = 8;
 
 /// Whether a repetition was correct.
-#[output]
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// As the examples.
@@ -61,7 +61,7 @@ impl Verdict {
 }
 
 /// Why a repetition is not correct, or cannot be judged.
-#[output]
+#[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
 pub struct Reasons {
@@ -98,7 +98,7 @@ impl Reasons {
 }
 
 /// A verdict with its reasons.
-#[output]
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Judgement {
     /// Whether the repetition was correct.

@@ -78,7 +78,7 @@ const WRONG: [(&str, &str); 43] = [
     ("exercise nod reps 2.5 at most 60 s", "1:19: 2.5 is not a number of repetitions"),
     ("exercise nod reps 2", "1:20: `at` is missing"),
     ("stop dancing", "1:6: `dancing` is not a task Allowed: movement, speech, music, walk, all"),
-    ("wait 1 s\ngo to strat\nplace start\nwait 1 s", "2:7: there is no place `strat`; did you mean `start`?"),
+    ("wait 1 s\ngo to halls\nplace hall\nwait 1 s", "2:7: there is no place `halls`; did you mean `hall`?"),
     ("place a\nwait 1 s\nplace a\nwait 1 s", "3:7: there is a place `a` already"),
     ("repeat 2 times\nplace a\nwait 1 s\nend", "2:1: a place cannot be between"),
     ("wait 1 s\nwhen done\nend", "2:1: `when` must follow an exercise"),

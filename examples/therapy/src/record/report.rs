@@ -1,0 +1,101 @@
+//! A page about the records of a person.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use bica_app::Failure;
+
+use super::{Head, Line, files};
+
+/// Width of a bar with its gap, and height of 180°, pixels of the page.
+const BAR: usize = 34;
+const HEIGHT: f32 = 180.0;
+
+const STYLE: &str = "body{font:18px sans-serif;max-width:60em;margin:2em auto;color:#14202e}svg{display:block}\
+    rect{stroke-width:2}.correct{fill:#2c9a5f;stroke:#137a48}.incorrect{fill:#f4b232;stroke:#8a5200}\
+    .cannot_tell{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
+
+/// Makes a page in HTML about all sessions of a code.
+///
+/// # Errors
+/// If there is no record, or one cannot be read.
+pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
+    let mut page =
+        format!("<!doctype html><meta charset=\"utf-8\"><title>{code}</title><style>{STYLE}</style><h1>{code}</h1>\n");
+    for file in files(folder, code)? {
+        let failed =
+            |error: &dyn std::fmt::Display| Failure::of_path("read", &file, error, "delete the file, or mend it");
+        let text = fs::read_to_string(&file).map_err(|error| failed(&error))?;
+        let mut lines = text.lines();
+        let head: Head = serde_json::from_str(lines.next().unwrap_or_default()).map_err(|error| failed(&error))?;
+        let lines =
+            lines.map(serde_json::from_str).collect::<Result<Vec<Line>, _>>().map_err(|error| failed(&error))?;
+        let title = head.session.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        let _ = writeln!(page, "<h2>{title}, {}</h2>", date(head.begun));
+        for exercise in lines.chunk_by(|a, b| a.line == b.line) {
+            write_exercise(&mut page, exercise);
+        }
+    }
+    page.push_str("<p>Angles of the arm and counts, by a program that is no medical device.</p>\n");
+    Ok(page)
+}
+
+fn write_exercise(page: &mut String, lines: &[Line]) {
+    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
+    let wrong = lines.iter().filter(|line| line.verdict == "incorrect");
+    let mut reasons: Vec<&str> = wrong.flat_map(|line| &line.reasons).map(String::as_str).collect();
+    reasons.sort_unstable();
+    reasons.dedup();
+    let reasons = if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join(", ")) };
+    let (yes, no, unknown) = (count("correct"), count("incorrect"), count("cannot_tell"));
+    let _ = writeln!(
+        page,
+        "<h3>Line {}</h3><p>{yes} correct, {no} not correct{reasons}, {unknown} not seen</p>",
+        lines[0].line
+    );
+    let width = BAR * lines.len() + 10;
+    let _ = write!(
+        page,
+        "<svg width=\"{width}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"highest angle of each repetition\">"
+    );
+    for (index, line) in lines.iter().enumerate() {
+        let height = line.peak.clamp(0.0, HEIGHT);
+        let (x, y) = (BAR * index + 6, HEIGHT - height);
+        let _ = write!(
+            page,
+            "<rect class=\"{}\" x=\"{x}\" y=\"{y:.0}\" width=\"24\" height=\"{height:.0}\">",
+            line.verdict
+        );
+        let _ = write!(page, "<title>{:.0}°, goal {:.0}°</title></rect>", line.peak, line.goal);
+    }
+    let goal = HEIGHT - lines[0].goal.clamp(0.0, HEIGHT);
+    let _ = writeln!(page, "<line x1=\"0\" x2=\"{width}\" y1=\"{goal:.0}\" y2=\"{goal:.0}\"/></svg>");
+}
+
+/// Date of a time, seconds since 1970, in UTC. Source: Howard Hinnant, `chrono`-compatible low-level date algorithms, 2013.
+fn date(seconds: u64) -> String {
+    let days = seconds / 86_400 + 719_468;
+    let (era, day) = (days / 146_097, days % 146_097);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let (of_month, month) = (day - (153 * month + 2) / 5 + 1, if month < 10 { month + 3 } else { month - 9 });
+    let year = year + 400 * era + u64::from(month <= 2);
+    format!("{year}-{month:02}-{of_month:02}")
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn dates_of_leap_years() {
+        for (seconds, date) in [
+            (0, "1970-01-01"),
+            (951_782_400, "2000-02-29"),
+            (1_709_251_199, "2024-02-29"),
+            (1_709_251_200, "2024-03-01"),
+        ] {
+            assert_eq!(super::date(seconds), date);
+        }
+    }
+}
