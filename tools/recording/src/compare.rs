@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::fields::{Field, fields};
 use bica_wire::model::Description;
 
-use crate::header::{Header, Messages};
+use crate::header::Header;
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
 
@@ -52,7 +52,6 @@ pub struct Decision {
 pub struct Comparison {
     tree: Description,
     tick_hz: u64,
-    messages: Option<Messages>,
     /// Number of compared cycles.
     pub cycles: u64,
     /// The first difference.
@@ -70,12 +69,11 @@ impl Comparison {
     /// A comparison of runs of the robot of a recording.
     #[must_use]
     pub fn new(header: &Header) -> Self {
-        let (tree, messages) = (header.tree.clone(), header.messages.clone());
+        let tree = header.tree.clone();
         let differed = vec![false; tree.components.len()];
         Self {
             tree,
             tick_hz: header.tick_hz.max(1),
-            messages,
             cycles: 0,
             first: None,
             decisions: Vec::new(),
@@ -138,7 +136,7 @@ impl Comparison {
                 (!same).then(|| Found::new("requests", (describe(&recorded.requests), describe(&repeated.requests))))
             })
             .or_else(|| {
-                let schema = self.messages.as_ref().map(|messages| &messages.sensors);
+                let schema = self.tree.messages.as_ref().map(|messages| &messages.sensors);
                 message("sensors", schema, [&recorded.sensors, &repeated.sensors])
             })
             .or_else(|| digest("sensors", a.sensors, b.sensors))
@@ -146,7 +144,7 @@ impl Comparison {
             .or_else(|| self.tree_field(recorded, repeated))
             .or_else(|| digest("tree", a.tree, b.tree))
             .or_else(|| {
-                let schema = self.messages.as_ref().map(|messages| &messages.command);
+                let schema = self.tree.messages.as_ref().map(|messages| &messages.command);
                 message("command", schema, [&recorded.command, &repeated.command])
             })
             .or_else(|| digest("command", a.command, b.command))

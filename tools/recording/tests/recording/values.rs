@@ -76,7 +76,8 @@ fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_
     let header = header(ImagePolicy::All);
     let info = &header.tree.components[1].info;
     assert_eq!((info[0].name.as_str(), info[1].unit.as_deref()), ("runs", Some("h")));
-    assert_eq!(header.schemas[1], [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
+    let schemas: Vec<_> = header.tree.components[1].info.iter().map(|output| output.schema.clone()).collect();
+    assert_eq!(schemas, [Some(u32::SCHEMA.into()), Some(<(Option<bool>, f32)>::SCHEMA.into())]);
 }
 
 #[test]
