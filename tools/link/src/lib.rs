@@ -38,7 +38,7 @@ pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
 pub use memory::Memory;
 pub use pending::Pending;
-pub use schema::decode as decode_info;
+pub use schema::{decode as decode_info, decode_exactly, decode_message};
 pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};
 

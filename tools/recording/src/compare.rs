@@ -1,10 +1,10 @@
 //! Comparison of a recorded run with a repeated one.
 
+use bica_link::decode_exactly;
+use bica_wire::model::Description;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
-
-use crate::fields::{Field, fields};
-use bica_wire::model::Description;
+use serde_json::Value;
 
 use crate::header::Header;
 use crate::recording::RecordedCycle;
@@ -210,15 +210,28 @@ impl Found {
 /// Returns the first value of a message that differs.
 fn message(name: &str, schema: Option<&OwnedNamedType>, [one, two]: [&Option<Vec<u8>>; 2]) -> Option<Found> {
     let (one, two) = one.as_ref().zip(two.as_ref()).filter(|(one, two)| one != two)?;
-    let all = |bytes: &[u8]| schema.and_then(|schema| fields(schema, bytes)).unwrap_or_default();
-    let (one, two) = (all(one), all(two));
-    let nothing = Field { path: String::new(), text: "nothing".to_owned(), number: None };
-    let count = one.len().max(two.len());
-    let pair = |index| [&one, &two].map(|fields| fields.get(index).unwrap_or(&nothing));
-    // Fields that are the same and bytes that are not: texts that are written in two ways.
-    let [one, two] = (0..count).map(pair).find(|[one, two]| (&one.path, &one.text) != (&two.path, &two.text))?;
-    let path = if one.path.is_empty() { &two.path } else { &one.path };
-    Some(Found::new(&format!("{name}{path}"), (one.text.clone(), two.text.clone())))
+    let [one, two] = [one, two].map(|bytes| schema.and_then(|schema| decode_exactly(schema, bytes)));
+    // Values that are the same and bytes that are not: texts that are written in two ways.
+    differing(name, one.as_ref(), two.as_ref())
+}
+
+/// Returns the first part of two values that differs.
+fn differing(path: &str, one: Option<&Value>, two: Option<&Value>) -> Option<Found> {
+    match (one, two) {
+        (Some(Value::Object(one)), Some(Value::Object(two))) if one.keys().eq(two.keys()) => {
+            one.keys().find_map(|key| differing(&format!("{path}.{key}"), one.get(key), two.get(key)))
+        }
+        (Some(Value::Array(one)), Some(Value::Array(two))) => (0..one.len().max(two.len()))
+            .find_map(|index| differing(&format!("{path}[{index}]"), one.get(index), two.get(index))),
+        _ => (one != two).then(|| {
+            let text = |value: Option<&Value>| match value {
+                Some(Value::String(text)) => text.clone(),
+                Some(value) => value.to_string(),
+                None => "nothing".to_owned(),
+            };
+            Found::new(path, (text(one), text(two)))
+        }),
+    }
 }
 
 fn number(field: &str, one: u64, two: u64) -> Option<Found> {

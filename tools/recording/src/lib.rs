@@ -20,7 +20,6 @@ mod contents;
 mod digest;
 mod encode;
 mod error;
-mod fields;
 mod header;
 pub mod image_codec;
 mod info;

@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 
 use bica::runner::Change;
 use bica::{Format, Value};
+use bica_link::decode_message;
 
 use crate::blob::BlobRecord;
 use crate::header::{Header, Topics};
@@ -282,8 +283,8 @@ impl Deriver {
     fn numbers(&mut self, channel: Channel, data: &[u8]) {
         let messages = self.header.messages();
         let json = match channel {
-            Channel::Sensors => messages.and_then(|messages| numbers::message(&messages.sensors, data)),
-            Channel::Command => messages.and_then(|messages| numbers::message(&messages.command, data)),
+            Channel::Sensors => messages.and_then(|messages| decode_message(&messages.sensors, data)),
+            Channel::Command => messages.and_then(|messages| decode_message(&messages.command, data)),
             _ => postcard::from_bytes::<Costs>(data).ok().map(|costs| numbers::costs(&self.header.tree, &costs)),
         };
         if let Some(json) = json {

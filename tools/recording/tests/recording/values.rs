@@ -165,7 +165,7 @@ fn every_changed_value_is_a_difference_of_its_field() {
         })
     };
     assert_eq!(command(|command| command.torques[1] = 0.5), "command.torques[1]");
-    assert_eq!(command(|command| command.lamp = Lamp::Bright { share: 0.5 }), "command.lamp.share");
+    assert_eq!(command(|command| command.lamp = Lamp::Bright { share: 0.5 }), "command.lamp.Bright.share");
     assert_eq!(command(|command| command.lamp = Lamp::Dark), "command.lamp");
     let active = differs(&|cycle| cycle.tree.active[0] ^= 1);
     assert_eq!(active, (Some("Blinker".to_owned()), "active".to_owned()));
