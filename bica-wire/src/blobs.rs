@@ -5,6 +5,7 @@
 
 use core::iter;
 
+use bica_core::Format;
 use postcard::de_flavors;
 use postcard::ser_flavors::{ExtendFlavor, Flavor};
 use postcard::{Deserializer, Error};
@@ -31,6 +32,13 @@ pub fn decode<'a, T: Deserialize<'a>>(message: &'a [u8], blobs: &'a [u8]) -> Opt
     let mut deserializer = Deserializer::from_flavor(WithBlobs { message, blobs });
     let value = T::deserialize(&mut deserializer).ok()?;
     deserializer.finalize().ok()?.is_empty().then_some(value)
+}
+
+/// Reads format and frame of a blob from what follows it in a message. A long text is not followed by them: its format is
+/// [`Other`](Format::Other).
+#[must_use]
+pub fn described(rest: &[u8]) -> (Format<'_>, &str) {
+    postcard::take_from_bytes(rest).map_or((Format::Other { media_type: "" }, ""), |(described, _)| described)
 }
 
 /// Takes blobs out of what it passes on.

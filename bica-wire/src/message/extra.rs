@@ -162,6 +162,16 @@ pub enum ToMonitorExtra<'a> {
     /// How the run has ended, for people, such as `the world ended after 12.00 s`: sent when it ends, and when a monitor attaches
     /// after that.
     Result(&'a str),
+    /// A part of the schema of the robot's sensor values or command, sent with the description: a `NamedType` of postcard-schema in
+    /// postcard's format.
+    MessageSchema {
+        /// Whether it is that of the command.
+        command: bool,
+        /// Whether this is the last part.
+        last: bool,
+        /// The part.
+        bytes: &'a [u8],
+    },
 }
 
 /// A component has taken a transition.

@@ -27,8 +27,8 @@ pub use extra::{
 pub use graph::GraphItem;
 pub use image::{BlobsInfo, ImageChunk};
 pub use monitor::{
-    Attached, ComponentState, ComponentStates, CycleInfo, InfoSchema, InfoValue, LogLine, MAX_INFO_BYTES, MAX_STATES,
-    MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
+    Attached, ComponentState, ComponentStates, CycleInfo, InfoSchema, InfoValue, LogLine, LogSource, MAX_INFO_BYTES,
+    MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES, ParamValues, SCHEMA_PART_BYTES, Watch, WatchInfo,
 };
 pub use operator::{
     Answer, AnswerResult, Change, LeaseAction, LeaseState, MAX_ARGUMENTS, MAX_BATCH, RefusalCode, Request,

@@ -105,8 +105,8 @@ pub struct InfoValue<'a> {
     pub bytes: Option<&'a [u8]>,
 }
 
-/// A part of the schema of an output, sent before its first value: a `NamedType` of postcard-schema in postcard's
-/// format.
+/// A part of the schema of an output: a `NamedType` of postcard-schema in postcard's format. A program on a computer sends the schemas of
+/// all outputs before the values of parameters, a microcontroller each before the first value of its output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InfoSchema<'a> {
     /// Index of the component.
@@ -132,6 +132,22 @@ pub struct ParamValues {
     pub values: Vec<Option<Value>, MAX_VALUES>,
 }
 
+/// Where a line of a log comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+#[serde(rename_all = "snake_case")]
+pub enum LogSource {
+    /// The robot.
+    Robot,
+    /// The world, such as its referee.
+    World,
+    /// An operator: requests, and why they are refused.
+    Operator,
+    /// A note of a person.
+    Note,
+    /// A monitor: connection, recording.
+    Monitor,
+}
+
 /// A line of the robot's log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct LogLine<'a> {
@@ -139,6 +155,8 @@ pub struct LogLine<'a> {
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
+    /// Where it comes from.
+    pub source: LogSource,
     /// The text, at most [`MAX_TEXT_BYTES`].
     pub text: &'a str,
 }

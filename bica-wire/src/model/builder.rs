@@ -134,6 +134,7 @@ impl Builder {
                     unit,
                     type_name,
                     placement: placement.map(Placement::from),
+                    schema: None,
                 });
                 self.last = Last::Info(component.into());
             }

@@ -10,6 +10,7 @@ mod invalid;
 mod param;
 mod plain;
 mod request;
+mod robot;
 
 use std::borrow::ToOwned;
 use std::string::String;
@@ -22,10 +23,12 @@ pub use builder::Builder;
 pub use invalid::Invalid;
 pub use param::{Kind, Param, Variant, Variants};
 pub use plain::Plain;
+use postcard_schema::schema::owned::OwnedNamedType;
 pub use request::{NamedRequest, NamedSetting};
+pub use robot::Messages;
 use serde::{Deserialize, Serialize};
 
-/// Description of a robot's tree, and of what can be done in its world.
+/// Description of a robot: its tree, its messages, and what can be done in its world.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Description {
     /// Name.
@@ -47,6 +50,9 @@ pub struct Description {
     /// What an operator can do in the simulated world; empty without one.
     #[serde(default)]
     pub actions: Vec<Modulation>,
+    /// Schemas of the robot's messages; none as long as they are unknown, and of a microcontroller.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub messages: Option<Messages>,
 }
 
 /// A component.
@@ -130,6 +136,9 @@ pub struct Info {
     /// Visual type and frames; `None` for what is not drawn.
     #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
     pub placement: Option<Placement>,
+    /// Schema of the value; none as long as it is unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<OwnedNamedType>,
 }
 
 /// Visual type and frames of an output.

@@ -2,7 +2,11 @@
 
 use bica_core::Tree;
 use bica_core::graph::Node;
+#[cfg(feature = "std")]
+use bica_core::info::{InfoSink, Information};
 use heapless::Vec;
+#[cfg(feature = "std")]
+use postcard_schema::schema::NamedType;
 
 use crate::message::{Change, ComponentState, MAX_BATCH, MAX_VALUES, ParamValues, Setting, Value};
 
@@ -43,4 +47,19 @@ pub fn params<T: Tree>(tree: &T, cycle: u64, component: u16, first: u16) -> Opti
         let values = (start..count.min(start + MAX_VALUES)).map(value).collect();
         ParamValues { cycle, component, first, values }
     })
+}
+
+/// Schema of the output at an index of a component; `None` if there is none.
+#[cfg(feature = "std")]
+#[must_use]
+pub fn schema<T: Tree>(tree: &T, component: usize, index: usize) -> Option<&'static NamedType> {
+    struct SchemaOf(Option<&'static NamedType>);
+    impl InfoSink for SchemaOf {
+        fn take<V: Information>(&mut self, _value: &V) {
+            self.0 = Some(V::SCHEMA);
+        }
+    }
+    let mut schema = SchemaOf(None);
+    tree.read_info(component, index, &mut schema);
+    schema.0
 }

@@ -3,23 +3,24 @@
 //! The schema hash covers the names of types, variants and fields. It changed when these were renamed, and when the messages of
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
 //! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
-//! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result.
+//! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
+//! lines of the log got their source, and descriptions the schemas of the robot's messages.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
 use bica_wire::message::{
     Answer, AnswerResult, Attached, BlobsInfo, Change, ClockMode, Command, ComponentCost, ComponentCosts,
     ComponentState, ComponentStates, ConditionState, Conditions, Costs, CycleInfo, ExtraKind, FaultInjection, Hello,
-    Hold, Identity, ImageChunk, ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, Offers, RefusalCode, Request,
-    SceneContent, SceneDeclaration, SceneKind, ScenePart, Sensors, Setting, StackUsage, Value, Watch, WatchInfo,
-    WorldChange, WorldRequest, WorldState,
+    Hold, Identity, ImageChunk, ImageHead, InfoValue, LeaseAction, LeaseState, LogLine, LogSource, Offers, RefusalCode,
+    Request, SceneContent, SceneDeclaration, SceneKind, ScenePart, Sensors, Setting, StackUsage, Value, Watch,
+    WatchInfo, WorldChange, WorldRequest, WorldState,
 };
 use bica_wire::{
     Decoder, Encoder, FromMonitor, FromMonitorExtra, FromRobot, MAX_PACKET, SCHEMA, ToMonitor, ToMonitorExtra, ToRobot,
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x1094_47bd_71d5_0c91;
+const GOLDEN_SCHEMA: u64 = 0x0924_036d_830e_ba9c;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()
@@ -120,7 +121,10 @@ fn messages_of_monitors_have_the_documented_bytes() {
         to(&ToMonitor::Answer(Answer { number: 1, cycle: 2, arrived: 3, result })),
         [7, 1, 2, 3, 1, 2, 4, 1, 97]
     );
-    assert_eq!(to(&ToMonitor::Log(LogLine { time_us: 1, level: 2, text: "a" })), [8, 1, 2, 1, 97]);
+    assert_eq!(
+        to(&ToMonitor::Log(LogLine { time_us: 1, level: 2, source: LogSource::Operator, text: "a" })),
+        [8, 1, 2, 2, 1, 97]
+    );
     assert_eq!(to(&ToMonitor::Closing { reason: "a" }), [9, 1, 97]);
     assert_eq!(postcard::to_stdvec(&ToRobot::Monitor(&[0])), Ok(vec![6, 1, 0]));
     assert_eq!(postcard::to_stdvec(&FromRobot::Monitor(&[0])), Ok(vec![5, 1, 0]));
@@ -167,6 +171,7 @@ fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
     assert_eq!(to(&ToMonitorExtra::ImageChunk(chunk)), [5, 1, 2, 1, 9]);
     assert_eq!(to(&ToMonitorExtra::World(WorldState { paused: true, steps: 1, cycle: 2 })), [6, 1, 1, 2]);
     assert_eq!(to(&ToMonitorExtra::Result("a")), [9, 1, 97]);
+    assert_eq!(to(&ToMonitorExtra::MessageSchema { command: true, last: true, bytes: &[9] }), [10, 1, 1, 1, 9]);
     assert_eq!(postcard::to_stdvec(&ToRobot::MonitorExtra(&[0])), Ok(vec![7, 1, 0]));
     assert_eq!(postcard::to_stdvec(&FromRobot::MonitorExtra(&[0])), Ok(vec![6, 1, 0]));
 }

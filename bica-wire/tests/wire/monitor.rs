@@ -3,10 +3,10 @@
 use bica_core::ComponentId;
 use bica_wire::message::{
     Answer, AnswerResult, Change, ClockMode, ComponentCost, ComponentCosts, ComponentState, ComponentStates,
-    ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, MAX_ARGUMENTS,
-    MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES, ParamValues,
-    RefusalCode, Request, SCENE_PART_BYTES, SCHEMA_PART_BYTES, SceneContent, SceneKind, ScenePart, Setting, Value,
-    Watch, WatchInfo,
+    ConditionState, Conditions, Hello, Hold, ImageChunk, InfoSchema, InfoValue, LeaseAction, LogLine, LogSource,
+    MAX_ARGUMENTS, MAX_BATCH, MAX_CONDITIONS, MAX_COSTS, MAX_INFO_BYTES, MAX_STATES, MAX_TEXT_BYTES, MAX_VALUES,
+    ParamValues, RefusalCode, Request, SCENE_PART_BYTES, SCHEMA_PART_BYTES, SceneContent, SceneKind, ScenePart,
+    Setting, Value, Watch, WatchInfo,
 };
 use bica_wire::{CHUNK_BYTES, Encoder, FromMonitor, FromRobot, MAX_PACKET, ToMonitor, ToMonitorExtra, ToRobot};
 use proptest::prelude::*;
@@ -37,7 +37,7 @@ fn the_largest_message_of_each_kind_fits_into_a_packet() {
     let bytes = [1; SCHEMA_PART_BYTES];
     assert_to_fits(&ToMonitor::InfoSchema(InfoSchema { component, info, last: true, bytes: &bytes }));
     let text = "x".repeat(MAX_TEXT_BYTES);
-    assert_to_fits(&ToMonitor::Log(LogLine { time_us: u64::MAX, level: 4, text: &text }));
+    assert_to_fits(&ToMonitor::Log(LogLine { time_us: u64::MAX, level: 4, source: LogSource::Robot, text: &text }));
     let refused = AnswerResult::Refused { code: RefusalCode::Tree, entry: u16::MAX, text: &text };
     let done = AnswerResult::Done { values: [VALUE; MAX_BATCH].into_iter().collect() };
     for result in [refused, done] {

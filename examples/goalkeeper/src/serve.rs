@@ -6,14 +6,13 @@ use std::time::{Duration, Instant};
 use bica::Setting;
 use bica::runner::Runner;
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
-use bica_motion::robot::Sensors;
+use bica_link::{Address, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_player::Model;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Frame;
 use bica_sim::shot::Shot;
-use bica_wire::message::Offers;
+use bica_wire::message::{LogSource, Offers};
 use glam::Vec2;
 
 use crate::Keeper;
@@ -40,12 +39,12 @@ pub(crate) fn run(
 ) -> Result<Outcome, Failure> {
     let mut shot = plan.shot(plan.seed, 0);
     let world = shots::world(plan.seed, shot.from, frame)?;
-    let offers = Offers::IMAGES.with(Offers::PAUSE);
+    let offers = Offers::PAUSE;
     let options = ServerOptions { anywhere, offers, ..ServerOptions::default() };
     let (server, requests, observer) = LinkServer::start_in_world::<Keeper>(address, options, &world)?;
     console.print_row("link", &format!("monitors attach at {}", server.address()))?;
     let keeper = shots::goalkeeper(&world, settings)?;
-    let observers = (Story::new(), observer.with_images(image_of));
+    let observers = (Story::new(), observer);
     let mut game = Runner::new(keeper, world).with_requests(requests).with_observer(observers);
     let mut number = 0;
     while !interrupt::requested() {
@@ -57,7 +56,7 @@ pub(crate) fn run(
         let result = if attempt.result(plan.seed, game.world()).let_in { "let in" } else { "saved" };
         let line = format!("shot {number}: {result}");
         console.print(&line)?;
-        server.log(INFORMATION, &line);
+        server.log(INFORMATION, LogSource::World, &line);
         shot = next(plan, &mut number, game.world_mut());
     }
     Ok(Outcome::Interrupted)
@@ -95,16 +94,6 @@ fn next(plan: &Plan, number: &mut u32, world: &mut KinematicWorld<Model>) -> Sho
             return Shot { rest: shot.rest + SEARCH, ..shot };
         }
     }
-}
-
-/// Returns the image in sensor values.
-fn image_of<'a>(sensors: &'a Sensors<'_>) -> Option<LinkImage<'a>> {
-    sensors.image.as_ref().map(|image| LinkImage {
-        camera: image.camera.frame(),
-        width: image.width,
-        height: image.height,
-        yuyv: image.yuyv,
-    })
 }
 
 /// Sends the true state after the last cycle to monitors that watch it.

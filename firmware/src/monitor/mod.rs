@@ -172,7 +172,7 @@ impl Monitor {
     ) {
         if self.lease.check_silence(since_start(now)) {
             self.connections.iter_mut().for_each(|connection| connection.lease = true);
-            self.log(now, 3, "operator: silent for too long, holds and rates end", None);
+            self.log(now, 3, "silent for too long, holds and rates end", None);
         }
         while let Some(change) = self.lease.next_ending() {
             // A change that was accepted under the lease can always be undone.
@@ -234,12 +234,12 @@ const fn since_start(now: Instant) -> Duration {
 fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str) {
     let number = |component: &ComponentId| Some(component.index() as u16);
     match change {
-        Change::Hold { component, .. } => (number(component), "operator: hold", "operator: refused: hold"),
-        Change::Rate { component, .. } => (number(component), "operator: rate", "operator: refused: rate"),
+        Change::Hold { component, .. } => (number(component), "hold", "refused: hold"),
+        Change::Rate { component, .. } => (number(component), "rate", "refused: rate"),
         Change::Params(batch) => {
-            (batch.first().map(|setting| setting.component.index() as u16), "operator: set", "operator: refused: set")
+            (batch.first().map(|setting| setting.component.index() as u16), "set", "refused: set")
         }
-        Change::Modulate { component, .. } => (number(component), "operator: call", "operator: refused: call"),
-        Change::World { .. } => (None, "", "operator: refused: no world"),
+        Change::Modulate { component, .. } => (number(component), "call", "refused: call"),
+        Change::World { .. } => (None, "", "refused: no world"),
     }
 }

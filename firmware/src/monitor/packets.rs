@@ -3,7 +3,7 @@
 use bica::{ComponentId, Tree};
 use bica_wire::message::{
     Answer, AnswerResult, Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine,
-    MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
+    LogSource, MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
 };
 use bica_wire::server::read;
 use bica_wire::{Encoder, FromRobot, SCHEMA, ToMonitor};
@@ -174,7 +174,7 @@ impl LogEntry {
         if let Some(node) = self.component.and_then(|component| GRAPH.nodes.get(usize::from(component))) {
             let _ = text.push_str(" ").and_then(|()| text.push_str(node.name));
         }
-        LogLine { time_us: self.time_us, level: self.level, text }
+        LogLine { time_us: self.time_us, level: self.level, source: LogSource::Operator, text }
     }
 }
 

@@ -19,7 +19,7 @@ from bica.errors import BicaError
 #: What the reader raises for damaged files: its own errors, and those of the decompressor.
 READ_ERRORS = (McapError, CRCValidationError, RuntimeError)
 #: Format of recordings that this package reads.
-FORMAT = 5
+FORMAT = 6
 
 
 class RecordingError(BicaError):

@@ -194,23 +194,23 @@ class _Outputs:
     """Names, units and schemas of the outputs of a tree."""
 
     def __init__(self, header: dict[str, Any]) -> None:
-        described = [
-            [(f"{component['name']}.{output['name']}", output.get("unit")) for output in component["info"]]
-            for component in header["tree"]["components"]
-        ]
-        self._units = {name: unit for component in described for name, unit in component}
+        components = header["tree"]["components"]
+        outputs = [[(f"{one['name']}.{output['name']}", output) for output in one["info"]] for one in components]
+        self._units = {name: output.get("unit") for component in outputs for name, output in component}
         self._known: list[list[tuple[str, Any]]] = [
-            [(name, schema and self._decoder(schema)) for (name, _), schema in zip(outputs, schemas, strict=True)]
-            for outputs, schemas in zip(described, header["schemas"], strict=True)
+            [(name, self._decoder(output.get("schema"), "monitor" in header)) for name, output in component]
+            for component in outputs
         ]
 
     @staticmethod
-    def _decoder(schema: dict[str, Any]) -> Any:
+    def _decoder(schema: dict[str, Any] | None, of_monitor: bool) -> Any:
         import json
 
-        decode = decoder(schema)
-        # A monitor has received the values as text.
-        return (lambda data: json.loads(decode(data))) if schema["name"] == "bica.Json" else decode
+        if of_monitor:
+            # A monitor has received the values as text.
+            text = decoder({"name": "String", "ty": "String"})
+            return lambda data: json.loads(text(data))
+        return schema and decoder(schema)
 
     def row(self, record: dict[str, Any]) -> dict[str, Any]:
         """Return the values of a record; a value that was too large to be recorded is missing."""

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use bica::Graph;
 use bica_drawing::svg;
+use bica_recording::Recordable;
 use bica_wire::model::Description;
 use clap::{Args, ValueEnum};
 
@@ -29,12 +29,16 @@ enum Format {
 }
 
 /// Prints the tree.
-pub(crate) fn run(args: &GraphArgs, graph: &Graph) -> Result<Outcome, Failure> {
+pub(crate) fn run<R: Recordable + Default>(args: &GraphArgs) -> Result<Outcome, Failure> {
+    let graph = const { &R::GRAPH };
     let text = match if args.json { Format::Json } else { args.format } {
         Format::Svg => svg(&Description::of(graph)),
         Format::Dot => graph.dot().to_string(),
         Format::Mermaid => graph.mermaid().to_string(),
-        Format::Json => serde_json::to_string_pretty(&Description::of(graph)).map_err(io::Error::from)?,
+        Format::Json => {
+            let description = Description::of(graph).of_robot(&*Box::<R>::default());
+            serde_json::to_string_pretty(&description).map_err(io::Error::from)?
+        }
     };
     let mut out = io::stdout().lock();
     writeln!(out, "{}", text.trim_end())?;

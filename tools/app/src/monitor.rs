@@ -8,7 +8,7 @@ use bica_link::{LinkRequests, LinkServer, ServerOptions};
 use bica_monitor::cli::Arguments;
 use bica_monitor::program::{Game, LocalWorld, Program, WorldRun, WorldSetup};
 use bica_monitor::sessions::Options;
-use bica_recording::{Header, LogLine, Recordable};
+use bica_recording::{Header, LogLine, LogSource, Recordable};
 use bica_tuning::Layers;
 use bica_wire::message::Offers;
 use bica_wire::model::Invalid;
@@ -112,7 +112,7 @@ fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
         running.step()?;
         let (_, (_, recorder)) = running.runner.observer();
         if let (Some(recorder), Some(note)) = (recorder, run.note()) {
-            recorder.log(LogLine { level: NOTE_LEVEL, text: format!("note: {note}") });
+            recorder.log(LogLine { level: NOTE_LEVEL, source: LogSource::Note, text: note });
         }
         if let Some(reason) = file.as_ref().and_then(RecordedFile::newly_ended) {
             run.not_recorded(&reason);

@@ -1,7 +1,6 @@
 //! Commands of every robot.
 
-use bica::Tree;
-use bica_recording::{ReplayOptions, ReplayReport};
+use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 use clap::Subcommand;
 
 use crate::console::{Failure, Outcome};
@@ -33,10 +32,10 @@ pub(crate) enum Tool<L: Layer> {
 
 impl<L: Layer> Tool<L> {
     /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read, `replay` runs a recording again.
-    pub(crate) fn run<T: Tree + Default>(&self, kind: &str, replay: Replay) -> Result<Outcome, Failure> {
+    pub(crate) fn run<R: Recordable + Default>(&self, kind: &str, replay: Replay) -> Result<Outcome, Failure> {
         match self {
-            Self::Graph(args) => graph::run(args, const { &T::GRAPH }),
-            Self::Params(args) => params::run::<T, L>(args, kind),
+            Self::Graph(args) => graph::run::<R>(args),
+            Self::Params(args) => params::run::<R, L>(args, kind),
             Self::Record(args) => record::run(args),
             Self::Replay(args) => replay::run(args, replay),
             Self::Link(args) => link::run(args),

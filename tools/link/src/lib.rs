@@ -18,6 +18,7 @@
 
 mod address;
 mod client;
+mod cost_meter;
 mod error;
 mod frame;
 mod memory;
@@ -33,11 +34,12 @@ pub use bica_wire::model::{
     State, Transition, Variant, Variants,
 };
 pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Shown, Snapshot, Truth};
+pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
 pub use memory::Memory;
 pub use pending::Pending;
-pub use schema::decode as decode_info;
-pub use server::{LinkImage, LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+pub use schema::{decode as decode_info, decode_exactly, decode_message};
+pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};
 
 #[cfg(doctest)]

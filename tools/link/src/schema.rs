@@ -1,5 +1,8 @@
 //! Values of information, decoded by their schema.
 
+use std::fmt::{Debug, Display};
+
+use bica_wire::blobs::MIN_BLOB;
 use postcard_schema::schema::owned::{OwnedDataModelType, OwnedDataModelVariant, OwnedNamedType};
 use serde_json::{Map, Value, json};
 
@@ -11,16 +14,42 @@ const DEPTH: usize = 64;
 /// Variants without data are their names, others objects with one field. A number that is not finite is `null`.
 #[must_use]
 pub fn decode(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
-    let mut decoder = Decoder { bytes };
-    let value = decoder.value(&schema.ty, DEPTH)?;
-    decoder.bytes.is_empty().then_some(value)
+    Decoder { bytes, form: Form::Value }.whole(schema)
+}
+
+/// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob is its size as text, such as
+/// `600 bytes`.
+#[must_use]
+pub fn decode_message(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
+    Decoder { bytes, form: Form::Message }.whole(schema)
+}
+
+/// Decodes a message as [`decode_message`], for a comparison: a floating-point number is a text with its bits, such as
+/// `0.5 (3f000000)`.
+#[must_use]
+pub fn decode_exactly(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
+    Decoder { bytes, form: Form::Exact }.whole(schema)
+}
+
+/// What is decoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Value,
+    Message,
+    Exact,
 }
 
 struct Decoder<'a> {
     bytes: &'a [u8],
+    form: Form,
 }
 
 impl Decoder<'_> {
+    fn whole(mut self, schema: &OwnedNamedType) -> Option<Value> {
+        let value = self.value(&schema.ty, DEPTH)?;
+        self.bytes.is_empty().then_some(value)
+    }
+
     fn value(&mut self, ty: &OwnedDataModelType, depth: usize) -> Option<Value> {
         use OwnedDataModelType as Type;
         let depth = depth.checked_sub(1)?;
@@ -36,9 +65,16 @@ impl Decoder<'_> {
             Type::U32 => json!(self.take::<u32>()?),
             Type::U64 | Type::Usize => json!(self.take::<u64>()?),
             Type::U128 => json!(self.take::<u128>()?.to_string()),
-            Type::F32 => number(self.take::<f32>()?),
-            Type::F64 => json!(self.take::<f64>()?),
+            Type::F32 => {
+                let value = self.take::<f32>()?;
+                self.number(value, &format_args!("{:08x}", value.to_bits()))
+            }
+            Type::F64 => {
+                let value = self.take::<f64>()?;
+                self.number(value, &format_args!("{:016x}", value.to_bits()))
+            }
             Type::Char => json!(self.take::<char>()?),
+            Type::String | Type::ByteArray if self.form != Form::Value => self.bytes()?,
             Type::String => json!(self.take::<String>()?),
             Type::ByteArray => json!(self.take::<Vec<u8>>()?),
             Type::Option(inner) if self.take::<bool>()? => self.value(&inner.ty, depth)?,
@@ -96,17 +132,31 @@ impl Decoder<'_> {
         (0..length).map(|_| pair(self)).collect::<Option<Vec<_>>>().map(Value::Array)
     }
 
+    /// Reads a text or bytes, which are not there if they are large.
+    fn bytes(&mut self) -> Option<Value> {
+        let length = usize::try_from(self.take::<u64>()?).ok()?;
+        if length >= MIN_BLOB {
+            return Some(json!(format!("{length} bytes")));
+        }
+        let (bytes, rest) = self.bytes.split_at_checked(length)?;
+        self.bytes = rest;
+        Some(std::str::from_utf8(bytes).map_or_else(|_| json!(bytes), |text| json!(text)))
+    }
+
+    /// Returns a number in JSON with the digits of its type; `null` if it is not finite.
+    fn number(&self, value: impl Debug, bits: &dyn Display) -> Value {
+        if self.form == Form::Exact {
+            return json!(format!("{value:?} ({bits})"));
+        }
+        // The shortest decimal text of an f32, not the exact value of its f64.
+        format!("{value:?}").parse::<f64>().map_or(Value::Null, |value| json!(value))
+    }
+
     fn take<T: serde::de::DeserializeOwned>(&mut self) -> Option<T> {
         let (value, rest) = postcard::take_from_bytes(self.bytes).ok()?;
         self.bytes = rest;
         Some(value)
     }
-}
-
-/// Returns a number in JSON with the digits of `f32`; `null` if it is not finite.
-fn number(value: f32) -> Value {
-    // The shortest decimal text of the f32, not the exact value of its f64.
-    value.to_string().parse::<f64>().map_or(Value::Null, |value| json!(value))
 }
 
 #[cfg(test)]
@@ -151,6 +201,16 @@ mod tests {
             "count": u64::MAX,
         });
         assert_eq!(decode(&Seen::SCHEMA.into(), &bytes), Some(expected));
+    }
+
+    #[test]
+    fn a_message_has_the_sizes_of_its_blobs_and_for_a_comparison_the_bits_of_numbers() {
+        let seen = Seen { text: "a".repeat(600), ..seen() };
+        let bytes = bica_wire::blobs::encode(&seen, Vec::new(), |_, _| ()).unwrap();
+        let message = decode_message(&Seen::SCHEMA.into(), &bytes).unwrap();
+        assert_eq!((&message["at"], &message["text"]), (&json!([0.5, null]), &json!("600 bytes")));
+        let exact = decode_exactly(&Seen::SCHEMA.into(), &bytes).unwrap();
+        assert_eq!(exact["at"], json!(["0.5 (3f000000)", "NaN (7fc00000)"]));
     }
 
     #[test]

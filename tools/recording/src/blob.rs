@@ -1,6 +1,7 @@
 //! Large data of a recording: images, scans, point clouds.
 
 use bica::{Blob, Format};
+use bica_wire::blobs;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -81,15 +82,9 @@ impl StoredBlob {
     /// Returns the data with its format.
     #[must_use]
     pub fn blob(&self) -> Blob<'_> {
-        let (format, frame) = described(&self.head);
+        let (format, frame) = blobs::described(&self.head);
         Blob { bytes: &self.bytes, format, frame }
     }
-}
-
-/// Reads format and frame of large data from what follows it in a message.
-pub(crate) fn described(rest: &[u8]) -> (Format<'_>, &str) {
-    // A long text is not followed by a format.
-    postcard::take_from_bytes(rest).map_or((Format::Other { media_type: "" }, ""), |(described, _)| described)
 }
 
 /// Codes large data and passes the record on, with the kind of chunk that it belongs to.

@@ -1,12 +1,12 @@
 //! Comparison of a recorded run with a repeated one.
 
+use bica_link::decode_exactly;
+use bica_wire::model::Description;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
+use serde_json::Value;
 
-use crate::fields::{Field, fields};
-use bica_wire::model::Description;
-
-use crate::header::{Header, Messages};
+use crate::header::Header;
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
 
@@ -52,7 +52,6 @@ pub struct Decision {
 pub struct Comparison {
     tree: Description,
     tick_hz: u64,
-    messages: Option<Messages>,
     /// Number of compared cycles.
     pub cycles: u64,
     /// The first difference.
@@ -70,12 +69,11 @@ impl Comparison {
     /// A comparison of runs of the robot of a recording.
     #[must_use]
     pub fn new(header: &Header) -> Self {
-        let (tree, messages) = (header.tree.clone(), header.messages.clone());
+        let tree = header.tree.clone();
         let differed = vec![false; tree.components.len()];
         Self {
             tree,
             tick_hz: header.tick_hz.max(1),
-            messages,
             cycles: 0,
             first: None,
             decisions: Vec::new(),
@@ -138,7 +136,7 @@ impl Comparison {
                 (!same).then(|| Found::new("requests", (describe(&recorded.requests), describe(&repeated.requests))))
             })
             .or_else(|| {
-                let schema = self.messages.as_ref().map(|messages| &messages.sensors);
+                let schema = self.tree.messages.as_ref().map(|messages| &messages.sensors);
                 message("sensors", schema, [&recorded.sensors, &repeated.sensors])
             })
             .or_else(|| digest("sensors", a.sensors, b.sensors))
@@ -146,7 +144,7 @@ impl Comparison {
             .or_else(|| self.tree_field(recorded, repeated))
             .or_else(|| digest("tree", a.tree, b.tree))
             .or_else(|| {
-                let schema = self.messages.as_ref().map(|messages| &messages.command);
+                let schema = self.tree.messages.as_ref().map(|messages| &messages.command);
                 message("command", schema, [&recorded.command, &repeated.command])
             })
             .or_else(|| digest("command", a.command, b.command))
@@ -212,15 +210,28 @@ impl Found {
 /// Returns the first value of a message that differs.
 fn message(name: &str, schema: Option<&OwnedNamedType>, [one, two]: [&Option<Vec<u8>>; 2]) -> Option<Found> {
     let (one, two) = one.as_ref().zip(two.as_ref()).filter(|(one, two)| one != two)?;
-    let all = |bytes: &[u8]| schema.and_then(|schema| fields(schema, bytes)).unwrap_or_default();
-    let (one, two) = (all(one), all(two));
-    let nothing = Field { path: String::new(), text: "nothing".to_owned(), number: None };
-    let count = one.len().max(two.len());
-    let pair = |index| [&one, &two].map(|fields| fields.get(index).unwrap_or(&nothing));
-    // Fields that are the same and bytes that are not: texts that are written in two ways.
-    let [one, two] = (0..count).map(pair).find(|[one, two]| (&one.path, &one.text) != (&two.path, &two.text))?;
-    let path = if one.path.is_empty() { &two.path } else { &one.path };
-    Some(Found::new(&format!("{name}{path}"), (one.text.clone(), two.text.clone())))
+    let [one, two] = [one, two].map(|bytes| schema.and_then(|schema| decode_exactly(schema, bytes)));
+    // Values that are the same and bytes that are not: texts that are written in two ways.
+    differing(name, one.as_ref(), two.as_ref())
+}
+
+/// Returns the first part of two values that differs.
+fn differing(path: &str, one: Option<&Value>, two: Option<&Value>) -> Option<Found> {
+    match (one, two) {
+        (Some(Value::Object(one)), Some(Value::Object(two))) if one.keys().eq(two.keys()) => {
+            one.keys().find_map(|key| differing(&format!("{path}.{key}"), one.get(key), two.get(key)))
+        }
+        (Some(Value::Array(one)), Some(Value::Array(two))) => (0..one.len().max(two.len()))
+            .find_map(|index| differing(&format!("{path}[{index}]"), one.get(index), two.get(index))),
+        _ => (one != two).then(|| {
+            let text = |value: Option<&Value>| match value {
+                Some(Value::String(text)) => text.clone(),
+                Some(value) => value.to_string(),
+                None => "nothing".to_owned(),
+            };
+            Found::new(path, (text(one), text(two)))
+        }),
+    }
 }
 
 fn number(field: &str, one: u64, two: u64) -> Option<Found> {

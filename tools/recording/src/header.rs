@@ -2,21 +2,20 @@
 
 use std::collections::BTreeMap;
 
+use bica::Graph;
 use bica::action::Action;
 use bica::visual::Scene;
-use bica::{ComponentId, Graph};
 use bica_wire::Recordable;
-use bica_wire::model::Description;
-use postcard_schema::schema::owned::OwnedNamedType;
+use bica_wire::model::{Description, Messages};
 use serde::{Deserialize, Serialize};
 
-use crate::information;
 use crate::program::{Program, Start};
 use crate::scenery::Scenery;
-use crate::topics::Topics;
 
-/// Version of the format. Version 5 has sensor values and commands of any robot; earlier ones cannot be read.
-pub const FORMAT: u32 = 5;
+/// Version of the format. Version 6 has all schemas in the description of the tree, and sources of log lines; earlier ones cannot be
+/// read.
+pub const FORMAT: u32 = 6;
+
 /// What a replay needs to know before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
@@ -26,17 +25,12 @@ pub struct Header {
     pub program: Program,
     /// Where and when the recording was begun.
     pub start: Start,
-    /// The activation tree, with the values of its parameters at the start.
+    /// The robot, with the values of its parameters at the start.
     pub tree: Description,
     /// Ticks of an instant in a second.
     pub tick_hz: u64,
-    /// Schemas of the outputs of each component; none for an output whose values are not recorded.
-    pub schemas: Vec<Vec<Option<OwnedNamedType>>>,
     /// What the program needs to set up the same run again, by name.
     pub set_up: SetUp,
-    /// Schemas of sensor values and command; none in a recording of a monitor.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub messages: Option<Messages>,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
     /// What does not move in the world.
@@ -61,15 +55,6 @@ pub struct MonitorInfo {
 /// program that records chooses the names.
 pub type SetUp = BTreeMap<String, serde_json::Value>;
 
-/// Schemas of the messages of a robot.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Messages {
-    /// Schema of the sensor values.
-    pub sensors: OwnedNamedType,
-    /// Schema of the command.
-    pub command: OwnedNamedType,
-}
-
 /// What a recording stores of each cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -78,6 +63,19 @@ pub enum ImagePolicy {
     All,
     /// Digests only: the world is re-created from the rules.
     None,
+}
+
+/// Topics of a recording for other programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Topics {
+    /// None.
+    #[default]
+    None,
+    /// What viewers show: previews of images, frames, shapes, states, parameters and log.
+    Standard,
+    /// And the numbers: all outputs, sensor values, commands and costs as JSON.
+    All,
 }
 
 /// The topics of a recording of which nothing else is known: few beside the images, but a large part of digests alone.
@@ -103,14 +101,6 @@ pub struct Ending {
     pub result: String,
 }
 
-impl Messages {
-    /// The schemas of a robot's messages.
-    #[must_use]
-    pub fn of<R: Recordable>() -> Self {
-        Self { sensors: R::SENSORS.into(), command: R::COMMAND.into() }
-    }
-}
-
 /// Ticks of an instant of this program in a second.
 pub(crate) const fn tick_hz() -> u64 {
     bica::Duration::from_secs(1).as_ticks()
@@ -126,9 +116,7 @@ impl Header {
             start: Start::now(),
             tree: Description::of(graph),
             tick_hz: tick_hz(),
-            schemas: Vec::new(),
             set_up,
-            messages: None,
             images,
             scenery: Vec::new(),
             topics: images.into(),
@@ -138,18 +126,8 @@ impl Header {
 
     /// Adds what only a robot knows: the values of its parameters, and the schemas of its information and messages.
     #[must_use]
-    pub fn of_robot<R: Recordable>(mut self, tree: &R) -> Self {
-        self.schemas.clear();
-        self.messages = Some(Messages::of::<R>());
-        for (component, described) in self.tree.components.iter_mut().enumerate() {
-            for (index, param) in described.params.iter_mut().enumerate() {
-                param.value = tree.get_param(component, index);
-            }
-            let component = ComponentId::new(component);
-            let schemas = (0..described.info.len()).map(|index| information::schema(tree, component, index));
-            self.schemas.push(schemas.collect());
-        }
-        self
+    pub fn of_robot<R: Recordable>(self, robot: &R) -> Self {
+        Self { tree: self.tree.of_robot(robot), ..self }
     }
 
     /// Adds what can be done in the world.
@@ -178,9 +156,9 @@ impl Header {
         })
     }
 
-    /// Returns the schema of an output; none if its values are not recorded.
-    pub(crate) fn schema(&self, component: usize, index: usize) -> Option<&OwnedNamedType> {
-        self.schemas.get(component)?.get(index)?.as_ref()
+    /// Returns the schemas of the recorded sensor values and commands; a monitor records none.
+    pub(crate) fn messages(&self) -> Option<&Messages> {
+        self.tree.messages.as_ref().filter(|_| self.monitor.is_none())
     }
 
     /// Returns the nominal time from one cycle to the next, ns.

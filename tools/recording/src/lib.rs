@@ -18,8 +18,8 @@ mod blob;
 mod compare;
 mod contents;
 mod digest;
+mod encode;
 mod error;
-mod fields;
 mod header;
 pub mod image_codec;
 mod info;
@@ -39,11 +39,12 @@ mod topics;
 mod writer;
 
 pub use bica_wire::Recordable;
+pub use bica_wire::message::LogSource;
 pub use blob::{BlobRecord, Coding, StoredBlob};
 pub use compare::{Comparison, Decision, Difference};
 pub use digest::RunningFingerprint;
 pub use error::Error;
-pub use header::{Ending, FORMAT, Header, ImagePolicy, Messages, MonitorInfo, SetUp};
+pub use header::{Ending, FORMAT, Header, ImagePolicy, MonitorInfo, SetUp, Topics};
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
@@ -55,7 +56,7 @@ pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use scenery::Scenery;
-pub use topics::{Jpeg, Topics, jpeg, shape};
+pub use topics::{Jpeg, jpeg, shape};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,5 +1,6 @@
 //! Channels of a recording and their messages.
 
+use bica_wire::message::LogSource;
 use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
@@ -162,6 +163,8 @@ pub struct RunEvent {
 pub struct LogLine {
     /// 2: information, 3: warning, 4: error.
     pub level: u8,
+    /// Where it comes from.
+    pub source: LogSource,
     /// The text.
     pub text: String,
 }

@@ -6,12 +6,11 @@ use std::io::{Read, Seek, SeekFrom, Write};
 use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
 use crate::error::Error;
-use crate::header::{Ending, Header};
+use crate::header::{Ending, Header, Topics};
 use crate::mcap::{Compression, Item, Message, Reader, find_intact};
 use crate::message::{Channel, Tick};
 use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
 use crate::recording::decode;
-use crate::topics::Topics;
 use crate::writer::RecordingWriter;
 
 /// What a new file contains.

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use postcard_schema::schema::owned::OwnedNamedType;
-use serde::Serialize;
 
 use crate::error::Error;
 use crate::header::{Ending, Header};
@@ -31,7 +30,7 @@ pub(crate) struct RecordingWriter<W> {
 
 /// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
 fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
-    let messages = header.messages.as_ref();
+    let messages = header.messages();
     let schema = |channel: Channel| match channel {
         Channel::Sensors => messages.map(|messages| messages.sensors.clone()),
         Channel::Command => messages.map(|messages| messages.command.clone()),
@@ -139,13 +138,5 @@ fn io_error(error: Error) -> io::Error {
     match error {
         Error::Io(error) => error,
         other => io::Error::other(other),
-    }
-}
-
-/// Appends a value in postcard.
-pub(crate) fn encode(out: &mut Vec<u8>, value: &impl Serialize) {
-    // Writing into a vector does not fail, and no message has a type that postcard refuses.
-    if let Ok(bytes) = postcard::to_extend(value, std::mem::take(out)) {
-        *out = bytes;
     }
 }

@@ -96,7 +96,8 @@ class Exact:
         return next(iter(blob["format"].values())).get("width") if isinstance(blob["format"], dict) else None
 
     def _outputs(self):
-        decode, schemas = decoder(self.file.schema("bica.InformationRecord")), self.file.header["schemas"]
+        decode = decoder(self.file.schema("bica.InformationRecord"))
+        schemas = [[output.get("schema") for output in owner["info"]] for owner in self.components]
         decoders = [[schema and decoder(schema) for schema in owner] for owner in schemas]
         for _, _, message in self.file.messages("information"):
             values = {}

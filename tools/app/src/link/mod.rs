@@ -288,11 +288,12 @@ impl Monitor {
     fn log(&mut self, count: Option<u64>) -> Result<Outcome, Failure> {
         let mut seen = 0;
         while !interrupt::requested() {
-            if let Some(Event::Log { time_us, level, text }) = self.next()? {
+            if let Some(Event::Log { time_us, level, source, text }) = self.next()? {
                 let style = if level > 2 { Style::Bad } else { Style::Plain };
                 let time = format!("{:.2} s", time_us as f64 * 1e-6);
+                let line = json!({ "time_us": time_us, "level": level, "source": source, "text": text });
+                let text = format!("{}: {text}", line["source"].as_str().unwrap_or_default());
                 self.console.print_row(&time, &self.console.styled(style, &text))?;
-                let line = json!({ "time_us": time_us, "level": level, "text": text });
                 self.line("bica/link-log/1", line)?;
                 seen += 1;
                 if count.is_some_and(|count| seen >= count) {

@@ -8,7 +8,7 @@ mod story;
 use std::fmt;
 
 use bica::action::Action;
-use bica::runner::{Robot, World};
+use bica::runner::World;
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
@@ -96,7 +96,7 @@ where
 type Served<R> = (Option<(LinkServer, Option<RosNode>)>, Option<LinkRequests>, Option<LinkObserver<R>>);
 
 /// Starts the server, if that is requested.
-fn serve<R: Robot>(
+fn serve<R: Recordable>(
     args: &RunArgs<impl Layer>,
     world: &dyn World<R>,
     is_device: bool,

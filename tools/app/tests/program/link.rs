@@ -1,11 +1,12 @@
 //! A served run with monitors.
 
+use std::fs;
 use std::io::Read;
 use std::process::Command;
 
 use serde_json::Value;
 
-use crate::process::{Served, example, link};
+use crate::process::{Folder, Served, example, link};
 
 fn start() -> Served {
     let mut program = example("wall_follower");
@@ -65,4 +66,19 @@ fn interrupt_ends_a_served_run_with_its_report() {
     served.stdout.read_to_string(&mut rest).expect("UTF-8");
     assert_eq!(served.child.wait().expect("it ends").code(), Some(130));
     assert!(rest.contains("stopped by Ctrl-C") && rest.contains("cycles at 50 Hz") && rest.contains("####"), "{rest}");
+}
+
+#[test]
+fn images_in_the_sensor_values_are_sent() {
+    let mut program = example("camera");
+    program.args(["run", "--serve", "127.0.0.1:0"]);
+    let (served, folder) = (Served::start(program), Folder::new("images"));
+    let seen = link(&served, &["watch", "--images", &folder.file("seen"), "--count", "50"]);
+    let images: Vec<_> = seen.iter().filter(|line| line["schema"] == "bica/link-image/2").collect();
+    let image = images.last().unwrap_or_else(|| panic!("{seen:?}"));
+    assert_eq!((&image["camera"], &image["width"], &image["height"]), (&"eye".into(), &16.into(), &12.into()));
+    // Every second cycle has an image, as bright as the cycle's number, which is twice that of the image.
+    let number = image["number"].as_u64().expect("a number");
+    let pixels = fs::read(image["path"].as_str().expect("a file")).expect("an image");
+    assert_eq!(pixels, [2 * number as u8, 128].repeat(16 * 12));
 }

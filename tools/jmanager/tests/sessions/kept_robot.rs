@@ -105,7 +105,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     let lines = |session| {
         page.session.set(Some(session));
         let lines = page.ask(Request::Lines { from_us: 0, until_us: until, limit: 1000 }).unwrap();
-        let pair = |line: &Value| (line["kind"].clone(), line["text"].clone());
+        let pair = |line: &Value| (line["source"].clone(), line["text"].clone());
         lines.as_array().unwrap().iter().map(pair).collect::<Vec<_>>()
     };
     let (live, recorded) = (lines(session), lines(copy));

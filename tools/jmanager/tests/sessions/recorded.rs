@@ -161,5 +161,5 @@ fn a_page_that_comes_later_gets_the_result_of_a_recorded_game() {
     let late = Page::new(&page.bench);
     let sessions = late.message("hello", |hello| Some(hello["sessions"].clone()));
     assert_eq!(sessions[0]["result"], result);
-    assert!(late.lines().iter().any(|one| one["kind"] == "referee" && one["text"] == "goal"));
+    assert!(late.lines().iter().any(|one| one["source"] == "world" && one["text"] == "goal"));
 }

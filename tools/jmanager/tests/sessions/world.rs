@@ -167,7 +167,7 @@ fn a_note_after_the_request_to_begin_again_is_in_the_log_and_the_recording_of_th
     page.ask(Request::Note { text: "ball moved by hand".to_owned() }).unwrap();
     let until = page.message("update", |update| (update["cycle"].as_u64()? > 30).then(|| update["time_us"].as_u64()));
     let lines = page.lines();
-    let is_note = |line: &Value| line["kind"] == "note" && line["text"] == "ball moved by hand";
+    let is_note = |line: &Value| line["source"] == "note" && line["text"] == "ball moved by hand";
     assert!(lines.iter().any(is_note), "{lines:?}");
     page.message("update", |update| (update["time_us"].as_u64() > until).then_some(()));
     let path = page.ask(Request::KeepRecording { name: "new".to_owned() }).unwrap()["path"].clone();

@@ -1,8 +1,8 @@
 //! What a client receives.
 
 use bica_wire::message::{
-    self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, Reached, RefusalCode, Taken, Value,
-    WorldState,
+    self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, LogSource, Reached, RefusalCode, Taken,
+    Value, WorldState,
 };
 
 use super::scene::{Shown, Truth};
@@ -39,6 +39,8 @@ pub enum Event {
         time_us: u64,
         /// 1 debug, 2 information, 3 warning, 4 error.
         level: u8,
+        /// Where it comes from.
+        source: LogSource,
         /// The text.
         text: String,
     },

@@ -76,7 +76,7 @@ impl Events {
 
 #[cfg(test)]
 mod tests {
-    use bica_wire::message::LeaseState;
+    use bica_wire::message::{LeaseState, LogSource};
 
     use super::*;
 
@@ -84,28 +84,18 @@ mod tests {
     fn lease_answer_and_the_only_sample_of_an_output_stay_among_many_events() {
         let mut events = Events::default();
         let info = |cycle, info| Event::Info { cycle, component: 0, info, value: None };
+        let log = |time_us| Event::Log { time_us, level: 2, source: LogSource::Robot, text: String::new() };
         let answer = Answered { number: 7, cycle: 0, arrived: 0, values: Vec::new(), refused: None };
         let first = [Event::Lease(LeaseState::default()), Event::Answer(answer), info(0, 1)];
         for event in first.clone() {
             events.push(event);
         }
         for cycle in 0..20_000 {
-            events.push(if cycle % 2 == 0 {
-                info(cycle, 0)
-            } else {
-                Event::Log { time_us: cycle, level: 2, text: String::new() }
-            });
+            events.push(if cycle % 2 == 0 { info(cycle, 0) } else { log(cycle) });
         }
         assert!(events.0.len() <= MAX_EVENTS, "{}", events.0.len());
         assert_eq!(events.0.iter().take(3).collect::<Vec<_>>(), first.iter().collect::<Vec<_>>());
-        assert!(
-            events
-                .0
-                .iter()
-                .rev()
-                .take(2)
-                .eq([&Event::Log { time_us: 19_999, level: 2, text: String::new() }, &info(19_998, 0)])
-        );
+        assert!(events.0.iter().rev().take(2).eq([&log(19_999), &info(19_998, 0)]));
         assert!(events.take_answer(7).is_some());
     }
 }

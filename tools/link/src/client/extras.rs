@@ -1,10 +1,10 @@
 //! What only a program on a computer offers, from its messages.
 
 use bica_wire::ToMonitorExtra;
-use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead};
+use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead, SceneKind};
 
 use super::event::{Costs, Event, Image};
-use super::scene::Scenes;
+use super::scene::{Scenes, Truth};
 use bica_wire::model::Description;
 
 /// Largest image, bytes.
@@ -30,7 +30,13 @@ impl Extras {
                 None
             }
             ToMonitorExtra::ComponentCosts(part) => self.costs(&part, description.components.len()),
-            ToMonitorExtra::Scene(part) => self.scenes.add(&part),
+            ToMonitorExtra::Scene(part) => {
+                let (time_us, items) = self.scenes.add(&part)?;
+                Some(match part.scene {
+                    SceneKind::Scenery => Event::Scenery(items),
+                    SceneKind::Truth => Event::Truth(Truth { time_us, items }),
+                })
+            }
             ToMonitorExtra::Result(text) => Some(Event::Result(text.to_owned())),
             ToMonitorExtra::Image(head) => {
                 let ImageHead { number, time_us, camera, width, height } = head;
@@ -42,6 +48,8 @@ impl Extras {
             ToMonitorExtra::World(state) => Some(Event::World(state)),
             ToMonitorExtra::Taken(taken) => Some(Event::Taken(taken)),
             ToMonitorExtra::Reached(reached) => Some(Event::Reached(reached)),
+            // The description has it.
+            ToMonitorExtra::MessageSchema { .. } => None,
         }
     }
 

@@ -1,13 +1,13 @@
 //! State of a client, from the messages that it received.
 
-use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use bica_wire::message::{
     Answer, AnswerResult, ComponentStates, GraphItem, InfoSchema, InfoValue, LeaseState, LogLine, Offers, ParamValues,
     WorldState,
 };
-use bica_wire::{FromRobot, ToMonitor};
+use bica_wire::model::{Builder, Description, Messages};
+use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra};
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use super::event::{Answered, Event, Snapshot};
@@ -15,7 +15,6 @@ use super::events::Events;
 use super::extras::Extras;
 use crate::error::Error;
 use crate::schema::decode;
-use bica_wire::model::{Builder, Description};
 
 /// Largest size of a schema, bytes.
 const MAX_SCHEMA: usize = 1 << 14;
@@ -41,8 +40,11 @@ pub(super) struct Inbox {
     /// Robot's time, and when it was received.
     time: Option<(Duration, Instant)>,
     partial: Option<Snapshot>,
-    schema_parts: BTreeMap<(u16, u16), Vec<u8>>,
-    schemas: BTreeMap<(u16, u16), OwnedNamedType>,
+    /// What the schema belongs to that is being received, and its parts.
+    schema_parts: ((u16, u16), Vec<u8>),
+    /// The output whose schema was received last.
+    last_schema: Option<(usize, usize)>,
+    messages: [Option<OwnedNamedType>; 2],
     extras: Extras,
     world: WorldState,
 }
@@ -58,8 +60,9 @@ impl Inbox {
             closing: None,
             time: None,
             partial: None,
-            schema_parts: BTreeMap::new(),
-            schemas: BTreeMap::new(),
+            schema_parts: Default::default(),
+            last_schema: None,
+            messages: [None, None],
             extras: Extras::default(),
             world: WorldState::default(),
         }
@@ -73,6 +76,14 @@ impl Inbox {
     /// Whether a value of each parameter was received.
     pub(super) fn has_values(&self) -> bool {
         self.description.components.iter().flat_map(|component| &component.params).all(|param| param.value.is_some())
+    }
+
+    /// Whether the schemas of all outputs were received, which a program on a computer sends.
+    pub(super) fn has_schemas(&self) -> bool {
+        let is_computer = self.attached.as_ref().is_some_and(|attached| attached.offers.contains(Offers::CONDITIONS));
+        let outputs = self.description.components.iter().map(|component| component.info.len()).enumerate();
+        let last = outputs.rev().find(|(_, count)| *count > 0).map(|(component, count)| (component, count - 1));
+        !is_computer || last.is_none() || last == self.last_schema
     }
 
     /// Estimates the robot's time; none if it does not advance with the clock, or is not known.
@@ -91,8 +102,15 @@ impl Inbox {
                 Err(_) => self.check_version(bytes)?,
             },
             FromRobot::MonitorExtra(bytes) => {
-                let event =
-                    postcard::from_bytes(bytes).ok().and_then(|message| self.extras.add(message, &self.description));
+                let event = match postcard::from_bytes(bytes) {
+                    Ok(ToMonitorExtra::MessageSchema { command, last, bytes }) => {
+                        let schema = self.schema((u16::MAX, command.into()), last, bytes);
+                        self.messages[usize::from(command)] = schema;
+                        None
+                    }
+                    Ok(message) => self.extras.add(message, &self.description),
+                    Err(_) => None,
+                };
                 if let Some(Event::World(world)) = event {
                     self.set_world(world);
                 }
@@ -133,7 +151,7 @@ impl Inbox {
             }
             ToMonitor::Components(states) => self.states(&states),
             ToMonitor::Info(value) => self.info(&value),
-            ToMonitor::InfoSchema(part) => self.schema(&part),
+            ToMonitor::InfoSchema(part) => self.info_schema(&part),
             ToMonitor::Params(values) => self.params(&values),
             ToMonitor::Lease(lease) => {
                 self.set_time(lease.time_us);
@@ -141,8 +159,8 @@ impl Inbox {
                 self.events.push(Event::Lease(lease));
             }
             ToMonitor::Answer(answer) => self.events.push(Event::Answer(answered(answer))),
-            ToMonitor::Log(LogLine { time_us, level, text }) => {
-                self.events.push(Event::Log { time_us, level, text: text.to_owned() });
+            ToMonitor::Log(LogLine { time_us, level, source, text }) => {
+                self.events.push(Event::Log { time_us, level, source, text: text.to_owned() });
             }
             ToMonitor::Closing { reason } => self.closing = Some(reason.to_owned()),
         }
@@ -156,6 +174,9 @@ impl Inbox {
         let Some(builder) = &mut self.builder else { return Ok(()) };
         if let Some(mut description) = builder.add(item).map_err(Error::Invalid)? {
             description.hash = self.attached.as_ref().map_or_else(String::new, |at| format!("{:016x}", at.tree_hash));
+            if let [Some(sensors), Some(command)] = std::mem::take(&mut self.messages) {
+                description.messages = Some(Messages { sensors, command });
+            }
             (self.description, self.builder) = (description, None);
         }
         Ok(())
@@ -176,24 +197,33 @@ impl Inbox {
     }
 
     fn info(&mut self, value: &InfoValue<'_>) {
-        let schema = self.schemas.get(&(value.component, value.info));
+        let (component, info) = (usize::from(value.component), usize::from(value.info));
+        let output = self.description.components.get(component).and_then(|one| one.info.get(info));
+        let schema = output.and_then(|output| output.schema.as_ref());
         let decoded = schema.zip(value.bytes).and_then(|(schema, bytes)| decode(schema, bytes));
-        let (component, info) = (value.component.into(), value.info.into());
         self.events.push(Event::Info { cycle: value.cycle, component, info, value: decoded });
     }
 
-    fn schema(&mut self, part: &InfoSchema<'_>) {
-        let key = (part.component, part.info);
-        let bytes = self.schema_parts.entry(key).or_default();
-        if bytes.len() + part.bytes.len() <= MAX_SCHEMA {
-            bytes.extend_from_slice(part.bytes);
+    fn info_schema(&mut self, &InfoSchema { component, info, last, bytes }: &InfoSchema<'_>) {
+        let schema = self.schema((component, info), last, bytes);
+        let (component, info) = (usize::from(component), usize::from(info));
+        let output = self.description.components.get_mut(component).and_then(|one| one.info.get_mut(info));
+        if last && let Some(output) = output {
+            self.last_schema = Some((component, info));
+            output.schema = schema;
         }
-        if part.last
-            && let Some(bytes) = self.schema_parts.remove(&key)
-            && let Ok(schema) = postcard::from_bytes(&bytes)
-        {
-            self.schemas.insert(key, schema);
+    }
+
+    /// Adds a part of a schema; returns it after the last part.
+    fn schema(&mut self, of: (u16, u16), last: bool, bytes: &[u8]) -> Option<OwnedNamedType> {
+        let (previous, parts) = &mut self.schema_parts;
+        if std::mem::replace(previous, of) != of {
+            parts.clear();
         }
+        if parts.len() + bytes.len() <= MAX_SCHEMA {
+            parts.extend_from_slice(bytes);
+        }
+        last.then(|| postcard::from_bytes(&std::mem::take(parts)).ok()).flatten()
     }
 
     fn params(&mut self, values: &ParamValues) {

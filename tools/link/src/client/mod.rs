@@ -91,7 +91,7 @@ impl Client {
         self.flush()?;
         self.wait("its description", |inbox| inbox.is_described().then_some(()))?;
         self.send(&FromMonitor::ReadParams)?;
-        self.wait("the values of its parameters", |inbox| inbox.has_values().then_some(()))?;
+        self.wait("the values of its parameters", |inbox| (inbox.has_values() && inbox.has_schemas()).then_some(()))?;
         self.wait("the state of the lease", |inbox| inbox.lease.map(|_| ()))
     }
 

@@ -5,7 +5,6 @@ use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::event::Event;
 use crate::schema::decode;
 
 /// Largest size of the declarations or values of a scene, bytes.
@@ -58,17 +57,13 @@ pub(super) struct Scenes {
 }
 
 impl Scenes {
-    /// Takes a part in; returns an event if values are complete.
-    pub(super) fn add(&mut self, part: &ScenePart<'_>) -> Option<Event> {
+    /// Takes a part in; returns time and items if values are complete.
+    pub(super) fn add(&mut self, part: &ScenePart<'_>) -> Option<(u64, Vec<Shown>)> {
         let scene = match part.scene {
             SceneKind::Scenery => &mut self.scenery,
             SceneKind::Truth => &mut self.truth,
         };
-        let (time_us, items) = scene.add(part)?;
-        Some(match part.scene {
-            SceneKind::Scenery => Event::Scenery(items),
-            SceneKind::Truth => Event::Truth(Truth { time_us, items }),
-        })
+        scene.add(part)
     }
 }
 

@@ -1,40 +1,21 @@
-//! One monitor: the thread that reads its messages and the thread that writes to it.
+//! A monitor's connection.
 
-use std::collections::BTreeSet;
-use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use bica_wire::message::ExtraKind;
-use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToMonitor, ToRobot};
-
-use super::MAX_MONITORS;
-use super::cycle_data::{Encoded, EncodedPart, Watched};
-use super::hub::{Command, Hub, MAX_PENDING};
-use super::key::Key;
+use super::counters::Counters;
+use super::encoded::{Encoded, Watched};
 use super::outbox::{Batch, Message, Outbox};
-use super::picture::{Picture, Sending};
-use crate::frame::{Packets, Receiver};
-use crate::stream::{Reading, Stream};
+use super::picture::Picture;
+use crate::stream::Stream;
 
-/// Time between two checks whether the connection was closed.
-const POLL: Duration = Duration::from_millis(100);
-/// Longest time of one write. A monitor that reads nothing for so long is disconnected.
-const WRITE: Duration = Duration::from_secs(10);
-/// Silence after which a monitor is disconnected: its computer may have lost the network.
-const IDLE: Duration = Duration::from_secs(30);
-/// Longest time until the first message of a TCP connection. Before it, the connection takes no place of a monitor.
-const FIRST: Duration = Duration::from_secs(2);
 /// Time after which the next image is sent though the last one was not taken, ms: a part may be lost on a serial line.
 const IMAGE_MS: u64 = 10_000;
 /// No image waits to be taken.
 const TAKEN: u64 = u64::MAX;
 /// No number of an image.
 const NO_IMAGE: u64 = u64::MAX;
-/// Number of bytes that are written together.
-const WRITE_BYTES: usize = 1 << 16;
 
 /// A monitor's connection.
 #[derive(Debug)]
@@ -50,14 +31,39 @@ pub(super) struct Connection {
     image: AtomicU64,
     closed: AtomicBool,
     stream: Stream,
+    counters: Arc<Counters>,
 }
 
 impl Connection {
-    /// Adds a message to the lossless queue. For threads that may wait, not for the loop.
-    pub(super) fn push(&self, hub: &Hub, message: Message) {
-        if !self.outbox.push(message) {
-            self.overflow(hub);
+    pub(super) fn new(id: u64, stream: Stream, counters: Arc<Counters>) -> Self {
+        Self {
+            id,
+            pending: AtomicUsize::new(0),
+            outbox: Outbox::default(),
+            began: Instant::now(),
+            image_ms: AtomicU64::new(TAKEN),
+            image: AtomicU64::new(NO_IMAGE),
+            closed: AtomicBool::new(false),
+            stream,
+            counters,
         }
+    }
+
+    /// Adds a message to the lossless queue. For threads that may wait, not for the loop.
+    pub(super) fn push(&self, message: Message) {
+        if !self.outbox.push(message) {
+            self.overflow();
+        }
+    }
+
+    /// Waits for what is to be sent, see [`Outbox::take`].
+    pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
+        self.outbox.take(is_sending)
+    }
+
+    /// The monitor has taken the last image.
+    pub(super) fn image_taken(&self) {
+        self.image_ms.store(TAKEN, Ordering::Relaxed);
     }
 
     /// Adds data of a cycle, which replaces what was not sent. For threads that may wait, not for the loop.
@@ -91,9 +97,9 @@ impl Connection {
         self.closed.load(Ordering::Relaxed)
     }
 
-    pub(super) fn overflow(&self, hub: &Hub) {
+    pub(super) fn overflow(&self) {
         if !self.closed.load(Ordering::Relaxed) {
-            hub.too_slow.fetch_add(1, Ordering::Relaxed);
+            self.counters.too_slow.fetch_add(1, Ordering::Relaxed);
         }
         self.close();
     }
@@ -103,187 +109,5 @@ impl Connection {
         self.closed.store(true, Ordering::Relaxed);
         self.outbox.close();
         self.stream.shut_down();
-    }
-}
-
-/// Serves one monitor until the connection ends.
-pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
-    stream.set_read_timeout(POLL)?;
-    stream.set_write_timeout(WRITE)?;
-    let writer = stream.try_clone()?;
-    let connection = Arc::new(Connection {
-        id: hub.next_id(),
-        pending: AtomicUsize::new(0),
-        outbox: Outbox::default(),
-        began: Instant::now(),
-        image_ms: AtomicU64::new(TAKEN),
-        image: AtomicU64::new(NO_IMAGE),
-        closed: AtomicBool::new(false),
-        stream: stream.try_clone()?,
-    });
-    hub.wait_for_message(&connection);
-    let written = Arc::clone(&connection);
-    let thread = thread::Builder::new().name("link writer".to_owned()).spawn(move || write(&written, writer))?;
-    read(hub, &connection, &mut stream);
-    connection.close();
-    // A panic of the writer has printed its message.
-    let _ = thread.join();
-    Ok(())
-}
-
-/// Tells a monitor why its connection is closed. Nothing was written to it yet, so this does not wait.
-fn reject(stream: &mut Stream) {
-    let mut packets = Packets::new();
-    if packets.push(&ToMonitor::Closing { reason: "too many monitors are attached" }).is_ok() {
-        // A monitor that is gone needs no reason.
-        let _ = packets.write(stream);
-    }
-}
-
-/// A place of a monitor, until it is dropped.
-struct Place(Arc<Hub>);
-
-impl Place {
-    fn take(hub: &Arc<Hub>) -> Option<Self> {
-        let more = |open| (open < MAX_MONITORS).then_some(open + 1);
-        hub.open.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more).ok()?;
-        Some(Self(Arc::clone(hub)))
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        self.0.open.fetch_sub(1, Ordering::Relaxed);
-    }
-}
-
-fn read(hub: &Arc<Hub>, connection: &Arc<Connection>, stream: &mut Stream) {
-    // A serial line begins with what was on its way; only a program of a person opens it.
-    let mut receiver = if stream.is_serial() { Receiver::new() } else { Receiver::strict() };
-    let mut heard = Instant::now();
-    let mut damaged = 0;
-    let (mut place, mut is_full) = (None, false);
-    while !connection.is_closed() && !hub.stopped.load(Ordering::Relaxed) {
-        let mut served = true;
-        let reading = receiver.receive(stream, |packet| match decode(&packet) {
-            Some(message) if !connection.is_closed() && !is_full => {
-                heard = Instant::now();
-                if place.is_none() {
-                    place = Place::take(hub);
-                    is_full = place.is_none();
-                    if is_full {
-                        return;
-                    }
-                    hub.begin(connection);
-                }
-                served &= handle(hub, connection, message);
-            }
-            Some(_) => {}
-            None => {
-                hub.unknown.fetch_add(1, Ordering::Relaxed);
-            }
-        });
-        hub.damaged.fetch_add(receiver.damaged().wrapping_sub(damaged), Ordering::Relaxed);
-        damaged = receiver.damaged();
-        if is_full {
-            hub.rejected.fetch_add(1, Ordering::Relaxed);
-            reject(stream);
-            return;
-        }
-        let ended = matches!(reading, Ok(Reading::End) | Err(_));
-        let longest = if place.is_some() || stream.is_serial() { IDLE } else { FIRST };
-        if ended || !served || heard.elapsed() > longest {
-            return;
-        }
-    }
-}
-
-/// Message that a monitor may send.
-enum Incoming {
-    Describe,
-    Monitor(Box<FromMonitor>),
-    Extra(FromMonitorExtra),
-}
-
-fn decode(packet: &Packet<'_>) -> Option<Incoming> {
-    match packet.message().ok()? {
-        ToRobot::Describe => Some(Incoming::Describe),
-        ToRobot::Monitor(bytes) => postcard::from_bytes(bytes).ok().map(|message| Incoming::Monitor(Box::new(message))),
-        ToRobot::MonitorExtra(bytes) => postcard::from_bytes(bytes).ok().map(Incoming::Extra),
-        _ => None,
-    }
-}
-
-/// Handles a message; returns whether the loop still runs.
-fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
-    let command = match message {
-        Incoming::Describe => {
-            connection.push(hub, Message::Describe(hub.graph, hub.options.actions));
-            return true;
-        }
-        Incoming::Extra(FromMonitorExtra::ImageTaken { .. }) => {
-            connection.image_ms.store(TAKEN, Ordering::Relaxed);
-            return true;
-        }
-        Incoming::Extra(FromMonitorExtra::World(request)) => Command::World(request),
-        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Images, every }) => Command::WatchImages(every),
-        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Taken, every }) => Command::WatchTaken(every > 0),
-        Incoming::Extra(FromMonitorExtra::Watch { kind: ExtraKind::Stop(stop), every }) => {
-            Command::Stop(stop, every > 0)
-        }
-        Incoming::Extra(FromMonitorExtra::Watch { kind, every }) => match Key::of_extra(kind, every) {
-            Some(watch) => Command::WatchKey(watch),
-            None => return true,
-        },
-        Incoming::Monitor(message) => match *message {
-            FromMonitor::Attach => {
-                connection.push(hub, Message::Attached(hub.attached()));
-                Command::Attach
-            }
-            FromMonitor::Watch(watch) => Command::Watch(watch),
-            FromMonitor::WatchInfo(watch) => Command::WatchKey(Key::of_info(watch)),
-            FromMonitor::ReadParams => Command::ReadParams,
-            FromMonitor::Lease(action) => Command::Lease(action),
-            FromMonitor::Request(request) => Command::Request(Box::new(request)),
-        },
-    };
-    // A monitor that sends faster than the loop handles is slowed down, and nobody else.
-    while connection.pending.load(Ordering::Relaxed) >= MAX_PENDING {
-        if connection.is_closed() || hub.stopped.load(Ordering::Relaxed) {
-            return true;
-        }
-        thread::sleep(Duration::from_millis(1));
-    }
-    connection.pending.fetch_add(1, Ordering::Relaxed);
-    hub.deliver(connection, command)
-}
-
-fn write(connection: &Connection, mut stream: Stream) {
-    let (mut packets, mut schemas) = (Packets::new(), BTreeSet::new());
-    let mut sending: Option<Sending> = None;
-    while let Some(Batch { mut waiting, image }) = connection.outbox.take(sending.is_some()) {
-        let mut closing = false;
-        while let Some(message) = waiting.message() {
-            closing |= matches!(message, Message::Closing(_));
-            // A message that does not fit into a packet is left out: the limits of the protocol exclude it.
-            let _ = message.encode(&mut packets);
-            if packets.len() > WRITE_BYTES && packets.write(&mut stream).is_err() {
-                connection.close();
-                return;
-            }
-        }
-        let mut parts: Vec<_> = std::iter::from_fn(|| waiting.data()).collect();
-        // The snapshot, which has the time of the cycle, comes first.
-        parts.sort_by_key(EncodedPart::key);
-        for part in parts {
-            let _ = part.frame(&mut schemas, &mut packets);
-        }
-        sending = sending.or_else(|| image.map(Sending::new));
-        // Each part of an image comes after everything else, so an image delays nothing for long.
-        sending.take_if(|sending| sending.push_part(&mut packets).unwrap_or(true));
-        if packets.write(&mut stream).is_err() || closing {
-            connection.close();
-            return;
-        }
     }
 }

@@ -5,14 +5,16 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::sync::Arc;
 use std::time::Duration;
 
-use bica_wire::message::{Change, CycleInfo, LeaseAction, Offers, RefusalCode, Request, WorldChange, WorldRequest};
+use bica_wire::message::{
+    Change, CycleInfo, LeaseAction, LogSource, Offers, RefusalCode, Request, WorldChange, WorldRequest,
+};
 use bica_wire::server::Lease;
 
-use super::ServerOptions;
 use super::connection::Connection;
 use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
-use super::outbox::{AnswerKind, Message};
+use super::options::ServerOptions;
+use super::outbox::{AnswerKind, Message, OutputSchema};
 use super::pace::{LoopClock, Pace};
 use super::scene::WorldScenes;
 use super::stops::Stops;
@@ -48,7 +50,9 @@ pub(super) struct Control {
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
     pub(super) changed: BTreeSet<u16>,
-    /// Connections that get all parameters at the end of the cycle.
+    /// Schemas of all outputs, once somebody has asked.
+    pub(super) schemas: Option<Arc<[OutputSchema]>>,
+    /// Connections that get these schemas and all parameters at the end of the cycle.
     pub(super) readers: BTreeSet<u64>,
     /// Numbers of the next cycle.
     pub(super) next: CycleInfo,
@@ -72,6 +76,7 @@ impl Control {
             lease: Lease::new(options.silence),
             applied: Vec::new(),
             changed: BTreeSet::new(),
+            schemas: None,
             readers: BTreeSet::new(),
             next: CycleInfo::default(),
             last: None,
@@ -107,9 +112,16 @@ impl Control {
         }
     }
 
-    /// Sends a line of the log to every monitor.
+    /// Sends a line about the operator to every monitor.
     pub(super) fn log(&mut self, now: bica::Instant, level: u8, text: &str) {
-        self.tell_all(&Message::Log { time_us: now.as_micros(), level, text: text.into() });
+        let source = LogSource::Operator;
+        self.tell_all(&Message::Log { time_us: now.as_micros(), level, source, text: text.into() });
+    }
+
+    /// Sends a warning to one monitor.
+    fn warn(&mut self, connection: u64, now: bica::Instant, text: &str) {
+        let (time_us, source) = (now.as_micros(), LogSource::Robot);
+        self.tell(connection, Message::Log { time_us, level: 3, source, text: text.into() });
     }
 
     /// Ends the lease of a silent operator.
@@ -117,7 +129,7 @@ impl Control {
         let time = self.lease_time(now);
         if self.lease.check_silence(time) {
             self.announce_lease(now);
-            self.log(now, 3, "operator: silent for too long, holds and rates end");
+            self.log(now, 3, "silent for too long, holds and rates end");
         }
     }
 
@@ -167,8 +179,7 @@ impl Control {
 
     fn has_room(&mut self, now: bica::Instant, connection: u64, room: bool) {
         if !room {
-            let text = "a monitor cannot watch so much".into();
-            self.tell(connection, Message::Log { time_us: now.as_micros(), level: 3, text });
+            self.warn(connection, now, "a monitor cannot watch so much");
         }
     }
 
@@ -187,8 +198,7 @@ impl Control {
         if !self.watch_only && self.lease.act(connection, action, time, unpredictable()) {
             self.announce_lease(now);
             if let Some(last) = last.filter(|&last| last != connection) {
-                let text = "control has ended: another monitor has taken it".into();
-                self.tell(last, Message::Log { time_us: now.as_micros(), level: 3, text });
+                self.warn(last, now, "control has ended: another monitor has taken it");
             }
         } else if !matches!(action, LeaseAction::Keep { .. } if self.lease.state(connection, now).yours) {
             let lease = self.lease.state(connection, now);
@@ -233,9 +243,9 @@ impl Control {
             return;
         }
         let text = match change {
-            WorldChange::Pause => "operator: pause".to_owned(),
-            WorldChange::Resume => "operator: resume".to_owned(),
-            WorldChange::Step { cycles } => format!("operator: step {cycles}"),
+            WorldChange::Pause => "pause".to_owned(),
+            WorldChange::Resume => "resume".to_owned(),
+            WorldChange::Step { cycles } => format!("step {cycles}"),
         };
         self.pace.change(change);
         let (cycle, result) = (self.next.cycle, AnswerKind::Done(Vec::new()));

@@ -5,9 +5,8 @@ use std::thread::{self, JoinHandle};
 use std::{io, mem};
 
 use super::cycle_data::CycleData;
-use super::exchange::{Exchange, Outgoing, Recipient};
+use super::exchange::{Exchange, Outgoing, Recipient, Shot};
 use super::hub::Hub;
-use super::picture::Shot;
 
 /// Starts the thread. It ends after [`Exchange::close`], once everything is distributed.
 pub(super) fn start(hub: &Arc<Hub>) -> io::Result<JoinHandle<()>> {
@@ -20,7 +19,7 @@ fn run(hub: &Hub, exchange: &Exchange) {
     while exchange.take(&mut received) {
         for (recipient, message) in received.messages.drain(..) {
             match recipient {
-                Recipient::One(connection) => connection.push(hub, message),
+                Recipient::One(connection) => connection.push(message),
                 Recipient::All => hub.push_to_each(&message),
             }
         }

@@ -7,7 +7,8 @@ use std::time::Duration;
 use super::connection::Connection;
 use super::cycle_data::CycleData;
 use super::outbox::Message;
-use super::picture::Shot;
+use super::picture::Picture;
+use super::watcher::Watcher;
 
 /// Largest number of messages that wait. Those to whom more are sent are disconnected.
 const MAX_MESSAGES: usize = 1 << 16;
@@ -28,6 +29,13 @@ const POLLS: u32 = 16;
 pub(super) enum Recipient {
     One(Arc<Connection>),
     All,
+}
+
+/// The newest image for the distributor, with the monitors at that time.
+#[derive(Clone, Debug)]
+pub(super) struct Shot {
+    pub(super) watchers: Arc<[Watcher]>,
+    pub(super) picture: Picture,
 }
 
 /// What one thread hands to the other. Its memory is used again.
@@ -180,10 +188,12 @@ impl Exchange {
 
 #[cfg(test)]
 mod tests {
+    use bica_wire::message::LogSource;
+
     use super::*;
 
     fn log(time_us: u64) -> (Recipient, Message) {
-        (Recipient::All, Message::Log { time_us, level: 2, text: "".into() })
+        (Recipient::All, Message::Log { time_us, level: 2, source: LogSource::Robot, text: "".into() })
     }
 
     fn times(outgoing: &Outgoing) -> Vec<u64> {

@@ -1,7 +1,7 @@
 //! What all threads of a server share.
 
 use std::collections::VecDeque;
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::thread;
@@ -9,14 +9,16 @@ use std::time::{Duration, Instant};
 
 use bica::Graph;
 use bica_wire::SCHEMA;
-use bica_wire::message::{Attached, LeaseAction, Offers, Request, Stop, Watch, WorldRequest};
+use bica_wire::message::{Attached, LeaseAction, LogSource, Offers, Request, Stop, Watch, WorldRequest};
 use bica_wire::model::Description;
 
 use super::connection::Connection;
+use super::counters::Counters;
 use super::exchange::Exchange;
+use super::images::has_blobs;
 use super::key::Key;
-use super::outbox::Message;
-use super::{MAX_MONITORS, ServerOptions};
+use super::options::{MAX_MONITORS, ServerOptions};
+use super::outbox::{Message, MessageSchemas};
 
 /// Largest number of messages of a connection that wait for the loop. A connection that sends more is not read meanwhile.
 pub(super) const MAX_PENDING: usize = 32;
@@ -24,21 +26,6 @@ pub(super) const MAX_PENDING: usize = 32;
 const MAX_SILENT: usize = 32;
 /// Messages of a connection to the loop that do not count: its beginning.
 const UNCOUNTED: usize = 1;
-
-/// Counts of a server.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LinkStats {
-    /// Number of monitors now: connections that have sent a message.
-    pub monitors: usize,
-    /// Number of damaged packets, noise included.
-    pub damaged: u32,
-    /// Number of undamaged packets that contain no message of a monitor.
-    pub unknown: u32,
-    /// Number of connections closed because [`MAX_MONITORS`] were open.
-    pub rejected: u32,
-    /// Number of connections closed because the monitor did not read its messages.
-    pub too_slow: u32,
-}
 
 /// Message of a connection to the loop.
 pub(super) struct Inbound {
@@ -68,6 +55,7 @@ pub(super) struct Hub {
     /// Description of the same tree and its world, for texts.
     pub(super) description: Description,
     tree_hash: u64,
+    pub(super) messages: MessageSchemas,
     pub(super) options: ServerOptions,
     /// For messages that only watch, and for the others.
     watches: SyncSender<Inbound>,
@@ -77,17 +65,13 @@ pub(super) struct Hub {
     silent: Mutex<VecDeque<Weak<Connection>>>,
     /// To the thread that distributes.
     pub(super) exchange: Exchange,
-    pub(super) open: AtomicUsize,
+    pub(super) counters: Arc<Counters>,
     last_id: AtomicU64,
     /// Number of the next cycle.
     pub(super) next_cycle: AtomicU64,
     /// Instant of the last cycle, µs.
     pub(super) time_us: AtomicU64,
     pub(super) stopped: AtomicBool,
-    pub(super) damaged: AtomicU32,
-    pub(super) unknown: AtomicU32,
-    pub(super) rejected: AtomicU32,
-    pub(super) too_slow: AtomicU32,
     /// How the run has ended.
     result: Mutex<Option<Arc<str>>>,
 }
@@ -96,6 +80,7 @@ impl Hub {
     pub(super) fn new(
         graph: &'static Graph,
         tree_hash: u64,
+        messages: MessageSchemas,
         options: &ServerOptions,
     ) -> (Self, [Receiver<Inbound>; 2]) {
         let (inbox, receiver) = sync_channel((MAX_PENDING + UNCOUNTED) * MAX_MONITORS);
@@ -104,21 +89,18 @@ impl Hub {
             graph,
             description: Description::of(graph).with_actions(options.actions),
             tree_hash,
+            messages,
             options: *options,
             watches,
             inbox,
             connections: Mutex::default(),
             silent: Mutex::default(),
             exchange: Exchange::default(),
-            open: AtomicUsize::new(0),
+            counters: Arc::default(),
             last_id: AtomicU64::new(0),
             next_cycle: AtomicU64::new(0),
             time_us: AtomicU64::new(0),
             stopped: AtomicBool::new(false),
-            damaged: AtomicU32::new(0),
-            unknown: AtomicU32::new(0),
-            rejected: AtomicU32::new(0),
-            too_slow: AtomicU32::new(0),
             result: Mutex::default(),
         };
         (hub, [receiver, watch_receiver])
@@ -138,7 +120,8 @@ impl Hub {
     /// What this server offers.
     pub(super) fn offers(&self) -> Offers {
         let operate = if self.options.watch_only { Offers::default() } else { Offers::OPERATE };
-        self.options.offers.with(operate).with(Offers::CONDITIONS).with(Offers::COSTS)
+        let images = if has_blobs(self.messages[0]) { Offers::IMAGES } else { Offers::default() };
+        self.options.offers.with(operate).with(images).with(Offers::CONDITIONS).with(Offers::COSTS)
     }
 
     /// How the run has ended.
@@ -193,28 +176,28 @@ impl Hub {
             // The queue has a place for every message that open connections may have waiting: it is full of those of closed
             // ones, while the loop stands still.
             Err(TrySendError::Full(_)) => {
-                from.overflow(self);
+                from.overflow();
                 true
             }
             Err(TrySendError::Disconnected(_)) => false,
         }
     }
 
-    pub(super) fn log(&self, level: u8, text: &str) {
+    pub(super) fn log(&self, level: u8, source: LogSource, text: &str) {
         let time_us = self.time_us.load(Ordering::Relaxed);
-        self.exchange.push_to_all(Message::Log { time_us, level, text: text.into() });
+        self.exchange.push_to_all(Message::Log { time_us, level, source, text: text.into() });
     }
 
     /// Adds a message to the queue of each connection. Not for the loop, which never waits.
     pub(super) fn push_to_each(&self, message: &Message) {
-        self.each(|connection| connection.push(self, message.clone()));
+        self.each(|connection| connection.push(message.clone()));
     }
 
     /// Tells every monitor that the server ends, and waits until they have received it.
     pub(super) fn end(&self, reason: &'static str, longest: Duration) {
         self.push_to_each(&Message::Closing(reason));
         let began = Instant::now();
-        while self.open.load(Ordering::Relaxed) > 0 && began.elapsed() < longest {
+        while self.counters.open.load(Ordering::Relaxed) > 0 && began.elapsed() < longest {
             thread::sleep(Duration::from_millis(2));
         }
         self.each(Connection::close);
@@ -223,16 +206,5 @@ impl Hub {
     fn each(&self, action: impl Fn(&Connection)) {
         let connections = self.connections.lock().unwrap_or_else(PoisonError::into_inner).clone();
         connections.iter().filter_map(Weak::upgrade).for_each(|connection| action(&connection));
-    }
-
-    pub(super) fn stats(&self) -> LinkStats {
-        let count = |counter: &AtomicU32| counter.load(Ordering::Relaxed);
-        LinkStats {
-            monitors: self.open.load(Ordering::Relaxed),
-            damaged: count(&self.damaged),
-            unknown: count(&self.unknown),
-            rejected: count(&self.rejected),
-            too_slow: count(&self.too_slow),
-        }
     }
 }

@@ -6,8 +6,8 @@ use std::sync::atomic::Ordering;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use super::connection;
 use super::hub::Hub;
+use super::session;
 use crate::address::{Address, resolve};
 use crate::error::Error;
 use crate::stream::Stream;
@@ -56,7 +56,7 @@ pub(super) fn start(hub: &Arc<Hub>, address: &Address, anywhere: bool) -> Result
                 while !hub.stopped.load(Ordering::Relaxed) {
                     if let Ok(stream) = stream {
                         // The reason is of no use: the line is opened again in any case.
-                        let _ = connection::serve(&hub, stream);
+                        let _ = session::serve(&hub, stream);
                     } else {
                         thread::sleep(REOPEN);
                     }
@@ -75,7 +75,7 @@ fn accept(hub: &Arc<Hub>, next: impl Fn() -> Option<Stream>) {
         let hub = Arc::clone(hub);
         let serve = move || {
             // The monitor is gone: there is nobody to report an error to.
-            let _ = connection::serve(&hub, stream);
+            let _ = session::serve(&hub, stream);
         };
         let _ = thread::Builder::new().name("link reader".to_owned()).spawn(serve);
     }

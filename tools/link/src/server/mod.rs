@@ -3,20 +3,24 @@
 mod conditions;
 mod connection;
 mod control;
-mod cost_meter;
+mod counters;
 mod cycle_data;
 mod distributor;
+mod encoded;
 mod exchange;
 mod extras;
 mod hub;
+mod images;
 mod key;
 mod listener;
 mod observer;
+mod options;
 mod outbox;
 mod pace;
 mod picture;
 mod requests;
 mod scene;
+mod session;
 mod snapshot;
 mod stops;
 mod watcher;
@@ -27,9 +31,9 @@ use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use bica::action::Action;
-use bica::runner::{Robot, World};
-use bica_wire::message::{Offers, WorldChange};
+use bica::runner::World;
+use bica_wire::Recordable;
+use bica_wire::message::{LogSource, Offers, WorldChange};
 
 use crate::address::Address;
 use crate::error::Error;
@@ -37,50 +41,13 @@ use control::Control;
 use hub::Hub;
 use scene::{EncodedScene, WorldScenes};
 
-pub use hub::LinkStats;
+pub use counters::LinkStats;
 pub use observer::LinkObserver;
-pub use picture::LinkImage;
+pub use options::{MAX_MONITORS, ServerOptions};
 pub use requests::LinkRequests;
-
-/// Largest number of monitors at the same time.
-pub const MAX_MONITORS: usize = 32;
 
 /// Longest wait for the last messages when a server ends.
 const LAST_MESSAGES: Duration = Duration::from_millis(500);
-
-/// How a server works.
-#[derive(Clone, Copy, Debug)]
-pub struct ServerOptions {
-    /// Whether it may listen on an address that other computers reach. There is no password: whoever reaches the server
-    /// controls the robot.
-    pub anywhere: bool,
-    /// Whether the robot's time advances with the clock. Then the silence of an operator is measured in the robot's time,
-    /// else by the clock of this computer.
-    pub realtime: bool,
-    /// Silence of the operator after which the lease ends.
-    pub silence: Duration,
-    /// Whether all monitors may only watch: nobody gets the lease.
-    pub watch_only: bool,
-    /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks [`LinkRequests::begins_cycle`], [`Offers::IMAGES`]
-    /// with [`LinkObserver::with_images`]. The server adds what it offers itself. A world that can be paused measures
-    /// silence by the clock of this computer.
-    pub offers: Offers,
-    /// What an operator can do in the world of the loop: the list of its [`actions`](bica::runner::World::actions).
-    pub actions: &'static [Action],
-}
-
-impl Default for ServerOptions {
-    fn default() -> Self {
-        Self {
-            anywhere: false,
-            realtime: true,
-            silence: Duration::from_secs(3),
-            watch_only: false,
-            offers: Offers::default(),
-            actions: &[],
-        }
-    }
-}
 
 /// Server that accepts monitors of a running robot. Dropping it closes all connections.
 #[derive(Debug)]
@@ -99,7 +66,7 @@ impl LinkServer {
     ///
     /// # Errors
     /// [`Error::NotLoopback`], or [`Error::Connect`] if it cannot listen there.
-    pub fn start<R: Robot>(
+    pub fn start<R: Recordable>(
         address: &Address,
         options: ServerOptions,
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
@@ -111,7 +78,7 @@ impl LinkServer {
     ///
     /// # Errors
     /// As [`start`](Self::start).
-    pub fn start_in_world<R: Robot>(
+    pub fn start_in_world<R: Recordable>(
         address: &Address,
         options: ServerOptions,
         world: &(impl World<R> + ?Sized),
@@ -122,12 +89,12 @@ impl LinkServer {
         Self::start_with(address, ServerOptions { offers, ..options }, shown)
     }
 
-    fn start_with<R: Robot>(
+    fn start_with<R: Recordable>(
         address: &Address,
         options: ServerOptions,
         shown: WorldScenes,
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
-        let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, &options);
+        let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, [R::SENSORS, R::COMMAND], &options);
         let hub = Arc::new(hub);
         let (bound, listener) = listener::start(&hub, address, options.anywhere)?;
         let distributor = distributor::start(&hub).map_err(|error| {
@@ -152,8 +119,8 @@ impl LinkServer {
 
     /// Sends a line of the log to every monitor, with the time of the last cycle. `level` is 1 debug, 2 information,
     /// 3 warning, 4 error.
-    pub fn log(&self, level: u8, text: &str) {
-        self.hub.log(level, text);
+    pub fn log(&self, level: u8, source: LogSource, text: &str) {
+        self.hub.log(level, source, text);
     }
 
     /// Sets how the run has ended, for people, such as `done after 12.00 s`. Every monitor gets it, also one that attaches later.
@@ -164,7 +131,7 @@ impl LinkServer {
     /// Returns the counts since the start.
     #[must_use]
     pub fn stats(&self) -> LinkStats {
-        self.hub.stats()
+        self.hub.counters.stats()
     }
 }
 

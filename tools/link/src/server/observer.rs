@@ -1,68 +1,59 @@
 //! The observer in the loop.
 
 use std::collections::BTreeSet;
+use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
 use bica::runner::{Cycle, Observer, Overrun, Robot, World};
 use bica::{ComponentId, Instant, Probe, Tree};
-use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues};
+use bica_wire::Recordable;
+use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues, WorldChange};
 use bica_wire::server::read;
 
 use super::conditions::ConditionTable;
+use super::connection::Connection;
 use super::control::{Applied, Control};
-use super::cost_meter::CostMeter;
+use super::exchange::Shot;
 use super::extras::Extra;
+use super::images::Images;
 use super::key::Key;
-use super::outbox::{AnswerKind, Message};
-use super::picture::{Copies, LinkImage, Picture, Shot};
+use super::outbox::{AnswerKind, Message, OutputSchema};
+use super::picture::Picture;
 use super::requests::lock;
 use super::scene::EncodedScene;
+use crate::cost_meter::CostMeter;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
 pub struct LinkObserver<R: Robot> {
     control: Arc<Mutex<Control>>,
-    image_of: Option<ImageOf<R>>,
-    owner_of: Option<Box<OwnerOf>>,
-    copies: Copies,
+    images: Images,
     /// The newest image that somebody watched, and of a world that can be paused any.
     newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
+    robot: PhantomData<fn(R)>,
 }
-
-/// Function that returns the image in sensor values.
-type ImageOf<R> = for<'a, 'b> fn(&'a <R as Robot>::Sensors<'b>) -> Option<LinkImage<'a>>;
-
-/// Function that returns the owner of the pixels of an image.
-type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
 
 impl<R: Robot> LinkObserver<R> {
     pub(super) fn new(control: Arc<Mutex<Control>>) -> Self {
         let graph = const { &R::GRAPH };
         Self {
             control,
-            image_of: None,
-            owner_of: None,
-            copies: Copies::default(),
+            images: Images::default(),
             newest: None,
             conditions: ConditionTable::new(graph),
             costs: CostMeter::new(graph),
+            robot: PhantomData,
         }
     }
 
-    /// Sets the function that returns the new image in sensor values. Images are counted, and sent to monitors that watch
-    /// them; a server with this function has [`Offers::IMAGES`](bica_wire::message::Offers::IMAGES) in its options.
-    #[must_use]
-    pub fn with_images(self, image_of: ImageOf<R>) -> Self {
-        Self { image_of: Some(image_of), ..self }
-    }
-
-    /// Sets the function that returns the owner of the pixels of an image. Images with an owner are sent without a copy in the
+    /// Sets the function that returns the owner of the pixels of an image in YUYV. Images with an owner are sent without a copy in the
     /// loop.
     #[must_use]
-    pub fn sharing_images(self, owner_of: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
-        Self { owner_of: Some(Box::new(owner_of)), ..self }
+    pub fn sharing_images(mut self, owner_of: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
+        self.images.owner_of = Some(Box::new(owner_of));
+        self
     }
 
     /// Sends the true state of the world after the last cycle to the monitors for whom it is due. The loop calls it after each
@@ -112,8 +103,8 @@ impl<R: Robot> Probe for LinkObserver<R> {
         self.costs.run(component);
     }
 
-    fn begin(&mut self, _component: ComponentId) {
-        self.costs.begin();
+    fn begin(&mut self, component: ComponentId) {
+        self.costs.begin(component);
     }
 
     fn end(&mut self, component: ComponentId) {
@@ -129,12 +120,14 @@ impl<R: Robot> Probe for LinkObserver<R> {
     }
 }
 
-impl<R: Robot> Observer<R> for LinkObserver<R> {
+impl<R: Recordable> Observer<R> for LinkObserver<R> {
     fn sensing(&mut self, now: Instant, sensors: &R::Sensors<'_>) {
         self.costs.sensing();
         let mut control = lock(&self.control);
         control.next.sensed += 1;
-        let Some(image) = self.image_of.and_then(|image_of| image_of(sensors)) else { return };
+        if !self.images.find::<R>(sensors) {
+            return;
+        }
         let number = control.next.images as u32;
         control.next.images += 1;
         // A monitor that is not ready for this image gets it if the world stands still after it.
@@ -142,11 +135,7 @@ impl<R: Robot> Observer<R> for LinkObserver<R> {
             return;
         }
         let watchers = control.watchers.of_image(number, false);
-        let owner = self.owner_of.as_ref().and_then(|owner_of| owner_of(image.yuyv));
-        let pixels = owner.unwrap_or_else(|| self.copies.copy(image.yuyv));
-        let LinkImage { camera, width, height, .. } = image;
-        let (time_us, camera, size) = (now.as_micros(), camera.into(), (width, height));
-        let picture = Picture { number, time_us, camera, size, pixels };
+        let Some(picture) = self.images.take::<R>(sensors, number, now) else { return };
         self.newest = Some(picture.clone());
         if !watchers.is_empty() {
             control.outgoing.shot = Some(Shot { watchers, picture });
@@ -207,6 +196,8 @@ impl Control {
             self.tell_all(&Message::Params(values));
         }
         for connection in std::mem::take(&mut self.readers) {
+            let schemas = Arc::clone(self.schemas.get_or_insert_with(|| schemas(tree)));
+            self.tell(connection, Message::Schemas(schemas));
             let values = (0..T::COUNT as u16).flat_map(|component| params(tree, cycle, component)).collect();
             self.tell(connection, Message::Params(values));
         }
@@ -224,7 +215,9 @@ impl Control {
             match key {
                 Key::Info(component, index) => data.read(tree, component, index),
                 Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
-                Key::Costs => data.extras.extend(costs.read(info.cycle)),
+                Key::Costs => {
+                    data.extras.extend(costs.read(info.cycle).map(|(cycles, costs)| Extra::Costs(cycles, costs)));
+                }
                 // It is not known before the world has advanced.
                 Key::Snapshot | Key::Truth => {}
             }
@@ -262,10 +255,30 @@ impl Control {
         self.outgoing.add_data(data);
     }
 
+    /// Reports transitions and stops of this cycle to the monitors that watch them, and pauses the world at a stop.
+    fn look_at_stops<T: Tree>(&mut self, now: Instant, tree: &T, conditions: &ConditionTable) {
+        self.stops.read(tree);
+        let time_us = now.as_micros();
+        let can_pause = self.can_pause() && !self.watch_only;
+        let may_pause = |connection| {
+            let lease = self.lease.state(connection, now);
+            can_pause && (lease.yours || !lease.owned)
+        };
+        let taken = self.stops.taken(time_us, conditions);
+        let (reached, pauses) = self.stops.reached(time_us, conditions, may_pause);
+        for (connection, message) in taken.into_iter().chain(reached) {
+            self.tell(connection, message);
+        }
+        if pauses {
+            self.pace.change(WorldChange::Pause);
+            self.announce_world();
+        }
+    }
+
     /// Hands everything over to the thread that sends it.
     pub(super) fn hand_over(&mut self) {
         if !self.outgoing.is_empty() {
-            self.hub.exchange.offer(&mut self.outgoing, |connection| connection.overflow(&self.hub));
+            self.hub.exchange.offer(&mut self.outgoing, Connection::overflow);
         }
         self.forget_closed();
         self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
@@ -281,4 +294,14 @@ impl Control {
 fn params<T: Tree>(tree: &T, cycle: u64, component: u16) -> Vec<ParamValues> {
     let firsts = (0..u16::MAX).step_by(MAX_VALUES);
     firsts.map_while(|first| read::params(tree, cycle, component, first)).collect()
+}
+
+/// Returns the schemas of all outputs.
+fn schemas<T: Tree>(tree: &T) -> Arc<[OutputSchema]> {
+    let outputs = T::GRAPH.nodes.iter().enumerate().flat_map(|(component, node)| {
+        let schema = move |info| Some((component, info, read::schema(tree, component, info)?));
+        (0..node.info.len()).filter_map(schema)
+    });
+    let schema = |(component, info, schema)| OutputSchema { component: component as u16, info: info as u16, schema };
+    outputs.map(schema).collect()
 }

@@ -5,12 +5,13 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use bica::Graph;
 use bica::action::Action;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, LeaseState, LogLine, MAX_TEXT_BYTES, ParamValues, Reached, RefusalCode, Taken,
-    Value, WorldState,
+    Answer, AnswerResult, Attached, InfoSchema, LeaseState, LogLine, LogSource, MAX_TEXT_BYTES, ParamValues, Reached,
+    RefusalCode, SCHEMA_PART_BYTES, Taken, Value, WorldState,
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
+use postcard_schema::schema::NamedType;
 
-use super::cycle_data::{Encoded, EncodedPart, Watched};
+use super::encoded::{Encoded, EncodedPart, Watched};
 use super::key::Key;
 use super::picture::Picture;
 use super::scene::Sent;
@@ -21,17 +22,29 @@ use crate::pending::Pending;
 #[derive(Clone, Debug)]
 pub(super) enum Message {
     Attached(Attached<'static>),
-    Describe(&'static Graph, &'static [Action]),
+    Describe(&'static Graph, &'static [Action], MessageSchemas),
+    Schemas(Arc<[OutputSchema]>),
     Lease(LeaseState),
     Params(Vec<ParamValues>),
     Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
-    Log { time_us: u64, level: u8, text: Arc<str> },
+    Log { time_us: u64, level: u8, source: LogSource, text: Arc<str> },
     World(WorldState),
     Taken(Taken),
     Reached(Reached),
     Scene(Sent),
     Result(Arc<str>),
     Closing(&'static str),
+}
+
+/// Schemas of sensor values and command.
+pub(super) type MessageSchemas = [&'static NamedType; 2];
+
+/// Schema of an output.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OutputSchema {
+    pub(super) component: u16,
+    pub(super) info: u16,
+    pub(super) schema: &'static NamedType,
 }
 
 /// Result of a request.
@@ -132,10 +145,20 @@ impl Message {
     pub(super) fn encode(&self, packets: &mut Packets) -> Result<(), TooLarge> {
         match self {
             Self::Attached(attached) => packets.push(&ToMonitor::Attached(*attached)),
-            Self::Describe(graph, actions) => {
+            Self::Describe(graph, actions, schemas) => {
+                for (command, schema) in [false, true].into_iter().zip(schemas) {
+                    in_parts(schema, |last, bytes| {
+                        packets.push_extra(&ToMonitorExtra::MessageSchema { command, last, bytes })
+                    })?;
+                }
                 let mut items = describe(graph).with_actions(actions);
                 items.try_for_each(|item| packets.push_robot(&FromRobot::GraphItem(item)))
             }
+            Self::Schemas(outputs) => outputs.iter().try_for_each(|&OutputSchema { component, info, schema }| {
+                in_parts(schema, |last, bytes| {
+                    packets.push(&ToMonitor::InfoSchema(InfoSchema { component, info, last, bytes }))
+                })
+            }),
             Self::Lease(lease) => packets.push(&ToMonitor::Lease(*lease)),
             Self::Params(parts) => parts.iter().try_for_each(|values| packets.push(&ToMonitor::Params(values.clone()))),
             Self::Answer { number, cycle, arrived, result } => {
@@ -148,9 +171,9 @@ impl Message {
                 };
                 packets.push(&ToMonitor::Answer(Answer { number: *number, cycle: *cycle, arrived: *arrived, result }))
             }
-            Self::Log { time_us, level, text } => {
+            Self::Log { time_us, level, source, text } => {
                 let text = truncate(text, MAX_TEXT_BYTES);
-                packets.push(&ToMonitor::Log(LogLine { time_us: *time_us, level: *level, text }))
+                packets.push(&ToMonitor::Log(LogLine { time_us: *time_us, level: *level, source: *source, text }))
             }
             Self::World(state) => packets.push_extra(&ToMonitorExtra::World(*state)),
             Self::Taken(taken) => packets.push_extra(&ToMonitorExtra::Taken(*taken)),
@@ -160,4 +183,14 @@ impl Message {
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
     }
+}
+
+/// Passes a schema on in parts, each with whether it is the last one.
+fn in_parts(
+    schema: &'static NamedType,
+    mut part: impl FnMut(bool, &[u8]) -> Result<(), TooLarge>,
+) -> Result<(), TooLarge> {
+    let bytes = postcard::to_stdvec(schema).map_err(|_| TooLarge)?;
+    let count = bytes.len().div_ceil(SCHEMA_PART_BYTES);
+    bytes.chunks(SCHEMA_PART_BYTES).zip(1..).try_for_each(|(bytes, number)| part(number == count, bytes))
 }

@@ -113,12 +113,12 @@ impl Requests for LinkRequests {
                     control.watchers.owe_truth();
                 }
                 control.applied.push(*applied);
-                control.log(now, 2, &format!("operator: {text}"));
+                control.log(now, 2, &text);
             }
             Err(refusal) => {
                 let Applied { connection, number, arrived, .. } = *applied;
                 let (entry, reason) = (refusal.entry as u16, refusal.to_string());
-                control.log(now, 3, &format!("operator: {text} refused: {reason}"));
+                control.log(now, 3, &format!("{text} refused: {reason}"));
                 let is_of_world = matches!(applied.change, Change::World { .. });
                 let code = if is_of_world { RefusalCode::World } else { RefusalCode::Tree };
                 control.refuse(connection, number, arrived, code, entry, reason);

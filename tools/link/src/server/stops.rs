@@ -2,11 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use bica::{ComponentId, Instant, Tree};
-use bica_wire::message::{Reached, Stop, StopAt, Taken, WorldChange};
+use bica::{ComponentId, Tree};
+use bica_wire::message::{Reached, Stop, StopAt, Taken};
 
 use super::conditions::ConditionTable;
-use super::control::Control;
 use super::outbox::Message;
 use super::watcher::MAX_WATCHED;
 
@@ -54,12 +53,44 @@ impl Stops {
     }
 
     /// Takes in the states after a cycle.
-    fn read<T: Tree>(&mut self, tree: &T) {
+    pub(super) fn read<T: Tree>(&mut self, tree: &T) {
         std::mem::swap(&mut self.now, &mut self.before);
         let status = |index| tree.status(ComponentId::new(index));
         let activity = |index| status(index).map(|now| (now.active, now.state.map(|state| state as u16)));
         self.now.clear();
         self.now.extend((0..T::COUNT).map(|index| activity(index).unwrap_or_default()));
+    }
+
+    /// Returns the transitions of the last cycle for the connections that watch them.
+    pub(super) fn taken(&self, time_us: u64, conditions: &ConditionTable) -> Vec<(u64, Message)> {
+        if self.taken.is_empty() {
+            return Vec::new();
+        }
+        let taken = (0..self.now.len()).filter_map(|component| Some((component, conditions.taken(component)?)));
+        let taken = taken.map(|(component, transition)| Taken {
+            time_us,
+            component: component as u16,
+            transition: transition as u16,
+        });
+        taken.flat_map(|taken| self.taken.iter().map(move |&watching| (watching, Message::Taken(taken)))).collect()
+    }
+
+    /// Returns the stops that are reached, each for its connection, and whether one pauses. `may_pause` states it of a connection.
+    pub(super) fn reached(
+        &self,
+        time_us: u64,
+        conditions: &ConditionTable,
+        may_pause: impl Fn(u64) -> bool,
+    ) -> (Vec<(u64, Message)>, bool) {
+        let (mut messages, mut pauses) = (Vec::new(), false);
+        for (&connection, stops) in &self.set {
+            for &stop in stops.iter().filter(|stop| self.is_reached(**stop, conditions)) {
+                let paused = stop.pauses && may_pause(connection);
+                pauses |= paused;
+                messages.push((connection, Message::Reached(Reached { time_us, stop, paused })));
+            }
+        }
+        (messages, pauses)
     }
 
     fn is_reached(&self, stop: Stop, conditions: &ConditionTable) -> bool {
@@ -70,40 +101,6 @@ impl Stops {
                 self.now.get(component) == now && self.before.get(component) != now
             }
             StopAt::Transition(transition) => conditions.taken(component) == Some(transition.into()),
-        }
-    }
-}
-
-impl Control {
-    /// Reports transitions and stops of this cycle to the monitors that watch them, and pauses the world at a stop.
-    pub(super) fn look_at_stops<T: Tree>(&mut self, now: Instant, tree: &T, conditions: &ConditionTable) {
-        self.stops.read(tree);
-        let time_us = now.as_micros();
-        let mut messages = Vec::new();
-        if !self.stops.taken.is_empty() {
-            for component in 0..T::COUNT {
-                let Some(transition) = conditions.taken(component) else { continue };
-                let (component, transition) = (component as u16, transition as u16);
-                let taken = Message::Taken(Taken { time_us, component, transition });
-                messages.extend(self.stops.taken.iter().map(|&connection| (connection, taken.clone())));
-            }
-        }
-        let mut pauses = false;
-        for (&connection, stops) in &self.stops.set {
-            let lease = self.lease.state(connection, now);
-            let may_pause = self.can_pause() && !self.watch_only && (lease.yours || !lease.owned);
-            for &stop in stops.iter().filter(|stop| self.stops.is_reached(**stop, conditions)) {
-                let paused = stop.pauses && may_pause;
-                pauses |= paused;
-                messages.push((connection, Message::Reached(Reached { time_us, stop, paused })));
-            }
-        }
-        for (connection, message) in messages {
-            self.tell(connection, message);
-        }
-        if pauses {
-            self.pace.change(WorldChange::Pause);
-            self.announce_world();
         }
     }
 }

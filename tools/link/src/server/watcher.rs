@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::connection::Connection;
-use super::cycle_data::Watched;
+use super::encoded::Watched;
 use super::key::Key;
 
 /// Largest number of information and components with conditions that a monitor watches.

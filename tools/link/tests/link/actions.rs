@@ -3,7 +3,7 @@
 use bica::Value;
 use bica_link::{Client, Error, Event, ServerOptions};
 use bica_wire::message::{ExtraKind, RefusalCode, WorldChange};
-use bica_wire::model::{Axis, NamedRequest, Place, Plain};
+use bica_wire::model::{NamedRequest, Plain};
 
 use crate::session::{FARTHEST, Session, event, placed};
 
@@ -22,16 +22,9 @@ fn logged(client: &mut Client, text: &str) {
 }
 
 #[test]
-fn actions_are_described_with_the_places_of_their_arguments() {
+fn actions_are_found_by_name() {
     let session = Session::start_world();
     let client = session.client();
-    let [action] = &client.description().actions[..] else { panic!("{:?}", client.description().actions) };
-    assert_eq!((&*action.name, &*action.doc), ("place_wall", "Places the wall."));
-    assert_eq!(action.moves.as_deref(), Some("wall"));
-    let argument = &action.arguments[0];
-    assert_eq!(argument.range(), format!("0.0 to {FARTHEST:?}"));
-    assert_eq!(argument.place, Some(Place { frame: "road".to_owned(), axis: Axis::X }));
-
     let request = |action: &str, x: f64| {
         let arguments = vec![Plain::Number(x)];
         client.description().request(&NamedRequest::World { action: action.to_owned(), arguments })
@@ -54,7 +47,7 @@ fn an_action_is_in_force_in_the_cycle_of_its_answer() {
         let x = step as f32 / 50.0 * FARTHEST;
         let answer = operator.request(placed(&[Value::F32(x)])).unwrap();
         assert_eq!((answer.cycle, &answer.values[..]), (paused_at + step, &[][..]));
-        logged(&mut watcher, &format!("operator: act place_wall({x})"));
+        logged(&mut watcher, &format!("act place_wall({x})"));
         operator.change_world(WorldChange::Step { cycles: 1 }).unwrap();
         let distance = event(&mut watcher, "the true state of the step", |event| match event {
             Event::Truth(truth) if truth.time_us == 10_000 * answer.cycle => {
@@ -76,7 +69,7 @@ fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
     let error = operator.request(placed(&[Value::F32(0.0)])).unwrap_err();
     assert!(error.help().contains("what can be done"), "{}", error.help());
     assert_eq!(refusal(Err(error)), (RefusalCode::World, "`world.place_wall`: the cart is there".to_owned()));
-    logged(&mut watcher, "operator: act place_wall(0) refused: `world.place_wall`: the cart is there");
+    logged(&mut watcher, "act place_wall(0) refused: `world.place_wall`: the cart is there");
     for (x, reason) in [(FARTHEST + 1.0, "4 is outside 0..=3"), (f32::NAN, "the value is not finite")] {
         let refused = refusal(operator.request(placed(&[Value::F32(x)])));
         assert_eq!(refused, (RefusalCode::World, format!("`world.x`: {reason}")));

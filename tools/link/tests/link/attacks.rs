@@ -74,7 +74,7 @@ fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
     let last = operator.request(HOLD).unwrap().cycle;
     drop(operator);
     let ended_us = event(&mut watcher, "the lease ends", |event| match event {
-        Event::Log { time_us, level: 3, text } if text.contains("silent") => Some(time_us),
+        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => Some(time_us),
         _ => None,
     });
     assert_eq!(ended_us, last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US, "the first cycle after the silence");

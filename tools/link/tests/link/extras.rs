@@ -133,7 +133,7 @@ fn the_operator_is_silent_in_a_paused_world_too() {
 fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
     let session = Session::start();
     let mut client = session.client();
-    assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS));
+    assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS).with(Offers::IMAGES));
     client.acquire(false).unwrap();
     let error = client.change_world(PAUSE).unwrap_err();
     assert!(matches!(error, Error::NotOffered(_)), "{error}");
@@ -144,9 +144,7 @@ fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
     let refused = client.answer(number);
     assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::World, .. })), "{refused:?}");
     session.run(50);
-    for kind in [ExtraKind::Truth, ExtraKind::Images] {
-        assert!(matches!(client.watch_extra(kind, 1), Err(Error::NotOffered(_))));
-    }
+    assert!(matches!(client.watch_extra(ExtraKind::Truth, 1), Err(Error::NotOffered(_))));
 
     let session = Session::start_world();
     let mut watcher = session.client();

@@ -3,40 +3,20 @@
 use std::time::Duration;
 
 use bica::Tree;
+use bica::action::Actions;
 use bica::runner::{Request, Runner};
-use bica_link::{Error, Event, Kind, MAX_MONITORS};
-use bica_wire::message::{Hold, Setting, Value};
+use bica_link::{Description, Error, Event, MAX_MONITORS};
+use bica_wire::message::{Hold, LogSource, Setting, Value};
 
 use crate::robot::{CART, CartTree, DRIVE};
 use crate::session::{CYCLE_US, Session, Wall, event, snapshot};
 
 #[test]
-fn the_description_has_everything_that_the_graph_has() {
-    let session = Session::start();
-    let client = session.client();
-    let description = client.description();
-    assert_eq!((description.name.as_str(), description.doc.as_str()), ("CartTree", "A cart."));
-    assert_eq!(description.hash, format!("{:016x}", CartTree::HASH));
-    assert!(description.tunable);
-    let names: Vec<_> = description.components.iter().map(|component| component.name.as_str()).collect();
-    assert_eq!(names, ["Cart", "Range", "Drive"]);
-    let cart = &description.components[0];
-    assert_eq!((cart.doc.as_str(), description.root, cart.links.len()), ("Keeps the distance.", 0, 3));
-    let states: Vec<_> = cart.states.iter().map(|state| (&*state.name, &*state.doc, state.initial)).collect();
-    assert_eq!(states, [("approach", "Approaches.", true), ("wait", "Waits.", false)]);
-    let near = &cart.transitions[0];
-    assert_eq!((&*near.name, near.from, near.to, near.after_ms), ("is_near", 0, 1, Some(100)));
-    let gain = &cart.params[0];
-    assert_eq!((&*gain.group, &*gain.name, gain.unit.as_deref()), ("Keeping", "gain", Some("1/s")));
-    assert_eq!(gain.kind, Kind::F32 { min: 0.0, max: 2.0, step: Some(0.05) });
-    assert_eq!((gain.default, gain.value), (Value::F32(0.5), Some(Value::F32(0.5))));
-    let side = &cart.params[3];
-    assert_eq!((side.default, side.value), (Value::Choice(0), Some(Value::Choice(0))));
-    let range = &description.components[1].info[0];
-    assert_eq!((&*range.name, range.unit.as_deref()), ("distance", Some("m")));
-    let drive = &description.components[2];
-    assert_eq!((drive.hz, &*drive.modulations[0].name), (Some(50.0), "drive"));
-    assert_eq!(drive.modulations[0].arguments[0].unit.as_deref(), Some("m/s"));
+fn the_description_is_that_of_the_robot_in_its_world() {
+    let session = Session::start_world();
+    let described = Description::of(&CartTree::GRAPH).with_actions(Wall::new().list()).of_robot(&CartTree::new());
+    assert!(described.messages.is_some() && described.components[1].info[0].schema.is_some());
+    assert_eq!(*session.client().description(), described);
 }
 
 #[test]
@@ -112,14 +92,18 @@ fn every_monitor_receives_changed_parameters_and_log_lines() {
     operator.acquire(false).unwrap();
     let setting = Setting::new(CART, 0, Value::F32(0.75));
     operator.request(Request::Params(&[setting])).unwrap();
-    session.server.log(2, "the referee whistles");
+    session.server.log(2, LogSource::World, "the referee whistles");
     let (mut changed, mut asked, mut whistled) = (false, false, false);
     while !(changed && asked && whistled) {
         event(&mut watcher, "values and lines of the log", |event| {
             match event {
                 Event::Params { component: 0 } => changed = true,
-                Event::Log { text, level: 2, .. } if text == "operator: set Cart.gain=0.75" => asked = true,
-                Event::Log { text, level: 2, .. } if text == "the referee whistles" => whistled = true,
+                Event::Log { text, level: 2, source: LogSource::Operator, .. } if text == "set Cart.gain=0.75" => {
+                    asked = true;
+                }
+                Event::Log { text, level: 2, source: LogSource::World, .. } if text == "the referee whistles" => {
+                    whistled = true;
+                }
                 _ => return None,
             }
             Some(())

@@ -97,7 +97,7 @@ fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
     let last = operator.request(batch(&[set(0, 0.25)])).unwrap().cycle;
     // From here on the operator is silent, and its connection stays open.
     let ended_us = event(&mut watcher, "the lease ends", |event| match event {
-        Event::Log { time_us, level: 3, text } if text.contains("silent") => Some(time_us),
+        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => Some(time_us),
         _ => None,
     });
     assert_eq!(ended_us, last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US, "the first cycle after the silence");

@@ -2,6 +2,7 @@
 
 use std::convert::Infallible;
 
+use bica::Blob;
 use bica::prelude::*;
 use bica::runner::Robot;
 
@@ -140,12 +141,13 @@ pub(crate) const CART: ComponentId = ComponentId::new(0);
 pub(crate) const DRIVE: ComponentId = ComponentId::new(2);
 
 impl Robot for CartTree {
-    type Sensors<'a> = f32;
+    /// Distance and image.
+    type Sensors<'a> = (f32, Blob<'a>);
     type Command = f32;
     type Error = Infallible;
 
-    fn sense(&mut self, sensors: &f32) -> Result<(), Infallible> {
-        self.get_mut::<Range>().0 = *sensors;
+    fn sense(&mut self, (distance, _): &(f32, Blob<'_>)) -> Result<(), Infallible> {
+        self.get_mut::<Range>().0 = *distance;
         Ok(())
     }
 

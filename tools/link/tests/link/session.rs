@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
 use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
-use bica::{Probe, Value, world_actions};
-use bica_link::{Client, ClientOptions, Event, LinkImage, LinkServer, LinkStats, ServerOptions, Snapshot};
+use bica::{Blob, Format, Probe, Value, world_actions};
+use bica_link::{Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
 use bica_wire::message::Offers;
 
 use crate::robot::CartTree;
@@ -37,8 +37,9 @@ impl World<CartTree> for Wall {
         bica::Instant::from_micros(self.cycle * CYCLE_US)
     }
 
-    fn sensors(&mut self) -> f32 {
-        self.distance
+    fn sensors(&mut self) -> (f32, Blob<'static>) {
+        let format = Format::Yuyv { width: WIDTH as u16, height: HEIGHT as u16 };
+        (self.distance, Blob { bytes: &PIXELS, format, frame: CAMERA })
     }
 
     fn act(&mut self, command: &f32) {
@@ -95,11 +96,6 @@ pub(crate) static PIXELS: [u8; 2 * WIDTH * HEIGHT] = {
     }
     pixels
 };
-
-fn image_of(distance: &f32) -> Option<LinkImage<'_>> {
-    let image = LinkImage { camera: CAMERA, width: WIDTH as u16, height: HEIGHT as u16, yuyv: &PIXELS };
-    distance.is_finite().then_some(image)
-}
 
 /// What all threads of a session share.
 #[derive(Default)]
@@ -170,7 +166,7 @@ impl Session {
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world() -> Self {
-        let offers = Offers::PAUSE.with(Offers::IMAGES);
+        let offers = Offers::PAUSE;
         let (silence, actions) = (Duration::from_secs(1_000_000), Wall::new().list());
         let options = ServerOptions { silence, offers, actions, ..ServerOptions::default() };
         Self::serve(&"127.0.0.1:0".parse().unwrap(), options)
@@ -188,7 +184,6 @@ impl Session {
             LinkServer::start::<CartTree>(address, options)
         };
         let (server, requests, observer) = started.expect("the server starts");
-        let observer = observer.with_images(image_of);
         let shared = Arc::<Shared>::default();
         let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };
         let runner = Runner::new(Box::new(CartTree::new()), Wall::new());

@@ -183,7 +183,7 @@ export class Session {
 
   /** Adds the lines that the server knows to those that came since it was asked; a line that is in both is there once. */
   setLines(lines) {
-    const key = ({ time_us, kind, component, text }) => JSON.stringify([time_us, kind, component, text]);
+    const key = ({ time_us, source, component, text }) => JSON.stringify([time_us, source, component, text]);
     const known = new Set(lines.map(key));
     this.lines = [...lines.map(numbered), ...this.lines.filter((line) => !known.has(key(line)))].sort((a, b) => a.time_us - b.time_us);
     this.linesVersion.value += 1;

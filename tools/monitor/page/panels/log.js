@@ -6,7 +6,7 @@ import { time } from '../lib/format.js';
 import { cursor, seek, session } from '../lib/store.js';
 import { Bar, Empty, Toggle, download } from '../lib/ui.js';
 
-const KINDS = { robot: 'Robot', referee: 'Referee', request: 'Requests', tree: 'Tree', note: 'Notes', server: 'Program' };
+const SOURCES = { robot: 'Robot', world: 'World', operator: 'Operator', note: 'Notes', monitor: 'Monitor' };
 const LEVELS = ['', 'debug', 'info', 'warning', 'error'];
 /** Lines that are shown at once. */
 const LIMIT = 500;
@@ -22,29 +22,29 @@ export function Log({ visible }) {
   useEffect(() => {
     if (follow.value && cursor.value === null && list.current) list.current.scrollTop = list.current.scrollHeight;
   }, [version, follow.value]);
-  if (!shown) return html`<${Empty} what="No session is open" help="Lines of the robot, the referee and the operator appear here." />`;
-  const toggle = (kind) => {
+  if (!shown) return html`<${Empty} what="No session is open" help="Lines of the robot, the world and the operator appear here." />`;
+  const toggle = (source) => {
     const next = new Set(hidden.value);
-    if (!next.delete(kind)) next.add(kind);
+    if (!next.delete(source)) next.add(source);
     hidden.value = next;
   };
   const wanted = text.value.toLowerCase();
-  const lines = shown.lines.filter((line) => !hidden.value.has(line.kind) && line.level >= level.value && line.text.toLowerCase().includes(wanted)).slice(-LIMIT);
-  const save = () => download('log.txt', new Blob([lines.map((line) => `${time(line.time_us, 3)}\t${LEVELS[line.level]}\t${line.kind}\t${line.text}`).join('\n')], { type: 'text/plain' }));
+  const lines = shown.lines.filter((line) => !hidden.value.has(line.source) && line.level >= level.value && line.text.toLowerCase().includes(wanted)).slice(-LIMIT);
+  const save = () => download('log.txt', new Blob([lines.map((line) => `${time(line.time_us, 3)}\t${LEVELS[line.level]}\t${line.source}\t${line.text}`).join('\n')], { type: 'text/plain' }));
   return html`<${Bar} label="Log">
       <input type="search" placeholder="Filter" aria-label="Filter lines" value=${text.value} onInput=${(event) => { text.value = event.target.value; }} />
-      ${Object.entries(KINDS).map(([kind, name]) => html`<${Toggle} on=${!hidden.value.has(kind)} label=${name} onChange=${() => toggle(kind)} />`)}
+      ${Object.entries(SOURCES).map(([source, name]) => html`<${Toggle} on=${!hidden.value.has(source)} label=${name} onChange=${() => toggle(source)} />`)}
       <select aria-label="Lowest level" onChange=${(event) => { level.value = Number(event.target.value); }}>${[1, 2, 3, 4].map((one) => html`<option value=${one} selected=${one === level.value}>${LEVELS[one]}</option>`)}</select>
       <span class="grow"></span>
       <${Toggle} on=${follow.value} label="Follow" title="Stay at the newest line" onChange=${(on) => { follow.value = on; }} />
       <button onClick=${save} disabled=${lines.length === 0}>Save</button>
     <//>
     ${lines.length === 0
-      ? html`<${Empty} what=${shown.lines.length ? 'No line passes the filters' : 'No line yet'} help=${shown.lines.length ? 'Turn more kinds on, or clear the text.' : 'Transitions, events of the referee, requests and notes appear here. Add a note in the timeline.'} />`
+      ? html`<${Empty} what=${shown.lines.length ? 'No line passes the filters' : 'No line yet'} help=${shown.lines.length ? 'Turn more kinds on, or clear the text.' : 'Transitions, events of the world, requests and notes appear here. Add a note in the timeline.'} />`
       : html`<ol class="log" ref=${list} aria-label="Log lines">${lines.map((line) => {
           const component = line.component === undefined ? null : shown.description.value?.components[line.component]?.name;
-          return html`<li key=${line.key} class=${`level${line.level} ${line.kind} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
-            <button class="time" title="Show this moment" onClick=${() => seek(line.time_us)}>${time(line.time_us)}</button><span class="kind">${KINDS[line.kind]}</span>
+          return html`<li key=${line.key} class=${`level${line.level} ${line.source} ${cursor.value !== null && line.time_us > cursor.value ? 'later' : ''}`}>
+            <button class="time" title="Show this moment" onClick=${() => seek(line.time_us)}>${time(line.time_us)}</button><span class="kind">${SOURCES[line.source]}</span>
             <span class="text">${component && html`<button class="name" onClick=${() => openComponent(component)}>${component}</button>`}${line.text}</span></li>`;
         })}</ol>`}`;
 }

@@ -30,9 +30,7 @@ pub use source_file::{
     ChangedBy, FileState, SourceChange, SourceComponent, SourceFile, SourceState, SourceUse, StatePosition,
 };
 pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
-pub use state::{
-    Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogKind, LogLine, Moment, Row,
-};
+pub use state::{Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogLine, Moment, Row};
 pub use to_page::{Failed, ToPage};
 pub use watch::{Watch, WatchImages, WatchInfo};
 pub use world::{World, WorldOption};

@@ -2,6 +2,7 @@
 
 use bica::Hold;
 use bica_link::Shown;
+use bica_wire::message::LogSource;
 use serde::Serialize;
 
 /// State of a component, in JSON a list.
@@ -87,31 +88,13 @@ pub struct LogLine {
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
-    /// Kind.
-    pub kind: LogKind,
+    /// Where it comes from.
+    pub source: LogSource,
     /// Text.
     pub text: String,
     /// The component that it is about.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub component: Option<usize>,
-}
-
-/// Kind of a log line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LogKind {
-    /// Of the robot.
-    Robot,
-    /// Of the referee.
-    Referee,
-    /// A request and its answer.
-    Request,
-    /// A change of the tree.
-    Tree,
-    /// A note of an operator.
-    Note,
-    /// Of this server: connection, recording.
-    Server,
 }
 
 /// State at a time.

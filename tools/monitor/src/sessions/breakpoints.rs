@@ -3,7 +3,8 @@
 use super::commands::Command;
 use super::places::{Place, moved, next};
 use super::session::{Session, Shared};
-use crate::protocol::{Breakpoint, Failed, Hit, LogKind, LogLine, Reached, ToPage};
+use crate::protocol::{Breakpoint, Failed, Hit, LogLine, Reached, ToPage};
+use bica_wire::message::LogSource;
 
 /// Largest number of breakpoints of a session.
 const MAX_BREAKPOINTS: usize = 500;
@@ -69,7 +70,13 @@ impl Session {
         };
         let end = if paused { ": the world is paused" } else { "" };
         let text = format!("breakpoint: {text}{end}");
-        self.add_line(LogLine { time_us: reached.time_us, level: 2, kind: LogKind::Server, text, component: None });
+        self.add_line(LogLine {
+            time_us: reached.time_us,
+            level: 2,
+            source: LogSource::Monitor,
+            text,
+            component: None,
+        });
         self.pages.broadcast(&ToPage::Hit(Hit { session: self.id, reached, paused }));
     }
 }

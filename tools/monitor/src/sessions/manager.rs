@@ -16,8 +16,9 @@ use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
 use crate::program::{Extension, Program, Reply};
-use crate::protocol::{Failed, FromPage, LogKind, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
+use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
 use crate::source::{Editor, Host};
+use bica_wire::message::LogSource;
 
 /// Longest note, characters.
 const MAX_NOTE: usize = 500;
@@ -180,7 +181,7 @@ impl Manager {
                     return Ok(None);
                 }
                 // A recording has no thread.
-                session.log(2, LogKind::Note, text);
+                session.log(2, LogSource::Note, text);
                 Ok(Some(Value::Null))
             }
             Request::Extension { name, message } => {

@@ -22,9 +22,9 @@ use crate::pages::{PageId, Pages, lock};
 use crate::program::{Image, Program, Remembered};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
-    Capabilities, Connection, Control, Failed, LogKind, LogLine, RecordingState, SessionId, SessionInfo, SessionKind,
-    ToPage,
+    Capabilities, Connection, Control, Failed, LogLine, RecordingState, SessionId, SessionInfo, SessionKind, ToPage,
 };
+use bica_wire::message::LogSource;
 
 /// Time between two looks whether a session has ended.
 const POLL: Duration = Duration::from_millis(5);
@@ -285,9 +285,9 @@ impl Session {
     }
 
     /// Adds a line to the log and sends it to all pages.
-    pub(super) fn log(&self, level: u8, kind: LogKind, text: impl Into<String>) {
+    pub(super) fn log(&self, level: u8, source: LogSource, text: impl Into<String>) {
         let time_us = self.shared().history.span().1;
-        self.add_line(LogLine { time_us, level, kind, text: text.into(), component: None });
+        self.add_line(LogLine { time_us, level, source, text: text.into(), component: None });
     }
 
     /// Remembers how the run has ended.

@@ -15,7 +15,8 @@ use super::session::Session;
 use crate::files::{self, failed, replace};
 use crate::options::Options;
 use crate::pages::PageId;
-use crate::protocol::{Failed, LogKind, SessionKind};
+use crate::protocol::{Failed, SessionKind};
+use bica_wire::message::LogSource;
 
 /// Ending of recordings.
 pub(super) const MCAP: &str = ".mcap";
@@ -60,8 +61,8 @@ pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) ->
             None => keep_robot::keep(&session, &target),
         };
         match &result {
-            Ok(_) => session.log(2, LogKind::Server, format!("the recording was kept: {}", target.display())),
-            Err(failed) => session.log(4, LogKind::Server, format!("the recording was not kept: {}", failed.text)),
+            Ok(_) => session.log(2, LogSource::Monitor, format!("the recording was kept: {}", target.display())),
+            Err(failed) => session.log(4, LogSource::Monitor, format!("the recording was not kept: {}", failed.text)),
         }
         session.pages.answer(page, id, result);
     };

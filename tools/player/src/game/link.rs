@@ -2,12 +2,11 @@
 
 use bica::action::Action;
 use bica_app::Failure;
-use bica_link::{Address, LinkImage, LinkObserver, LinkRequests, LinkServer, ServerOptions};
-use bica_motion::robot::Sensors;
+use bica_link::{Address, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_player::tunable::Forward;
 use bica_sim::SpectatorView;
 use bica_sim::referee::TimedEvent;
-use bica_wire::message::Offers;
+use bica_wire::message::{LogSource, Offers};
 
 use crate::game::event::{self, EventRecord};
 use crate::game::firmware::FirmwareCheck;
@@ -53,13 +52,12 @@ impl GameLink {
         // A firmware image without the server for monitors has no operator: requests would make this program's commands differ
         // from the image's.
         let watch_only = firmware.is_watch_only()?;
-        let pause = if can_pause { Offers::PAUSE } else { Offers::default() };
-        let offers = Offers::IMAGES.with(pause);
+        let offers = if can_pause { Offers::PAUSE } else { Offers::default() };
         let options = ServerOptions { anywhere, realtime: rules.realtime, watch_only, offers, actions, ..defaults };
         let (server, requests, observer) = LinkServer::start_in_world::<Forward>(address, options, world)?;
         started(server.address())?;
         let image = world.shared_image();
-        let observer = observer.with_images(image_of).sharing_images(move |pixels| image.owner_of(pixels));
+        let observer = observer.sharing_images(move |pixels| image.owner_of(pixels));
         Ok((Self(Some(server)), Some(requests), Some(observer)))
     }
 
@@ -71,17 +69,7 @@ impl GameLink {
                 server.set_result(&result);
             }
             let separator = if detail.is_empty() { "" } else { ", " };
-            server.log(INFORMATION, &format!("referee: {kind}{separator}{detail}"));
+            server.log(INFORMATION, LogSource::World, &format!("{kind}{separator}{detail}"));
         }
     }
-}
-
-/// Returns the image in sensor values.
-fn image_of<'a>(sensors: &'a Sensors<'_>) -> Option<LinkImage<'a>> {
-    sensors.image.as_ref().map(|image| LinkImage {
-        camera: image.camera.frame(),
-        width: image.width,
-        height: image.height,
-        yuyv: image.yuyv,
-    })
 }

@@ -1,10 +1,9 @@
 //! Activity and cost of the components, and changes of the tree.
 
-use std::time::{Duration, Instant as Clock};
-
 use bica::graph::Graph;
 use bica::runner::Observer;
 use bica::{ComponentId, Instant, Probe};
+use bica_link::CostMeter;
 use bica_player::tunable::Forward;
 
 /// Activity of a component in a game.
@@ -12,12 +11,8 @@ use bica_player::tunable::Forward;
 pub(crate) struct Activity {
     /// Cycles in which it was active.
     pub(crate) active: u64,
-    /// Number of runs.
-    pub(crate) runs: u64,
     /// Number of activations.
     pub(crate) starts: u64,
-    /// Time in its own code.
-    pub(crate) time: Duration,
 }
 
 /// Probe that measures all components.
@@ -29,19 +24,22 @@ pub(crate) struct Meter {
     pub(crate) started: Vec<ComponentId>,
     /// Components that became latent in this cycle.
     pub(crate) stopped: Vec<ComponentId>,
+    /// Runs and times since the start.
+    pub(crate) costs: CostMeter,
     has_transition: bool,
-    began: Clock,
 }
 
 impl Meter {
     /// A meter without cycles.
-    pub(crate) fn new(graph: &Graph) -> Self {
+    pub(crate) fn new(graph: &'static Graph) -> Self {
+        let mut costs = CostMeter::new(graph);
+        costs.switch(true);
         Self {
+            costs,
             activity: vec![Activity::default(); graph.nodes.len()],
             started: Vec::new(),
             stopped: Vec::new(),
             has_transition: false,
-            began: Clock::now(),
         }
     }
 
@@ -52,7 +50,8 @@ impl Meter {
 }
 
 impl Probe for Meter {
-    fn cycle_begin(&mut self, _now: Instant) {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.costs.cycle_begin(now);
         self.started.clear();
         self.stopped.clear();
         self.has_transition = false;
@@ -72,17 +71,20 @@ impl Probe for Meter {
     }
 
     fn run(&mut self, component: ComponentId) {
-        let activity = &mut self.activity[component.index()];
-        activity.active += 1;
-        activity.runs += 1;
+        self.activity[component.index()].active += 1;
+        self.costs.run(component);
     }
 
-    fn begin(&mut self, _component: ComponentId) {
-        self.began = Clock::now();
+    fn begin(&mut self, component: ComponentId) {
+        self.costs.begin(component);
     }
 
     fn end(&mut self, component: ComponentId) {
-        self.activity[component.index()].time += self.began.elapsed();
+        self.costs.end(component);
+    }
+
+    fn cycle_end(&mut self) {
+        self.costs.cycle_end();
     }
 
     fn transition(&mut self, _component: ComponentId, _from: usize, _to: usize) {

@@ -10,7 +10,7 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, Recorder, Report, SetUp, Topics};
+use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, LogSource, Recorder, Report, SetUp, Topics};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -106,7 +106,7 @@ impl GameRecorder {
     /// Records a note of a person.
     pub(crate) fn note(&self, text: &str) {
         if let Some(recorder) = &self.recorder {
-            recorder.log(LogLine { level: NOTE_LEVEL, text: format!("note: {text}") });
+            recorder.log(LogLine { level: NOTE_LEVEL, source: LogSource::Note, text: text.to_owned() });
         }
     }
 
@@ -122,7 +122,8 @@ impl GameRecorder {
         if !self.cycles.is_multiple_of(COSTS_EVERY) {
             return;
         }
-        let total = meter.activity.iter().map(|activity| (activity.runs as u32, activity.time.as_nanos() as u64));
+        let total =
+            meter.costs.components().iter().map(|component| (component.runs, component.total.as_nanos() as u64));
         let since = |((runs, ns), last): ((u32, u64), &mut ComponentCosts)| {
             let since = ComponentCosts { runs: runs.wrapping_sub(last.runs), ns: ns - last.ns };
             *last = ComponentCosts { runs, ns };
@@ -135,7 +136,7 @@ impl GameRecorder {
     pub(crate) fn finish(self, result: &str, fault: Option<&str>) -> Option<RecordingSummary> {
         let (recorder, file) = self.recorder.zip(self.file)?;
         if let Some(fault) = fault {
-            recorder.log(LogLine { level: 4, text: format!("fault: {fault}") });
+            recorder.log(LogLine { level: 4, source: LogSource::Robot, text: format!("fault: {fault}") });
         }
         Some(RecordingSummary::new(&file, recorder.finish(result)))
     }

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use bica::graph::{Graph, Node};
+use bica_link::ComponentTime;
 use bica_sim::Referee;
 use bica_sim::referee::Event;
 use serde::Serialize;
@@ -159,32 +160,32 @@ impl GameSummary {
 /// Returns the activity of each component.
 fn activities(graph: &Graph, meter: &Meter) -> Vec<ComponentActivity> {
     let cycle = 1.0 / f64::from(graph.cycle_hz);
-    let describe = |(node, activity): (&Node, &Activity)| {
+    let describe = |((node, activity), time): ((&Node, &Activity), &ComponentTime)| {
         let active_s = activity.active as f64 * cycle;
         ComponentActivity {
             name: node.name,
-            runs: activity.runs,
+            runs: time.runs.into(),
             active_s,
             activations: activity.starts,
             declared_hz: f64::from(node.hz.unwrap_or(graph.cycle_hz)),
-            reached_hz: (activity.active > 0).then(|| activity.runs as f64 / active_s),
+            reached_hz: (activity.active > 0).then(|| f64::from(time.runs) / active_s),
         }
     };
-    graph.nodes.iter().zip(&meter.activity).map(describe).collect()
+    graph.nodes.iter().zip(&meter.activity).zip(meter.costs.components()).map(describe).collect()
 }
 
 /// Returns the cost of each component.
 fn costs(graph: &Graph, meter: &Meter) -> Vec<ComponentCost> {
-    let all: f64 = meter.activity.iter().map(|activity| activity.time.as_secs_f64()).sum();
-    let describe = |(node, activity): (&Node, &Activity)| {
-        let time = activity.time.as_secs_f64();
+    let all: f64 = meter.costs.components().iter().map(|component| component.total.as_secs_f64()).sum();
+    let describe = |(node, component): (&Node, &ComponentTime)| {
+        let time = component.total.as_secs_f64();
         ComponentCost {
             name: node.name,
             total_ms: 1e3 * time,
-            mean_us: 1e6 * time / activity.runs.max(1) as f64,
+            mean_us: 1e6 * time / f64::from(component.runs.max(1)),
             budget_us: node.budget_us,
             share: if all > 0.0 { time / all } else { 0.0 },
         }
     };
-    graph.nodes.iter().zip(&meter.activity).map(describe).collect()
+    graph.nodes.iter().zip(meter.costs.components()).map(describe).collect()
 }

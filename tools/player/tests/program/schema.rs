@@ -13,7 +13,7 @@ fn fields(value: &Value, found: &mut BTreeSet<String>) {
             found.extend(object.keys().cloned());
             // The fields of types of postcard-schema are those of that crate, those of a shape are those of its type.
             let elsewhere = if object.contains_key("shape") { "value" } else { "" };
-            let values = object.iter().filter(|(name, _)| !["schemas", "messages", elsewhere].contains(&name.as_str()));
+            let values = object.iter().filter(|(name, _)| !["schema", "messages", elsewhere].contains(&name.as_str()));
             values.for_each(|(_, value)| fields(value, found));
         }
         Value::Array(values) => values.iter().for_each(|value| fields(value, found)),

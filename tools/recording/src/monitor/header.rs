@@ -2,10 +2,8 @@
 
 use bica_wire::model::Description;
 
-use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp};
-use crate::information::json_schema;
+use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp, Topics};
 use crate::program::{Program, Start};
-use crate::topics::Topics;
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
 const TICK_HZ: u64 = 1_000_000;
@@ -15,16 +13,13 @@ impl Header {
     /// description now.
     #[must_use]
     pub fn of_monitor(address: &str, description: &Description) -> Self {
-        let schemas = |outputs: usize| vec![Some(json_schema()); outputs];
         Self {
             format: FORMAT,
             program: Program::current(),
             start: Start::now(),
             tree: description.clone(),
             tick_hz: TICK_HZ,
-            schemas: description.components.iter().map(|component| schemas(component.info.len())).collect(),
             set_up: SetUp::new(),
-            messages: None,
             images: ImagePolicy::None,
             scenery: Vec::new(),
             topics: Topics::Standard,

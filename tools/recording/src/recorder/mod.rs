@@ -14,6 +14,7 @@ use bica::refusal::Refusal;
 use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_wire::Recordable;
+use bica_wire::message::LogSource;
 use bica_wire::model::Modulation;
 use crc32fast::Hasher;
 
@@ -231,7 +232,7 @@ impl<R: Recordable> Observer<R> for Recorder {
     }
 
     fn refused(&mut self, _now: Instant, _request: &Request<'_>, refusal: &Refusal) {
-        self.log(LogLine { level: 3, text: format!("request refused: {refusal}") });
+        self.log(LogLine { level: 3, source: LogSource::Operator, text: format!("request refused: {refusal}") });
     }
 
     fn sensing(&mut self, _now: Instant, sensors: &R::Sensors<'_>) {

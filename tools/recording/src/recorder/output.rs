@@ -8,10 +8,11 @@ use serde::Serialize;
 use super::Sink;
 use super::syncer::Syncer;
 use crate::blob::BlobRecord;
+use crate::encode::encode;
 use crate::header::{Ending, Header};
 use crate::mcap::Compression;
 use crate::message::Channel;
-use crate::writer::{RecordingWriter, encode};
+use crate::writer::RecordingWriter;
 
 /// Longest time that values wait in memory.
 const FLUSH_AFTER: Duration = Duration::from_millis(300);

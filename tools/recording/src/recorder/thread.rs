@@ -7,11 +7,12 @@ use bica::Blob;
 use super::output::Output;
 use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
-use crate::blob::{Place, code, described};
+use crate::blob::{Place, code};
 use crate::digest::{RunningFingerprint, blobs_digest};
 use crate::header::{Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
 use crate::message::{Channel, Tick};
+use bica_wire::blobs::described;
 
 /// A file that is being written.
 pub(super) struct Writing<S> {

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use bica::runner::Robot;
 use bica_wire::Recordable;
+use bica_wire::message::LogSource;
 
 use super::run::{Again, WorldRefusal};
 use super::{Subject, of_file, open, subject};
@@ -55,7 +56,11 @@ where
                 (Ok(()), RequestRecord::World { .. }) => recorder.add_request(request.clone()),
                 (Ok(()), _) => {}
                 (Err(WorldRefusal::World(error)), _) => {
-                    recorder.log(LogLine { level: 3, text: format!("request refused: {error}") });
+                    recorder.log(LogLine {
+                        level: 3,
+                        source: LogSource::Operator,
+                        text: format!("request refused: {error}"),
+                    });
                 }
                 (Err(WorldRefusal::Unknown(refused)), _) => return Err(refused),
             }

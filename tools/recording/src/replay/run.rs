@@ -40,7 +40,7 @@ impl<'a> Other<'a> {
     pub(super) fn open(path: &'a Path, header: &Header) -> Result<Self, Invalid> {
         let recording = open(path)?;
         let other = recording.header();
-        if other.tree.hash != header.tree.hash || other.messages != header.messages {
+        if other.tree.hash != header.tree.hash || other.messages() != header.messages() {
             let what = format!("`{}` is a recording of another tree", path.display());
             return Err(Invalid::new(what, "compare recordings of one tree"));
         }

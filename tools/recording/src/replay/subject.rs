@@ -5,10 +5,9 @@ use std::fmt;
 use bica::runner::{Robot, World};
 use bica_wire::Recordable;
 
-use bica_wire::model::Description;
-use bica_wire::model::Invalid;
+use bica_wire::model::{Description, Invalid, Messages};
 
-use crate::header::{Header, Messages, tick_hz};
+use crate::header::{Header, tick_hz};
 use crate::message::RunEvent;
 
 /// Simulated world that runs again.
@@ -54,7 +53,7 @@ fn check_tree<R: Recordable>(header: &Header) -> Result<(), Invalid> {
     let help = "the header of the recording names the commit that recorded it; build that to replay it";
     let own = Description::of(&R::GRAPH);
     if own.hash == header.tree.hash && tick_hz() == header.tick_hz {
-        if header.messages.as_ref() == Some(&Messages::of::<R>()) {
+        if header.messages() == Some(&Messages::of::<R>()) {
             return Ok(());
         }
         let what = "the recording has sensor values or commands of another form, so it is not run again";

@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 
 use bica::runner::Change;
 use bica::{Format, Value};
-use serde::{Deserialize, Serialize};
+use bica_link::decode_message;
 
 use crate::blob::BlobRecord;
-use crate::header::Header;
+use crate::header::{Header, Topics};
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
 use crate::mcap::Compression;
@@ -30,19 +30,6 @@ pub use preview::{Jpeg, jpeg};
 use preview::{Preview, is_image};
 use protobuf::Protobuf;
 pub(crate) use schema::Schema;
-
-/// Topics of a recording for other programs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Topics {
-    /// None.
-    #[default]
-    None,
-    /// What viewers show: previews of images, frames, shapes, states, parameters and log.
-    Standard,
-    /// And the numbers: all outputs, sensor values, commands and costs as JSON.
-    All,
-}
 
 /// Shortest time from one preview of an image to the next, ns.
 const PREVIEW_AFTER: u64 = 290_000_000;
@@ -114,8 +101,8 @@ impl Deriver {
                 }
             }
             Channel::Log => {
-                if let Ok(LogLine { level, text }) = postcard::from_bytes(data) {
-                    self.log(time, level, "program", &text);
+                if let Ok(LogLine { level, source, text }) = postcard::from_bytes(data) {
+                    self.log(time, level, &format!("{source:?}").to_lowercase(), &text);
                 }
             }
             Channel::Tree => {
@@ -294,10 +281,10 @@ impl Deriver {
 
     /// Writes sensor values, a command or costs as JSON.
     fn numbers(&mut self, channel: Channel, data: &[u8]) {
-        let messages = self.header.messages.as_ref();
+        let messages = self.header.messages();
         let json = match channel {
-            Channel::Sensors => messages.and_then(|messages| numbers::message(&messages.sensors, data)),
-            Channel::Command => messages.and_then(|messages| numbers::message(&messages.command, data)),
+            Channel::Sensors => messages.and_then(|messages| decode_message(&messages.sensors, data)),
+            Channel::Command => messages.and_then(|messages| decode_message(&messages.command, data)),
             _ => postcard::from_bytes::<Costs>(data).ok().map(|costs| numbers::costs(&self.header.tree, &costs)),
         };
         if let Some(json) = json {

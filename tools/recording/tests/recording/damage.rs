@@ -5,7 +5,9 @@ use std::io::Cursor;
 use bica::Format;
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
 use bica_recording::repair::recover;
-use bica_recording::{BlobRecord, Channel, Coding, Ending, Header, Info, LogLine, RecordedCycle, Recording, RunEvent};
+use bica_recording::{
+    BlobRecord, Channel, Coding, Ending, Header, Info, LogLine, LogSource, RecordedCycle, Recording, RunEvent,
+};
 use proptest::prelude::*;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -232,8 +234,9 @@ fn bomb(channel: Channel, count: u64, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> 
 fn slow_messages_without_a_cycle_take_bounded_memory() {
     const LIMIT: u64 = 160 << 20;
     let text = "a".repeat(1 << 20);
-    let log =
-        bomb(Channel::Log, 150, |_| postcard::to_stdvec(&LogLine { level: 2, text: text.clone() }).expect("memory"));
+    let log = bomb(Channel::Log, 150, |_| {
+        postcard::to_stdvec(&LogLine { level: 2, source: LogSource::Robot, text: text.clone() }).expect("memory")
+    });
     let images = bomb(Channel::Blobs, 170, |number| {
         let (format, frame, coding) = (Format::Yuyv { width: 2, height: 2 }, "", Coding::Yuyv);
         let (id, stored) = (number as u32, &vec![0; 1 << 20][..]);

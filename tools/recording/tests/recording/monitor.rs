@@ -7,8 +7,8 @@ use std::io::Read;
 use bica_link::{Component, Description, Info as Information, State};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, MonitorRecorder, ReceivedImage,
-    RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
+    Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, LogSource, MonitorRecorder,
+    ReceivedImage, RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
 };
 use serde_json::json;
 
@@ -27,6 +27,7 @@ fn description() -> Description {
         unit: Some(text("m")),
         type_name: text("Seen"),
         placement: None,
+        schema: None,
     };
     let states = vec![state("dark", true), state("bright", false)];
     let blinker = Component { name: text("Blinker"), states, info: vec![info], ..Component::default() };
@@ -52,7 +53,7 @@ fn cycle(number: u64) -> RecordedCycle {
     cycle.information = number.is_multiple_of(10).then(|| InformationRecord { values: vec![value] });
     match number {
         3 => cycle.requests.push(RequestRecord::Unknown { text: "hold Counter Latent".to_owned() }),
-        4 => cycle.log.push(LogLine { level: 3, text: "hot".to_owned() }),
+        4 => cycle.log.push(LogLine { level: 3, source: LogSource::Monitor, text: "hot".to_owned() }),
         5 => cycle.events.push(RunEvent { at_ns: 50_000_000, kind: "goal".to_owned(), detail: "own".to_owned() }),
         _ => {}
     }
@@ -190,11 +191,11 @@ fn an_overview_lists_requests_and_events_and_no_fingerprint() {
 
 #[test]
 fn a_recording_of_another_format_is_refused() {
-    for format in [1, 4, 6] {
+    for format in [1, 5, 7] {
         let disk = Disk::default();
         let _ = MonitorRecorder::new(disk.clone(), &Header { format, ..header() }).expect("memory");
         let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("another format");
         assert!(matches!(error, Error::Format(found) if found == format), "{error}");
-        assert!(error.to_string().contains(&format!("format {format}; this program reads format 5")), "{error}");
+        assert!(error.to_string().contains(&format!("format {format}; this program reads format 6")), "{error}");
     }
 }

@@ -131,7 +131,7 @@ fn a_replay_without_cycles_is_refused() {
 #[test]
 fn a_recording_of_other_sensor_values_is_refused() {
     let (disk, mut other) = (Disk::default(), header(ImagePolicy::All));
-    let messages = other.messages.as_mut().expect("a robot's header");
+    let messages = other.tree.messages.as_mut().expect("a robot's header");
     messages.sensors = messages.command.clone();
     let recorder = Recorder::start(disk.clone(), &other, small_chunks(), |_| {}).expect("there is room");
     assert_eq!(recorder.finish("").reason, None);

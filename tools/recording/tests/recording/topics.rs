@@ -158,7 +158,7 @@ fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
     let info = outputs().map(|(shape, frame, child, _)| {
         let [shape, frame] = [shape, frame].map(str::to_owned);
         let placement = Some(Placement { shape: shape.clone(), frame, child: child.map(str::to_owned) });
-        Output { name: shape, doc: String::new(), unit: None, type_name: String::new(), placement }
+        Output { name: shape, doc: String::new(), unit: None, type_name: String::new(), placement, schema: None }
     });
     let component = Component { name: "Seeing".to_owned(), info: info.to_vec(), ..Component::default() };
     let description = Description { cycle_hz: 100.0, components: vec![component], ..Description::default() };

@@ -275,7 +275,7 @@ impl Bridge {
             }
             Event::Params { component } => self.changed(component),
             Event::Answer(answer) => self.answer(answer),
-            Event::Log { time_us, level, text } if text != self.last_line => {
+            Event::Log { time_us, level, text, .. } if text != self.last_line => {
                 self.log(self.time(time_us), level, &text);
                 self.last_line = text;
             }

@@ -113,7 +113,7 @@ function drawGap(context, view, [from, until]) {
   });
 }
 
-const events = (shown) => shown.lines.filter(({ kind }) => kind === 'referee' || kind === 'note');
+const events = (shown) => shown.lines.filter(({ source }) => source === 'world' || source === 'note');
 
 function textStyle(context, colour) {
   context.font = `11px ${css('--font')}`;
@@ -153,10 +153,10 @@ function drawEvents(context, view, shown) {
   let free = LABELS;
   textStyle(context, '--dim');
   context.fillText('Events', 8, y);
-  for (const { time_us, kind, text } of events(shown)) {
+  for (const { time_us, source, text } of events(shown)) {
     const x = view.x(time_us);
     if (x < LABELS || x > view.width) continue;
-    const colour = css(kind === 'note' ? '--control' : '--warn');
+    const colour = css(source === 'note' ? '--control' : '--warn');
     context.strokeStyle = colour;
     context.setLineDash([2, 3]);
     stroke(context, x, 0, x, room + EVENTS);

@@ -57,8 +57,8 @@ mod tests {
 
     use super::super::Limits;
     use super::*;
-    use crate::protocol::LogKind;
     use bica::Hold;
+    use bica_wire::message::LogSource;
 
     /// History of 20 cycles of one component, that is active in every fourth.
     fn history() -> History {
@@ -82,7 +82,7 @@ mod tests {
                 history.add_line(LogLine {
                     time_us: time_us - 1,
                     level: 2,
-                    kind: LogKind::Robot,
+                    source: LogSource::Robot,
                     text,
                     component: None,
                 });

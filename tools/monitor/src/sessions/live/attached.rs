@@ -6,13 +6,13 @@ use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
 use bica_link::{Client, Event, Snapshot};
-use bica_wire::message::{ExtraKind, Offers, WorldChange};
+use bica_wire::message::{ExtraKind, LogSource, Offers, WorldChange};
 use serde_json::Value;
 
 use super::inbox::{Exit, Inbox};
 use super::operation::Operation;
 use super::returned::is_same_run;
-use crate::protocol::{Capabilities, Connection, InfoSample, LogKind, LogLine, Reached, Request, ToPage};
+use crate::protocol::{Capabilities, Connection, InfoSample, LogLine, Reached, Request, ToPage};
 use crate::sessions::commands::Command;
 use crate::sessions::places::{self, Activity};
 use crate::sessions::session::Session;
@@ -148,7 +148,7 @@ impl<'a> Attached<'a> {
                     if let Some(world) = &self.world {
                         world.run.add_note(&text);
                     }
-                    self.session.log(2, LogKind::Note, text);
+                    self.session.log(2, LogSource::Note, text);
                     self.session.pages.answer(page, id, Ok(Value::Null));
                 }
                 Ok(Command::Watch) => self.watch()?,
@@ -205,7 +205,9 @@ impl<'a> Attached<'a> {
             Event::Params { component } => self.params(component),
             Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
-            Event::Log { time_us, level, text } => self.log(time_us, level, text),
+            Event::Log { time_us, level, source, text } => {
+                self.session.add_line(LogLine { time_us, level, source, text, component: None });
+            }
             Event::World(state) => self.session.shared().paused = state.paused,
             other => self.link_extra(other),
         }
@@ -237,7 +239,7 @@ impl<'a> Attached<'a> {
         drop(shared);
         if let Some((from_us, until_us)) = gap {
             let seconds = (until_us - from_us) as f64 / 1e6;
-            self.session.log(3, LogKind::Server, format!("the connection is restored: {seconds:.1} s are missing"));
+            self.session.log(3, LogSource::Monitor, format!("the connection is restored: {seconds:.1} s are missing"));
             self.session.announce();
         }
         let time_us = info.time_us;
@@ -268,17 +270,6 @@ impl<'a> Attached<'a> {
         let values = described.params.iter().map(|param| param.plain(param.current())).collect();
         self.session.shared().description = Some(Arc::new(description.clone()));
         self.session.pages.broadcast(&ToPage::Params { session: self.session.id, component, values });
-    }
-
-    fn log(&self, time_us: u64, level: u8, text: String) {
-        let (kind, text) = if let Some(text) = text.strip_prefix("referee: ") {
-            (LogKind::Referee, text.to_owned())
-        } else if let Some(text) = text.strip_prefix("operator: ") {
-            (LogKind::Request, text.to_owned())
-        } else {
-            (LogKind::Robot, text)
-        };
-        self.session.add_line(LogLine { time_us, level, kind, text, component: None });
     }
 
     /// Sends what is new to the pages.

@@ -21,8 +21,9 @@ use super::common::Common;
 use super::robot_recording::unused;
 use super::session::{Operator, Session};
 use super::world::{Setup, World};
-use crate::protocol::{Connection, Failed, LogKind, Request, SessionId, SessionKind};
+use crate::protocol::{Connection, Failed, Request, SessionId, SessionKind};
 use attached::Attached;
+use bica_wire::message::LogSource;
 use inbox::{Exit, Inbox};
 use operation::not_connected;
 
@@ -103,7 +104,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
             (Exit::Restart(seed), Source::World(setup)) => setup.seed = seed.unwrap_or(setup.seed),
             (Exit::Lost(failed), Source::World(_)) => {
                 session.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help));
-                session.log(4, LogKind::Server, format!("the world has ended: {}", failed.text));
+                session.log(4, LogSource::Monitor, format!("the world has ended: {}", failed.text));
                 match idle(session, inbox, None) {
                     Exit::Close => break,
                     Exit::Restart(seed) => {
@@ -119,7 +120,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
             }
             (Exit::Lost(failed), Source::Robot(_)) => {
                 session.set_connection(Connection::Lost, format!("{}; connecting again", failed.text));
-                session.log(3, LogKind::Server, format!("the connection was lost: {}", failed.text));
+                session.log(3, LogSource::Monitor, format!("the connection was lost: {}", failed.text));
             }
             (Exit::Retry | Exit::Restart(_), _) => {}
         }
@@ -161,7 +162,7 @@ fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
             }
             Ok(Command::Operate { page, id, .. }) => session.pages.answer(page, id, Err(not_connected())),
             Ok(Command::Note { page, id, text }) => {
-                session.log(2, LogKind::Note, text);
+                session.log(2, LogSource::Note, text);
                 session.pages.answer(page, id, Ok(serde_json::Value::Null));
             }
             Ok(Command::Watch | Command::Left(_)) => {}

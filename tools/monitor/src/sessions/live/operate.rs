@@ -5,14 +5,14 @@ use std::time::{Duration, Instant};
 
 use bica::runner::OwnedRequest;
 use bica_link::Answered;
-use bica_wire::message::{LeaseAction, LeaseState};
+use bica_wire::message::{LeaseAction, LeaseState, LogSource};
 use serde_json::{Value, json};
 
 use super::attached::Attached;
 use super::operation::{Pending, Waiting, not_connected};
 use super::pace::world_change;
 use crate::pages::PageId;
-use crate::protocol::{Failed, LogKind, Request};
+use crate::protocol::{Failed, Request};
 use crate::sessions::session::Operator;
 
 /// Silence of the operating page after which its control ends.
@@ -147,7 +147,7 @@ impl Attached<'_> {
             _ => Operator::Nobody,
         };
         if matches!(was, Operator::Page(_)) && now != was {
-            self.session.log(3, LogKind::Server, "control has ended: holds, rates and modulations end");
+            self.session.log(3, LogSource::Monitor, "control has ended: holds, rates and modulations end");
         }
         self.set_operator(now);
         // A lease that came too late for the one who asked for it.
@@ -165,7 +165,7 @@ impl Attached<'_> {
         }
         let is_silent = self.operation.kept.is_some_and(|kept| kept.elapsed() > SILENCE);
         if is_silent && matches!(self.operator(), Operator::Page(_)) {
-            self.session.log(3, LogKind::Server, "the page that controlled the robot is silent: control has ended");
+            self.session.log(3, LogSource::Monitor, "the page that controlled the robot is silent: control has ended");
             return self.give_back();
         }
         Ok(())
@@ -177,7 +177,7 @@ impl Attached<'_> {
             self.operation.waiting = None;
         }
         if self.operator() == Operator::Page(page) {
-            self.session.log(3, LogKind::Server, "the page that controlled the robot was closed: control has ended");
+            self.session.log(3, LogSource::Monitor, "the page that controlled the robot was closed: control has ended");
             return self.give_back();
         }
         Ok(())

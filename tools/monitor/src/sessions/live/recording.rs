@@ -3,7 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::attached::Attached;
-use crate::protocol::{LogKind, RecordingState};
+use crate::protocol::RecordingState;
+use bica_wire::message::LogSource;
 
 /// Time between two messages to the pages about how much is recorded.
 const ANNOUNCE: Duration = Duration::from_secs(2);
@@ -14,7 +15,7 @@ impl Attached<'_> {
         let now = if self.world.is_some() { self.of_world() } else { self.of_robot() };
         let before = std::mem::replace(&mut self.session.shared().recording, now.clone());
         if !now.note.is_empty() && before.note.is_empty() {
-            self.session.log(3, LogKind::Server, now.note.clone());
+            self.session.log(3, LogSource::Monitor, now.note.clone());
         }
         let changed = (before.on, &before.note, &before.file) != (now.on, &now.note, &now.file);
         if changed || (before != now && self.announced.elapsed() >= ANNOUNCE) {

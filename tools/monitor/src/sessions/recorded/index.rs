@@ -12,9 +12,10 @@ use serde_json::Value;
 use super::tree;
 use crate::files;
 use crate::files::failed;
-use crate::protocol::{Capabilities, Connection, Failed, LogKind, LogLine};
-use crate::sessions::robot_recording::{NOTE, holds_of, line_of};
+use crate::protocol::{Capabilities, Connection, Failed, LogLine};
+use crate::sessions::robot_recording::holds_of;
 use crate::sessions::session::Session;
+use bica_wire::message::LogSource;
 
 /// What a page says of a recording that a monitor made.
 const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
@@ -170,20 +171,13 @@ fn batch(
 
 /// The lines of a cycle: requests, events of the referee, log.
 fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl Iterator<Item = LogLine> + 'a {
-    let line = move |level, kind, text: String| LogLine { time_us, level, kind, text, component: None };
-    let requests = cycle.requests.iter().map(move |one| line(2, LogKind::Request, one.describe(&header.tree)));
+    let line = move |level, source, text: String| LogLine { time_us, level, source, text, component: None };
+    let requests = cycle.requests.iter().map(move |one| line(2, LogSource::Operator, one.describe(&header.tree)));
     let events = cycle.events.iter().map(move |event| {
         let RunEvent { kind, detail, .. } = event;
         let separator = if detail.is_empty() { "" } else { ", " };
-        line(2, LogKind::Referee, format!("{kind}{separator}{detail}"))
+        line(2, LogSource::World, format!("{kind}{separator}{detail}"))
     });
-    let log = cycle.log.iter().map(move |one| match one.text.strip_prefix(NOTE) {
-        _ if header.monitor.is_some() => {
-            let (kind, text) = line_of(&one.text);
-            line(one.level, kind, text.to_owned())
-        }
-        Some(note) => line(one.level, LogKind::Note, note.to_owned()),
-        None => line(one.level, LogKind::Robot, one.text.clone()),
-    });
+    let log = cycle.log.iter().map(move |one| line(one.level, one.source, one.text.clone()));
     requests.chain(events).chain(log)
 }

@@ -8,21 +8,15 @@ use bica_recording::{
 };
 use serde_json::Value;
 
-use crate::protocol::{ComponentNow, LogKind, LogLine};
+use crate::protocol::{ComponentNow, LogLine};
 use bica::Hold;
+use bica_wire::message::LogSource;
 
 pub(super) use file::{received, unused};
 pub(super) use writer::RobotRecorder;
 
 /// Level of a log line that is no warning.
 const INFORMATION: u8 = 2;
-
-/// Beginning of the log line of a note.
-pub(super) const NOTE: &str = "note: ";
-/// Beginning of the log line of a request that was refused.
-pub(super) const OPERATOR: &str = "operator: ";
-/// Beginning of a log line of this server.
-pub(super) const SERVER: &str = "server: ";
 
 /// Makes the cycles of a recording.
 #[derive(Debug, Default)]
@@ -67,29 +61,18 @@ pub(super) fn add_info(cycle: &mut RecordedCycle, component: usize, info: usize,
 
 /// Adds a line of the log as what it is.
 pub(super) fn add_line(cycle: &mut RecordedCycle, line: &LogLine) {
-    let LogLine { time_us, level, kind, ref text, .. } = *line;
-    let log = |text: String| bica_recording::LogLine { level, text };
-    match kind {
-        LogKind::Referee => {
+    let LogLine { time_us, level, source, ref text, .. } = *line;
+    match source {
+        LogSource::World => {
             let (kind, detail) = text.split_once(", ").unwrap_or((text, ""));
             let at_ns = time_us.saturating_mul(1000);
             cycle.events.push(RunEvent { at_ns, kind: kind.to_owned(), detail: detail.to_owned() });
         }
-        LogKind::Request if level <= INFORMATION => {
+        LogSource::Operator if level <= INFORMATION => {
             cycle.requests.push(RequestRecord::Unknown { text: text.clone() });
         }
-        LogKind::Request => cycle.log.push(log(format!("{OPERATOR}{text}"))),
-        LogKind::Note => cycle.log.push(log(format!("{NOTE}{text}"))),
-        LogKind::Server => cycle.log.push(log(format!("{SERVER}{text}"))),
-        LogKind::Robot | LogKind::Tree => cycle.log.push(log(text.clone())),
+        _ => cycle.log.push(bica_recording::LogLine { level, source, text: text.clone() }),
     }
-}
-
-/// Kind and text of a log line of such a recording.
-pub(super) fn line_of(text: &str) -> (LogKind, &str) {
-    let kinds = [(NOTE, LogKind::Note), (OPERATOR, LogKind::Request), (SERVER, LogKind::Server)];
-    let found = kinds.iter().find_map(|&(begin, kind)| Some((kind, text.strip_prefix(begin)?)));
-    found.unwrap_or((LogKind::Robot, text))
 }
 
 /// Holds and rates of components.

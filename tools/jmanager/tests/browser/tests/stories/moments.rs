@@ -64,7 +64,7 @@ async fn a_recording_shows_its_own_log_and_goal_and_no_image_of_another_run() {
     tab(&page, "Log").await;
     page.until(
         "the goal is in the log",
-        "return [...document.querySelectorAll('.log .referee .text')].some((line) => /^goal/.test(line.textContent))",
+        "return [...document.querySelectorAll('.log .world .text')].some((line) => /^goal/.test(line.textContent))",
     )
     .await;
     let shown = "return import('/lib/store.js').then(({ range, session }) => { \

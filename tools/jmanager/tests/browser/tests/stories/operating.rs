@@ -10,7 +10,7 @@ use crate::{game, open, tab};
 const GAME: Duration = Duration::from_mins(5);
 /// Whether the referee has told of a goal.
 const SCORES: &str =
-    "return [...document.querySelectorAll('.log .referee')].some((line) => /goal/i.test(line.textContent))";
+    "return [...document.querySelectorAll('.log .world')].some((line) => /goal/i.test(line.textContent))";
 
 async fn log(page: &Page, text: &str) {
     tab(page, "Log").await;

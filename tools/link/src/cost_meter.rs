@@ -1,15 +1,14 @@
-//! Measurement of costs, while somebody watches them.
+//! Measurement of costs.
 
 use std::time::{Duration, Instant as Clock};
 
-use bica::{ComponentId, Graph, Instant};
+use bica::{ComponentId, Graph, Instant, Probe};
 use bica_wire::message::{ComponentCost, Costs};
 
-use super::extras::Extra;
-
-/// Costs of the cycles since they were read last. It reads the clock only while it is switched on.
+/// Probe that measures costs: the time of each component in its own code, and of the cycles. It reads the clock only while it is switched
+/// on.
 #[derive(Debug)]
-pub(super) struct CostMeter {
+pub struct CostMeter {
     graph: &'static Graph,
     is_on: bool,
     now: Instant,
@@ -29,14 +28,16 @@ struct Window {
     total: Duration,
     longest: Duration,
     worst: Instant,
-    components: Vec<Component>,
+    components: Vec<ComponentTime>,
 }
 
 /// Costs of a component in some cycles.
 #[derive(Clone, Debug, Default)]
-struct Component {
-    runs: u32,
-    total: Duration,
+pub struct ComponentTime {
+    /// Number of runs.
+    pub runs: u32,
+    /// Time in its own code.
+    pub total: Duration,
     longest: Duration,
     overruns: u32,
     overrun_us: u64,
@@ -50,13 +51,15 @@ impl Window {
             total: Duration::ZERO,
             longest: Duration::ZERO,
             worst: began,
-            components: vec![Component::default(); components],
+            components: vec![ComponentTime::default(); components],
         }
     }
 }
 
 impl CostMeter {
-    pub(super) fn new(graph: &'static Graph) -> Self {
+    /// A meter that is switched off.
+    #[must_use]
+    pub fn new(graph: &'static Graph) -> Self {
         let (components, began) = (graph.nodes.len(), Clock::now());
         Self {
             graph,
@@ -70,70 +73,28 @@ impl CostMeter {
     }
 
     /// Switches the measurement on or off, between two cycles.
-    pub(super) fn switch(&mut self, is_on: bool) {
+    pub fn switch(&mut self, is_on: bool) {
         if is_on && !self.is_on {
             self.window = Window::new(self.now, self.this_cycle.len());
         }
         self.is_on = is_on;
     }
 
-    pub(super) fn sensing(&mut self) {
+    /// A cycle begins: sensor values are taken in.
+    pub fn sensing(&mut self) {
         if self.is_on {
             self.cycle_began = Clock::now();
         }
     }
 
-    pub(super) fn cycle_begin(&mut self, now: Instant) {
-        self.now = now;
-    }
-
-    pub(super) fn run(&mut self, component: ComponentId) {
-        if self.is_on
-            && let Some(component) = self.window.components.get_mut(component.index())
-        {
-            component.runs += 1;
-        }
-    }
-
-    pub(super) fn begin(&mut self) {
-        if self.is_on {
-            self.section_began = Clock::now();
-        }
-    }
-
-    pub(super) fn end(&mut self, component: ComponentId) {
-        if self.is_on
-            && let Some(time) = self.this_cycle.get_mut(component.index())
-        {
-            *time += self.section_began.elapsed();
-        }
-    }
-
-    pub(super) fn cycle_end(&mut self) {
-        if !self.is_on {
-            return;
-        }
-        let time = self.cycle_began.elapsed();
-        let window = &mut self.window;
-        window.cycles += 1;
-        window.total += time;
-        if time >= window.longest {
-            (window.longest, window.worst) = (time, self.now);
-        }
-        let nodes = self.graph.nodes;
-        for ((component, time), node) in window.components.iter_mut().zip(&mut self.this_cycle).zip(nodes) {
-            let time = std::mem::take(time);
-            component.total += time;
-            component.longest = component.longest.max(time);
-            if node.budget_us.is_some_and(|budget| us(time) > budget) {
-                component.overruns += 1;
-                component.overrun_us = self.now.as_micros();
-            }
-        }
+    /// Returns the costs of each component since the meter was switched on, or [`read`](Self::read) last.
+    #[must_use]
+    pub fn components(&self) -> &[ComponentTime] {
+        &self.window.components
     }
 
     /// Returns the costs of the cycles since the last call, and begins again.
-    pub(super) fn read(&mut self, cycle: u64) -> Option<Extra> {
+    pub(crate) fn read(&mut self, cycle: u64) -> Option<(Costs, Vec<ComponentCost>)> {
         let now = self.now;
         if self.window.cycles == 0 {
             return None;
@@ -154,7 +115,58 @@ impl CostMeter {
             overruns: component.overruns,
             overrun_us: component.overrun_us,
         });
-        Some(Extra::Costs(costs, components.collect()))
+        Some((costs, components.collect()))
+    }
+}
+
+impl Probe for CostMeter {
+    fn cycle_begin(&mut self, now: Instant) {
+        self.now = now;
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        if self.is_on
+            && let Some(component) = self.window.components.get_mut(component.index())
+        {
+            component.runs += 1;
+        }
+    }
+
+    fn begin(&mut self, _component: ComponentId) {
+        if self.is_on {
+            self.section_began = Clock::now();
+        }
+    }
+
+    fn end(&mut self, component: ComponentId) {
+        if self.is_on
+            && let Some(time) = self.this_cycle.get_mut(component.index())
+        {
+            *time += self.section_began.elapsed();
+        }
+    }
+
+    fn cycle_end(&mut self) {
+        if !self.is_on {
+            return;
+        }
+        let time = self.cycle_began.elapsed();
+        let window = &mut self.window;
+        window.cycles += 1;
+        window.total += time;
+        if time >= window.longest {
+            (window.longest, window.worst) = (time, self.now);
+        }
+        let nodes = self.graph.nodes;
+        for ((component, time), node) in window.components.iter_mut().zip(&mut self.this_cycle).zip(nodes) {
+            let time = std::mem::take(time);
+            component.total += time;
+            component.longest = component.longest.max(time);
+            if node.budget_us.is_some_and(|budget| us(time) > budget) {
+                component.overruns += 1;
+                component.overrun_us = self.now.as_micros();
+            }
+        }
     }
 }
 

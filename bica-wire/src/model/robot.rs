@@ -1,0 +1,42 @@
+//! What only a robot knows, not its graph.
+
+use postcard_schema::schema::owned::OwnedNamedType;
+use serde::{Deserialize, Serialize};
+
+use super::Description;
+use crate::Recordable;
+use crate::server::read;
+
+/// Schemas of the messages of a robot.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Messages {
+    /// Schema of the sensor values.
+    pub sensors: OwnedNamedType,
+    /// Schema of the command.
+    pub command: OwnedNamedType,
+}
+
+impl Messages {
+    /// The schemas of a robot's messages.
+    #[must_use]
+    pub fn of<R: Recordable>() -> Self {
+        Self { sensors: R::SENSORS.into(), command: R::COMMAND.into() }
+    }
+}
+
+impl Description {
+    /// Adds what a robot of this tree knows: the values of its parameters, and the schemas of its outputs and messages.
+    #[must_use]
+    pub fn of_robot<R: Recordable>(mut self, robot: &R) -> Self {
+        self.messages = Some(Messages::of::<R>());
+        for (component, described) in self.components.iter_mut().enumerate() {
+            for (index, param) in described.params.iter_mut().enumerate() {
+                param.value = robot.get_param(component, index);
+            }
+            for (index, info) in described.info.iter_mut().enumerate() {
+                info.schema = read::schema(robot, component, index).map(Into::into);
+            }
+        }
+        self
+    }
+}
