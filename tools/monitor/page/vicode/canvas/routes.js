@@ -9,6 +9,8 @@ const LANE = { 1: 32, 2: 20, 3: 8 };
 const APART = { 1: 10, 2: 9, 3: 6 };
 /** White above the first and below the last lane; of a corridor without any. */
 const [ABOVE, EMPTY, BESIDE] = [16, 34, 12];
+/** Room at the left for the mark of the initial state. */
+const INITIAL = 44;
 /** Distance of two ends at a side of a state, and the room that an arrow head needs. */
 const [PORT, TIP] = [18, 7];
 /** Least width that is kept for what is written below a name. */
@@ -32,7 +34,7 @@ export function routed(arrows, { boxes, rows, width }, level) {
   const tops = heights(rows, lanes, level);
   const y = (corridor, lane) => tops[corridor] + ABOVE + (lane + 0.5) * LANE[level];
   const all = [...lanes.values()];
-  const [left, right] = [Math.min(0, ...all.map(({ low }) => low)) - BESIDE, Math.max(width, ...all.map(({ high }) => high)) + BESIDE];
+  const [left, right] = [Math.min(0, ...all.map(({ low }) => low)) - INITIAL, Math.max(width, ...all.map(({ high }) => high)) + BESIDE];
   return { courses: new Map(ways.map((way) => [way.arrow.key, courseFor(way, lanes, y)])), area: { x: left, y: 0, width: right - left, height: tops.at(-1) + Math.max(EMPTY, ABOVE * 2 + LANE[level] * Math.max(0, ...all.filter(({ corridor }) => corridor === rows.length).map(({ count }) => count))) } };
 }
 
