@@ -1,4 +1,4 @@
-// Expressions over outputs and parameters, as `hypot(Odometry.walked.x, Odometry.walked.y)` or `rate(Head.pan) > 0.5`.
+// Expressions over outputs and parameters, as `hypot(Cart.place.x, Cart.place.y)` or `rate(Lamp.angle) > 0.5`.
 
 const FUNCTIONS = {
   sqrt: Math.sqrt, abs: Math.abs, min: Math.min, max: Math.max, hypot: Math.hypot, sin: Math.sin, cos: Math.cos, atan2: Math.atan2, sign: Math.sign, floor: Math.floor,
