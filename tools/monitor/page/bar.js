@@ -172,7 +172,7 @@ export function Header() {
     <${Clock} /><${Costs} />
     <span class="grow"></span>
     <${Control} /><${World} /><${Recording} />
-    <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>Find…</button>
+    <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>⌕<span class="word"> Find…</span></button>
     <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment" onClick=${copyLink}>Link</button>
     <${View} />
     <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>

@@ -62,7 +62,7 @@ function spread(name, word) {
   return begin < 0 || end < 0 ? Infinity : end - begin;
 }
 
-/** How well a row fits a text: 0 for not at all. The letters of a word may be apart, as in `faga` for `FaceBall.gain`. */
+/** How well a row fits a text: 0 for not at all. The letters of a word may be apart, as in `laga` for `Lamp.gain`. */
 function fit({ name, place }, wanted) {
   const [own, about] = [name.toLowerCase(), (place ?? '').toLowerCase()];
   let score = 1;

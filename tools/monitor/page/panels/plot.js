@@ -3,24 +3,17 @@
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
-import { number, numberAt, numbers, text, time, valueAt } from '../lib/format.js';
+import { number, numbers, text, time, valueAt } from '../lib/format.js';
 import { marks, shownTime, showRange } from '../lib/axis.js';
 import { cursor, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
 import { css, curveColour, theme } from '../lib/theme.js';
 import { Bar, Empty, download } from '../lib/ui.js';
+import { resolve, resolved, samples, valueNow } from './plot/curves.js';
 
 /** Samples that are read of the time before a curve was added. */
 const POINTS = 3000;
 /** Shortest time between two drawings of a live plot, ms. */
 const FRAME_MS = 30;
-
-/** Splits `Component.info.path` into its parts. */
-function resolve(shown, name) {
-  const [component, rest] = [name.slice(0, name.indexOf('.')), name.slice(name.indexOf('.') + 1)];
-  const info = rest.split(/[.[]/)[0];
-  const place = shown?.findInfo(component, info);
-  return place ? { name, place, path: rest.slice(info.length), unit: shown.description.value.components[place[0]].info[place[1]].unit } : null;
-}
 
 export function Plot({ visible, params, remember }) {
   const names = useSignal(params.curves ?? []);
@@ -28,22 +21,25 @@ export function Plot({ visible, params, remember }) {
   const description = shown?.description.value;
   const typed = useSignal('');
   const over = useSignal(false);
-  const curves = names.value.map((name) => resolve(shown, name)).filter(Boolean);
+  const curves = names.value.map((name) => resolved(shown, name)).filter(Boolean);
   const set = (list) => {
     names.value = list;
     remember({ curves: list });
   };
   const add = (name) => {
-    const curve = resolve(shown, name);
-    if (!curve) notify('error', `there is no output “${name}”`, 'write Component.information, as in the list of the field');
-    else if (!names.value.includes(name)) set([...names.value, name]);
+    try {
+      resolve(shown, name);
+      if (!names.value.includes(name)) set([...names.value, name]);
+    } catch ({ message }) {
+      notify('error', message, 'write Component.information, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
+    }
   };
   // A struct becomes one curve for each of its numbers, as soon as a value of it is known.
   useEffect(() => effect(() => {
     const all = curves.flatMap((curve) => expand(shown, curve));
     if (all.length > curves.length) setTimeout(() => set([...new Set(all)]));
   }), [shown, description, names.value.join()]);
-  useEffect(() => (visible.value && curves.length > 0 ? watch({ info: curves.map(({ place }) => [...place, 2]) }) : undefined), [visible.value, shown, description, names.value.join()]);
+  useEffect(() => (visible.value && curves.length > 0 ? watch({ info: curves.flatMap(({ inputs }) => inputs.map(({ place }) => [...place, 2])) }) : undefined), [visible.value, shown, description, names.value.join()]);
   useHistory(shown, description, curves, visible);
 
   if (!description) return html`<${Empty} what="Nothing to plot yet" help="Open a world, a robot or a recording." />`;
@@ -61,7 +57,7 @@ export function Plot({ visible, params, remember }) {
   const all = description.components.flatMap((component) => component.info.map((info) => `${component.name}.${info.name}`));
   return html`<div class=${`plot ${over.value ? 'over' : ''}`} onDragOver=${(event) => { event.preventDefault(); over.value = true; }} onDragLeave=${() => { over.value = false; }} onDrop=${drop}>
     <${Bar} label="Plot">
-      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Add a curve…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
+      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
       <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
       <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
       <span class="grow"></span>
@@ -76,6 +72,7 @@ export function Plot({ visible, params, remember }) {
 
 /** Names of the curves of a value: of a struct, one for each of its numbers. */
 function expand(shown, { name, place, path }) {
+  if (!place) return [name];
   const information = shown.info_of(...place);
   void information.version.value;
   const value = valueAt(information.now.value?.value ?? information.values.findLast((one) => one !== null), path);
@@ -84,10 +81,10 @@ function expand(shown, { name, place, path }) {
 }
 
 function Curve({ name, index, shown, remove }) {
-  const curve = resolve(shown, name);
-  const now = curve ? shown.info_of(...curve.place).now.value?.value : null;
+  const curve = resolved(shown, name);
+  const now = curve?.place ? shown.info_of(...curve.place).now.value?.value : null;
   return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
-    <b>${curve ? number(numberAt(now, curve.path) ?? text(valueAt(now, curve.path))) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
+    <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
 }
 
 /** Reads the samples before the curve was added, and those of another interval of the past. */
@@ -98,7 +95,7 @@ function useHistory(shown, description, curves, visible) {
     let timer = null;
     const read = async () => {
       const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at)));
-      for (const { place } of curves) {
+      for (const { place } of curves.flatMap(({ inputs }) => inputs)) {
         const information = shown.info_of(...place);
         if (information.times.length > 0 && information.times[0] <= from) continue;
         try {
@@ -122,18 +119,8 @@ function useHistory(shown, description, curves, visible) {
 
 function dataOf(shown, curves, [from, until]) {
   const times = new Set();
-  const columns = curves.map(({ place, path }) => {
-    const information = shown.info_of(...place);
-    const column = new Map();
-    const step = Math.max(1, Math.floor(information.times.length / 4000));
-    for (let index = 0; index < information.times.length; index += step) {
-      const at = information.times[index];
-      if (at < from - 1e6 || at > until + 1e6) continue;
-      column.set(at, numberAt(information.values[index], path));
-      times.add(at);
-    }
-    return column;
-  });
+  const columns = curves.map((curve) => samples(shown, curve, [from - 1e6, until + 1e6]));
+  for (const column of columns) for (const at of column.keys()) times.add(at);
   // No curve is drawn through a time in which nothing was received.
   for (const [begin, end] of shown.info.value.gaps) {
     if (end < from || begin > until) continue;
@@ -165,7 +152,7 @@ function Chart({ shown, curves, visible }) {
     };
     const schedule = () => { frame ||= requestAnimationFrame(paint); };
     const stop = effect(() => {
-      for (const { place } of curves) void shown.info_of(...place).version.value;
+      for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
       void [visibleRange.value, cursor.value, visible.value];
       schedule();
     });
@@ -187,18 +174,28 @@ function Chart({ shown, curves, visible }) {
 function options(box, curves) {
   const font = `11px ${css('--font')}`;
   const grid = { stroke: css('--line'), width: 1 };
+  // Curves of another unit than the first one have the axis at the right.
+  const scaleOf = ({ unit }) => (unit === curves[0].unit ? 'y' : 'right');
+  const range = (chart, low, high) => (low === null ? [0, 1] : padded(low, high));
+  const axis = (scale, more) => {
+    const own = curves.map((curve, index) => ({ curve, index })).filter(({ curve }) => scaleOf(curve) === scale);
+    const colour = own.length === 1 ? curveColour(own[0].index) : css('--dim');
+    return { scale, stroke: colour, grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)), ...more };
+  };
+  const hasRight = curves.some((curve) => scaleOf(curve) === 'right');
   return {
     width: Math.max(box.clientWidth, 50),
     height: Math.max(box.clientHeight, 50),
     legend: { show: false },
-    scales: { x: { time: false, auto: false }, y: { range: (chart, low, high) => (low === null ? [0, 1] : padded(low, high)) } },
-    series: [{}, ...curves.map((curve, index) => ({ label: curve.name, stroke: curveColour(index), width: 1.5, spanGaps: true, points: { show: false } }))],
+    scales: { x: { time: false, auto: false }, y: { range }, ...(hasRight && { right: { range } }) },
+    series: [{}, ...curves.map((curve, index) => ({ label: curve.name, scale: scaleOf(curve), stroke: curveColour(index), width: 1.5, spanGaps: true, points: { show: false } }))],
     axes: [
       { stroke: css('--dim'), grid, ticks: grid, font, size: 26, splits: (chart) => marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width).times.map((at) => at / 1e6), values: (chart, splits) => {
         const { digits } = marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width);
         return splits.map((at) => time(at * 1e6, digits));
       } },
-      { stroke: css('--dim'), grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)) },
+      axis('y'),
+      ...(hasRight ? [axis('right', { side: 1, grid: { show: false } })] : []),
     ],
     cursor: { drag: { x: true, y: false, setScale: false }, points: { size: 6 } },
     hooks: {
@@ -232,7 +229,7 @@ function drawValues(chart, curves) {
   if (idx === null || idx === undefined || left < 0) return;
   const { ctx, bbox } = chart;
   const scale = devicePixelRatio;
-  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${curve.name.split('.').slice(1).join('.')} ${number(nearest(chart.data[index + 1], idx))}`)];
+  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${curve.place ? curve.name.split('.').slice(1).join('.') : curve.name} ${number(nearest(chart.data[index + 1], idx))}`)];
   ctx.save();
   ctx.font = `${11 * scale}px ${css('--font')}`;
   const width = Math.max(...lines.map((line) => ctx.measureText(line).width)) + 16 * scale;

@@ -12,6 +12,7 @@ import { check, jump, problems, startCheck } from './problems.js';
 import { Run } from './run.js';
 import { arrange, ask, choose, chosenStates, component, editedOutside, locked, machine, opened, redo, selection, undo } from './sources.js';
 import { clearStops, hit, nextHit, stops, wordsOf } from './stops.js';
+import { Trail } from './trail.js';
 
 const counted = (number, word) => `${number} ${word}${number === 1 ? '' : 's'}`;
 
@@ -33,7 +34,7 @@ export function Tools({ search }) {
     event.target.focus();
   };
   const several = chosenStates().length > 1;
-  return html`<${Bar} label="Designer">
+  return html`<${Bar} label="Designer"><${Trail} />
     ${components.length > 1 && html`<select aria-label="Component of the file" onChange=${(event) => { component.value = event.target.value; choose([]); }}>${components.map(({ key }) => html`<option value=${key} selected=${key === component.value}>${key}</option>`)}</select>`}
     ${own && html`<span class="dim file" title=${own.file}>${own.file}</span>`}
     <button onClick=${createComponent} disabled=${!hello.value?.source} title="A new component from a blank canvas">New…</button>

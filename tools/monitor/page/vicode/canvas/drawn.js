@@ -2,6 +2,7 @@
 
 import { html } from '../../lib/dom.js';
 import { labelWidth, timerText } from './labels.js';
+import { isMachine } from '../trail.js';
 import { stage } from './stage.js';
 
 const KIND = { requirement: 'reads', modulation: 'writes', rate: 'sets the rate of' };
@@ -35,7 +36,7 @@ export function Drawn({ machine, chosen, found, stops }) {
   const states = machine.states.map((state) => {
     const { x, y, width } = stage.boxes.get(state.name);
     const all = flagsOf(state);
-    return keep(next, state.key, { of: state, place: `${x} ${y} ${width}`, flags: all }, () => html`<${State} key=${state.key} state=${state} ...${all} />`);
+    return keep(next, state.key, { of: state, place: `${x} ${y} ${width}`, flags: all }, () => html`<${State} key=${state.key} state=${state} at=${stage.boxes.get(state.name)} ...${all} />`);
   });
   const names = machine.arrows.map((arrow) => {
     const all = { ...flagsOf(arrow), near: near(arrow) };
@@ -72,8 +73,8 @@ function Name({ arrow, chosen, near, found, stop }) {
 
 const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped');
 
-function State({ state, chosen, found, stop }) {
-  const { x, y, width, height, box } = stage.boxes.get(state.name);
+/** `at` is its place. */
+function State({ state, at: { x, y, width, height, box }, chosen, found, stop }) {
   const told = [state.initial && 'initial', state.last && 'last', ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
   return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped')} data-key=${state.key} data-state=${state.name}
       transform=${`translate(${x - width / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
@@ -86,8 +87,8 @@ function State({ state, chosen, found, stop }) {
     <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
     ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
     ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}
-    ${box.chips.map((chip) => html`<g class=${`link-chip ${chip.kind}`} data-child=${chip.child} transform=${`translate(${chip.x} ${chip.y})`}>
-      <title>${`${state.name} ${KIND[chip.kind]} ${chip.child}`}</title>
+    ${box.chips.map((chip) => html`<g class=${`link-chip ${chip.kind} ${isMachine(chip.child) ? 'opens' : ''}`} data-child=${chip.child} transform=${`translate(${chip.x} ${chip.y})`}>
+      <title>${`${state.name} ${KIND[chip.kind]} ${chip.child}${isMachine(chip.child) ? ', a machine: double-click opens it' : ''}`}</title>
       <rect width=${chip.width} height=${chip.height} rx="10" /><text x=${chip.width / 2} y="14" text-anchor="middle">${chip.text}</text></g>`)}
     ${['0 0.5', '1 0.5', '0.5 0', '0.5 1'].map((at) => {
       const [px, py] = at.split(' ').map(Number);

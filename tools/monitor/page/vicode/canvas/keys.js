@@ -7,6 +7,7 @@ import { choose, chosenStates, machine, redo, selection, undo } from '../sources
 import { copy, paste } from '../clipboard.js';
 import { focusCode } from '../focus.js';
 import { toggleStop } from '../stops.js';
+import { descendFirst } from '../trail.js';
 import { addChild, addState, askTransition, chooseAll, nudge, remove, rename } from './actions.js';
 import { stage } from './stage.js';
 
@@ -84,6 +85,7 @@ const KEYS = [
   ['a', 'add a state', () => addState(middle())],
   ['r', 'add a transition from the selected states', on(askTransition)],
   ['k', 'add a child to the state', on(() => addChild(chosenStates().at(-1)))],
+  ['o', 'open the first child that is a machine', on(() => descendFirst(chosenStates().at(-1)))],
   ['F2', 'rename', on(rename)],
   ['Enter', 'edit the code', on(() => { openPanel('code'); focusCode(); })],
   ['e', 'edit its properties', on(() => { openPanel('inspector'); setTimeout(() => document.querySelector('.inspector input, .inspector textarea')?.focus(), 60); })],

@@ -2,9 +2,10 @@
 
 import { signal } from '../../lib/dom.js';
 import { on } from '../../lib/listen.js';
-import { stateKey } from '../machine.js';
+import { parsed, stateKey } from '../machine.js';
 import { change, choose, chosenStates, locked, machine, move, selection, wish } from '../sources.js';
 import { toggleStop } from '../stops.js';
+import { descend } from '../trail.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
 import { courseTo } from './arrows.js';
 import { stage } from './stage.js';
@@ -182,8 +183,11 @@ export function press(event) {
 
 export function doubleClick(event) {
   // The press has captured the pointer: the target of the event is the whole drawing.
-  const key = document.elementFromPoint(event.clientX, event.clientY)?.closest('[data-key]')?.dataset.key;
-  if (!key) addState(view.point(event));
+  const over = document.elementFromPoint(event.clientX, event.clientY);
+  const key = over?.closest('[data-key]')?.dataset.key;
+  const child = over?.closest('.link-chip.opens')?.dataset.child;
+  if (child) descend(parsed(key).name, child);
+  else if (!key) addState(view.point(event));
   else {
     choose([key]);
     rename();

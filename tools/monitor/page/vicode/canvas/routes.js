@@ -9,6 +9,8 @@ const LANE = { 1: 32, 2: 20, 3: 8 };
 const APART = { 1: 10, 2: 9, 3: 6 };
 /** White above the first and below the last lane; of a corridor without any. */
 const [ABOVE, EMPTY, BESIDE] = [16, 34, 12];
+/** Room at the left for the mark of the initial state. */
+const INITIAL = 44;
 /** Distance of two ends at a side of a state, and the room that an arrow head needs. */
 const [PORT, TIP] = [18, 7];
 /** Least width that is kept for what is written below a name. */
@@ -19,7 +21,7 @@ const OUTSIDE = 90;
 /** The courses by key of the arrow, {d, label, anchor, start, end, owner: the arrow that has the name of the bundle}, and the area of all; writes the heights of the states. */
 export function routed(arrows, { boxes, rows, width }, level) {
   const ways = arrows.map((arrow) => wayOf(arrow, boxes));
-  const bundles = Map.groupBy(ways, ({ arrow }) => (arrow.any || arrow.from === arrow.to ? arrow.key : `${arrow.name}>${arrow.to}`));
+  const bundles = Map.groupBy(ways, ({ arrow }) => bundleOf(arrow));
   [...bundles.values()].forEach((all, number) => {
     const trunk = { number, passes: rows.map(() => []), spans: Array.from({ length: rows.length + 1 }, () => []) };
     all.forEach((way) => Object.assign(way, { trunk, all }));
@@ -28,13 +30,16 @@ export function routed(arrows, { boxes, rows, width }, level) {
   const gaps = rows.map((row) => gapsOf(row, width + OUTSIDE, -OUTSIDE));
   for (const way of ways) way.xs = passing(way, gaps);
   spreadPasses(ways.filter(({ xs }) => xs.length > 2), gaps, ({ upper }) => upper.row, APART[level]);
-  const lanes = lanesOf(bundles, level);
+  const { lanes, named } = lanesOf(bundles, level);
   const tops = heights(rows, lanes, level);
   const y = (corridor, lane) => tops[corridor] + ABOVE + (lane + 0.5) * LANE[level];
   const all = [...lanes.values()];
-  const [left, right] = [Math.min(0, ...all.map(({ low }) => low)) - BESIDE, Math.max(width, ...all.map(({ high }) => high)) + BESIDE];
-  return { courses: new Map(ways.map((way) => [way.arrow.key, courseFor(way, lanes, y)])), area: { x: left, y: 0, width: right - left, height: tops.at(-1) + Math.max(EMPTY, ABOVE * 2 + LANE[level] * Math.max(0, ...all.filter(({ corridor }) => corridor === rows.length).map(({ count }) => count))) } };
+  const [left, right] = [Math.min(0, ...all.map(({ low }) => low)) - INITIAL, Math.max(width, ...all.map(({ high }) => high)) + BESIDE];
+  return { courses: new Map(ways.map((way) => [way.arrow.key, courseFor(way, { lanes, named, y })])), area: { x: left, y: 0, width: right - left, height: tops.at(-1) + Math.max(EMPTY, ABOVE * 2 + LANE[level] * Math.max(0, ...all.filter(({ corridor }) => corridor === rows.length).map(({ count }) => count))) } };
 }
+
+/** What is one bundle: transitions of one name from different states to one state. */
+const bundleOf = (arrow) => (arrow.any || arrow.from === arrow.to ? arrow.key : `${arrow.name}>${arrow.to}`);
 
 /** The upper and the lower state of an arrow, and the corridors through which it goes; corridor n is above row n. */
 function wayOf(arrow, boxes) {
@@ -79,25 +84,28 @@ function passing({ upper, lower, upperX, lowerX, same, trunk }, gaps) {
   return courseOf({ x: upperX, row: upper.row }, { x: lowerX, row: lower.row }, gaps, trunk);
 }
 
-/** A lane in each corridor for each bundle, and the place of its name: Map from `corridor bundle` to {lane, count, label}. */
+/** A lane in each corridor for each bundle, `lanes` by `corridor bundle`, and the lane that has its name, `named` by bundle: {corridor, lane, count, label}. */
 function lanesOf(bundles, level) {
   const slots = [];
+  const named = new Map();
   for (const [name, all] of bundles) {
     const own = new Map();
     for (const { xs, first } of all) {
       const parts = xs.length === 1 ? [[xs[0], xs[0]]] : xs.slice(1).map((x, at) => [xs[at], x]);
       parts.forEach((part, at) => {
-        const slot = own.get(first + at) ?? own.set(first + at, { corridor: first + at, name, low: Infinity, high: -Infinity, label: null }).get(first + at);
+        const slot = own.get(first + at) ?? own.set(first + at, { corridor: first + at, name, low: Infinity, high: -Infinity, label: 0 }).get(first + at);
         slot.low = Math.min(slot.low, ...part);
         slot.high = Math.max(slot.high, ...part);
       });
     }
     const longest = [...own.values()].reduce((best, slot) => (slot.high - slot.low > best.high - best.low ? slot : best));
+    const middle = (longest.low + longest.high) / 2;
+    longest.label = middle;
     if (level < 3) {
-      const [middle, half] = [(longest.low + longest.high) / 2, Math.max(labelWidth(all[0].arrow), level === 1 ? LIVE : 0) / 2];
-      longest.label = middle;
+      const half = Math.max(labelWidth(all[0].arrow), level === 1 ? LIVE : 0) / 2;
       [longest.low, longest.high] = [Math.min(longest.low, middle - half), Math.max(longest.high, middle + half)];
     }
+    named.set(name, longest);
     slots.push(...own.values());
   }
   const lanes = new Map(slots.map((slot) => [`${slot.corridor} ${slot.name}`, slot]));
@@ -110,7 +118,7 @@ function lanesOf(bundles, level) {
     }
     for (const slot of all) slot.count = ends.length;
   }
-  return lanes;
+  return { lanes, named };
 }
 
 /** Puts the rows below each other, and returns the upper edge of each corridor. */
@@ -130,13 +138,12 @@ function heights(rows, lanes, level) {
   return tops;
 }
 
-function courseFor(way, lanes, y) {
+function courseFor(way, { lanes, named, y }) {
   const { arrow, all, upper, lower, xs, first, down, same } = way;
-  const name = arrow.any || arrow.from === arrow.to ? arrow.key : `${arrow.name}>${arrow.to}`;
-  const slot = (corridor) => lanes.get(`${corridor} ${name}`);
-  const laneY = (corridor) => y(corridor, slot(corridor).lane);
-  const labelled = [...Array(Math.max(1, xs.length - 1)).keys()].map((at) => slot(first + at)).concat(all.flatMap((one) => one.xs.map((_, at) => slot(one.first + at)))).find((one) => one?.label !== null && one?.label !== undefined);
-  const label = labelled ? [labelled.label, laneY(labelled.corridor)] : [xs[0], laneY(first)];
+  const bundle = bundleOf(arrow);
+  const laneY = (corridor) => y(corridor, lanes.get(`${corridor} ${bundle}`).lane);
+  const { label: middle, corridor } = named.get(bundle);
+  const label = [middle, laneY(corridor)];
   const owner = all[0].arrow.key;
   if (!upper) {
     const top = lower.y - lower.height / 2;

@@ -87,7 +87,10 @@ async fn held_components_have_a_badge_and_are_released_together() {
 async fn a_run_that_has_ended_offers_the_next_one() {
     let server = Server::start("ended", &[]);
     let page = open_in(&server, SMALL).await;
+    show_in(&page, SMALL).await;
     page.until("the game is over", "return [...document.querySelectorAll('.banner button')].some((one) => one.textContent.startsWith('Next seed'))").await;
+    let header = page.run("return document.querySelector('header.top').offsetHeight < 50", vec![]).await;
+    assert_eq!(header, true, "the header has one line");
     page.click("button", "Next seed", "").await;
     page.reads("built-in, seed 1").await;
     page.until("the banner is gone", "return !document.querySelector('.banner')").await;

@@ -6,6 +6,7 @@ mod ball;
 mod designing;
 mod faults;
 mod figures;
+mod finding;
 mod firmware;
 mod geometry;
 mod glance;

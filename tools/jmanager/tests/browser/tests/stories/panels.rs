@@ -99,6 +99,17 @@ async fn curves_are_added_to_a_plot_and_removed() {
     field.set("Odometry.walked").await;
     page.click("button", "Add", "Plot").await;
     page.until("each number of a struct is a curve", "return document.querySelectorAll('.curve').length === 4").await;
+    field.set("hypot(Odometry.walked.x, Odometry.walked.y) * FaceBall.gain").await;
+    page.click("button", "Add", "Plot").await;
+    page.until(
+        "an expression over outputs and a parameter has a value",
+        "return /^\\d/.test([...document.querySelectorAll('.curve')].at(-1).querySelector('b').textContent) && document.querySelectorAll('.u-axis').length === 3",
+    )
+    .await;
+    field.set("hypot(Odometry.walked.x, ").await;
+    page.click("button", "Add", "Plot").await;
+    page.reads("lacks a value before “its end”").await;
+    page.click("button", "Remove hypot", "").await;
     let axis =
         "return import('/lib/format.js').then(({ time }) => [59.9e6, 60e6, 3600e6].map((at) => time(at, 0)).join())";
     assert_eq!(page.run(axis, vec![]).await, "1:00,1:00,1:00:00");
