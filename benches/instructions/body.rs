@@ -17,7 +17,7 @@ const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
 fn pose() -> Joints {
     let mut walk = new_walk();
     step_repeatedly(&mut walk, 30);
-    walk.step(FORWARD, &on_both_feet(), 0.01).joints()
+    walk.step(FORWARD, &on_both_feet(), 0.01).joints::<Nao>()
 }
 
 fn new_walk() -> Walk {

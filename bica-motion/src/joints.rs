@@ -1,8 +1,9 @@
 //! Joints of a humanoid robot, and one value for each.
 //!
 //! Order and names follow the NAO V6's own interface (`LoLA`). A robot with fewer joints lists its joints in
-//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). Angles are in radians; hands range from 0 (closed) to 1
-//! (open).
+//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). A robot without fingers may have a waist and a second hip yaw in
+//! their places ([`Joint::WAIST_YAW`], [`Joint::RIGHT_HIP_YAW`]): messages keep their size. Angles are in radians; hands range
+//! from 0 (closed) to 1 (open).
 
 use core::ops::{Index, IndexMut};
 
@@ -44,6 +45,13 @@ pub enum Joint {
 }
 
 impl Joint {
+    /// Yaw of the torso over the hips, in the place of [`LHand`](Self::LHand).
+    pub const WAIST_YAW: Self = Self::LHand;
+    /// Left hip yaw of a robot with two, in the place of [`LHipYawPitch`](Self::LHipYawPitch).
+    pub const LEFT_HIP_YAW: Self = Self::LHipYawPitch;
+    /// Right hip yaw of a robot with two, in the place of [`RHand`](Self::RHand).
+    pub const RIGHT_HIP_YAW: Self = Self::RHand;
+
     /// Every joint, in order.
     pub const ALL: [Self; JOINTS] = [
         Self::HeadYaw,

@@ -13,9 +13,9 @@
 //! let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
 //! let feedback = Feedback { left_foot: foot, right_foot: foot, ..Feedback::default() };
 //! let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
-//! let stand = walk.step(Velocity::ZERO, &feedback, 0.01).joints();
+//! let stand = walk.step(Velocity::ZERO, &feedback, 0.01).joints::<Nao>();
 //! for _ in 0..100 {
-//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, 0.01).joints();
+//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, 0.01).joints::<Nao>();
 //!     assert!(targets.within_limits::<Nao>());
 //! }
 //! assert_eq!(walk.phase(), Phase::Walking);
@@ -42,6 +42,7 @@ pub mod odometry;
 pub mod pose;
 pub mod robot;
 pub mod segment;
+pub mod senses;
 pub mod side;
 pub mod stiffness;
 pub mod velocity;

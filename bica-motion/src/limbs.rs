@@ -1,12 +1,15 @@
 //! Angles of legs and arms, without the head.
 
+use core::f32::consts::FRAC_PI_2;
+
 use crate::joints::{Joint, Joints};
+use crate::model::{ArmGeometry, RobotModel};
 use crate::side::Side;
 
 /// Angles of one leg, rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LegAngles {
-    /// The joint that both legs share; negative turns the toes out.
+    /// The joint that both legs share; negative turns the toes out. With two hip yaws: this leg's; positive turns left.
     pub hip_yaw_pitch: f32,
     /// Positive swings the leg to the left.
     pub hip_roll: f32,
@@ -21,20 +24,20 @@ pub struct LegAngles {
 }
 
 impl LegAngles {
-    /// Writes the six angles to a side's joints; the yaw-pitch goes to the joint that both sides share.
-    pub fn write(&self, side: Side, angles: &mut Joints) {
+    /// Writes the six angles to a side's joints; a shared yaw-pitch goes to the joint that both sides share.
+    pub fn write<M: RobotModel>(&self, side: Side, angles: &mut Joints) {
         let values =
             [self.hip_yaw_pitch, self.hip_roll, self.hip_pitch, self.knee_pitch, self.ankle_pitch, self.ankle_roll];
-        for (joint, value) in side.leg().into_iter().zip(values) {
+        for (joint, value) in M::leg_joints(side).into_iter().zip(values) {
             angles[joint] = value;
         }
     }
 
     /// Reads a side's six angles.
     #[must_use]
-    pub fn read(side: Side, angles: &Joints) -> Self {
+    pub fn read<M: RobotModel>(side: Side, angles: &Joints) -> Self {
         let [hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll] =
-            side.leg().map(|joint: Joint| angles[joint]);
+            M::leg_joints(side).map(|joint: Joint| angles[joint]);
         Self { hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll }
     }
 }
@@ -68,10 +71,14 @@ impl ArmAngles {
 
     /// A hanging arm: `pitch` rad from straight down, positive to the back; `out` rad away from the body.
     #[must_use]
-    pub fn hanging(side: Side, pitch: f32, out: f32) -> Self {
+    pub fn hanging<M: RobotModel>(side: Side, pitch: f32, out: f32) -> Self {
+        let (forward, down) = match M::ARM {
+            ArmGeometry::Forward => (FRAC_PI_2, 0.0),
+            ArmGeometry::Sideways(_) => (0.0, -FRAC_PI_2),
+        };
         Self {
-            shoulder_pitch: core::f32::consts::FRAC_PI_2 + pitch,
-            shoulder_roll: side.sign() * out,
+            shoulder_pitch: forward + pitch,
+            shoulder_roll: side.sign() * (down + out),
             elbow_roll: -side.sign() * 0.1,
             ..Self::default()
         }
@@ -89,10 +96,13 @@ pub struct Limbs {
 
 impl Limbs {
     /// Writes all joints except the head's.
-    pub fn write(&self, angles: &mut Joints) {
+    pub fn write<M: RobotModel>(&self, angles: &mut Joints) {
         for side in Side::BOTH {
-            self.legs[side.index()].write(side, angles);
+            // Legs last: joints of a robot without fingers may have the places of the hands.
             self.arms[side.index()].write(side, angles);
+        }
+        for side in Side::BOTH {
+            self.legs[side.index()].write::<M>(side, angles);
         }
     }
 
@@ -105,9 +115,9 @@ impl Limbs {
 
     /// All joints, with the head straight ahead.
     #[must_use]
-    pub fn joints(&self) -> Joints {
+    pub fn joints<M: RobotModel>(&self) -> Joints {
         let mut angles = Joints::all(0.0);
-        self.write(&mut angles);
+        self.write::<M>(&mut angles);
         angles
     }
 }

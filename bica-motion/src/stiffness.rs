@@ -38,7 +38,7 @@ impl Stiffness {
                 LShoulderRoll | RShoulderRoll => limbs.shoulder_roll,
                 LElbowYaw | LElbowRoll | RElbowYaw | RElbowRoll => limbs.elbow,
                 LWristYaw | RWristYaw => limbs.wrist,
-                LHand | RHand => 0.0,
+                LHand | RHand if M::LEG.shares_hip_yaw() => 0.0,
                 _ => limbs.leg,
             };
         }

@@ -86,7 +86,7 @@ impl OwnBody {
         let mut angles = M::STAND;
         for side in Side::BOTH {
             let ankle = Vec3::new(0.0, side.sign() * M::DIMENSIONS.hip.y, M::DIMENSIONS.foot_height) - hips;
-            M::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write(side, &mut angles);
+            M::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write::<M>(side, &mut angles);
         }
         Self::seen_from::<M>(Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
     }

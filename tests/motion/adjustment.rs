@@ -23,7 +23,7 @@ fn feedback(pitch_rate: f32) -> Feedback {
 fn walked(adjustment: Adjustment, request: Velocity, pitch_rate: f32) -> (Walk, Vec<Joints>) {
     let mut walk = Walk::<Nao>::new(GAIT);
     walk.set_adjustment(adjustment);
-    let targets = (0..300).map(|_| walk.step(request, &feedback(pitch_rate), CYCLE).joints()).collect();
+    let targets = (0..300).map(|_| walk.step(request, &feedback(pitch_rate), CYCLE).joints::<Nao>()).collect();
     (walk, targets)
 }
 
@@ -74,8 +74,8 @@ fn the_lean_turns_both_hips_and_no_other_joint() {
         let (mut plain, mut leaning) = (Walk::<Nao>::new(GAIT), Walk::<Nao>::new(GAIT));
         leaning.set_adjustment(Adjustment { torso_lean: lean, ..Adjustment::NONE });
         for cycle in 0..300 {
-            let from = plain.step(request, &feedback(0.0), CYCLE).joints();
-            let to = leaning.step(request, &tilted, CYCLE).joints();
+            let from = plain.step(request, &feedback(0.0), CYCLE).joints::<Nao>();
+            let to = leaning.step(request, &tilted, CYCLE).joints::<Nao>();
             for joint in Joint::ALL {
                 let expected = if matches!(joint, Joint::LHipPitch | Joint::RHipPitch) { -lean } else { 0.0 };
                 let found = to[joint] - from[joint];

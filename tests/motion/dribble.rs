@@ -13,14 +13,14 @@ const GAIT: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 /// A forward walk with a kick request after 1.5 s: maximum forward position of each sole relative to the hips, m, before and
 /// after the request, and the number of kick steps.
 fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints()));
-    let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand::<Nao>().joints());
+    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints::<Nao>()));
+    let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand::<Nao>().joints::<Nao>());
     for cycle in 0..400 {
         if cycle == 150 {
             walk.request_kick(foot);
         }
         let was = walk.phase();
-        let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints();
+        let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints::<Nao>();
         kicks += u32::from(walk.phase() == Phase::Kicking && was != Phase::Kicking);
         world.step(&targets);
         assert!(world.margin() >= 0.005, "{speed} m/s: the mass is {} m inside", world.margin());
@@ -58,12 +58,12 @@ fn in_walk_kick_extends_one_swing() {
 
 #[test]
 fn a_kick_request_in_stand_changes_no_target() {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints()));
+    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints::<Nao>()));
     walk.request_kick(Side::Left);
     for _ in 0..100 {
         let targets = walk.step(Velocity::ZERO, &world.body(), CYCLE);
         assert_eq!((walk.phase(), targets), (Phase::Standing, GAIT.stand::<Nao>()));
-        world.step(&targets.joints());
+        world.step(&targets.joints::<Nao>());
     }
 }
 

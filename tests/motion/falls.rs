@@ -227,7 +227,7 @@ fn mass_stays_over_the_feet_while_sitting_down_and_rising() {
 
 #[test]
 fn the_stand_equals_that_of_the_quasi_static_gait() {
-    let gait = Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints();
+    let gait = Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints::<Nao>();
     for joint in Joint::ALL {
         assert!((Nao::STAND[joint] - gait[joint]).abs() < 1e-5, "{joint:?}: {} {}", Nao::STAND[joint], gait[joint]);
     }

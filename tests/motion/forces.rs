@@ -27,10 +27,10 @@ fn level() -> Feedback {
 /// Walks for some cycles with the given feedback for each support side.
 fn walked(request: Velocity, cycles: usize, feedback: impl Fn(Side) -> Feedback) -> (Walk, Joints) {
     let mut walk = Walk::<Nao>::new(&NAO.gait);
-    let mut targets = NAO.gait.stand::<Nao>().joints();
+    let mut targets = NAO.gait.stand::<Nao>().joints::<Nao>();
     for _ in 0..cycles {
         let body = walk.support().map_or_else(level, &feedback);
-        targets = walk.step(request, &body, CYCLE).joints();
+        targets = walk.step(request, &body, CYCLE).joints::<Nao>();
         assert!(targets.within_limits::<Nao>(), "{targets:?}");
     }
     (walk, targets)
@@ -124,7 +124,7 @@ fn targets_stay_finite_for_any_feedback() {
         let feedback = Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
         let mut walk = Walk::<Nao>::new(&NAO.gait);
         for _ in 0..500 {
-            let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, CYCLE).joints();
+            let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, CYCLE).joints::<Nao>();
             assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
         }
     }
@@ -135,22 +135,22 @@ fn dynamic_kicks_keep_to_limits_and_return_to_the_stand() {
     for kick in Kick::ALL {
         let mut motion = KickMotion::<Nao>::new(kick, NAO);
         assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());
-        let mut targets = NAO.gait.stand::<Nao>().joints();
+        let mut targets = NAO.gait.stand::<Nao>().joints::<Nao>();
         for _ in 0..300 {
-            targets = motion.step(&level(), CYCLE).joints();
+            targets = motion.step(&level(), CYCLE).joints::<Nao>();
             let clamped = targets.clamp_to_limits::<Nao>();
             let beyond = targets.0.iter().zip(clamped.0).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             assert!(beyond < 0.05, "{kick:?}: {beyond} rad beyond a limit");
         }
         assert!(motion.is_done());
-        assert_eq!(targets, NAO.gait.stand::<Nao>().joints());
+        assert_eq!(targets, NAO.gait.stand::<Nao>().joints::<Nao>());
     }
 }
 
 /// Targets of both legs at the end of their support, when the knee of the support leg sags by `sag` rad.
 fn at_support_end(sag: f32) -> [LegAngles; 2] {
     let mut walk = Walk::<Nao>::new(&NAO.gait);
-    let mut commanded = VecDeque::from(vec![NAO.gait.stand::<Nao>().joints(); 4]);
+    let mut commanded = VecDeque::from(vec![NAO.gait.stand::<Nao>().joints::<Nao>(); 4]);
     let mut carried = [LegAngles::default(); 2];
     for cycle in 0..1000 {
         let support = walk.support();
@@ -160,11 +160,11 @@ fn at_support_end(sag: f32) -> [LegAngles; 2] {
         if support != walk.support() && cycle > 800 {
             // The next step has just begun: the last recorded command belongs to the support of `side`.
             if let Some(side) = support {
-                carried[side.index()] = LegAngles::read(side, &commanded[3]);
+                carried[side.index()] = LegAngles::read::<Nao>(side, &commanded[3]);
             }
         }
         commanded.pop_front();
-        commanded.push_back(limbs.joints());
+        commanded.push_back(limbs.joints::<Nao>());
     }
     carried
 }

@@ -22,7 +22,7 @@ fn play(kick: Kick, mut each: impl FnMut(&World, &KickMotion, &Joints)) -> World
     let mut world = World::<Nao>::standing(Nao::STAND);
     let mut motion = KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE);
     for _ in 0..(seconds(kick) / CYCLE) as usize + 10 {
-        let targets = motion.step(&world.body(), CYCLE).joints();
+        let targets = motion.step(&world.body(), CYCLE).joints::<Nao>();
         world.step(&targets);
         each(&world, &motion, &targets);
     }
@@ -51,7 +51,7 @@ fn kick_keeps_balance_and_returns_to_the_stand() {
             }
             last = *targets;
         });
-        assert_eq!(last, Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
+        assert_eq!(last, Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints::<Nao>());
         assert!(end.sole(kick.foot).abs_diff_eq(start.sole(kick.foot), 1e-3));
     }
 }
@@ -63,8 +63,8 @@ fn kicks_with_the_right_foot_mirror_those_with_the_left_foot() {
         let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE));
         for _ in 0..250 {
             let (left, right) = (
-                left.step(&Feedback::default(), CYCLE).joints(),
-                right.step(&Feedback::default(), CYCLE).joints().mirrored(),
+                left.step(&Feedback::default(), CYCLE).joints::<Nao>(),
+                right.step(&Feedback::default(), CYCLE).joints::<Nao>().mirrored(),
             );
             for joint in Joint::ALL {
                 assert!((left[joint] - right[joint]).abs() < 1e-5, "{joint:?}");
@@ -178,7 +178,7 @@ fn ball_in_position_clears_both_feet() {
 fn targets_stay_finite_for_any_cycle_time() {
     for dt in [f32::NAN, f32::NEG_INFINITY, -1.0, 0.0] {
         let mut motion = KickMotion::<Nao>::new(Kick::ALL[0], Nao::KINEMATIC_PROFILE);
-        let first = motion.step(&Feedback::default(), dt).joints();
+        let first = motion.step(&Feedback::default(), dt).joints::<Nao>();
         assert!(first.0.iter().all(|angle| angle.is_finite()) && !motion.is_done());
     }
     let mut motion = KickMotion::<Nao>::new(Kick::ALL[3], Nao::KINEMATIC_PROFILE);

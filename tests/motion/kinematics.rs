@@ -180,7 +180,7 @@ fn inverse_kinematics_agree_with_the_published_stands() {
 fn standing() -> Joints {
     let mut angles = Joints::all(0.0);
     for side in Side::BOTH {
-        row(side, STANDS[1]).write(side, &mut angles);
+        row(side, STANDS[1]).write::<Nao>(side, &mut angles);
         angles[side.arm()[0]] = FRAC_PI_2;
         angles[side.arm()[1]] = side.sign() * 7.0_f32.to_radians();
     }
@@ -238,7 +238,7 @@ fn out_of_reach_gives_the_straight_leg_in_its_direction() {
     let leg = Nao::leg_angles(Side::Left, &far);
     assert!(leg.knee_pitch.abs() < 1e-6);
     let mut angles = Joints::all(0.0);
-    leg.write(Side::Left, &mut angles);
+    leg.write::<Nao>(Side::Left, &mut angles);
     let reached = kinematics::ankle::<Nao>(Side::Left, &angles).translation - glam::Vec3A::new(0.0, 0.05, 0.0);
     assert!((reached.normalize() - glam::Vec3A::new(0.6, 0.0, -0.8)).length() < 1e-6, "{reached}");
 }
@@ -268,7 +268,7 @@ proptest! {
         for side in Side::BOTH {
             let expected = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles(side, &expected).write(side, &mut found);
+            Nao::leg_angles(side, &expected).write::<Nao>(side, &mut found);
             let reached = kinematics::ankle::<Nao>(side, &found);
             prop_assert!(distance(&reached, &expected) < 1e-5, "{} off", distance(&reached, &expected));
         }
@@ -281,7 +281,7 @@ proptest! {
         for yaw in [YawFrom::Mean, YawFrom::Leg(Side::Left), YawFrom::Leg(Side::Right)] {
             let mut found = Joints::all(0.0);
             for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<Nao>(&left, &right, yaw)) {
-                leg.write(side, &mut found);
+                leg.write::<Nao>(side, &mut found);
             }
             for (side, expected) in [(Side::Left, left), (Side::Right, right)] {
                 let reached = kinematics::ankle::<Nao>(side, &found);
@@ -295,7 +295,7 @@ proptest! {
         for side in Side::BOTH {
             let expected = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles_at(side, &expected, other).write(side, &mut found);
+            Nao::leg_angles_at(side, &expected, other).write::<Nao>(side, &mut found);
             let reached = kinematics::ankle::<Nao>(side, &found);
             prop_assert!((reached.translation - expected.translation).length() < 1e-5);
             prop_assert!((reached.matrix3.z_axis - expected.matrix3.z_axis).length() < 1e-5);

@@ -15,6 +15,7 @@ mod model;
 mod nao;
 mod odometry;
 mod pose;
+mod senses;
 mod simulated;
 mod tall;
 mod walk;

@@ -51,7 +51,7 @@ proptest! {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
         for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
             let mut found = Joints::all(0.0);
-            Tall::leg_angles(side, expected).write(side, &mut found);
+            Tall::leg_angles(side, expected).write::<Tall>(side, &mut found);
             let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
         }
@@ -59,7 +59,7 @@ proptest! {
         let legs = legs_angles::<Tall>(&left, &right, YawFrom::Angle(shared));
         for (leg, side) in legs.iter().zip(Side::BOTH) {
             let mut found = Joints::all(0.0);
-            leg.write(side, &mut found);
+            leg.write::<Tall>(side, &mut found);
             let expected = if side == Side::Left { &left } else { &right };
             let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
@@ -85,7 +85,7 @@ fn total_mass_and_continuous_currents_follow_from_the_tables() {
 
 #[test]
 fn the_second_model_stands_as_its_gait_plans() {
-    let planned = Tall::KINEMATIC_PROFILE.gait.stand::<Tall>().joints();
+    let planned = Tall::KINEMATIC_PROFILE.gait.stand::<Tall>().joints::<Tall>();
     for joint in Joint::ALL {
         assert!(
             (Tall::STAND[joint] - planned[joint]).abs() < 1e-5,
@@ -122,7 +122,7 @@ fn the_second_model_walks_as_requested_within_its_limits() {
             if cycle == 200 {
                 (start, begin) = (world.ground(), odometry.pose());
             }
-            let targets = walk.step(request, &feedback, CYCLE).joints();
+            let targets = walk.step(request, &feedback, CYCLE).joints::<Tall>();
             assert!(is_within_limits(&targets), "{request:?}: {targets:?}");
             for joint in Tall::JOINTS.iter().copied() {
                 let speed = (targets[joint] - last[joint]).abs() / CYCLE;
@@ -152,7 +152,7 @@ fn the_second_model_kicks_and_returns_to_its_stand() {
         let mut world = World::<Tall>::standing(Tall::STAND);
         let mut farthest = 0.0_f32;
         while !motion.is_done() {
-            let targets = motion.step(&world.body(), CYCLE).joints();
+            let targets = motion.step(&world.body(), CYCLE).joints::<Tall>();
             assert!(is_within_limits(&targets), "{targets:?}");
             world.step(&targets);
             assert!(world.margin() > 0.005, "the mass is {} m inside the soles", world.margin());

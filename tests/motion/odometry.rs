@@ -16,7 +16,7 @@ proptest! {
     #[test]
     fn the_drift_is_below_three_percent_of_the_path(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), with_commands: bool) {
         let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
-        let mut world = World::<Nao>::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints());
+        let mut world = World::<Nao>::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints::<Nao>());
         let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let start = world.ground();
         let (mut way, mut commanded) = (0.0, None);
@@ -26,7 +26,7 @@ proptest! {
                 odometry.step(&MotionInput { commanded: commanded.as_ref(), ..measured(&world.angles, [&body.left_foot, &body.right_foot]) });
                 let request = Velocity::new(0.25 * request[0], 0.12 * request[1], 1.2 * request[2]);
                 let before = world.ground();
-                let targets = walk.step(request, &body, CYCLE).joints();
+                let targets = walk.step(request, &body, CYCLE).joints::<Nao>();
                 commanded = with_commands.then_some(targets);
                 world.step(&targets);
                 way += (start.inverse() * world.ground()).position.distance((start.inverse() * before).position);

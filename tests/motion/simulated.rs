@@ -67,7 +67,7 @@ fn second_model_walks_commanded_distance() {
         let mut world = world(Vec2::new(-1.5, 1.5));
         let mut walk = Walk::<Tall>::new(&Tall::KINEMATIC_PROFILE.gait);
         for _ in 0..1000 {
-            let targets = walk.step(velocity, &Feedback::from(&world.sensors()), CYCLE).joints();
+            let targets = walk.step(velocity, &Feedback::from(&world.sensors()), CYCLE).joints::<Tall>();
             act(&mut world, targets);
         }
         assert_eq!(world.referee().falls(), 0, "{velocity:?}");

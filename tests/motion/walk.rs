@@ -15,11 +15,11 @@ use crate::motion::world::{CYCLE, World, gap};
 const NAO: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
 
 fn start() -> (Walk, World) {
-    (Walk::<Nao>::new(NAO), World::<Nao>::standing(NAO.stand::<Nao>().joints()))
+    (Walk::<Nao>::new(NAO), World::<Nao>::standing(NAO.stand::<Nao>().joints::<Nao>()))
 }
 
 fn cycle(walk: &mut Walk, world: &mut World, request: Velocity) -> Joints {
-    let targets = walk.step(request, &world.body(), CYCLE).joints();
+    let targets = walk.step(request, &world.body(), CYCLE).joints::<Nao>();
     world.step(&targets);
     targets
 }
@@ -138,7 +138,7 @@ fn standing_is_exactly_still() {
     for i in 0..300 {
         let body = Feedback { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
         assert_eq!(walk.step(Velocity::ZERO, &body, CYCLE), stand);
-        world.step(&stand.joints());
+        world.step(&stand.joints::<Nao>());
     }
     assert_eq!(walk.phase(), Phase::Standing);
 }
@@ -214,7 +214,7 @@ fn cycles_until_liftoff(touches: usize) -> usize {
     for count in 1..200 {
         let supporting = if count >= touches { 10.0 } else { 0.0 };
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &forces(side, supporting, 50.0 - supporting), CYCLE);
-        let height = |side| kinematics::sole::<Nao>(side, &limbs.joints()).translation.z;
+        let height = |side| kinematics::sole::<Nao>(side, &limbs.joints::<Nao>()).translation.z;
         if height(side.other()) - height(side) > 1e-4 {
             return count;
         }
@@ -270,7 +270,7 @@ fn targets_stay_finite_for_any_input() {
             pitch: pick(19),
             knees: Some([pick(23), pick(29)]),
         };
-        let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints();
+        let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints::<Nao>();
         assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
         world.step(&targets);
     }
@@ -363,7 +363,7 @@ proptest! {
         noise in prop::collection::vec(-0.1_f32..0.1, 97),
     ) {
         let (mut walk, mut world) = start();
-        let mut watch = Watch { last: NAO.stand::<Nao>().joints(), phase: Phase::Standing };
+        let mut watch = Watch { last: NAO.stand::<Nao>().joints::<Nao>(), phase: Phase::Standing };
         let stop = ([0.0; 3], true, 250);
         let mut count = 0;
         for (request, stands, cycles) in requests.into_iter().chain([stop]) {
@@ -373,7 +373,7 @@ proptest! {
                 count += 1;
                 let mut body = world.body();
                 body.gyro.y += noise[count % noise.len()];
-                let targets = walk.step(request, &body, CYCLE).joints();
+                let targets = walk.step(request, &body, CYCLE).joints::<Nao>();
                 world.step(&targets);
                 watch.check(&walk, &world, &targets)?;
             }

@@ -1,7 +1,8 @@
 //! Inverse kinematics of both legs.
 //!
 //! Both legs share the motor of the hip yaw-pitch, so a pair of foot poses generally requires two values of it. One value
-//! is chosen and both legs are solved with it. Places and sole normals stay exact; only the yaw of the feet deviates.
+//! is chosen and both legs are solved with it. Places and sole normals stay exact; only the yaw of the feet deviates. The
+//! legs of a robot with two hip yaws are independent.
 
 use glam::Affine3A;
 
@@ -23,9 +24,12 @@ pub enum YawFrom {
 
 /// Angles of both legs, left first, for the poses of both feet, with the shared hip yaw-pitch chosen by `yaw`.
 ///
-/// Poses as in [`RobotModel::leg_angles`]. The hip yaw-pitch is clamped to its range.
+/// Poses as in [`RobotModel::leg_angles`]. With two hip yaws, `yaw` has no meaning. The hip yaw-pitch is clamped to its range.
 #[must_use]
 pub fn legs_angles<M: RobotModel>(left: &Affine3A, right: &Affine3A, yaw: YawFrom) -> [LegAngles; 2] {
+    if !M::LEG.shares_hip_yaw() {
+        return [M::leg_angles(Side::Left, left), M::leg_angles(Side::Right, right)];
+    }
     let of_left = || M::leg_angles(Side::Left, left).hip_yaw_pitch;
     let of_right = || M::leg_angles(Side::Right, right).hip_yaw_pitch;
     let shared = match yaw {

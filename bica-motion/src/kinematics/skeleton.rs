@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use glam::{Affine3A, Vec3};
 
 use crate::joints::{Joint, Joints};
-use crate::model::{CameraMount, Nao, RobotModel};
+use crate::model::{ArmGeometry, CameraMount, Nao, RobotModel};
 use crate::robot::CameraId;
 use crate::segment::{SEGMENTS, Segment};
 use crate::side::Side;
@@ -67,6 +67,9 @@ pub(super) fn head<M: RobotModel>(angles: &Joints) -> [Affine3A; 2] {
 
 /// Shoulder, biceps, elbow, forearm, hand.
 pub(super) fn arm<M: RobotModel>(side: Side, angles: &Joints) -> [Affine3A; 5] {
+    if let ArmGeometry::Sideways(arm) = M::ARM {
+        return arm.poses(side, on(side, M::DIMENSIONS.shoulder), side.arm().map(|joint| angles[joint]));
+    }
     let [shoulder_pitch, shoulder_roll, elbow_yaw, elbow_roll, wrist_yaw] =
         [0, 1, 2, 3, 4].map(|i| angles[side.arm()[i]]);
     let shoulder = at(on(side, M::DIMENSIONS.shoulder)) * pitch(shoulder_pitch);
@@ -79,7 +82,7 @@ pub(super) fn arm<M: RobotModel>(side: Side, angles: &Joints) -> [Affine3A; 5] {
 
 /// Pelvis, hip, thigh, tibia, ankle, foot.
 pub(super) fn leg<M: RobotModel>(side: Side, angles: &Joints) -> [Affine3A; 6] {
-    M::leg_poses(side, side.leg().map(|joint| angles[joint]))
+    M::leg_poses(side, M::leg_joints(side).map(|joint| angles[joint]))
 }
 
 /// The sole under a foot.

@@ -84,18 +84,23 @@ pub struct Parameters {
     pub torso_pitch: f32,
     /// Lateral amplitude of the capture-point error in undisturbed walking, m. It is not zero because joints lag.
     pub capture_sway: f32,
-    /// Displacement of the swing foot per capture-point error, m/m: forward, and outward for the swing foot.
-    pub capture_gain: Vec2,
+    /// Weights of deviations from the plan in a recovery: place of the foot, e^(frequency · remaining time) with 1 m² as its
+    /// unit, and offset of the DCM from the foot at touchdown. Only their ratios matter.
+    pub recovery_weights: [f32; 3],
+    /// Minimum duration of a step that recovery shortens, s.
+    pub min_recovery_duration: f32,
+    /// Maximum duration of a step that recovery extends, s.
+    pub max_recovery_duration: f32,
     /// Capture-point error that is ignored, m: forward, and lateral.
     pub capture_deadband: Vec2,
-    /// Maximum displacement of the swing foot by capture steps, m: forward, and lateral.
+    /// Maximum displacement of the swing foot by capture steps, m: forward, and outward.
     pub max_capture_step: Vec2,
+    /// Maximum displacement of the swing foot toward the support foot by a capture step, m.
+    pub max_inward_step: f32,
     /// Maximum speed at which a capture step displaces the swing foot, m/s.
     pub max_capture_speed: f32,
     /// Displacement of the swing foot from which the walk reports a capture step, m. Undisturbed walking stays below it.
     pub reported_capture_step: f32,
-    /// Gait-phase slowdown per metre of outward capture-point error, 1/m. The body returns before the step ends.
-    pub phase_slowdown: f32,
     /// Forward position of the ankle relative to the hips at the end of the swing of an in-walk kick, m.
     pub kick_swing: f32,
     /// Distance from the hips to the nearest ball that an in-walk kick meets, m.

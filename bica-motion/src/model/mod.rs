@@ -10,48 +10,61 @@
 //! - Legs with six joints in the order hip yaw-pitch, hip roll, hip pitch, knee pitch, ankle pitch, ankle roll. One motor
 //!   drives the hip yaw-pitch of both legs; its axis is tilted by 45°. A leg with another geometry of the same joints
 //!   overrides [`leg_poses`](RobotModel::leg_poses), [`leg_angles`](RobotModel::leg_angles) and
-//!   [`leg_angles_at`](RobotModel::leg_angles_at). Two separate hip yaw joints are not covered.
+//!   [`leg_angles_at`](RobotModel::leg_angles_at). Or legs with hip pitch, roll and yaw from the torso down, each with a motor
+//!   of its own: [`LegGeometry::PitchRollYaw`].
 //! - A head with yaw below pitch, and at most two cameras in it.
 //! - Arms with shoulder pitch, shoulder roll, elbow yaw, elbow roll and wrist yaw. Missing arm joints are left out of
-//!   [`JOINTS`](RobotModel::JOINTS); their angles are computed but not used.
-//! - Four pressure sensors in each sole, and an inertial unit that estimates roll and pitch.
+//!   [`JOINTS`](RobotModel::JOINTS); their angles are computed but not used. At zero they point ahead, or to the sides
+//!   ([`ArmGeometry`]).
+//! - An inertial unit. Four pressure sensors in each sole and an own estimate of roll and pitch are used if the robot has them
+//!   ([`Senses`]); otherwise both are [estimated](crate::senses).
 //! - A control cycle near 10 ms: filter gains are given for it.
 //!
 //! What simulators need besides is in [`simulation`].
 
 mod actuator;
+mod arm;
 mod body;
 mod calibration;
 mod dimensions;
 mod gait;
 mod getup;
 mod head;
+mod k1;
 mod kicks;
 mod leg;
 mod limits;
 mod mass;
 mod nao;
+mod pitch_first;
 mod posture;
 mod profile;
 mod range;
+mod senses;
 pub mod simulation;
 mod stiffness;
+mod t1;
 
 pub use actuator::Actuator;
+pub use arm::{ArmGeometry, SidewaysArm};
 pub use body::{BodyShape, Capsule};
 pub use calibration::Calibration;
 pub use dimensions::{CameraMount, Dimensions};
 pub use gait::Parameters;
 pub use getup::{GetUpFrame, GetUpFrames};
 pub use head::{HeadPitchLimit, HeadSpeed};
+pub use k1::K1;
 pub use kicks::{KickFrame, KickPose, Kicks, Technique};
 pub use limits::{FallLimits, ThermalLimits};
 pub use mass::{Mass, Masses};
 pub use nao::Nao;
+pub use pitch_first::{LegGeometry, PitchFirstLeg};
 pub use posture::{FallPostures, symmetric};
 pub use profile::Profile;
 pub use range::Range;
+pub use senses::Senses;
 pub use stiffness::{LimbStiffness, StiffnessTable};
+pub use t1::T1;
 
 use core::fmt::Debug;
 
@@ -117,16 +130,36 @@ pub trait RobotModel: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// Motions for a robot or a world with dynamics.
     const DYNAMIC_PROFILE: &'static Profile;
 
+    /// Order of the joints in the legs.
+    const LEG: LegGeometry = LegGeometry::SharedYawPitch;
+    /// Direction of the arms at zero.
+    const ARM: ArmGeometry = ArmGeometry::Forward;
+    /// What the robot measures.
+    const SENSES: Senses = Senses::ALL;
+
     /// Mass of the whole robot, kg.
     const TOTAL_MASS: f32 = Self::MASSES.total();
     /// Current that each joint's motor bears continuously, A.
     const CONTINUOUS_CURRENTS: &'static Joints = &actuator::continuous_currents(Self::ACTUATORS);
 
+    /// Joints of a side's leg: hip yaw-pitch or hip yaw, hip roll, hip pitch, knee pitch, ankle pitch, ankle roll.
+    #[must_use]
+    fn leg_joints(side: Side) -> [Joint; 6] {
+        let mut joints = side.leg();
+        if !Self::LEG.shares_hip_yaw() && side == Side::Right {
+            joints[0] = Joint::RIGHT_HIP_YAW;
+        }
+        joints
+    }
+
     /// Forward kinematics of a leg: poses of pelvis, hip, thigh, tibia, ankle and foot in the robot frame, from the angles
     /// of hip yaw-pitch, hip roll, hip pitch, knee pitch, ankle pitch and ankle roll.
     #[must_use]
     fn leg_poses(side: Side, angles: [f32; 6]) -> [Affine3A; 6] {
-        leg::poses::<Self>(side, angles)
+        match Self::LEG {
+            LegGeometry::SharedYawPitch => leg::poses::<Self>(side, angles),
+            LegGeometry::PitchRollYaw(leg) => leg.poses(side, Self::DIMENSIONS.hip, angles),
+        }
     }
 
     /// Inverse kinematics of a leg with a hip yaw-pitch of its own.
@@ -136,15 +169,22 @@ pub trait RobotModel: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// singular at a hip roll of 45° inwards, and where the hip lies on the axis of the ankle roll.
     #[must_use]
     fn leg_angles(side: Side, ankle: &Affine3A) -> LegAngles {
-        leg::angles::<Self>(side, ankle)
+        match Self::LEG {
+            LegGeometry::SharedYawPitch => leg::angles::<Self>(side, ankle),
+            LegGeometry::PitchRollYaw(leg) => leg.angles(side, Self::DIMENSIONS.hip, ankle),
+        }
     }
 
     /// Inverse kinematics of a leg with a given hip yaw-pitch, rad: place and normal of the sole are exact, its yaw follows.
     ///
-    /// `ankle` and places out of reach as in [`leg_angles`](Self::leg_angles).
+    /// `ankle` and places out of reach as in [`leg_angles`](Self::leg_angles). A leg with a hip yaw of its own reaches the whole
+    /// pose, whatever `hip_yaw_pitch` is.
     #[must_use]
     fn leg_angles_at(side: Side, ankle: &Affine3A, hip_yaw_pitch: f32) -> LegAngles {
-        leg::angles_at::<Self>(side, ankle, hip_yaw_pitch)
+        match Self::LEG {
+            LegGeometry::SharedYawPitch => leg::angles_at::<Self>(side, ankle, hip_yaw_pitch),
+            LegGeometry::PitchRollYaw(_) => Self::leg_angles(side, ankle),
+        }
     }
 }
 

@@ -34,9 +34,10 @@ pub trait MujocoModel: SimulatedModel {
     ///
     /// Bodies have the names and frames of [`Segment`]s and joints and actuators (torque motors) the names of
     /// [`RobotModel::JOINTS`], sides abbreviated: `LFoot`, `RHipPitch`. The root is the body `Torso` with a free joint of that
-    /// name. A right hip yaw-pitch follows the left one. Further elements: a camera `Top` and one `Bottom`, the geoms `LSole`
+    /// name. A right hip yaw-pitch that shares its motor follows the left one; the names of joints in the place of others are
+    /// `LHipYaw`, `RHipYaw` and `WaistYaw`. Further elements: a camera `Top` and one `Bottom`, the geoms `LSole`
     /// and `RSole` (friction) and `LFootShell` and `RFootShell`, a material `team`. Sensors, in this order: a gyroscope, an
-    /// accelerometer, and the forces on the left and the right sole: front left, front right, rear left, rear right.
+    /// accelerometer, and, if [`Senses::soles`](super::Senses), the forces on the left and the right sole: front left, front right, rear left, rear right.
     /// Contact types: 1 body, 2 sole, 4 floor, 8 obstacle, 16 ball, 32 foot shell.
     const ROBOT: &'static str;
     /// Geoms in MJCF of a robot that stands still, from the ground below its robot frame. The material `team` is replaced by
@@ -47,7 +48,7 @@ pub trait MujocoModel: SimulatedModel {
     const SHELLS: &'static str;
     /// Position gain of each motor at full stiffness, Nm/rad.
     const GAINS: &'static Joints;
-    /// Torque limit of each joint, Nm; the same for all joints of the legs.
+    /// Torque limit of each joint, Nm.
     const TORQUE_LIMITS: &'static Joints;
     /// Half length and half width of the shadows of foot and torso.
     const SHADOWS: [Vec2; 2];

@@ -18,12 +18,8 @@ use crate::walk::Feedback;
 const MAX_ANKLE_CORRECTION: f32 = 0.1;
 /// Gravity, m/s².
 const GRAVITY: f32 = 9.81;
-/// Maximum displacement of the swing foot toward the support foot by a capture step, m.
-const MAX_INWARD_STEP: f32 = 0.01;
 /// Maximum angular rate, rad/s: the measuring range of the gyroscope, 2000°/s.
 const MAX_RATE: f32 = 35.0;
-/// Minimum rate of the gait phase relative to the undisturbed one.
-const MIN_PHASE_RATE: f32 = 0.1;
 
 /// Angular rates of the torso and capture-point error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -68,25 +64,11 @@ impl Balance {
         [pitch, roll]
     }
 
-    /// Capture-point error at a phase of a step, m: forward, and toward the swing foot, which is on the side with `sign`.
-    /// The regular sway of an undisturbed step is subtracted.
-    pub(super) fn capture_error(&self, sign: f32, phase: f32, gait: &Parameters) -> Vec2 {
+    /// Displacement of the DCM beyond the gait's deadband at a phase of a step, m: forward, and toward the swing foot, which is
+    /// on the side with `sign`. The regular sway of an undisturbed step is subtracted.
+    pub(super) fn dcm_error(&self, sign: f32, phase: f32, gait: &Parameters) -> Vec2 {
         let regular = gait.capture_sway * (2.0 * smooth(phase) - 1.0);
-        Vec2::new(self.capture_error.x, sign * self.capture_error.y - regular)
-    }
-}
-
-impl Parameters {
-    /// Displacement of the swing foot for a capture-point error, m.
-    pub(super) fn capture_step(&self, error: Vec2) -> Vec2 {
-        let beyond = error - error.clamp(-self.capture_deadband, self.capture_deadband);
-        let moved = (self.capture_gain * beyond).clamp(-self.max_capture_step, self.max_capture_step);
-        moved.with_y(moved.y.max(-MAX_INWARD_STEP))
-    }
-
-    /// Rate of the gait phase for a capture-point error, relative to the undisturbed one.
-    pub(super) fn phase_rate(&self, error: Vec2) -> f32 {
-        let outward = (-error.y - self.capture_deadband.y).max(0.0);
-        (1.0 - self.phase_slowdown * outward).max(MIN_PHASE_RATE)
+        let error = Vec2::new(self.capture_error.x, sign * self.capture_error.y - regular);
+        error - error.clamp(-gait.capture_deadband, gait.capture_deadband)
     }
 }

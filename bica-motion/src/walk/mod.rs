@@ -4,7 +4,7 @@
 //! of the support foot, and a proportional term on the gyroscope stabilises the ankles. Two things differ in the quasi-static gait,
 //! which keeps the centre of mass over the feet: the hips sway from foot to foot in double support
 //! ([`Parameters::mid_step_hip_offset`]), and the swing foot comes down at rest relative to the ground instead of the body. A gait
-//! with a [pendulum](Parameters::pendulum_height) adds capture steps (Pratt et al. 2006) and a slowdown of the gait phase.
+//! with a [pendulum](Parameters::pendulum_height) chooses place and time of each step by the divergent component of motion.
 
 mod adjustment;
 mod balance;
@@ -12,6 +12,7 @@ mod feedback;
 mod in_walk_kick;
 mod pendulum;
 mod plan;
+mod recovery;
 mod sag_compensation;
 mod stand;
 mod sway;
@@ -29,14 +30,24 @@ use glam::Vec2;
 
 pub(crate) use self::balance::Balance;
 use self::plan::{Plan, Purpose};
+use self::recovery::Situation;
 use self::sag_compensation::SagCompensation;
-use crate::feet::Foot;
+use crate::bounds::clamp;
+use crate::feet::{Foot, Tilt};
 use crate::limbs::Limbs;
 use crate::model::{Nao, RobotModel};
 use crate::side::Side;
 
 /// Maximum cycle time that counts, s: a late call must not skip half a step.
 const MAX_CYCLE_TIME: f32 = 0.03;
+
+/// Tilt of undisturbed walking, against which the swing foot is not levelled, rad.
+const USUAL_TILT: f32 = 0.04;
+/// Maximum tilt against which the swing foot is levelled, rad.
+const MAX_LEVELLED_TILT: f32 = 0.6;
+/// Minimum and maximum rate of a step's time in a recovery.
+const MIN_PACE: f32 = 0.2;
+const MAX_PACE: f32 = 3.0;
 
 /// Phase of the walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, postcard_schema::Schema)]
@@ -64,6 +75,10 @@ pub struct Walk<M = Nao> {
     plan: Option<Plan>,
     /// Time since the step began, s.
     time: f32,
+    /// True time since the step began, s: without its acceleration by a recovery.
+    elapsed: f32,
+    /// Rate of the time of the step relative to the planned one.
+    pace: f32,
     /// Delay of the liftoff by missing contact of the support foot, s.
     liftoff_delay: f32,
     /// Velocity of the current step.
@@ -87,6 +102,8 @@ impl<M: RobotModel> Walk<M> {
             phase: Phase::Standing,
             plan: None,
             time: 0.0,
+            elapsed: 0.0,
+            pace: 1.0,
             liftoff_delay: 0.0,
             velocity: Velocity::ZERO,
             balance: Balance::new(),
@@ -158,7 +175,7 @@ impl<M: RobotModel> Walk<M> {
         self.sag_compensation.measure::<M>(plan.support, feedback, self.gait);
         self.update_capture_step(&plan, dt);
         let feet = self.feet(&plan);
-        let mut limbs = self.gait.limbs::<M>(&feet, plan.roll(self.time));
+        let mut limbs = self.gait.limbs::<M>(&feet, plan.roll(self.time), self.tilt(&plan, feedback));
         let supporting = &mut limbs.legs[plan.support.index()];
         let [pitch, roll] = self.balance.ankle(self.gait, self.adjustment.balance);
         supporting.ankle_pitch += pitch;
@@ -191,9 +208,23 @@ impl<M: RobotModel> Walk<M> {
         feet
     }
 
-    /// Moves the next footprint toward the capture point, at most at the gait's maximum speed.
+    /// Tilt against which the swing foot is levelled, growing from its liftoff on; `None` in a quasi-static gait.
+    fn tilt(&self, plan: &Plan, feedback: &Feedback) -> Option<Tilt> {
+        let share = plan.pendulum.filter(|_| plan.has_swing()).map(|_| plan.swing_progress(2.0 * self.time))?;
+        let beyond = |tilt: f32| {
+            let tilt = if tilt.is_finite() { clamp(tilt, -MAX_LEVELLED_TILT, MAX_LEVELLED_TILT) } else { 0.0 };
+            share * (tilt - clamp(tilt, -USUAL_TILT, USUAL_TILT))
+        };
+        let pitch = feedback.pitch - (self.gait.torso_pitch + self.adjustment.torso_lean);
+        Some(Tilt { support: plan.support, roll: beyond(feedback.roll), pitch: beyond(pitch) })
+    }
+
+    /// Moves the next footprint to where it catches a push, at most at the gait's maximum speed, and adapts the pace.
     fn update_capture_step(&mut self, plan: &Plan, dt: f32) {
-        let requested = self.gait.capture_step(self.capture_error(plan)) * Vec2::new(1.0, plan.support.other().sign());
+        let Some(now) = self.situation(plan) else { return };
+        let recovery = self.gait.recovery(&now);
+        self.pace = (now.remaining / recovery.remaining).clamp(MIN_PACE, MAX_PACE);
+        let requested = recovery.displacement * Vec2::new(1.0, plan.support.other().sign());
         let most = Vec2::splat(self.gait.max_capture_speed * valid(dt));
         self.capture_step += (requested - self.capture_step).clamp(-most, most);
         if self.phase == Phase::Walking && self.capture_step.length() > self.gait.reported_capture_step {
@@ -201,14 +232,27 @@ impl<M: RobotModel> Walk<M> {
         }
     }
 
-    fn capture_error(&self, plan: &Plan) -> Vec2 {
-        self.balance.capture_error(plan.support.other().sign(), self.time / plan.duration, self.gait)
+    /// The step in progress; `None` in a quasi-static gait and while no foot swings.
+    fn situation(&self, plan: &Plan) -> Option<Situation> {
+        let (pendulum, side) = (plan.pendulum.filter(|_| plan.has_swing())?, plan.support.other().sign());
+        let phase = (self.time / plan.duration).clamp(0.0, 1.0);
+        let seen = |at: Vec2| Vec2::new(at.x, side * at.y);
+        let place = seen(plan.landing());
+        Some(Situation {
+            dcm: seen(pendulum.dcm(&plan.hips, phase)) + self.balance.dcm_error(side, phase, self.gait),
+            place,
+            offset: seen(pendulum.dcm(&plan.hips, 1.0)) - place,
+            elapsed: self.elapsed,
+            remaining: (plan.duration - self.time).max(0.0),
+            frequency: pendulum.frequency(plan.duration),
+        })
     }
 
     /// Advances the time of the step, except while the swing foot should leave the ground and the support foot measures no contact.
     fn advance_time(&mut self, dt: f32, feedback: &Feedback) {
         let Some(plan) = self.plan else { return };
-        let dt = self.gait.phase_rate(self.capture_error(&plan)) * valid(dt);
+        self.elapsed += valid(dt);
+        let dt = self.pace * valid(dt);
         let lifts = plan.has_swing() && (self.time..self.time + dt).contains(&plan.liftoff());
         if lifts
             && feedback.force(plan.support) < self.gait.contact_force
@@ -256,7 +300,7 @@ impl<M: RobotModel> Walk<M> {
         self.plan = Some(Plan::new(support, feet, purpose, self.gait, self.adjustment.step_height));
         self.time = 0.0;
         self.liftoff_delay = 0.0;
-        self.capture_step = Vec2::ZERO;
+        (self.elapsed, self.pace, self.capture_step) = (0.0, 1.0, Vec2::ZERO);
     }
 
     /// Whether the step is over: by time, or because the other foot bears more weight already.

@@ -1,7 +1,7 @@
 //! Linear inverted pendulum.
 
 use glam::Vec2;
-use libm::{sinhf, sqrtf};
+use libm::{expf, sinhf, sqrtf};
 
 use crate::model::Parameters;
 
@@ -28,5 +28,15 @@ impl Pendulum {
     pub(super) fn between(self, ends: &[Vec2; 2], phase: f32) -> Vec2 {
         let share = |part: f32| sinhf(self.whole * part) / self.sinh_whole;
         share(1.0 - phase) * ends[0] + share(phase) * ends[1]
+    }
+
+    /// Divergent component of this motion at a phase, in the frame of the support foot, m.
+    pub(super) fn dcm(self, ends: &[Vec2; 2], phase: f32) -> Vec2 {
+        (expf(self.whole * phase) * ends[1] - expf(self.whole * (phase - 1.0)) * ends[0]) / self.sinh_whole
+    }
+
+    /// Natural frequency, 1/s, if the step takes `duration` s.
+    pub(super) const fn frequency(self, duration: f32) -> f32 {
+        self.whole / duration
     }
 }

@@ -30,7 +30,7 @@ pub(super) struct Plan {
     /// Duration, s.
     pub(super) duration: f32,
     /// Middle of the hips at both ends, m.
-    hips: [Vec2; 2],
+    pub(super) hips: [Vec2; 2],
     /// Swing foot at both ends.
     swing: [Pose2; 2],
     /// Maximum height of the swing foot, m.
@@ -43,7 +43,7 @@ pub(super) struct Plan {
     shifts: [WeightShift; 2],
     mid_step_hip_offset: f32,
     /// Pendulum of the lateral motion; `None` in a quasi-static gait.
-    pendulum: Option<Pendulum>,
+    pub(super) pendulum: Option<Pendulum>,
     /// Lean of the torso over the support foot at mid-step, rad.
     lean: f32,
 }
@@ -107,6 +107,11 @@ impl Plan {
         let side = self.support.other().sign();
         let off = self.swing[1].position - Vec2::new(0.0, 2.0 * side * gait.half_spacing);
         off.length() < 1e-4 && self.swing[1].heading.abs() < 1e-4
+    }
+
+    /// Planned place of the swing foot at touchdown, m.
+    pub(super) const fn landing(&self) -> Vec2 {
+        self.swing[1].position
     }
 
     /// Whether a foot leaves the ground.

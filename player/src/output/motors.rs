@@ -43,7 +43,7 @@ impl Motors {
 
     /// Sets the targets of arms and legs, rad, with the stiffness for walking.
     pub fn set_limbs(&mut self, limbs: &Limbs) {
-        let (targets, stiffness) = (limbs.joints(), Stiffness::Walk.joints::<Model>());
+        let (targets, stiffness) = (limbs.joints::<Model>(), Stiffness::Walk.joints::<Model>());
         for joint in Joint::ALL {
             if !matches!(joint, Joint::HeadYaw | Joint::HeadPitch) {
                 self.set(joint, targets[joint], stiffness[joint]);

@@ -32,11 +32,12 @@ impl Motors {
     /// Returns motors that hold these angles at full stiffness.
     pub(crate) fn holding<M: MujocoModel>(angles: Joints, physics: &Physics) -> Self {
         let (mut gains, mut limits) = (*M::GAINS, *M::TORQUE_LIMITS);
-        let [left, right] = Side::BOTH.map(Side::leg);
-        // Both legs share the hip yaw-pitch.
-        for joint in left.into_iter().chain(right[1..].iter().copied()) {
+        let knee = M::TORQUE_LIMITS[Joint::LKneePitch];
+        let [left, right] = Side::BOTH.map(M::leg_joints);
+        // Both legs may share the hip yaw-pitch.
+        for joint in left.into_iter().chain(right.into_iter().filter(|joint| !left.contains(joint))) {
             gains[joint] *= physics.leg_gain;
-            limits[joint] = physics.torque_limit;
+            limits[joint] *= physics.torque_limit / knee;
         }
         let delay = libm::roundf(physics.dead_time / STEP) as u32;
         Self { pending: VecDeque::new(), acting: (angles, Joints::all(1.0)), delay, gains, limits }

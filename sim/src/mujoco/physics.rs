@@ -13,7 +13,7 @@ pub struct Physics {
     pub friction: f32,
     /// Factor on the position gains of the leg motors; 0.1 to 5.
     pub leg_gain: f32,
-    /// Torque limit of the leg joints, Nm, 0.5 to 20.
+    /// Torque limit of the knees, Nm, 0.5 to 100; those of the other leg joints change in proportion.
     pub torque_limit: f32,
     /// Dead time from a command to its first effect on a motor, s, 0 to 0.2. A NAO has 30 ms (B-Human 2015).
     pub dead_time: f32,
@@ -61,7 +61,7 @@ impl Physics {
         let parameters = [
             ("friction", self.friction, (0.05, 3.0)),
             ("leg_gain", self.leg_gain, (0.1, 5.0)),
-            ("torque_limit", self.torque_limit, (0.5, 20.0)),
+            ("torque_limit", self.torque_limit, (0.5, 100.0)),
             ("dead_time", self.dead_time, (0.0, 0.2)),
             ("sensor_delay", self.sensor_delay, (0.0, 0.2)),
             ("noise", self.noise, (0.0, 100.0)),

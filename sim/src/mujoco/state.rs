@@ -55,7 +55,8 @@ pub(crate) fn pose(data: &MjData<Box<MjModel>>, body: FreeJoint) -> Affine3A {
 
 /// Returns the measurements of ideal sensors.
 pub(crate) fn ideal_measurement(data: &MjData<Box<MjModel>>, torso: FreeJoint, drives: &[Drive]) -> IdealMeasurement {
-    let sensed = |i: usize| data.sensordata()[i] as f32;
+    // A robot without pressure sensors measures no force.
+    let sensed = |i: usize| data.sensordata().get(i).map_or(0.0, |&value| value as f32);
     let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));
     let foot = |i: usize| FootPressure {
         front_left: sensed(i),

@@ -68,7 +68,7 @@ fn kick_while_walking_moves_ball_straight_ahead() {
             }
             kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;
             let ahead = if kicked { Velocity::ZERO } else { Velocity::new(0.15, 0.0, 0.0) };
-            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints();
+            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints::<Nao>();
             world.act(&Command::new(targets, 1.0));
         }
         let moved = world.referee().ball() - ball;

@@ -27,7 +27,7 @@ pub(crate) fn posture(feet: [(f32, f32, f32); 2]) -> Joints {
     let feet = feet.map(|(x, y, lift)| Foot { pose: Pose2::new(x, y, 0.0), lift });
     let mut posture = Nao::STAND;
     for (side, leg) in Side::BOTH.into_iter().zip(level_legs::<Nao>(&feet, HIPS, 0.0)) {
-        leg.write(side, &mut posture);
+        leg.write::<Nao>(side, &mut posture);
     }
     posture
 }

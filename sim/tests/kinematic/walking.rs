@@ -56,7 +56,7 @@ fn walk(
         let sensors = world.sensors();
         let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
         let stiffness = Stiffness::Walk.joints::<Nao>();
-        world.act(&Command { stiffness, ..Command::new(limbs.joints(), 1.0) });
+        world.act(&Command { stiffness, ..Command::new(limbs.joints::<Nao>(), 1.0) });
         watch(world);
     }
     assert_eq!(world.referee().falls(), 0, "{velocity:?}");

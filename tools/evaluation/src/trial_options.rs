@@ -11,6 +11,9 @@ pub struct TrialOptions {
     /// Trials to run [default: all]
     #[arg(value_name = "NAME")]
     pub names: Vec<Kind>,
+    /// Robot; only a NAO has all trials
+    #[arg(long, value_name = "ROBOT", default_value = "nao")]
+    pub robot: Robot,
     /// Number of seeds of each trial
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     pub runs: u32,
@@ -26,10 +29,10 @@ pub struct TrialOptions {
     /// Factor on the position gain of the leg motors, 0.1 to 5 [default: 1]
     #[arg(long, value_name = "F")]
     pub leg_gain: Option<f32>,
-    /// Largest torque of the leg motors, Nm, 0.5 to 20 [default: 5]
+    /// Largest torque of the knees, Nm, 0.5 to 100; those of other leg joints change in proportion [default: the robot's]
     #[arg(long, value_name = "NM")]
     pub torque_limit: Option<f32>,
-    /// Time from a command to its first effect, s, 0 to 0.2 [default: 0.03]
+    /// Time from a command to its first effect, s, 0 to 0.2 [default: the robot's]
     #[arg(long, value_name = "S")]
     pub dead_time: Option<f32>,
     /// Factor on the noise of the sensors, 0 to 100 [default: 1]
@@ -40,6 +43,17 @@ pub struct TrialOptions {
     pub json: bool,
 }
 
+/// Robot of a trial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Robot {
+    /// Aldebaran's NAO
+    Nao,
+    /// Booster's T1
+    T1,
+    /// Booster's K1
+    K1,
+}
+
 /// Kind of a trial.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Kind {
@@ -47,7 +61,7 @@ pub enum Kind {
     Walk,
     /// Random velocity commands for one minute: falls
     Commands,
-    /// Pushes from random directions while walking: falls
+    /// Pushes while walking, single and repeated: falls
     Pushes,
     /// Random commands with other friction, gains, torques and dead time: falls
     Bodies,

@@ -88,7 +88,7 @@ impl Motors {
 /// Returns the currents of a cycle between these angles at this stiffness, A.
 fn currents<M: RobotModel>(before: &Joints, after: &Joints, stiffness: &Joints) -> Joints {
     Joints(Joint::ALL.map(|joint| {
-        let is_leg = Side::BOTH.iter().any(|side| side.leg().contains(&joint));
+        let is_leg = Side::BOTH.iter().any(|side| M::leg_joints(*side).contains(&joint));
         let holding = if is_leg { LEG_HOLDING } else { OTHER_HOLDING };
         let speed = (after[joint] - before[joint]).abs() / CYCLE_SECONDS / M::MAX_SPEEDS[joint];
         let stiffness = if stiffness[joint] > 0.0 { stiffness[joint].min(1.0) } else { 0.0 };

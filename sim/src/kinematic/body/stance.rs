@@ -115,7 +115,7 @@ mod tests {
         let mut angles = TestModel::STAND;
         let legs = level_legs::<TestModel>(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
         for (side, leg) in Side::BOTH.into_iter().zip(legs) {
-            leg.write(side, &mut angles);
+            leg.write::<TestModel>(side, &mut angles);
         }
         Skeleton::<TestModel>::of(&angles)
     }

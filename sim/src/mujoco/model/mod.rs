@@ -10,6 +10,7 @@ use std::fmt::Write;
 
 use bica_motion::joints::Joint;
 use bica_motion::kinematics::Segment;
+use bica_motion::model::RobotModel;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
@@ -83,7 +84,7 @@ impl Model {
         };
         let (torso, ball) = (free("Torso")?, free("Ball")?);
         let drive = |&joint: &Joint| -> Result<Drive, Error> {
-            let name = format!("{joint:?}");
+            let name = joint_name::<M>(joint);
             let position = physics.jnt_qposadr()[find(&physics, MjtObjBase::mjOBJ_JOINT, &name)?] as usize;
             Ok(Drive { joint, position, actuator: find(&physics, MjtObjBase::mjOBJ_ACTUATOR, &name)? })
         };
@@ -132,6 +133,18 @@ fn rolling_friction(rolling_deceleration: f32) -> f32 {
 /// Finds an element of the model by its name.
 pub(crate) fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usize, Error> {
     model.name_to_id(kind, name).ok_or_else(|| Error::Model(format!("it has no element `{name}`")))
+}
+
+/// Returns the name of a joint and its motor, for example `LKneePitch`.
+pub(crate) fn joint_name<M: RobotModel>(joint: Joint) -> String {
+    let own = match joint {
+        _ if M::LEG.shares_hip_yaw() => None,
+        Joint::LEFT_HIP_YAW => Some("LHipYaw"),
+        Joint::RIGHT_HIP_YAW => Some("RHipYaw"),
+        Joint::WAIST_YAW => Some("WaistYaw"),
+        _ => None,
+    };
+    own.map_or_else(|| format!("{joint:?}"), ToOwned::to_owned)
 }
 
 /// Returns the name of a segment's body, for example `LFoot`.

@@ -1,60 +1,113 @@
 //! The MJCF file agrees with the robot model.
 
 use bica_motion::joints::Joints;
-use bica_motion::kinematics::Skeleton;
-use bica_motion::model::RobotModel;
+use bica_motion::kinematics::{Skeleton, YawFrom, ankle, legs_angles};
+use bica_motion::model::{K1, Nao, T1};
 use bica_motion::robot::Command;
 use glam::{Vec3, Vec3A};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
 
 use super::*;
-use crate::TestModel;
 use crate::mujoco::motors::Motors;
 use crate::setup::Setup;
 
-fn model() -> Model {
+fn model<M: MujocoModel>() -> Model {
     let setup = Setup::default();
     let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
-    Model::new::<TestModel>(&setup, &layout, &Physics::of::<TestModel>()).unwrap()
+    Model::new::<M>(&setup, &layout, &Physics::of::<M>()).unwrap()
 }
 
 /// Returns the model with the robot frame at the origin of the field and these angles.
 fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
-    let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").unwrap();
-    let right = model.physics.jnt_qposadr()[right] as usize;
+    let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").ok();
+    let right = right.map(|joint| model.physics.jnt_qposadr()[joint] as usize);
     let mut data = MjData::new(model.physics);
     data.qpos_mut()[model.torso.position..][..7].copy_from_slice(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     for drive in &model.drives {
         data.qpos_mut()[drive.position] = angles[drive.joint].into();
     }
-    data.qpos_mut()[right] = angles[Joint::LHipYawPitch].into();
+    if let Some(right) = right {
+        data.qpos_mut()[right] = angles[Joint::LHipYawPitch].into();
+    }
     data.forward_kinematics();
     data
 }
 
-fn any_angles(random: &mut Random) -> Joints {
+fn any_angles<M: RobotModel>(random: &mut Random) -> Joints {
     let mut angles = Joints::all(0.0);
-    for joint in Joint::ALL {
-        let range = TestModel::LIMITS[joint];
+    // Fingers have mass but are not part of the kinematics; neither is the waist, in the place of one.
+    for joint in
+        M::JOINTS.iter().copied().filter(|joint| !HANDS.contains(joint) || M::leg_joints(Side::Right)[0] == *joint)
+    {
+        let range = M::LIMITS[joint];
         angles[joint] = random.between(range.min, range.max);
     }
-    // Fingers have mass but are not part of the kinematics.
-    (angles[Joint::LHand], angles[Joint::RHand]) = (0.0, 0.0);
     angles
 }
+
+const HANDS: [Joint; 2] = [Joint::LHand, Joint::RHand];
 
 fn vector(numbers: &[f64]) -> Vec3A {
     Vec3A::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32)
 }
 
-#[test]
-fn segments_and_cameras_have_poses_of_kinematics() {
+/// A test of every robot model.
+macro_rules! of_each_robot {
+    ($($test:ident: $check:ident;)*) => {$(
+        #[test]
+        fn $test() {
+            $check::<Nao>();
+            $check::<T1>();
+            $check::<K1>();
+        }
+    )*};
+}
+
+of_each_robot! {
+    segments_and_cameras_have_poses_of_kinematics: check_poses;
+    inverse_kinematics_reach_poses_of_mujoco: check_inverse;
+    masses_equal_those_of_the_kinematics: check_masses;
+    joint_ranges_are_those_of_robot_model: check_ranges;
+}
+
+fn check_inverse<M: MujocoModel>() {
+    let mut random = Random::new(3, Stream::Start);
+    for _ in 0..30 {
+        let mut angles = any_angles::<M>(&mut random);
+        // Beyond, another posture reaches the same pose.
+        for joint in [Joint::LHipRoll, Joint::RHipRoll, Joint::LHipPitch, Joint::RHipPitch] {
+            angles[joint] = angles[joint].clamp(-1.2, 1.2);
+        }
+        let data = posed(model::<M>(), &angles);
+        let [left, right] = Side::BOTH.map(|side| {
+            let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &body_name(Segment::Foot(side))).unwrap();
+            let turn = &data.xmat()[body];
+            let column = |i: usize| Vec3A::new(turn[i] as f32, turn[3 + i] as f32, turn[6 + i] as f32);
+            glam::Affine3A {
+                matrix3: glam::Mat3A::from_cols(column(0), column(1), column(2)),
+                translation: vector(&data.xpos()[body]),
+            }
+        });
+        let mut found = Joints::all(0.0);
+        for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<M>(&left, &right, YawFrom::Mean)) {
+            leg.write::<M>(side, &mut found);
+        }
+        for (side, wanted) in Side::BOTH.into_iter().zip([left, right]) {
+            assert!(ankle::<M>(side, &found).abs_diff_eq(wanted, 2e-4), "{}: {angles:?}", M::NAME);
+        }
+    }
+}
+
+fn check_poses<M: MujocoModel>() {
     let mut random = Random::new(1, Stream::Start);
     for _ in 0..30 {
-        let (angles, model) = (any_angles(&mut random), model());
+        let (angles, model) = (any_angles::<M>(&mut random), model::<M>());
         let data = posed(model, &angles);
-        let skeleton = Skeleton::<TestModel>::of(&angles);
-        for segment in Segment::ALL {
+        let skeleton = Skeleton::<M>::of(&angles);
+        // A robot without wrists has no body for its hands.
+        let has_body =
+            |segment: &Segment| !matches!(segment, Segment::Hand(_)) || M::JOINTS.contains(&Joint::LWristYaw);
+        for segment in Segment::ALL.into_iter().filter(has_body) {
             let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &body_name(segment)).unwrap();
             let (expected, turn) = (skeleton.pose(segment), &data.xmat()[body]);
             assert!(vector(&data.xpos()[body]).distance(expected.translation) < 1e-5, "{segment:?}");
@@ -71,48 +124,45 @@ fn segments_and_cameras_have_poses_of_kinematics() {
     }
 }
 
-#[test]
-fn masses_equal_those_of_the_kinematics() {
+fn check_masses<M: MujocoModel>() {
     let mut random = Random::new(2, Stream::Start);
     for _ in 0..30 {
-        let angles = any_angles(&mut random);
-        let mut data = posed(model(), &angles);
+        let angles = any_angles::<M>(&mut random);
+        let mut data = posed(model::<M>(), &angles);
         data.forward();
         let torso = find(data.model(), MjtObjBase::mjOBJ_BODY, "Torso").unwrap();
         let centre = Vec3::from(vector(&data.subtree_com()[torso]));
-        assert!(centre.distance(Skeleton::<TestModel>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
-        assert!((data.model().body_subtreemass()[torso] as f32 - TestModel::TOTAL_MASS).abs() < 1e-4);
+        assert!(centre.distance(Skeleton::<M>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
+        assert!((data.model().body_subtreemass()[torso] as f32 - M::TOTAL_MASS).abs() < 1e-4);
     }
 }
 
-#[test]
-fn joint_ranges_are_those_of_robot_model() {
-    let model = model().physics;
-    for joint in Joint::ALL {
-        let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
+fn check_ranges<M: MujocoModel>() {
+    let model = model::<M>().physics;
+    for &joint in M::JOINTS {
+        let id = find(&model, MjtObjBase::mjOBJ_JOINT, &joint_name::<M>(joint)).unwrap();
         let [min, max] = model.jnt_range()[id].map(|end| end as f32);
-        let range = TestModel::LIMITS[joint];
+        let range = M::LIMITS[joint];
         assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
     }
 }
 
 #[test]
 fn no_load_speed_is_near_published_one() {
-    let model = model().physics;
-    let physics = Physics { dead_time: 0.0, ..Physics::of::<TestModel>() };
+    let model = model::<Nao>().physics;
+    let physics = Physics { dead_time: 0.0, ..Physics::of::<Nao>() };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
-    let (least, most) = (end(|joint| TestModel::LIMITS[joint].min), end(|joint| TestModel::LIMITS[joint].max));
-    let mut motors = Motors::holding::<TestModel>(least, &physics);
-    motors.command::<TestModel>(&Command::new(most, 1.0));
+    let (least, most) = (end(|joint| Nao::LIMITS[joint].min), end(|joint| Nao::LIMITS[joint].max));
+    let mut motors = Motors::holding::<Nao>(least, &physics);
+    motors.command::<Nao>(&Command::new(most, 1.0));
     let torques = motors.step(&least);
     // The speed of the hands is between two values published for other models.
-    let hands = [Joint::LHand, Joint::RHand];
-    for joint in Joint::ALL.into_iter().filter(|joint| !hands.contains(joint)) {
+    for joint in Joint::ALL.into_iter().filter(|joint| !HANDS.contains(joint)) {
         let id = find(&model, MjtObjBase::mjOBJ_JOINT, &format!("{joint:?}")).unwrap();
         let at = model.jnt_dofadr()[id] as usize;
         let (damping, friction) = (model.dof_damping()[at] as f32, model.dof_frictionloss()[at] as f32);
         let speed = (torques[joint] - friction) / damping;
-        let motor = TestModel::ACTUATORS[joint];
+        let motor = Nao::ACTUATORS[joint];
         let share = speed / (motor.no_load_speed / motor.gear_ratio);
         assert!((0.65..1.3).contains(&share), "{joint:?}: {speed} rad/s, {share} of the robot's");
     }

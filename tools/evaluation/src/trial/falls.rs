@@ -87,7 +87,7 @@ fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
 }
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
+    let mut walker = Walker::<Model>::new(seed, Pose2::ORIGIN, &series.physics)?;
     let (mut rng, mut balance) = (Rng::new(seed), FallDetector::<Model>::new());
     for _ in 0..WALKS {
         let velocity =
@@ -103,7 +103,7 @@ fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
 }
 
 fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::new(seed, Pose2::ORIGIN, &series.physics)?;
+    let mut walker = Walker::<Model>::new(seed, Pose2::ORIGIN, &series.physics)?;
     let mut balance = FallDetector::<Model>::new();
     for kick in Kick::ALL {
         let mut motion = KickMotion::<Model>::new(kick, Model::DYNAMIC_PROFILE);

@@ -74,7 +74,7 @@ struct KickResult {
 }
 
 fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
-    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
+    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
@@ -97,7 +97,7 @@ fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
 
 /// Walks to a ball in front of a foot, kicks it in the walk, and walks on.
 fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure> {
-    let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
+    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
     let start = ground(&mut walker);
     let half = Model::DYNAMIC_PROFILE.gait.half_spacing;

@@ -2,6 +2,7 @@
 //! with the required numbers.
 
 mod comeback;
+mod course;
 mod fall_subject;
 mod falls;
 mod get_up;
@@ -17,21 +18,40 @@ mod walking;
 use bica_app::{Console, Failure, Outcome, interrupt};
 use clap::ValueEnum;
 
+use bica_motion::model::{K1, Nao, T1};
+use course::Course;
 use series::Series;
 use table::Table;
 
-use crate::trial_options::{Kind, TrialOptions};
+use crate::trial_options::{Kind, Robot, TrialOptions};
 
 /// Runs trials and prints their tables.
 ///
 /// # Errors
-/// If the physics are out of range or the output cannot be written.
+/// If the physics are out of range, the robot has no such trial, or the output cannot be written.
 pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
-    let (console, series) = (Console::new(options.json), Series::new(options));
+    match options.robot {
+        Robot::Nao => run_with(options, &Series::new::<Nao>(options), Kind::value_variants(), nao),
+        Robot::T1 => run_with(options, &Series::new::<T1>(options), &[Kind::Walk, Kind::Pushes], booster::<T1>),
+        Robot::K1 => run_with(options, &Series::new::<K1>(options), &[Kind::Walk, Kind::Pushes], booster::<K1>),
+    }
+}
+
+fn run_with(
+    options: &TrialOptions,
+    series: &Series,
+    all: &[Kind],
+    trial: fn(Kind) -> Option<Trial>,
+) -> Result<Outcome, Failure> {
+    let console = Console::new(options.json);
     let mut tables = Vec::new();
-    for kind in if options.names.is_empty() { Kind::value_variants() } else { &options.names } {
+    for kind in if options.names.is_empty() { all } else { &options.names } {
         let name = kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
-        let table = Table { trial: name, rows: trial(*kind)(&series)? };
+        let trial = trial(*kind).ok_or_else(|| {
+            let help = "this robot has the trials `walk` and `pushes`; `--robot nao` has all";
+            Failure::new(format!("this robot has no trial `{name}`"), help)
+        })?;
+        let table = Table { trial: name, rows: trial(series)? };
         table.print(console)?;
         tables.push(table);
         if interrupt::requested() {
@@ -44,11 +64,21 @@ pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
 
 type Trial = fn(&Series) -> Result<Vec<table::Row>, Failure>;
 
-const fn trial(kind: Kind) -> Trial {
+/// Trials of a robot without the forward.
+fn booster<M: Course>(kind: Kind) -> Option<Trial> {
     match kind {
-        Kind::Walk => walking::velocities,
+        Kind::Walk => Some(walking::velocities::<M>),
+        Kind::Pushes => Some(walking::pushes::<M>),
+        _ => None,
+    }
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "it has the type of the trials of the other robots")]
+fn nao(kind: Kind) -> Option<Trial> {
+    Some(match kind {
+        Kind::Walk => walking::velocities::<Nao>,
         Kind::Commands => walking::commands,
-        Kind::Pushes => walking::pushes,
+        Kind::Pushes => walking::pushes::<Nao>,
         Kind::Bodies => walking::bodies,
         Kind::Odometry => odometry::rows,
         Kind::Kicks => kicks::rows,
@@ -56,5 +86,5 @@ const fn trial(kind: Kind) -> Trial {
         Kind::GetUp => get_up::rows,
         Kind::Obstacles => obstacles::rows,
         Kind::Comeback => comeback::rows,
-    }
+    })
 }

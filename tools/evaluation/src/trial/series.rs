@@ -1,7 +1,7 @@
 //! The same trial with many seeds.
 
 use bica_app::{Batch, Failure};
-use bica_player::Model;
+use bica_motion::model::simulation::MujocoModel;
 use bica_sim::mujoco::Physics;
 
 use crate::trial_options::TrialOptions;
@@ -13,8 +13,8 @@ pub(super) struct Series {
 }
 
 impl Series {
-    pub(super) fn new(options: &TrialOptions) -> Self {
-        let default = Physics { cameras: false, ..Physics::of::<Model>() };
+    pub(super) fn new<M: MujocoModel>(options: &TrialOptions) -> Self {
+        let default = Physics { cameras: false, ..Physics::of::<M>() };
         let physics = Physics {
             friction: options.friction.unwrap_or(default.friction),
             leg_gain: options.leg_gain.unwrap_or(default.leg_gain),

@@ -3,10 +3,11 @@
 use bica_app::Failure;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::senses::SenseEstimator;
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
@@ -18,25 +19,25 @@ use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
 /// A robot alone on the field, with a gait and odometry.
-pub(super) struct Walker {
-    pub(super) world: MujocoWorld<Model>,
-    gait: Walk,
-    odometry: Odometry,
+pub(super) struct Walker<M = Model> {
+    pub(super) world: MujocoWorld<M>,
+    senses: SenseEstimator<M>,
+    gait: Walk<M>,
+    odometry: Odometry<M>,
     /// Joint targets of the last cycle, rad.
     commanded: Joints,
 }
 
-impl Walker {
+impl<M: MujocoModel> Walker<M> {
     /// A standing robot; the ball lies in a corner.
     pub(super) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let world = MujocoWorld::<Model>::new(&setup, physics)
+        let world = MujocoWorld::<M>::new(&setup, physics)
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
-        let (gait, odometry) =
-            (Walk::<Model>::new(&Model::DYNAMIC_PROFILE.gait), Odometry::new(&Model::DYNAMIC_PROFILE.odometry));
-        let mut walker =
-            Self { world, gait, odometry, commanded: Model::DYNAMIC_PROFILE.gait.stand::<Model>().joints() };
+        let (gait, odometry) = (&M::DYNAMIC_PROFILE.gait, Odometry::new(&M::DYNAMIC_PROFILE.odometry));
+        let commanded = gait.stand::<M>().joints::<M>();
+        let mut walker = Self { world, senses: SenseEstimator::new(), gait: Walk::new(gait), odometry, commanded };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -58,7 +59,8 @@ impl Walker {
 
     /// Walks for one control cycle.
     pub(super) fn cycle(&mut self, velocity: Velocity) {
-        let sensors = self.world.sensors();
+        let mut sensors = self.world.sensors();
+        self.senses.complete(&mut sensors, CYCLE_SECONDS);
         let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
         let moved = MotionInput {
             commanded: Some(&self.commanded),
@@ -72,12 +74,12 @@ impl Walker {
 
     /// Moves the limbs for one control cycle.
     pub(super) fn act(&mut self, limbs: &Limbs) {
-        let mut stiffness = Stiffness::Walk.joints::<Model>();
+        let mut stiffness = Stiffness::Walk.joints::<M>();
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
         }
         let (lights, camera) = (Lights::default(), CameraId::Top);
-        self.commanded = limbs.joints();
+        self.commanded = limbs.joints::<M>();
         self.world.act(&Command { targets: self.commanded, stiffness, lights, camera });
     }
 

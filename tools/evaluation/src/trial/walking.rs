@@ -5,10 +5,12 @@ use std::f32::consts::{PI, TAU};
 use bica_app::Failure;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::Velocity;
+use bica_player::Model;
 use bica_sim::World;
 use bica_sim::mujoco::Physics;
 use glam::Vec2;
 
+use super::course::{Course, PushCase, VelocityCase};
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, mean};
@@ -24,37 +26,28 @@ const MAX_ERROR: f32 = 0.15;
 const MAX_DRIFT: f32 = 0.03;
 /// Largest turn without a command, rad/s.
 const MAX_TURN_DRIFT: f32 = 0.1;
+/// Distance from the middle within which a robot walks between the goals, m.
+const BETWEEN_GOALS: f32 = 2.3;
+/// Lateral place of a path that passes the goals, m.
+const BESIDE_GOALS: f32 = 1.4;
 /// Time between two commands or pushes, s.
 const INTERVAL: f32 = 2.0;
 
 /// Single and combined velocities.
-pub(super) fn velocities(series: &Series) -> Result<Vec<Row>, Failure> {
-    let commanded = [
-        ("forward 0.2 m/s", Velocity::new(0.2, 0.0, 0.0)),
-        ("backward 0.1 m/s", Velocity::new(-0.1, 0.0, 0.0)),
-        ("left 0.1 m/s", Velocity::new(0.0, 0.1, 0.0)),
-        ("right 0.1 m/s", Velocity::new(0.0, -0.1, 0.0)),
-        ("left turn 0.6 rad/s", Velocity::new(0.0, 0.0, 0.6)),
-        ("right turn 0.6 rad/s", Velocity::new(0.0, 0.0, -0.6)),
-        ("forward and left", Velocity::new(0.12, 0.05, 0.0)),
-        ("forward, right turn", Velocity::new(0.12, 0.0, -0.3)),
-        ("backward, left turn", Velocity::new(-0.06, 0.0, 0.3)),
-        ("all three", Velocity::new(0.1, 0.03, 0.2)),
-    ];
-    let mut rows = Vec::new();
-    for (name, velocity) in commanded {
-        rows.push(velocity_row(series, name, velocity, true)?);
-    }
-    rows.push(velocity_row(series, "forward 0.3 m/s", Velocity::new(0.3, 0.0, 0.0), false)?);
-    Ok(rows)
+pub(super) fn velocities<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
+    M::VELOCITIES.iter().map(|case| velocity_row::<M>(series, case)).collect()
 }
 
-fn velocity_row(series: &Series, name: &str, commanded: Velocity, exact: bool) -> Result<Row, Failure> {
+fn velocity_row<M: Course>(series: &Series, case: &VelocityCase) -> Result<Row, Failure> {
+    let VelocityCase { name, velocity: commanded, exact, needed } = *case;
     let way = Vec2::new(commanded.forward, commanded.left);
-    let start = if commanded.turn == 0.0 { -0.5 * (START + MEASUREMENT) * way } else { Vec2::ZERO };
+    let mut start = if commanded.turn == 0.0 { -0.5 * (START + MEASUREMENT) * way } else { Vec2::ZERO };
+    if start.x.abs() > BETWEEN_GOALS {
+        start.y = BESIDE_GOALS;
+    }
     let start = Pose2 { position: start, heading: 0.0 };
     let reached = series.each(|seed| {
-        let mut walker = Walker::new(seed, start, &series.physics)?;
+        let mut walker = Walker::<M>::new(seed, start, &series.physics)?;
         walker.go(commanded, START);
         let mut sum = Pose2::ORIGIN;
         for _ in 0..cycles(MEASUREMENT) {
@@ -64,16 +57,18 @@ fn velocity_row(series: &Series, name: &str, commanded: Velocity, exact: bool) -
             sum.position += step.position;
             sum.heading += step.heading;
         }
+        let drift = (walker.pose().position - start.position).perp_dot(way.normalize_or_zero()).abs();
         let mean = Velocity::new(sum.position.x, sum.position.y, sum.heading);
-        Ok((!walker.fell()).then(|| scaled(mean, 1.0 / MEASUREMENT)))
+        Ok((!walker.fell()).then(|| (scaled(mean, 1.0 / MEASUREMENT), drift)))
     })?;
-    let stood: Vec<Velocity> = reached.iter().flatten().copied().collect();
+    let stood: Vec<Velocity> = reached.iter().flatten().map(|run| run.0).collect();
     let good = stood.iter().filter(|reached| !exact || near(**reached, commanded)).count();
     let of = |part: fn(&Velocity) -> f32| mean(&stood.iter().map(part).collect::<Vec<_>>());
     let (forward, left, turn) = (of(|v| v.forward), of(|v| v.left), of(|v| v.turn));
-    let falls = reached.len() - stood.len();
-    let figures = format!("mean {forward:+.3} {left:+.3} m/s {turn:+.3} rad/s, falls {falls}");
-    Ok(Row::new(name, reached.len(), good, series.needed(if exact { 20 } else { 18 }), figures))
+    let (falls, drift) = (reached.len() - stood.len(), reached.iter().flatten().map(|run| run.1).fold(0.0, f32::max));
+    let figures =
+        format!("mean {forward:+.3} {left:+.3} m/s {turn:+.3} rad/s, off the line {drift:.2} m at most, falls {falls}");
+    Ok(Row::new(name, reached.len(), good, series.needed(needed), figures))
 }
 
 fn scaled(velocity: Velocity, by: f32) -> Velocity {
@@ -111,7 +106,7 @@ pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
 fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -> Result<Row, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
-        let mut walker = Walker::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
+        let mut walker = Walker::<Model>::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
         for _ in 0..30 {
             walker.go(inward(&mut rng, walker.pose()), INTERVAL);
         }
@@ -138,23 +133,27 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
     others.into_iter().chain([first]).min_by(|a, b| left_over(a).total_cmp(&left_over(b))).unwrap_or(first)
 }
 
-/// Pushes from random directions, every two seconds for twenty seconds, while walking.
-pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
-    let row = |(name, speed, required)| {
+/// Pushes in walking: one, or one every two seconds.
+pub(super) fn pushes<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
+    let row = |case: &PushCase| {
         let runs = series.each(|seed| {
             let mut rng = Rng::new(seed);
-            let mut walker = Walker::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
-            for _ in 0..10 {
-                walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
-                walker.world.add_velocity(speed * Vec2::from_angle(rng.between(0.0, TAU)));
+            let ahead = Velocity::new(M::PUSHED_VELOCITY, 0.0, 0.0);
+            let start = Vec2::new(-0.5 * INTERVAL * (case.times + 1) as f32 * M::PUSHED_VELOCITY, BESIDE_GOALS);
+            let mut walker = Walker::<M>::new(seed, Pose2 { position: start, heading: 0.0 }, &series.physics)?;
+            // The phase of the step in which the push comes is random.
+            walker.go(ahead, rng.between(0.0, 1.0));
+            for _ in 0..case.times {
+                walker.go(ahead, INTERVAL);
+                let direction = case.direction.map_or_else(|| rng.between(0.0, TAU), f32::to_radians);
+                walker.world.add_velocity(case.speed * Vec2::from_angle(direction));
             }
-            walker.go(Velocity::new(0.1, 0.0, 0.0), INTERVAL);
+            walker.go(ahead, INTERVAL);
             Ok(walker.fall())
         })?;
-        Ok(fall_row(name, &runs, series.needed(required)))
+        Ok(fall_row(case.name, &runs, series.needed(case.needed)))
     };
-    // The second case has no requirement; it shows the distance from the limit.
-    [("pushes of 0.4 m/s, 20 s", 0.4, 19), ("pushes of 0.6 m/s, 20 s", 0.6, 0)].into_iter().map(row).collect()
+    M::PUSHES.iter().map(row).collect()
 }
 
 fn fall_row(name: &str, falls: &[Option<f32>], needed: usize) -> Row {
