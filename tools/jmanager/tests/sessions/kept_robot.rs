@@ -10,7 +10,7 @@ use bica_app::Failure;
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
 use bica_player_program::game::{ReplayOptions, replay};
-use bica_recording::{Info, Recording};
+use bica_recording::{Info, LogLine, LogSource, Recording};
 use jmanager::ROBOTS;
 use serde_json::{Value, json};
 
@@ -151,7 +151,9 @@ fn what_was_received_can_be_kept_after_the_robot_has_gone() {
     let (mut newest, mut lost) = (0, false);
     while let Some(cycle) = recording.next_cycle().unwrap() {
         newest = cycle.tick.cycle;
-        lost |= cycle.log.iter().any(|line| line.text.starts_with("server: the connection was lost"));
+        let is_lost =
+            |line: &LogLine| line.source == LogSource::Monitor && line.text.starts_with("the connection was lost");
+        lost |= cycle.log.iter().any(is_lost);
     }
     assert!(newest >= last && lost, "{newest} {last} {lost}");
 }
