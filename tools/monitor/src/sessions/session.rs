@@ -48,7 +48,6 @@ pub(super) struct Shared {
     pub(super) note: String,
     /// How the run ended; empty before.
     pub(super) result: String,
-    /// Seed of a world of this process.
     pub(super) seed: Option<u64>,
     pub(super) can: Capabilities,
     pub(super) recording: RecordingState,
@@ -214,13 +213,11 @@ impl Session {
 
     /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
     pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
-        let components = description.components.len();
-        let kinds = kinds(&description);
         let mut shared = self.shared();
         if goes_on {
             shared.history.interrupt();
         } else {
-            shared.history = History::new(limits(&self.options, self.kind), components);
+            shared.history = History::new(limits(&self.options, self.kind), description.components.len());
             shared.epoch += 1;
             shared.result.clear();
             shared.scenery.clear();
@@ -229,8 +226,8 @@ impl Session {
         if let Some((tree, places)) = shared.inherited.take().or(own) {
             shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
         }
+        shared.kinds = kinds(&description);
         shared.description = Some(Arc::new(description));
-        shared.kinds = kinds;
         shared.can = can;
         // A world of this process that a person has paused begins again paused.
         shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
@@ -243,11 +240,11 @@ impl Session {
 
     /// Sends the tree and its state to a page, once.
     fn send_description(&self, shared: &mut Shared, page: PageId) {
-        let Some(description) = shared.description.clone() else { return };
+        let Some(description) = shared.description.as_deref().cloned().map(Box::new) else { return };
         if shared.described.insert(page) {
-            let description = Box::new((*description).clone());
-            let kinds = shared.kinds.clone();
-            self.pages.state(page, ToPage::Described { session: self.id, description, kinds });
+            // A recording may be described before its session is announced, and a page ignores unknown sessions.
+            self.pages.state(page, ToPage::Session { session: self.info_of(shared, page) });
+            self.pages.state(page, ToPage::Described { session: self.id, description, kinds: shared.kinds.clone() });
             if !shared.scenery.is_empty() {
                 self.pages.state(page, ToPage::Scenery { session: self.id, scenery: shared.scenery.clone() });
             }
