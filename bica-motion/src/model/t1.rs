@@ -266,7 +266,7 @@ const GAIT: Parameters = Parameters {
     max_speed_up: Velocity::new(0.12, 0.08, 0.4),
     max_slow_down: Velocity::new(0.2, 0.15, 0.8),
     velocity_drift: Velocity::new(0.05, 0.0, 0.0),
-    velocity_scale: Velocity::new(1.03, 1.55, 1.15),
+    velocity_scale: Velocity::new(1.03, 1.0, 1.15),
     toe_distance: 0.12,
     contact_force: 60.0,
     ankle_pitch_gain: 0.08,
