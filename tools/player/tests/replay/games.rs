@@ -89,8 +89,8 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     };
     let message = refused(&rewrite(&bytes, same, renamed));
     assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
-    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":5", "\"format\":6"));
-    assert!(refused(&newer).contains("format 6"));
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":6", "\"format\":7"));
+    assert!(refused(&newer).contains("format 7"));
     let mut part = Vec::new();
     bica_recording::repair::trim(&bytes[..], &mut part, 100_000_000, u64::MAX, None).expect("a recording");
     assert!(refused(&part).contains("begins with cycle 10"));
