@@ -66,5 +66,8 @@ fn lower_sole_bears_the_weight() {
             assert!((force - share * weight).abs() < 0.01 * weight, "{bent:?}: {force} N");
         }
     }
-    assert!(forces::<Nao>(Some(Joint::LKneePitch)).iter().all(|share| (share - 1.0).abs() < 1e-6), "a NAO measures its forces");
+    assert!(
+        forces::<Nao>(Some(Joint::LKneePitch)).iter().all(|share| (share - 1.0).abs() < 1e-6),
+        "a NAO measures its forces"
+    );
 }

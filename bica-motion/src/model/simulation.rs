@@ -37,7 +37,8 @@ pub trait MujocoModel: SimulatedModel {
     /// name. A right hip yaw-pitch that shares its motor follows the left one; the names of joints in the place of others are
     /// `LHipYaw`, `RHipYaw` and `WaistYaw`. Further elements: a camera `Top` and one `Bottom`, the geoms `LSole`
     /// and `RSole` (friction) and `LFootShell` and `RFootShell`, a material `team`. Sensors, in this order: a gyroscope, an
-    /// accelerometer, and, if [`Senses::soles`](super::Senses), the forces on the left and the right sole: front left, front right, rear left, rear right.
+    /// accelerometer, and, if [`Senses::soles`](super::Senses), the forces on the left and the right sole:
+    /// front left, front right, rear left, rear right.
     /// Contact types: 1 body, 2 sole, 4 floor, 8 obstacle, 16 ball, 32 foot shell.
     const ROBOT: &'static str;
     /// Geoms in MJCF of a robot that stands still, from the ground below its robot frame. The material `team` is replaced by

@@ -19,7 +19,8 @@ impl Parameters {
         self.limbs::<M>(&self.together(), 0.0, None)
     }
 
-    /// Arms and legs over the given feet, with the torso rolled by `roll` rad, and the swing foot levelled against a `tilt`. The arms swing opposite to the legs.
+    /// Arms and legs over the given feet, with the torso rolled by `roll` rad, and the swing foot levelled against a `tilt`.
+    /// The arms swing opposite to the legs.
     pub(super) fn limbs<M: RobotModel>(&self, feet: &[Foot; 2], roll: f32, tilt: Option<Tilt>) -> Limbs {
         let behind = feet.map(|mut foot| {
             foot.pose.position.x -= self.torso_offset;

@@ -1,13 +1,16 @@
 //! The state of joints, inertial unit and feet.
 
 use bica::prelude::*;
-use bica::visual::{self, Imu};
+use bica::visual::{self, Imu, Pose3};
 use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::kinematics::{Skeleton, ground_from_robot};
 use bica_motion::robot::{FootPressure, Inertial, Sensors};
+use bica_motion::segment::Segment;
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
+use crate::Model;
 use crate::info;
 use crate::output::JointCommand;
 
@@ -114,6 +117,18 @@ impl RobotState {
     fn inertial_unit(&self) -> Imu {
         let Inertial { gyro, acceleration, .. } = self.inertial;
         Imu { angular_velocity: info::vector(gyro), linear_acceleration: info::vector(acceleration), orientation: None }
+    }
+
+    /// Pose of the torso, from the joint angles and the support foot.
+    #[info(unit = "m", frame = "robot", child = "torso")]
+    fn torso(&self) -> Pose3 {
+        info::pose_in_space(&ground_from_robot::<Model>(self.support(), &self.angles))
+    }
+
+    /// Pose of the head.
+    #[info(unit = "m", frame = "torso", child = "head")]
+    fn head(&self) -> Pose3 {
+        info::pose_in_space(&Skeleton::<Model>::of(&self.angles).pose(Segment::Head))
     }
 
     /// Roll of the torso, positive to the right.
