@@ -87,7 +87,7 @@ impl CostMeter {
         }
     }
 
-    /// Returns the costs of each component since the meter was switched on, or [`read`](Self::read) last.
+    /// Returns the costs of each component since the meter was switched on, or since the last message about costs.
     #[must_use]
     pub fn components(&self) -> &[ComponentTime] {
         &self.window.components
