@@ -120,7 +120,8 @@ class Store:
                 return action()
             except Exception as error:
                 cause = error if isinstance(error, sa.exc.DBAPIError) else error.__cause__ or error.__context__
-                is_away = isinstance(cause, sa.exc.OperationalError | sa.exc.InterfaceError) and not self.is_local
+                away = sa.exc.OperationalError | sa.exc.InterfaceError | sa.exc.PendingRollbackError
+                is_away = isinstance(cause, away) and not self.is_local
                 if not is_away or time.monotonic() > until:
                     raise
                 self._report(f"the store is away, trying again: {_first_line(error)}")

@@ -75,7 +75,7 @@ function Costs() {
   const live = shown?.live.value;
   if (!shown) return null;
   return html`<button class="chip" title="Mean duration of a cycle, from sensor values to command; opens Latency" onClick=${() => dock.open('latency')}>
-      chain ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>
+      <span class="word">chain</span> ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>
     ${store.cursor.value === null && live?.overruns > 0 && html`<span class="chip warn" title="Cycles that ended after the next one was due">${live.overruns} late</span>`}`;
 }
 
@@ -111,7 +111,7 @@ function Recording() {
   const recording = store.session.value?.info.value.recording;
   if (!recording || (!recording.on && !recording.note)) return null;
   return html`<button class=${`chip rec ${recording.on ? 'runs' : 'warn'}`} title=${recording.note || 'The last minutes are recorded; click to keep them'} onClick=${() => dock.open('recordings')}>
-    <i class="dot" aria-hidden="true"></i>${recording.on ? `recording ${bytes(recording.bytes)}` : 'not recorded'}</button>`;
+    <i class="dot" aria-hidden="true"></i>${recording.on ? html`<span class="word">recording</span> ${bytes(recording.bytes)}` : 'not recorded'}</button>`;
 }
 
 async function shareLayout() {

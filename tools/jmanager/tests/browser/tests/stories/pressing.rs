@@ -75,6 +75,9 @@ async fn a_slider_and_the_timeline_are_dragged() {
     let (_server, page) = game("drag").await;
     page.click("button", "FaceBall", "Activation tree").await;
     let slider = page.find("slider", "gain", "Parameters").await;
+    let rests = "const one = document.querySelectorAll('.param input')[4]; one.scrollIntoView({ block: 'center' }); \
+        const { y } = one.getBoundingClientRect(), before = window.before; window.before = y; return y === before";
+    page.until("nothing above it moves it any more", rests).await;
     let [x, y, width, height] = slider.place().await;
     page.drag((x + width / 2.0, y + height / 2.0), (x + width * 0.9, y + height / 2.0)).await;
     page.reads("1 changed").await;
