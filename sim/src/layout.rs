@@ -33,7 +33,8 @@ pub(crate) struct OtherRobot {
 
 impl Layout {
     pub(crate) fn new(setup: &Setup, random: &mut Random) -> Self {
-        let attacks = if random.chance(0.5) { GoalColour::Yellow } else { GoalColour::SkyBlue };
+        let drawn = if random.chance(0.5) { GoalColour::Yellow } else { GoalColour::SkyBlue };
+        let attacks = setup.attacks.unwrap_or(drawn);
         let rolling_deceleration = random.between(0.3, 0.4);
         let drawn = draw_start(random);
         let start = setup.start.unwrap_or(drawn);

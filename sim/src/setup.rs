@@ -3,6 +3,7 @@
 use core::fmt;
 use core::str::FromStr;
 
+use bica_field::GoalColour;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
@@ -26,11 +27,13 @@ pub struct Setup {
     pub robots: usize,
     /// Start positions of robot and ball; drawn from the seed if `None`.
     pub start: Option<Start>,
+    /// Colour of the goal that the robot attacks; drawn from the seed if `None`.
+    pub attacks: Option<GoalColour>,
 }
 
 impl Default for Setup {
     fn default() -> Self {
-        Self { seed: 0, frame: Frame::default(), goalkeeper: true, robots: 0, start: None }
+        Self { seed: 0, frame: Frame::default(), goalkeeper: true, robots: 0, start: None, attacks: None }
     }
 }
 

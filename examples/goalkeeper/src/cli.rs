@@ -4,26 +4,23 @@ use bica::Tree;
 use bica::graph::Graph;
 use bica_app::{App, TuningArgs};
 use bica_app::{Console, Failure, Outcome, interrupt};
-use bica_link::Address;
-use bica_sim::setup::Frame;
 use bica_sim::shot::SPEEDS;
 use clap::Args;
 use serde::Serialize;
 
+use crate::Keeper;
+use crate::series::Series;
 use crate::shots::{Plan, Robot, ShotResult};
-use crate::{Keeper, serve};
 
 static GRAPH: Graph = Keeper::GRAPH;
-
-/// Size of the camera images, 160×120: enough for a ball 3 m away, and quick.
-pub const FRAME: Frame = Frame::Small;
 
 const AFTER: &str = "\
 Examples:
   goalkeeper                                  100 shots at an idle robot and at the goalkeeper
   goalkeeper --shots 20 --speeds 2.4 3.0      20 faster ones
   goalkeeper --set GuardPost.distance=0.2     the goalkeeper stands nearer to the goal line
-  goalkeeper --serve 127.0.0.1:7400           shots in real time that monitors can watch
+  goalkeeper run --serve 127.0.0.1:7400       shots in real time, one after the other, that monitors can watch
+  goalkeeper run --record shots.mcap          the same as fast as possible, recorded
   goalkeeper link 127.0.0.1:7400 watch        its states, from another terminal
   goalkeeper params GuardPost                 the parameters of a component
 
@@ -35,7 +32,7 @@ A goalkeeper against balls that are kicked at its goal from 2 to 3 m in the buil
 images.";
 
 #[derive(Debug, Args)]
-struct Series {
+struct SeriesArgs {
     /// Number of shots, one for each seed
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
     shots: u32,
@@ -50,12 +47,6 @@ struct Series {
     idle: bool,
     #[command(flatten)]
     tuning: TuningArgs,
-    /// Play in real time and serve monitors, until Ctrl-C: HOST:PORT (port 0: any)
-    #[arg(long, value_name = "ADDR", conflicts_with_all = ["shots", "idle", "json"], value_parser = address)]
-    serve: Option<Address>,
-    /// Allow an address of --serve that other computers reach; there is no password, whoever reaches it controls the robot
-    #[arg(long, requires = "serve")]
-    listen_anywhere: bool,
     /// Print JSON on stdout; all other output goes to stderr
     #[arg(long)]
     json: bool,
@@ -87,10 +78,14 @@ pub fn app() -> App<Keeper> {
     App::new("goalkeeper")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(ABOUT).after_help(AFTER))
         .kind(KIND)
+        .try_world("shots", |options| {
+            let plan = Plan { seed: options.seed, shots: options.value("shots", 100)?, ..Plan::default() };
+            Series::new(plan)
+        })
         .default_command(|args| play(&args))
 }
 
-fn play(cli: &Series) -> Result<Outcome, Failure> {
+fn play(cli: &SeriesArgs) -> Result<Outcome, Failure> {
     let settings = cli.tuning.layers(&GRAPH, KIND)?.settings();
     let speeds = match cli.speeds.as_deref() {
         Some(&[min, max]) if min > max => {
@@ -101,13 +96,10 @@ fn play(cli: &Series) -> Result<Outcome, Failure> {
     };
     let plan = Plan { seed: cli.seed, shots: cli.shots, speeds };
     let console = Console::new(cli.json);
-    if let Some(address) = &cli.serve {
-        return serve::run(&plan, &settings, FRAME, address, cli.listen_anywhere, console);
-    }
     console.print(&format!("{:12}{:>7}{:>8}{:>7}{:>7}{:>7}", "", "shots", "let in", "saved", "away", "falls"))?;
-    let idle = sums(&plan.play(Robot::Idle, FRAME)?);
+    let idle = sums(&plan.play(Robot::Idle)?);
     print(console, "idle", idle)?;
-    let results = if cli.idle { Vec::new() } else { plan.play(Robot::Goalkeeper(&settings), FRAME)? };
+    let results = if cli.idle { Vec::new() } else { plan.play(Robot::Goalkeeper(&settings))? };
     let goalkeeper = (!cli.idle).then(|| sums(&results));
     if let Some(goalkeeper) = goalkeeper {
         print(console, "goalkeeper", goalkeeper)?;
@@ -138,8 +130,4 @@ fn print(console: Console, name: &str, sums: Sums) -> Result<(), Failure> {
 fn speed(text: &str) -> Result<f32, String> {
     let speed = text.parse::<f32>().map_err(|error| error.to_string())?;
     if (0.1..=5.0).contains(&speed) { Ok(speed) } else { Err("choose 0.1 to 5 m/s".to_owned()) }
-}
-
-fn address(text: &str) -> Result<Address, String> {
-    text.parse().map_err(|error: bica_link::Error| error.to_string())
 }

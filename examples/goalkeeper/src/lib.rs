@@ -8,12 +8,10 @@
 
 pub mod cli;
 mod goalkeeper;
-mod serve;
+mod series;
 pub mod shots;
 pub mod skills;
-mod story;
 mod tree;
 
 pub use goalkeeper::Goalkeeper;
-pub use story::Story;
 pub use tree::Keeper;

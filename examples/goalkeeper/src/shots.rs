@@ -3,13 +3,13 @@
 use std::ops::RangeInclusive;
 use std::time::Duration;
 
-use bica::runner::{Observer, Requests, Runner};
+use bica::runner::Runner;
 use bica::{Setting, Tree};
 use bica_app::{Batch, Failure};
+use bica_field::GoalColour;
 use bica_motion::model::RobotModel;
 use bica_motion::robot::Command;
 use bica_player::Model;
-use bica_player::input::FrameTooLarge;
 use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -21,6 +21,8 @@ use glam::Vec2;
 use crate::Keeper;
 use crate::skills::START;
 
+/// Size of the camera images, 160×120: enough for a ball 3 m away, and quick.
+const FRAME: Frame = Frame::Small;
 /// Time after a kick in which the ball may get into the goal, and in which the goalkeeper may kick it away.
 pub const AFTER: Duration = Duration::from_secs(25);
 /// Time from a goal to the end of the attempt.
@@ -59,8 +61,8 @@ impl Plan {
     ///
     /// # Errors
     /// As [`play`].
-    pub fn play(&self, robot: Robot<'_>, frame: Frame) -> Result<Vec<ShotResult>, Failure> {
-        Batch::new(self.seed, self.shots, None).run(|seed| play(robot, seed, self.shot(seed, 0), frame))
+    pub fn play(&self, robot: Robot<'_>) -> Result<Vec<ShotResult>, Failure> {
+        Batch::new(self.seed, self.shots, None).run(|seed| play(robot, seed, self.shot(seed, 0)))
     }
 }
 
@@ -86,13 +88,14 @@ pub struct ShotResult {
     pub falls: usize,
 }
 
-/// Makes a world with the robot in the middle of its goal and a ball that rests in front of it.
+/// Makes a world with the robot in the middle of its goal and a ball that rests in front of it. The colour of the other goal is
+/// drawn from the seed if it is `None`.
 ///
 /// # Errors
 /// If the world refuses the setup.
-pub fn world(seed: u64, ball: Vec2, frame: Frame) -> Result<KinematicWorld<Model>, Failure> {
+pub fn world(seed: u64, ball: Vec2, attacks: Option<GoalColour>) -> Result<KinematicWorld<Model>, Failure> {
     let start = Some(Start { robot: START, ball });
-    let setup = Setup { seed, frame, goalkeeper: false, start, ..Setup::default() };
+    let setup = Setup { seed, frame: FRAME, goalkeeper: false, start, attacks, ..Setup::default() };
     KinematicWorld::<Model>::new(&setup).map_err(|error| refused(&error))
 }
 
@@ -111,8 +114,8 @@ pub fn goalkeeper(world: &KinematicWorld<Model>, settings: &[Setting]) -> Result
 ///
 /// # Errors
 /// If the world refuses the shot, or the goalkeeper a parameter or an image.
-pub fn play(robot: Robot<'_>, seed: u64, shot: Shot, frame: Frame) -> Result<ShotResult, Failure> {
-    let mut world = world(seed, shot.from, frame)?;
+pub fn play(robot: Robot<'_>, seed: u64, shot: Shot) -> Result<ShotResult, Failure> {
+    let mut world = world(seed, shot.from, None)?;
     let mut attempt = Attempt::new(shot, world.now());
     match robot {
         Robot::Idle => {
@@ -124,23 +127,12 @@ pub fn play(robot: Robot<'_>, seed: u64, shot: Shot, frame: Frame) -> Result<Sho
         Robot::Goalkeeper(settings) => {
             let mut runner = Runner::new(goalkeeper(&world, settings)?, world);
             while attempt.advance(runner.world_mut())? {
-                cycle(&mut runner)?;
+                runner.cycle().map_err(|error| Failure::new(error.to_string(), "choose a smaller image"))?;
             }
             world = runner.into_parts().1;
         }
     }
     Ok(attempt.result(seed, &world))
-}
-
-/// Runs one cycle.
-///
-/// # Errors
-/// If the goalkeeper refuses an image.
-pub fn cycle<Q: Requests, O: Observer<Keeper>>(
-    runner: &mut Runner<Box<Keeper>, KinematicWorld<Model>, Q, O>,
-) -> Result<(), Failure> {
-    let too_large = |error: FrameTooLarge| Failure::new(error.to_string(), "choose a smaller image");
-    runner.cycle().map(drop).map_err(too_large)
 }
 
 /// Command of a robot that stands still.

@@ -6,7 +6,6 @@ use bica_motion::side::Side;
 use bica_player::Model;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::Frame;
 use glam::Vec2;
 use goalkeeper::skills::Dive;
 use goalkeeper::{Goalkeeper, Keeper, shots};
@@ -27,7 +26,7 @@ fn with_stack(test: impl FnOnce() + Send + 'static) {
 }
 
 fn start(ball: Vec2) -> Harness<Keeper, InWorld<KinematicWorld<Model>>> {
-    let world = shots::world(7, ball, Frame::Small).expect("a valid setup");
+    let world = shots::world(7, ball, None).expect("a valid setup");
     let keeper = shots::goalkeeper(&world, &[]).expect("no settings");
     Harness::of_box(keeper).in_world(world)
 }

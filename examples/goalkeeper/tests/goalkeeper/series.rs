@@ -1,12 +1,13 @@
 //! Series of shots.
 
-use goalkeeper::cli::FRAME;
+use std::process::Command;
+
 use goalkeeper::shots::{Plan, Robot};
 
 #[test]
 fn series_has_equal_results_each_time() {
     let plan = Plan { seed: 4000, shots: 2, ..Plan::default() };
-    let play = || plan.play(Robot::Goalkeeper(&[]), FRAME).expect("valid shots");
+    let play = || plan.play(Robot::Goalkeeper(&[])).expect("valid shots");
     let first = play();
     assert_eq!(first, play());
     assert_eq!(first.iter().map(|result| result.seed).collect::<Vec<_>>(), [4000, 4001]);
@@ -18,11 +19,27 @@ fn slow_goalkeeper_halves_goals_of_idle_robot() {
     let plan = Plan::default();
     assert_eq!((plan.seed, plan.shots), (0, 100));
     let let_in = |robot| {
-        let results = plan.play(robot, FRAME).expect("valid shots");
+        let results = plan.play(robot).expect("valid shots");
         assert_eq!(results.len(), 100);
         results.iter().filter(|result| result.let_in).count()
     };
     let (idle, goalkeeper) = (let_in(Robot::Idle), let_in(Robot::Goalkeeper(&[])));
     assert!(idle >= 60, "the shots are too easy: an idle robot lets in {idle}");
     assert!(2 * goalkeeper <= idle, "the goalkeeper lets in {goalkeeper}, an idle robot {idle}");
+}
+
+#[test]
+fn recorded_series_replays_bit_for_bit() {
+    let file = std::env::temp_dir().join(format!("goalkeeper-{}.mcap", std::process::id()));
+    let run = |arguments: &[&str]| {
+        let program = env!("CARGO_BIN_EXE_goalkeeper");
+        let ended = Command::new(program).args(arguments).arg(&file).output().expect("the program");
+        assert!(ended.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&ended.stderr));
+        String::from_utf8(ended.stdout).expect("a text")
+    };
+    let played = run(&["run", "--seed", "4001", "--option", "shots=1", "--record"]);
+    assert!(played.contains("1 shots, "), "{played}");
+    let replayed = run(&["replay"]);
+    std::fs::remove_file(&file).expect("the recording");
+    assert!(replayed.contains("equal"), "{replayed}");
 }

@@ -10,7 +10,7 @@ use jmanager_browser::{Page, Server, target};
 const WIDE: (u32, u32) = (1440, 900);
 /// Longest build of the program, on a busy machine, with nothing built before.
 const BUILD: Duration = Duration::from_mins(25);
-const RUN: &str = "-p goalkeeper --bin goalkeeper -- --serve {address} --seed {seed}";
+const RUN: &str = "-p goalkeeper --bin goalkeeper -- run --serve {address} --seed {seed}";
 const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria-label') ?? null";
 
 /// A copy of all files of the repository.
