@@ -25,7 +25,6 @@ mod field;
 mod in_loop;
 pub mod kinematic;
 mod layout;
-mod motor_heat;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;
@@ -34,12 +33,10 @@ mod random;
 pub mod referee;
 mod scene;
 mod segmentation;
-mod sensor_model;
 pub mod setup;
 mod shared_image;
 pub mod shot;
 mod spectator;
-mod transform;
 mod world;
 
 pub use referee::Referee;

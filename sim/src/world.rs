@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+pub use bica_body::{CYCLE, CYCLE_SECONDS};
 use bica_core::action::Actions;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Command, Sensors};
@@ -9,12 +10,6 @@ use glam::Vec2;
 
 use crate::referee::Referee;
 use crate::shared_image::SharedImage;
-
-/// Period of the control cycle.
-pub const CYCLE: Duration = Duration::from_millis(10);
-
-/// Period of the control cycle, s.
-pub const CYCLE_SECONDS: f32 = 0.01;
 
 /// Camera images in ten control cycles: 30 per second.
 const FRAMES_PER_TEN_CYCLES: u64 = 3;

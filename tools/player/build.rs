@@ -2,7 +2,7 @@
 
 use std::env;
 
-#[path = "../../sim/rpath.rs"]
+#[path = "../../sim/body/rpath.rs"]
 mod rpath;
 
 /// Firmware image for the tests; `cargo xtask firmware` sets it.
@@ -10,7 +10,7 @@ const IMAGE: &str = "BICA_IMAGE";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-changed=../../sim/rpath.rs");
+    println!("cargo::rerun-if-changed=../../sim/body/rpath.rs");
     rpath::set();
     println!("cargo::rustc-check-cfg=cfg(firmware_image)");
     println!("cargo::rerun-if-env-changed={IMAGE}");

@@ -41,7 +41,7 @@ pub(crate) fn install() -> Result<(), String> {
 }
 
 /// Packages with code for MuJoCo; the step of the lints checks the others.
-const PACKAGES: [&str; 4] = ["bica-sim", "bica-evaluation", "bica-player-program", "jmanager"];
+const PACKAGES: [&str; 5] = ["bica-body", "bica-sim", "bica-evaluation", "bica-player-program", "jmanager"];
 
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
@@ -59,7 +59,11 @@ pub(crate) fn check() -> Result<(), String> {
     let packages = PACKAGES.iter().flat_map(|package| ["--package", package]).collect::<Vec<_>>();
     let lints = [&["clippy"], &packages[..], &["--all-targets"], &feature, &["--", "-D", "warnings"]].concat();
     run("cargo", &lints, &[])?;
-    run("cargo", &[&["test", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(), &[])?;
+    run(
+        "cargo",
+        &[&["test", "-p", "bica-body", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(),
+        &[],
+    )?;
     for (package, test) in TESTS {
         run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
     }

@@ -23,8 +23,8 @@ use crate::segmentation::PixelLabel;
 use crate::setup::{Setup, SetupError, check_ball};
 use crate::shared_image::{ImageMemory, SharedImage};
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
-use crate::transform::angular_velocity;
 use crate::world::{CYCLE, World, frame, image_is_due};
+use bica_body::transform::angular_velocity;
 
 /// A robot of the model `M` on the field of 2009, simulated by kinematics.
 #[derive(Clone, Debug)]

@@ -9,17 +9,8 @@ use crate::setup::SetupError;
 pub enum Error {
     /// The setup is invalid.
     Setup(SetupError),
-    /// A parameter of the physics is not finite or outside its range.
-    Physics {
-        /// Name of the parameter.
-        name: &'static str,
-        /// Rejected value.
-        value: f32,
-        /// Minimum and maximum.
-        range: (f32, f32),
-    },
-    /// MuJoCo rejects the model.
-    Model(String),
+    /// The physics are invalid, or MuJoCo rejects the model.
+    Body(bica_body::mujoco::Error),
     /// No renderer is available.
     Camera(String),
 }
@@ -28,10 +19,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Setup(error) => error.fmt(f),
-            Self::Physics { name, value, range: (least, most) } => {
-                write!(f, "`{name}` is {value}, outside of its range {least} to {most}")
-            }
-            Self::Model(error) => write!(f, "MuJoCo rejects the model: {error}"),
+            Self::Body(error) => error.fmt(f),
             Self::Camera(error) => {
                 write!(
                     f,
@@ -47,5 +35,11 @@ impl core::error::Error for Error {}
 impl From<SetupError> for Error {
     fn from(error: SetupError) -> Self {
         Self::Setup(error)
+    }
+}
+
+impl From<bica_body::mujoco::Error> for Error {
+    fn from(error: bica_body::mujoco::Error) -> Self {
+        Self::Body(error)
     }
 }

@@ -28,19 +28,13 @@
 //! Method: rigid bodies with soft contacts (Todorov, Erez and Tassa 2012), time step 2 ms. The robot is the MJCF file of
 //! its model; the field is generated from the same dimensions as in the kinematic simulator.
 
-mod contacts;
 mod error;
-mod fall_monitor;
 mod model;
-mod motors;
-mod physics;
 mod renderer;
 mod robot_camera;
-mod sensor_model;
 mod spectator;
-mod state;
 mod world;
 
+pub use bica_body::mujoco::{Fault, Physics};
 pub use error::Error;
-pub use physics::{Fault, Physics};
 pub use world::MujocoWorld;

@@ -5,7 +5,6 @@ use glam::{Affine3A, Vec2, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase, MjvCamera};
 
 use super::error::Error;
-use super::model::find;
 use super::renderer::{Renderer, describe};
 use crate::camera::canvas::Canvas;
 use crate::camera::image_sensor::ImageSensor;
@@ -14,6 +13,7 @@ use crate::camera::pinhole::PinholeCamera;
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::shared_image::{ImageMemory, SharedImage};
+use bica_body::mujoco::find;
 
 /// Both cameras with renderer and image sensor.
 pub(crate) struct RobotCamera {

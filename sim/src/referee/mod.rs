@@ -6,21 +6,12 @@ mod verdict;
 
 use core::time::Duration;
 
+pub use bica_body::Posture;
 use bica_field::GoalColour;
-use bica_motion::fall::Direction;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 pub use self::event::{Event, TimedEvent};
-
-/// Whether the robot stands or has fallen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Posture {
-    /// On its feet.
-    Upright,
-    /// Falling or lying on the ground; the side to which it fell.
-    Down(Direction),
-}
 
 /// Ground truth of a world and the list of events, for evaluation only.
 ///

@@ -9,7 +9,7 @@ use glam::{Affine3A, Vec2, Vec3};
 
 use crate::kinematic::convex_hull::convex_hull;
 use crate::kinematic::foot_contact::outline;
-use crate::sensor_model::GRAVITY;
+use bica_body::sensor_model::GRAVITY;
 
 /// Maximum height of a sole in contact with the ground, m.
 const CONTACT_HEIGHT: f32 = 0.002;

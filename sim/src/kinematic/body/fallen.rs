@@ -16,7 +16,7 @@ use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
 
 use super::balance::Balance;
 use super::stance::Stance;
-use crate::transform::level_pose;
+use bica_body::transform::level_pose;
 
 /// Time from the loss of balance to the ground, cycles.
 const FALLING: u32 = 60;

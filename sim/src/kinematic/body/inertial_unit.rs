@@ -5,9 +5,9 @@ use bica_motion::robot::Inertial;
 use glam::{Affine3A, Vec3, Vec3A};
 
 use crate::random::Random;
-use crate::sensor_model::{ACCELEROMETER_RANGE, GRAVITY, measure_inertia};
-use crate::transform::angular_velocity;
 use crate::world::CYCLE_SECONDS;
+use bica_body::sensor_model::{ACCELEROMETER_RANGE, GRAVITY, measure_inertia};
+use bica_body::transform::angular_velocity;
 
 /// Filter gain of the acceleration per cycle: the structure damps the steps of the quasi-static motion (our estimate).
 const ACCELERATION_GAIN: f32 = 0.2;

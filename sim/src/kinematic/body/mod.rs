@@ -22,8 +22,8 @@ use self::motors::Motors;
 use self::stance::Stance;
 use crate::random::{Random, Stream};
 use crate::referee::{Event, Posture};
-use crate::sensor_model::{PRESSURE_NOISE, encode, measure_pressure};
-use crate::transform::{fall_direction, ground_pose};
+use bica_body::sensor_model::{PRESSURE_NOISE, encode, measure_pressure};
+use bica_body::transform::{fall_direction, ground_pose};
 
 /// Maximum number of consecutive cycles without balance; after more the robot falls.
 const MAX_UNBALANCED: u32 = 15;

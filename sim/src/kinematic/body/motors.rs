@@ -10,8 +10,8 @@ use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
 
-use crate::motor_heat::MotorHeat;
 use crate::world::CYCLE_SECONDS;
+use bica_body::motor_heat::MotorHeat;
 
 /// Minimum stiffness for full speed; below it the speed is proportional to the stiffness (our estimate).
 const FULL_SPEED_STIFFNESS: f32 = 0.2;

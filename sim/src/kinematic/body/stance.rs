@@ -11,7 +11,7 @@ use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::{Affine3A, Mat3A, Quat, Vec3};
 
-use crate::transform::{ground_pose, level_pose};
+use bica_body::transform::{ground_pose, level_pose};
 
 /// Height by which the other sole must be lower to become the support foot, m.
 const HYSTERESIS: f32 = 0.001;

@@ -9,7 +9,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use super::solid::Solid;
 use crate::camera::canvas::Pixel;
 use crate::camera::palette::{self, Palette};
-use crate::transform::level_pose;
+use bica_body::transform::level_pose;
 use bica_field::GoalColour;
 
 /// Colours of a robot's parts.

@@ -3,6 +3,7 @@
 use core::f32::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
+use bica_body::mujoco::FLOOR;
 use glam::{Vec2, Vec3};
 
 use crate::field::{
@@ -21,8 +22,7 @@ const VISUAL: &str = "contype=\"0\" conaffinity=\"0\"";
 
 /// Writes the geoms of the field.
 pub(crate) fn write(xml: &mut String) {
-    let floor = "contype=\"4\" conaffinity=\"3\" friction=\"0.9 0.005 0.0001\"";
-    let _ = writeln!(xml, "<geom name=\"Floor\" type=\"plane\" size=\"0 0 1\" group=\"3\" {floor}/>");
+    xml.push_str(FLOOR);
     let _ = writeln!(xml, "<geom type=\"plane\" size=\"12 12 1\" pos=\"0 0 -0.01\" material=\"floor\" {VISUAL}/>");
     let Vec2 { x, y } = CARPET;
     let _ = writeln!(xml, "<geom type=\"plane\" size=\"{x} {y} 1\" material=\"carpet\" {VISUAL}/>");

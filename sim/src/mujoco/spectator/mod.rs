@@ -11,10 +11,10 @@ use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::RendererError;
 
 use super::renderer::{Renderer, describe};
-use super::state::write;
 use crate::layout::Layout;
 use crate::setup::Setup;
 use crate::spectator::{Picture, RenderError, SpectatorCamera};
+use bica_body::mujoco::write;
 
 /// Supersampling factor along each axis.
 const SUPERSAMPLING: usize = 2;

@@ -11,11 +11,12 @@ use super::hall;
 use crate::camera::light::Light;
 use crate::field::BALL_RADIUS;
 use crate::layout::{Layout, OtherRobot};
+use crate::mujoco::model::field;
 use crate::mujoco::model::paint::{BACKGROUND, Paint, in_team_colour};
-use crate::mujoco::model::{body_name, field};
 use crate::random::{Random, Stream};
 use crate::setup::Setup;
 use crate::spectator::FIELD_OF_VIEW;
+use bica_body::mujoco::body_name;
 
 /// Intensity of the ambient light.
 const AMBIENT_LIGHT: f32 = 0.47;

@@ -7,7 +7,8 @@ use std::process::Command;
 use crate::process::{Folder, Ran, Served, example};
 
 /// Packages that only a humanoid or a soccer robot needs.
-const FOREIGN: [&str; 9] = [
+const FOREIGN: [&str; 10] = [
+    "bica-body",
     "bica-motion",
     "bica-field",
     "bica-vision",

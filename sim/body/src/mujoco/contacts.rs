@@ -3,7 +3,9 @@
 use bica_motion::robot::Buttons;
 use bica_motion::side::Side;
 use glam::Vec3;
-use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
+use mujoco_rs::prelude::{MjModel, MjtObjBase};
+
+use super::state::Data;
 
 /// Cosine of the angle between foot and contact within which a bumper is pressed (60°).
 const BUMPER_COSINE: f32 = 0.5;
@@ -15,9 +17,10 @@ enum Owner {
     /// The robot without its feet.
     Body,
     Floor,
-    /// Post, net or another robot.
+    /// Contact type 8: what stands around, such as another robot.
     Obstacle,
-    Ball,
+    /// Contact type 16: what a foot moves.
+    Loose,
 }
 
 /// Owners of all geoms of a model.
@@ -25,15 +28,15 @@ pub(crate) struct GeomOwners(Vec<Owner>);
 
 /// Contacts of the robot during a control cycle.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Contacts {
-    /// The foot that touched the ball last.
-    pub(crate) ball: Option<Side>,
+pub struct Contacts {
+    /// The foot that touched a loose object last.
+    pub loose: Option<Side>,
     /// Whether the robot touched an obstacle.
-    pub(crate) obstacle: bool,
+    pub obstacle: bool,
     /// Whether a part of the robot other than its feet touched the floor.
-    pub(crate) floor: bool,
+    pub floor: bool,
     /// Pressed bumpers.
-    pub(crate) buttons: Buttons,
+    pub buttons: Buttons,
 }
 
 impl GeomOwners {
@@ -46,7 +49,7 @@ impl GeomOwners {
                 ("RSole" | "RFootShell", _) => Owner::Foot(Side::Right),
                 (_, 4) => Owner::Floor,
                 (_, 8) => Owner::Obstacle,
-                (_, 16) => Owner::Ball,
+                (_, 16) => Owner::Loose,
                 _ => Owner::Body,
             }
         };
@@ -54,7 +57,7 @@ impl GeomOwners {
     }
 
     /// Adds the current contacts. `ahead`: forward directions of both feet, left first.
-    pub(crate) fn collect(&self, data: &MjData<Box<MjModel>>, ahead: [Vec3; 2], contacts: &mut Contacts) {
+    pub(crate) fn collect(&self, data: &Data, ahead: [Vec3; 2], contacts: &mut Contacts) {
         for contact in data.contact().iter().filter(|contact| contact.dist <= 0.0) {
             let [a, b] = contact.geom.map(|geom| self.0.get(geom as usize).copied());
             let (Some(a), Some(b)) = (a, b) else { continue };
@@ -69,7 +72,7 @@ impl Contacts {
     /// Adds a contact between `own` and `other`; `outward`: contact normal from `own` to `other`.
     fn add(&mut self, own: Owner, other: Owner, outward: Vec3, ahead: [Vec3; 2]) {
         match (own, other) {
-            (Owner::Foot(side), Owner::Ball) => self.ball = Some(side),
+            (Owner::Foot(side), Owner::Loose) => self.loose = Some(side),
             (Owner::Foot(side), Owner::Obstacle) => {
                 self.obstacle = true;
                 let pressed = outward.dot(ahead[side.index()]) > BUMPER_COSINE;

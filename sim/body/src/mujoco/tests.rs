@@ -1,24 +1,25 @@
 //! The MJCF file agrees with the robot model.
 
-use bica_motion::joints::Joints;
-use bica_motion::kinematics::{Skeleton, YawFrom, ankle, legs_angles};
-use bica_motion::model::{K1, Nao, T1};
-use bica_motion::robot::Command;
+use bica_motion::joints::{Joint, Joints};
+use bica_motion::kinematics::{Segment, Skeleton, YawFrom, ankle, legs_angles};
+use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::{K1, Nao, RobotModel, T1};
+use bica_motion::robot::{CameraId, Command};
+use bica_motion::side::Side;
 use glam::{Vec3, Vec3A};
-use mujoco_rs::prelude::{MjData, MjModel, MjtObjBase};
+use mujoco_rs::prelude::{MjData, MjtObjBase};
 
-use super::*;
-use crate::mujoco::motors::Motors;
-use crate::setup::Setup;
+use super::model::joint_name;
+use super::motors::Motors;
+use super::{Data, Model, Physics, body_name, find};
+use crate::random::Random;
 
 fn model<M: MujocoModel>() -> Model {
-    let setup = Setup::default();
-    let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
-    Model::new::<M>(&setup, &layout, &Physics::of::<M>()).unwrap()
+    Model::on_floor::<M>(&Physics::of::<M>()).unwrap()
 }
 
 /// Returns the model with the robot frame at the origin of the field and these angles.
-fn posed(model: Model, angles: &Joints) -> MjData<Box<MjModel>> {
+fn posed(model: Model, angles: &Joints) -> Data {
     let right = find(&model.physics, MjtObjBase::mjOBJ_JOINT, "RHipYawPitch").ok();
     let right = right.map(|joint| model.physics.jnt_qposadr()[joint] as usize);
     let mut data = MjData::new(model.physics);
@@ -71,7 +72,7 @@ of_each_robot! {
 }
 
 fn check_inverse<M: MujocoModel>() {
-    let mut random = Random::new(3, Stream::Start);
+    let mut random = Random::new(3, 0_u64);
     for _ in 0..30 {
         let mut angles = any_angles::<M>(&mut random);
         // Beyond, another posture reaches the same pose.
@@ -99,7 +100,7 @@ fn check_inverse<M: MujocoModel>() {
 }
 
 fn check_poses<M: MujocoModel>() {
-    let mut random = Random::new(1, Stream::Start);
+    let mut random = Random::new(1, 0_u64);
     for _ in 0..30 {
         let (angles, model) = (any_angles::<M>(&mut random), model::<M>());
         let data = posed(model, &angles);
@@ -125,7 +126,7 @@ fn check_poses<M: MujocoModel>() {
 }
 
 fn check_masses<M: MujocoModel>() {
-    let mut random = Random::new(2, Stream::Start);
+    let mut random = Random::new(2, 0_u64);
     for _ in 0..30 {
         let angles = any_angles::<M>(&mut random);
         let mut data = posed(model::<M>(), &angles);

@@ -9,7 +9,7 @@ use glam::Vec3;
 
 use super::model::STEP;
 use super::physics::Physics;
-use crate::random::{Random, Stream};
+use crate::random::Random;
 use crate::sensor_model::{ACCELEROMETER_RANGE, PRESSURE_NOISE, encode, measure_inertia, measure_pressure};
 
 /// Averaging window of the inertial unit, steps of the physics: one control cycle.
@@ -53,10 +53,9 @@ pub(crate) struct SensorModel {
 
 impl SensorModel {
     /// Returns the sensors of a body at rest.
-    pub(crate) fn new(now: IdealMeasurement, seed: u64, physics: &Physics) -> Self {
+    pub(crate) fn new(now: IdealMeasurement, random: Random, physics: &Physics) -> Self {
         let delay = libm::roundf(physics.sensor_delay / STEP) as usize;
         let history = core::iter::repeat_n(now, delay + WINDOW).collect();
-        let random = Random::new(seed, Stream::Sensors);
         Self { history, delay, noise: physics.noise, random, gyroscope_failed: false, failed_soles: [false; 2] }
     }
 
@@ -130,7 +129,7 @@ mod tests {
     fn each_measurement_has_age_of_delay() {
         for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
             let physics = Physics { sensor_delay, noise: 0.0, ..Physics::of::<TestModel>() };
-            let mut sensors = SensorModel::new(ideal(0), 1, &physics);
+            let mut sensors = SensorModel::new(ideal(0), Random::new(1, 2_u64), &physics);
             for step in 1..=100 {
                 sensors.step(ideal(step));
             }
@@ -157,7 +156,8 @@ mod tests {
         for noise in [0.0, 1.0, 5.0] {
             let still = IdealMeasurement { up: Vec3::Z, ..ideal(0) };
             let still = IdealMeasurement { feet: ideal(10).feet, ..still };
-            let mut sensors = SensorModel::new(still, 1, &Physics { noise, ..Physics::of::<TestModel>() });
+            let mut sensors =
+                SensorModel::new(still, Random::new(1, 2_u64), &Physics { noise, ..Physics::of::<TestModel>() });
             let mut squares = [0.0_f32; 10];
             for _ in 0..3_000 {
                 let Measurement { inertial, feet, .. } = sensors.measure();
@@ -180,9 +180,13 @@ mod tests {
     fn accelerometer_saturates_at_two_g() {
         let hit =
             IdealMeasurement { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..ideal(0) };
-        let measured = SensorModel::new(hit, 1, &Physics { noise: 0.0, ..Physics::of::<TestModel>() }).measure();
+        let measured =
+            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 0.0, ..Physics::of::<TestModel>() })
+                .measure();
         assert!((measured.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
-        let noisy = SensorModel::new(hit, 1, &Physics { noise: 10.0, ..Physics::of::<TestModel>() }).measure();
+        let noisy =
+            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 10.0, ..Physics::of::<TestModel>() })
+                .measure();
         assert_eq!(noisy.feet, <[FootPressure; 2]>::default());
     }
 }

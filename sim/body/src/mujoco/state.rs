@@ -6,15 +6,17 @@ use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
-use glam::{Affine3A, Quat, Vec2, Vec3};
+use glam::{Affine3A, Quat, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel};
 
 use super::model::{Drive, FreeJoint};
 use super::sensor_model::IdealMeasurement;
-use crate::field::BALL_RADIUS;
+
+/// State of all that is simulated.
+pub type Data = MjData<Box<MjModel>>;
 
 /// Sets the robot to its standing posture above a pose on the ground.
-pub(crate) fn stand<M: RobotModel>(data: &mut MjData<Box<MjModel>>, torso: FreeJoint, drives: &[Drive], at: Pose2) {
+pub(crate) fn stand<M: RobotModel>(data: &mut Data, torso: FreeJoint, drives: &[Drive], at: Pose2) {
     let sole = Skeleton::<M>::of(&M::STAND).sole(Side::Left);
     let turn = Quat::from_rotation_z(at.heading);
     let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
@@ -24,21 +26,15 @@ pub(crate) fn stand<M: RobotModel>(data: &mut MjData<Box<MjModel>>, torso: FreeJ
     }
 }
 
-/// Sets the ball to a position, at rest.
-pub(crate) fn place(data: &mut MjData<Box<MjModel>>, ball: FreeJoint, at: Vec2) {
-    write(&mut data.qpos_mut()[ball.position..], &[at.x, at.y, BALL_RADIUS, 1.0, 0.0, 0.0, 0.0]);
-    data.qvel_mut()[ball.velocity..][..6].fill(0.0);
-}
-
 /// Writes numbers to the first elements.
-pub(crate) fn write(to: &mut [f64], numbers: &[f32]) {
+pub fn write(to: &mut [f64], numbers: &[f32]) {
     for (to, number) in to.iter_mut().zip(numbers) {
         *to = f64::from(*number);
     }
 }
 
 /// Returns the joint angles; 0 for joints that the robot does not have.
-pub(crate) fn angles(data: &MjData<Box<MjModel>>, drives: &[Drive]) -> Joints {
+pub(crate) fn angles(data: &Data, drives: &[Drive]) -> Joints {
     let mut angles = Joints::all(0.0);
     for drive in drives {
         angles[drive.joint] = data.qpos()[drive.position] as f32;
@@ -46,15 +42,16 @@ pub(crate) fn angles(data: &MjData<Box<MjModel>>, drives: &[Drive]) -> Joints {
     angles
 }
 
-/// Returns the pose of a body with a free joint, field frame.
-pub(crate) fn pose(data: &MjData<Box<MjModel>>, body: FreeJoint) -> Affine3A {
+/// Returns the pose of a body with a free joint, world frame.
+#[must_use]
+pub fn pose(data: &Data, body: FreeJoint) -> Affine3A {
     let at = |i: usize| data.qpos()[body.position + i] as f32;
     let turn = Quat::from_xyzw(at(4), at(5), at(6), at(3)).normalize();
     Affine3A::from_rotation_translation(turn, Vec3::new(at(0), at(1), at(2)))
 }
 
 /// Returns the measurements of ideal sensors.
-pub(crate) fn ideal_measurement(data: &MjData<Box<MjModel>>, torso: FreeJoint, drives: &[Drive]) -> IdealMeasurement {
+pub(crate) fn ideal_measurement(data: &Data, torso: FreeJoint, drives: &[Drive]) -> IdealMeasurement {
     // A robot without pressure sensors measures no force.
     let sensed = |i: usize| data.sensordata().get(i).map_or(0.0, |&value| value as f32);
     let three = |i: usize| Vec3::new(sensed(i), sensed(i + 1), sensed(i + 2));

@@ -8,7 +8,7 @@ use glam::Vec3;
 use libm::{asinf, atan2f, roundf};
 
 /// Gravity, m/s².
-pub(crate) const GRAVITY: f32 = 9.81;
+pub const GRAVITY: f32 = 9.81;
 /// Standard deviation of the gyroscope, rad/s. Source: variance in B-Human 2023 `NaoProvider.h`.
 const GYRO_NOISE: f32 = 0.001_97;
 /// Standard deviation of the accelerometer, m/s². Source: as for the gyroscope.
@@ -16,16 +16,17 @@ const ACCELERATION_NOISE: f32 = 0.0193;
 /// Standard deviation of the estimated torso angles, rad (our estimate).
 const ANGLE_NOISE: f32 = 0.002;
 /// Standard deviation of a pressure sensor under load, N (our estimate).
-pub(crate) const PRESSURE_NOISE: f32 = 0.2;
+pub const PRESSURE_NOISE: f32 = 0.2;
 /// Range of the accelerometer, m/s² (±2 g).
-pub(crate) const ACCELEROMETER_RANGE: f32 = 2.0 * GRAVITY;
+pub const ACCELEROMETER_RANGE: f32 = 2.0 * GRAVITY;
 /// Resolution of a joint's encoder, rad: 12 bits per turn.
 const ENCODER_RESOLUTION: f32 = TAU / 4096.0;
 
 /// Measures an angular velocity, rad/s, a specific force, m/s², and the z components `up` of the torso's axes.
 ///
 /// `noise` draws a number with the standard deviation that it receives.
-pub(crate) fn measure_inertia(gyro: Vec3, force: Vec3, up: Vec3, mut noise: impl FnMut(f32) -> f32) -> Inertial {
+#[must_use]
+pub fn measure_inertia(gyro: Vec3, force: Vec3, up: Vec3, mut noise: impl FnMut(f32) -> f32) -> Inertial {
     let mut vector = |deviation: f32| Vec3::new(noise(deviation), noise(deviation), noise(deviation));
     Inertial {
         gyro: gyro + vector(GYRO_NOISE),
@@ -36,12 +37,14 @@ pub(crate) fn measure_inertia(gyro: Vec3, force: Vec3, up: Vec3, mut noise: impl
 }
 
 /// Rounds joint angles to the resolution of the encoders.
-pub(crate) fn encode(angles: &Joints) -> Joints {
+#[must_use]
+pub fn encode(angles: &Joints) -> Joints {
     Joints(angles.0.map(|angle| ENCODER_RESOLUTION * roundf(angle / ENCODER_RESOLUTION)))
 }
 
 /// Adds noise, N, to the forces on a sole; a sole without load reads exactly 0.
-pub(crate) fn measure_pressure(force: &FootPressure, mut noise: impl FnMut() -> f32) -> FootPressure {
+#[must_use]
+pub fn measure_pressure(force: &FootPressure, mut noise: impl FnMut() -> f32) -> FootPressure {
     let mut measure = |force: f32| (force + noise()).max(0.0);
     let measured = FootPressure {
         front_left: measure(force.front_left),

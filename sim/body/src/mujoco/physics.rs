@@ -22,7 +22,7 @@ pub struct Physics {
     pub sensor_delay: f32,
     /// Factor on the noise of the body's sensors, 0 to 100: 1 is the noise of a NAO (B-Human 2023), 0 is none.
     pub noise: f32,
-    /// Whether camera images are rendered. Without them the simulation is faster and needs no renderer.
+    /// Whether a world with cameras renders their images. Without them the simulation is faster and needs no renderer.
     pub cameras: bool,
 }
 

@@ -3,7 +3,7 @@
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::simulation::SimulatedModel;
 
-use crate::world::CYCLE_SECONDS;
+use crate::CYCLE_SECONDS;
 
 /// Ambient temperature, and initial temperature of a motor, °C.
 const AMBIENT: f32 = 25.0;
@@ -16,7 +16,7 @@ const TIME_CONSTANT: f32 = 600.0;
 /// Currents and temperatures of all motors. Each motor with its gear is a first-order thermal model: copper loss (current
 /// squared) heats it, and it cools in proportion to its rise above ambient.
 #[derive(Clone, Debug)]
-pub(crate) struct MotorHeat {
+pub struct MotorHeat {
     temperatures: Joints,
     currents: Joints,
     /// Current at which each motor settles at [`STEADY_RISE`], A.
@@ -25,7 +25,8 @@ pub(crate) struct MotorHeat {
 
 impl MotorHeat {
     /// Returns motors at ambient temperature.
-    pub(crate) fn new<M: SimulatedModel>() -> Self {
+    #[must_use]
+    pub fn new<M: SimulatedModel>() -> Self {
         let current =
             |joint| libm::sqrtf(M::THERMAL_RATINGS[joint].continuous_loss() / M::ACTUATORS[joint].resistance());
         let continuous = Joints(Joint::ALL.map(current));
@@ -33,7 +34,7 @@ impl MotorHeat {
     }
 
     /// Advances by one control cycle in which the motors draw these currents, A.
-    pub(crate) fn step(&mut self, currents: Joints) {
+    pub fn step(&mut self, currents: Joints) {
         self.currents = currents;
         for i in 0..JOINTS {
             let share = currents.0[i] / self.continuous.0[i];
@@ -43,17 +44,19 @@ impl MotorHeat {
     }
 
     /// Sets the temperature of a motor, °C.
-    pub(crate) fn set(&mut self, joint: Joint, temperature: f32) {
+    pub fn set(&mut self, joint: Joint, temperature: f32) {
         self.temperatures[joint] = temperature;
     }
 
     /// Currents in the last cycle, A.
-    pub(crate) const fn currents(&self) -> Joints {
+    #[must_use]
+    pub const fn currents(&self) -> Joints {
         self.currents
     }
 
     /// Measured temperatures: rounded down to whole degrees, °C.
-    pub(crate) fn temperatures(&self) -> Joints {
+    #[must_use]
+    pub fn temperatures(&self) -> Joints {
         Joints(self.temperatures.0.map(libm::floorf))
     }
 }

@@ -5,27 +5,31 @@ use bica_motion::pose::Pose2;
 use glam::{Affine3A, Mat3A, Quat, Vec2, Vec3};
 use libm::atan2f;
 
-use crate::world::CYCLE_SECONDS;
+use crate::CYCLE_SECONDS;
 
 /// Projects a pose in space to the ground: its origin, and the heading of its x axis.
-pub(crate) fn ground_pose(pose: &Affine3A) -> Pose2 {
+#[must_use]
+pub fn ground_pose(pose: &Affine3A) -> Pose2 {
     let ahead = pose.matrix3.x_axis;
     Pose2 { position: pose.translation.truncate(), heading: atan2f(ahead.y, ahead.x) }
 }
 
 /// Converts a pose on the ground to a level pose in space at height 0.
-pub(crate) fn level_pose(pose: &Pose2) -> Affine3A {
+#[must_use]
+pub fn level_pose(pose: &Pose2) -> Affine3A {
     Affine3A::from_translation(pose.position.extend(0.0)) * Affine3A::from_rotation_z(pose.heading)
 }
 
 /// Computes the mean angular velocity between two orientations one control cycle apart, rad/s, in the rotating frame.
-pub(crate) fn angular_velocity(from: &Mat3A, to: &Mat3A) -> Vec3 {
+#[must_use]
+pub fn angular_velocity(from: &Mat3A, to: &Mat3A) -> Vec3 {
     let turn = Quat::from_mat3a(&(from.transpose() * *to)).normalize();
     turn.to_scaled_axis() / CYCLE_SECONDS
 }
 
 /// Returns the side of the body to which a horizontal direction in the robot frame points.
-pub(crate) fn fall_direction(direction: Vec2) -> Direction {
+#[must_use]
+pub fn fall_direction(direction: Vec2) -> Direction {
     match (direction.x.abs() >= direction.y.abs(), direction.x >= 0.0, direction.y >= 0.0) {
         (true, true, _) => Direction::Front,
         (true, false, _) => Direction::Back,

@@ -1,10 +1,10 @@
-//! Detection of falls and of getting up, for the referee.
+//! Detection of falls and of getting up.
 
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::{Pose2, rotate};
 use glam::{Affine3A, Vec2};
 
-use crate::referee::{Event, Posture};
+use crate::Posture;
 use crate::transform::{fall_direction, ground_pose};
 
 /// Vertical component of the torso axis below which the robot falls: it leans by more than 53°.
@@ -31,8 +31,8 @@ impl FallMonitor {
     }
 
     /// Updates with the pose of the robot frame, once per cycle; `floor`: whether a part other than the feet touches the floor.
-    /// Returns the event if the robot falls or gets up.
-    pub(crate) fn step<M: SimulatedModel>(&mut self, robot: &Affine3A, floor: bool) -> Option<Event> {
+    /// Returns the new posture if the robot falls or gets up.
+    pub(crate) fn step<M: SimulatedModel>(&mut self, robot: &Affine3A, floor: bool) -> Option<Posture> {
         let up = robot.matrix3.z_axis.z;
         let upright = up > UPRIGHT_COSINE && robot.translation.z > M::EXTENTS.min_hip_height && !floor;
         self.standing = if upright { self.standing + 1 } else { 0 };
@@ -43,17 +43,15 @@ impl FallMonitor {
         match self.posture {
             Posture::Upright => {
                 let lean = rotate(Vec2::new(robot.matrix3.z_axis.x, robot.matrix3.z_axis.y), -self.heading);
-                let fall = fall_direction(lean);
-                self.posture = Posture::Down(fall);
-                Some(Event::Fall(fall))
+                self.posture = Posture::Down(fall_direction(lean));
             }
             Posture::Down(_) if self.standing >= STANDING_CYCLES => {
                 self.posture = Posture::Upright;
                 self.heading = heading(robot);
-                Some(Event::GotUp)
             }
-            Posture::Down(_) => None,
+            Posture::Down(_) => return None,
         }
+        Some(self.posture)
     }
 
     /// Whether the robot stands or has fallen.
