@@ -9,7 +9,7 @@ use crate::install::packages;
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, deny, firmware, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling, viewers,
+    browser, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling, viewers,
 };
 
 /// Step of CI, in its order.
@@ -39,6 +39,8 @@ pub(crate) enum Step {
     /// Instructions of the benchmarks
     Budget,
     Mujoco,
+    /// Plays in the server of the simulation league
+    League,
     /// Builds of the robot's crates for a Cortex-M, without a heap
     NoStd,
     Firmware,
@@ -63,6 +65,7 @@ impl Step {
             Self::Miri => miri::install(),
             Self::Budget if !works("valgrind", &["--version"]) => packages(&["valgrind"]),
             Self::Mujoco => mujoco::install(),
+            Self::League => league::install(),
             Self::NoStd => no_std::Toolchain::get().map(drop),
             Self::Firmware => firmware::install_emulator(),
             Self::Browser => browser::install(),
@@ -88,6 +91,7 @@ impl Step {
             Self::Miri => miri::check(),
             Self::Budget => budget(),
             Self::Mujoco => mujoco::check(),
+            Self::League => league::check(),
             Self::NoStd => no_std::check(),
             Self::Firmware => firmware::check(&Firmware::default()),
             Self::Browser => browser::test(false),
@@ -206,9 +210,9 @@ mod tests {
     #[test]
     fn steps_left_out_are_named() {
         let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], only: Vec::new() });
-        assert_eq!((steps.len(), summary(&left_out)), (16, "LEFT OUT: miri, browser".to_owned()));
+        assert_eq!((steps.len(), summary(&left_out)), (17, "LEFT OUT: miri, browser".to_owned()));
         let (steps, left_out) = select(&Ci { without: Vec::new(), only: vec![Step::NoStd] });
-        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 17));
+        assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 18));
         assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
     }
 

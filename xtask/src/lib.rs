@@ -9,6 +9,7 @@ mod deny;
 mod firmware;
 mod fuzz;
 mod install;
+mod league;
 mod miri;
 mod mujoco;
 mod no_std;
@@ -47,6 +48,7 @@ fn perform(task: &Task) -> Result<(), String> {
     match task {
         Task::Firmware(options) => firmware::check(options),
         Task::Mujoco => mujoco::install(),
+        Task::League => league::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),
         Task::Python => python::check(&[], &[]),
         Task::Ros => ros::check(true),

@@ -36,6 +36,10 @@ pub(crate) enum Task {
     /// Puts MuJoCo's library into target/mujoco (from PyPI, with pip), for the feature `mujoco`, and installs EGL with Mesa's
     /// software renderer (with apt).
     Mujoco,
+    /// Install the server of the simulation league: what `play --world league` needs
+    ///
+    /// Puts `RCSSServerMJ` (`rcsssmj` 0.2.1 of `PyPI`, with pip) into target/league, an environment of its own.
+    League,
     /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
     ///
     /// First installs cargo-fuzz into target/.

@@ -1,0 +1,27 @@
+//! The server of the simulation league, and its checks.
+
+use crate::install::{folder, python};
+use crate::process::run;
+
+/// Package of the server on `PyPI`, which brings `MuJoCo`.
+const SERVER: &str = "rcsssmj==0.2.1";
+/// What the server's environment must be able to import; it fails with another version.
+const MODULE: &str = "rcsssmj, importlib.metadata; assert importlib.metadata.version('rcsssmj') == '0.2.1'";
+
+/// Installs the server into an environment of its own, with pip.
+///
+/// # Errors
+/// If the installation fails.
+pub(crate) fn install() -> Result<(), String> {
+    let venv = folder("league").to_string_lossy().into_owned();
+    eprintln!("xtask: {SERVER} belongs into {venv}; if it is missing, pip installs it there");
+    python(&venv, MODULE, &[SERVER]).map(drop)
+}
+
+/// Tests the client with the server.
+///
+/// # Errors
+/// If a test fails.
+pub(crate) fn check() -> Result<(), String> {
+    run("cargo", &["test", "-p", "bica-league", "--", "--ignored"], &[])
+}
