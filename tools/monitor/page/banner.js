@@ -3,7 +3,9 @@
 import { html } from './lib/dom.js';
 import { link } from './lib/connection.js';
 import * as dock from './lib/dock.js';
+import { duration, time } from './lib/format.js';
 import * as store from './lib/store.js';
+import { alarm, draft, goOn, parts } from './lib/watches.js';
 
 const lost = (text) => html`<div class="banner lost" role="alert">${text}</div>`;
 
@@ -13,6 +15,7 @@ export function Banner() {
   if (!own || own.connection === 'connecting') return null;
   const { name, connection, note, result, kind } = own;
   if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
+  if (alarm.value) return html`<${Alarm} ...${alarm.value} />`;
   if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<${Result} own=${own} />`;
   if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
   return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
@@ -27,4 +30,16 @@ function Result({ own }) {
       <button onClick=${() => restart(seed + 1, `the world begins with seed ${seed + 1}`)}>Next seed, ${seed + 1}</button>`}
     ${can.pause && paused && connection === 'connected' && html`<button onClick=${() => store.act('resume')}>Go on</button>`}
     <button onClick=${() => dock.open('recordings')}>Keep the recording…</button></div>`;
+}
+
+/** The watch that fired last, and what can be done. */
+function Alarm({ text, time: at, paused }) {
+  const { condition, hold_us: hold } = parts(text);
+  const edit = () => {
+    draft.value = text;
+    dock.open('watches');
+  };
+  return html`<div class="banner alarm" role="alert"><span><b class="blocks">Watch fired at ${time(at)}:</b> ${condition}${hold > 0 && ` for ${duration(hold)}`}.${paused && ` The world is paused; all panels show ${time(at)}.`}</span><span class="grow"></span>
+    ${paused ? html`<button class="primary" onClick=${goOn}>Go on</button>` : html`<button class="primary" onClick=${() => store.seek(at)}>Show that moment</button>`}
+    <button onClick=${edit}>Edit watch</button><button aria-label="Dismiss the alert" onClick=${() => { alarm.value = null; }}>×</button></div>`;
 }

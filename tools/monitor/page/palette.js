@@ -6,6 +6,7 @@ import { text as shortText, time } from './lib/format.js';
 import { allKeys } from './lib/keys.js';
 import { PANELS } from './lib/panels.js';
 import * as store from './lib/store.js';
+import { draft, watches } from './lib/watches.js';
 import { wish } from './panels/component/answer.js';
 
 export const paletteShown = signal(false);
@@ -50,7 +51,8 @@ function everything() {
   const sessions = [...store.sessions.value.values()].map(({ id, info }) => ({ kind: 'session', name: info.value.name, place: info.value.result, value: info.value.connection, run: () => store.show(id) }));
   const layouts = dock.presets().map(([name, { title }, key]) => ({ kind: 'layout', name: title, place: '', value: `key ${key}`, run: () => dock.preset(name) }));
   const panels = Object.entries(PANELS).map(([name, { title }]) => ({ kind: 'panel', name: title, place: '', value: dock.opened.value.has(name) ? 'open' : '', run: () => dock.open(name) }));
-  return [...ofComponents(), ...sessions, ...layouts, ...panels, ...commands()];
+  const watched = watches.value.map(({ text }) => ({ kind: 'watch', name: text, place: '', value: '', run: () => { draft.value = text; dock.open('watches'); } }));
+  return [...ofComponents(), ...watched, ...sessions, ...layouts, ...panels, ...commands()];
 }
 
 const commands = () => allKeys().filter(({ where }) => !where).map(({ key, text, group, run }) => ({ kind: 'command', name: text, place: group, value: key === ' ' ? 'Space' : key, run }));

@@ -1,13 +1,14 @@
 // The docked panels.
 
 import { createDockview } from '../vendor/dockview.js';
-import { Fragment, html, render, signal } from './dom.js';
+import { Fragment, effect, html, render, signal } from './dom.js';
 import { PANELS } from './panels.js';
 import { fitted, narrowed } from './places.js';
 import { PRESETS } from './presets.js';
 import { hello, notify, selected, session } from './store.js';
 import { stored } from './stored.js';
 import { theme } from './theme.js';
+import { replace, watches } from './watches.js';
 
 let api = null;
 let lastNumber = 0;
@@ -65,6 +66,9 @@ export function start(element) {
   api.onDidLayoutChange(() => {
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();
+  });
+  effect(() => {
+    if (watches.value.length > 0 || memory.read()?.watches?.length > 0) saveSoon();
   });
   window.addEventListener('pagehide', save);
 }
@@ -169,13 +173,14 @@ export function address({ session, time = null, layout: shown }) {
   return `${location.pathname}${parts.size > 0 ? `#${parts}` : ''}`;
 }
 
-/** The layout as data, and back. */
-export const layout = () => api.toJSON();
+/** The layout with its watches as data, and back. */
+export const layout = () => ({ ...api.toJSON(), watches: watches.peek() });
 
 export function applyLayout(data, name) {
   const before = api.toJSON();
   try {
     api.fromJSON(data);
+    replace(data.watches);
     layoutName.value = name;
     return true;
   } catch {
@@ -192,7 +197,7 @@ const saveSoon = () => { saving ??= setTimeout(save, 500); };
 function save() {
   clearTimeout(saving);
   saving = null;
-  memory.write(api.toJSON());
+  memory.write(layout());
 }
 
 /** Restores the layout of the last visit; returns whether there was one. */

@@ -4,12 +4,13 @@ const FUNCTIONS = {
   sqrt: Math.sqrt, abs: Math.abs, min: Math.min, max: Math.max, hypot: Math.hypot, sin: Math.sin, cos: Math.cos, atan2: Math.atan2, sign: Math.sign, floor: Math.floor,
 };
 /** Operators by precedence, the weakest first. */
-const LEVELS = [['||'], ['&&'], ['>', '<', '>=', '<='], ['+', '-'], ['*', '/']];
+const LEVELS = [['||'], ['&&'], ['>', '<', '>=', '<=', '==', '!='], ['+', '-'], ['*', '/']];
 const APPLY = {
   '||': (a, b) => a || b, '&&': (a, b) => a && b, '>': (a, b) => Number(a > b), '<': (a, b) => Number(a < b), '>=': (a, b) => Number(a >= b), '<=': (a, b) => Number(a <= b),
+  '==': (a, b) => Number(a === b), '!=': (a, b) => Number(a !== b),
   '+': (a, b) => a + b, '-': (a, b) => a - b, '*': (a, b) => a * b, '/': (a, b) => a / b, '^': (a, b) => a ** b,
 };
-const TOKEN = /\s*(\d+(?:\.\d+)?(?:e[+-]?\d+)?|[A-Za-z_][\w.[\]]*|>=|<=|&&|\|\||[-+*/^()<>,])/gy;
+const TOKEN = /\s*(\d+(?:\.\d+)?(?:e[+-]?\d+)?|[A-Za-z_][\w.[\]]*|>=|<=|==|!=|&&|\|\||[-+*/^()<>,])/gy;
 
 /**
  * Reads an expression: {names, begin}. `begin()` starts a course of samples; it returns a function of the time, s, and of the values of
@@ -19,7 +20,7 @@ export function expression(text) {
   const tokens = [];
   TOKEN.lastIndex = 0;
   for (let found = TOKEN.exec(text); found; found = TOKEN.exec(text)) tokens.push(found[1]);
-  if (tokens.join('') !== text.replace(/\s+/g, '')) throw new Error(`“${text}” has a sign that is none of + - * / ^ ( ) < > , && ||`);
+  if (tokens.join('') !== text.replace(/\s+/g, '')) throw new Error(`“${text}” has a sign that is none of + - * / ^ ( ) < > = ! , && ||`);
   const names = [];
   let at = 0;
   let rates = 0;

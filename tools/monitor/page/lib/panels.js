@@ -9,6 +9,7 @@ import { GroundMap, hasMap } from '../panels/map.js';
 import { Plot } from '../panels/plot.js';
 import { Latency } from '../panels/latency.js';
 import { Log } from '../panels/log.js';
+import { Watches } from '../panels/watches.js';
 import { Drive, canDrive } from '../panels/drive.js';
 import { Recordings } from '../panels/recordings.js';
 import { Designer } from '../panels/vicode.js';
@@ -26,6 +27,7 @@ export const PANELS = {
   plot: { title: 'Plot', view: Plot, many: true },
   latency: { title: 'Latency', view: Latency, offered: (shown) => shown.info.value.can.costs },
   log: { title: 'Log', view: Log },
+  watches: { title: 'Watches', view: Watches },
   drive: { title: 'Drive', view: Drive, offered: canDrive },
   recordings: { title: 'Recordings', view: Recordings },
   vicode: { title: 'Designer', view: Designer },

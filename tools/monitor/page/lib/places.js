@@ -4,7 +4,7 @@ export const right = (beside, size) => ({ beside, direction: 'right', size });
 export const below = (beside, size) => ({ beside, direction: 'below', size });
 export const within = (beside, inactive = true) => ({ beside, direction: 'within', inactive });
 
-const LOWER = /^(timeline|plot|log|latency|code|inspector)/;
+const LOWER = /^(timeline|plot|watches|log|latency|code|inspector)/;
 
 /** The panels of a layout on a narrow window, where they share two groups. */
 export function narrowed(panels) {

@@ -27,6 +27,7 @@ export const PRESETS = {
       ['recordings', within('component')],
       ['map', below('camera', height * 0.34)],
       ['plot:1', within('timeline')],
+      ['watches', within('timeline')],
       ['log', within('timeline')],
       ['latency', within('timeline')],
     ],
@@ -39,6 +40,7 @@ export const PRESETS = {
       ['timeline', below('tree', height * 0.37)],
       ['log', below('component', height * 0.2)],
       ['plot:1', within('timeline')],
+      ['watches', within('timeline')],
       ['drive', within('component')],
     ],
   },
@@ -69,6 +71,7 @@ export const PRESETS = {
       ['component', within('recordings')],
       ['log', within('timeline')],
       ['plot:1', within('timeline')],
+      ['watches', within('timeline')],
     ],
   },
   designer: {

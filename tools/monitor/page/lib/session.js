@@ -18,10 +18,16 @@ export class Information {
     this.version = signal(0);
   }
 
-  add(time, value) {
+  /** Adds a sample if it is newer. */
+  store(time, value) {
     if (this.times.length > 0 && time <= this.times.at(-1)) return;
     this.times.push(time);
     this.values.push(value);
+  }
+
+  /** The same; the oldest ones are dropped. */
+  add(time, value) {
+    this.store(time, value);
     if (this.times.length > MAX_SAMPLES) {
       this.times.splice(0, MAX_SAMPLES / 6);
       this.values.splice(0, MAX_SAMPLES / 6);

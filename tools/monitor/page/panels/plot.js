@@ -3,12 +3,15 @@
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
+import { resolve, resolved, samples, valueNow } from '../lib/curves.js';
 import { number, numbers, text, time, valueAt } from '../lib/format.js';
+import { line } from '../lib/canvas.js';
 import { marks, shownTime, showRange } from '../lib/axis.js';
-import { cursor, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
+import { cursor, newest, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
 import { css, curveColour, theme } from '../lib/theme.js';
 import { Bar, Empty, download } from '../lib/ui.js';
-import { resolve, resolved, samples, valueNow } from './plot/curves.js';
+import { open } from '../lib/dock.js';
+import { draft, findings, threshold, watches } from '../lib/watches.js';
 
 /** Samples that are read of the time before a curve was added. */
 const POINTS = 3000;
@@ -83,8 +86,12 @@ function expand(shown, { name, place, path }) {
 function Curve({ name, index, shown, remove }) {
   const curve = resolved(shown, name);
   const now = curve?.place ? shown.info_of(...curve.place).now.value?.value : null;
+  const watch = () => {
+    draft.value = `${name} > ${number((curve && valueNow(shown, curve)) ?? 0)} for 1 s`;
+    open('watches');
+  };
   return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
-    <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
+    <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Watch ${name}`} title="Watch this curve" onClick=${watch}>▲</button><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
 }
 
 /** Reads the samples before the curve was added, and those of another interval of the past. */
@@ -153,7 +160,7 @@ function Chart({ shown, curves, visible }) {
     const schedule = () => { frame ||= requestAnimationFrame(paint); };
     const stop = effect(() => {
       for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
-      void [visibleRange.value, cursor.value, visible.value];
+      void [visibleRange.value, cursor.value, visible.value, findings.value];
       schedule();
     });
     const observer = new ResizeObserver(() => {
@@ -214,6 +221,7 @@ function options(box, curves) {
           ctx.fillStyle = css('--cursor');
           ctx.fillRect(x, bbox.top, Math.max(1, devicePixelRatio), bbox.height);
         }
+        drawThresholds(chart, curves);
         drawValues(chart, curves);
       }],
       setCursor: [(chart) => chart.redraw(false, false)],
@@ -222,6 +230,39 @@ function options(box, curves) {
 }
 
 const padded = (low, high) => (high - low < 1e-9 ? [low - 0.5, high + 0.5] : [low - (high - low) * 0.08, high + (high - low) * 0.08]);
+
+/** The limits of watches of these curves, the times in which they hold, and the moments at which they fired. */
+function drawThresholds(chart, curves) {
+  const { ctx, bbox } = chart;
+  const scale = devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  [ctx.font, ctx.textBaseline, ctx.textAlign, ctx.lineWidth] = [`${11 * scale}px ${css('--font')}`, 'bottom', 'left', scale];
+  for (const { text } of watches.peek()) {
+    const limit = threshold(text);
+    const index = curves.findIndex(({ name }) => name === limit?.name);
+    if (index < 0) continue;
+    const y = chart.valToPos(limit.limit, chart.series[index + 1].scale, true);
+    const { spans = [], fired = [] } = findings.peek().get(text) ?? {};
+    const x = (at) => chart.valToPos((at ?? newest.peek()) / 1e6, 'x', true);
+    [ctx.fillStyle, ctx.strokeStyle] = [css('--attn'), css('--attn')];
+    ctx.globalAlpha = 0.14;
+    for (const [begin, end] of spans) ctx.fillRect(x(begin), bbox.top, x(end) - x(begin), bbox.height);
+    ctx.globalAlpha = 1;
+    ctx.setLineDash([5 * scale, 4 * scale]);
+    line(ctx, bbox.left, y, bbox.left + bbox.width, y);
+    ctx.setLineDash([]);
+    for (const at of fired) {
+      ctx.beginPath();
+      for (const [dx, dy] of [[0, -2], [6, -12], [-6, -12]]) ctx.lineTo(x(at) + dx * scale, y + dy * scale);
+      ctx.fill();
+    }
+    ctx.fillText(text, bbox.left + 6 * scale, y - 2 * scale);
+  }
+  ctx.restore();
+}
 
 /** Values under the pointer, in the corner. */
 function drawValues(chart, curves) {

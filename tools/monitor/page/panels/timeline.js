@@ -7,6 +7,7 @@ import { openComponent } from '../lib/dock.js';
 import { pan, showRange, showWhole, shownTime, toTransition, zoomAt } from '../lib/axis.js';
 import { act, cursor, hovered, range, seek, session, visibleRange } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
+import { findings, watches } from '../lib/watches.js';
 import { AXIS, LABELS, drawTimeline, viewOf } from './timeline/draw.js';
 
 /** Time between two readings of the rows while time goes on. */
@@ -29,7 +30,7 @@ export function Timeline({ visible }) {
   if (!description) return html`<${Empty} what="Nothing has happened yet" help="Rows appear when a robot, a world or a recording is connected." />`;
   const listed = () => list(rows.value, description, all.value, filter.value);
   const reads = () => {
-    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value];
+    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value, watches.value, findings.value];
   };
   const draw = (context, width, height) => {
     drawTimeline(context, viewOf(width, height, listed(), scroll.value), { shown, pointer: pointer.value, selection: selection.value });

@@ -5,10 +5,11 @@ import { duration, time as timeText } from '../../lib/format.js';
 import { drawCursor, marks, shownTime } from '../../lib/axis.js';
 import { hovered, newest, visibleRange } from '../../lib/store.js';
 import { css, kindColour } from '../../lib/theme.js';
+import { findings, watches } from '../../lib/watches.js';
 
 /** Width of the names, and heights of the rows below the bars, px. */
 export const [LABELS, AXIS] = [118, 22];
-const [EVENTS, OVERRUNS] = [18, 16];
+const [EVENTS, OVERRUNS, ALERTS] = [18, 16, 18];
 /** Width of a column of late cycles, px. */
 const COLUMN = 4;
 
@@ -17,6 +18,7 @@ export function drawTimeline(context, view, { shown, pointer, selection }) {
   for (const gap of shown.info.value.gaps) drawGap(context, view, gap);
   drawFuture(context, view);
   drawEvents(context, view, shown);
+  drawAlerts(context, view);
   drawOverruns(context, view);
   drawCursor(context, view.x(shownTime.value), view.height - AXIS);
   drawAxis(context, view);
@@ -26,14 +28,15 @@ export function drawTimeline(context, view, { shown, pointer, selection }) {
 
 export function viewOf(width, height, rows, scroll) {
   const [from, until] = visibleRange.value;
-  const most = height - AXIS - EVENTS - OVERRUNS;
+  const alerts = watches.value.length > 0 ? ALERTS : 0;
+  const most = height - AXIS - EVENTS - OVERRUNS - alerts;
   const row = Math.max(13, Math.min(22, most / Math.max(rows.length, 1)));
   // Only whole rows are shown.
   const room = Math.max(1, Math.floor(most / row + 0.01)) * row;
   const offset = Math.min(scroll, Math.max(0, rows.length * row - room));
   const scale = (width - LABELS) / (until - from);
   return {
-    width, height, rows, row, room, offset, from, until,
+    width, height, rows, row, room, offset, from, until, alerts,
     x: (time) => LABELS + (time - from) * scale,
     time: (x) => from + (x - LABELS) / scale,
     y: (index) => index * row - offset,
@@ -124,7 +127,8 @@ function textStyle(context, colour) {
 /** How many cycles of components were late, in columns. */
 function drawOverruns(context, view) {
   const { room, rows, width } = view;
-  const [top, low] = [room + EVENTS, room + EVENTS + OVERRUNS - 3];
+  const top = room + EVENTS + view.alerts;
+  const low = top + OVERRUNS - 3;
   textStyle(context, '--dim');
   context.fillText('Late', 8, top + OVERRUNS / 2);
   const columns = new Map();
@@ -138,6 +142,43 @@ function drawOverruns(context, view) {
     const height = Math.min(OVERRUNS - 5, 3 + 2 * count);
     if (x >= LABELS && x < width) context.fillRect(x, low - height, COLUMN - 1, height);
   }
+}
+
+/** When watches fired, as triangles with their texts, and when their conditions held. */
+function drawAlerts(context, view) {
+  if (view.alerts === 0) return;
+  const top = view.room + EVENTS;
+  const y = top + ALERTS / 2;
+  textStyle(context, '--dim');
+  context.fillText('Alerts', 8, y);
+  [context.fillStyle, context.strokeStyle] = [css('--attn'), css('--attn')];
+  const fired = [];
+  within(context, LABELS, 0, view.width - LABELS, view.height, () => {
+    for (const [text, found] of findings.value) {
+      context.globalAlpha = 0.3;
+      for (const [begin, end] of found.spans) context.fillRect(view.x(begin), top + ALERTS - 4, Math.max(view.x(end ?? newest.value) - view.x(begin), 1), 3);
+      context.globalAlpha = 1;
+      fired.push(...found.fired.map((at) => ({ text, x: view.x(at) })).filter(({ x }) => x >= LABELS && x <= view.width));
+    }
+    fired.sort((a, b) => a.x - b.x);
+    fired.forEach(({ text, x }, index) => {
+      context.setLineDash([2, 3]);
+      stroke(context, x, 0, x, top);
+      context.setLineDash([]);
+      triangle(context, x, y);
+      // A text stands at the side that has room for it.
+      const width = context.measureText(text).width + 10;
+      const [before, after] = [fired[index - 1]?.x + 8 || LABELS, fired[index + 1]?.x - 8 || view.width];
+      if (x + width < after) context.fillText(text, x + 9, y);
+      else if (index === 0 && x - width > before) context.fillText(text, x - width + 1, y);
+    });
+  });
+}
+
+function triangle(context, x, y) {
+  context.beginPath();
+  for (const [dx, dy] of [[0, -5], [6, 5], [-6, 5]]) context.lineTo(x + dx, y + dy);
+  context.fill();
 }
 
 /** Darkens what has not happened yet. */
@@ -206,8 +247,9 @@ function drawPointer(context, view, shown, { x, y }) {
   const bar = line?.bars.find(([begin, end]) => begin <= time && time <= end);
   const state = bar && bar[2] !== null ? line.component.states[bar[2]]?.name : null;
   const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5);
+  const alert = [...findings.value].find(([, { fired }]) => fired.some((at) => Math.abs(view.x(at) - x) < 5))?.[0];
   const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
-  const text = [timeText(time, 3), near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
+  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
   context.font = `11.5px ${css('--font')}`;
   const width = context.measureText(text).width + 14;
   const left = Math.min(x + 10, view.width - width - 4);

@@ -1,22 +1,23 @@
 // Curves of a plot: outputs, and expressions over outputs and parameters.
 
-import { expression } from '../../lib/expression.js';
-import { numberAt } from '../../lib/format.js';
+import { expression } from './expression.js';
+import { numberAt } from './format.js';
 
 /** An output by its name `Component.information.path`: {place, path, unit}; null if there is none. */
 function output(shown, name) {
+  if (!/^[\w.[\]]+$/.test(name)) return null;
   const [component, rest] = [name.slice(0, name.indexOf('.')), name.slice(name.indexOf('.') + 1)];
   const info = rest.split(/[.[]/)[0];
   const place = shown?.findInfo(component, info);
   return place ? { place, path: rest.slice(info.length), unit: shown.description.value.components[place[0]].info[place[1]].unit } : null;
 }
 
-/** The value of a parameter `Component.parameter`; null if there is none. */
+/** Reads a parameter `Component.parameter`; null if there is none. */
 function parameter(shown, name) {
   const [component, param] = name.split('.');
   const index = shown.find(component);
   const number = shown.description.value?.components[index]?.params.findIndex((one) => one.name === param) ?? -1;
-  return number < 0 ? null : Number(shown.params.value[index][number]);
+  return number < 0 ? null : () => Number(shown.params.peek()[index][number]);
 }
 
 /**
@@ -40,7 +41,7 @@ export function resolve(shown, name) {
       const evaluate = begin();
       return (time, values) => {
         let at = 0;
-        return evaluate(time, parts.map(({ input, fixed }) => (input ? values[at++] : fixed)));
+        return evaluate(time, parts.map(({ input, fixed }) => (input ? values[at++] : fixed())));
       };
     },
   };
