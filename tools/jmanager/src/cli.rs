@@ -78,6 +78,7 @@ mod tests {
             "check a.rs",
             "draw a.rs --format dot",
             "new Keeper",
+            "diff a.rs b.rs --svg d.svg --exit-code",
         ] {
             assert!(parse(&format!("vicode {command}")).unwrap().command.is_some(), "{command}");
         }

@@ -21,6 +21,7 @@
 //! ```
 
 pub mod cli;
+pub mod compare;
 mod document;
 pub mod draw;
 mod edit;

@@ -29,10 +29,14 @@ pub(super) fn run(
         }
     };
     match output {
-        Some(path) => fs::write(path, text).map_err(|error| format!("cannot write `{}`: {error}", path.display()))?,
+        Some(path) => write(path, &text)?,
         None => print(out, &text)?,
     }
     Ok(true)
+}
+
+pub(super) fn write(path: &Path, text: &str) -> Result<(), String> {
+    fs::write(path, text).map_err(|error| format!("cannot write `{}`: {error}", path.display()))
 }
 
 #[cfg(feature = "png")]
@@ -66,7 +70,7 @@ fn chosen<'a>(model: &'a Model, name: Option<&str>) -> Result<&'a Component, Str
 }
 
 /// The layout beside a source, empty without one.
-fn layout(source: &Path) -> Result<Layout, String> {
+pub(super) fn layout(source: &Path) -> Result<Layout, String> {
     let path = Layout::beside(source);
     match fs::read_to_string(&path) {
         Ok(text) => Layout::parse(&text).map_err(|error| format!("`{}`: {error}", path.display())),

@@ -1,7 +1,8 @@
-//! The command line: `vicode model|apply|check|draw|new`.
+//! The command line: `vicode model|apply|check|diff|draw|new`.
 
 mod apply;
 mod check;
+mod compare;
 mod create;
 mod diff;
 mod draw;
@@ -44,6 +45,25 @@ pub enum Command {
         /// Print the mistakes as JSON
         #[arg(long)]
         json: bool,
+    },
+    /// Compares the state machines of two files, or of a file and its last commit
+    Diff {
+        /// Rust source: the first version, or the only file
+        file: PathBuf,
+        /// Rust source: the second version; without it `file` is compared with its version in the last commit
+        other: Option<PathBuf>,
+        /// Component, if several differ: only this one
+        #[arg(long)]
+        component: Option<String>,
+        /// Draw the difference into this file
+        #[arg(long, value_name = "FILE")]
+        svg: Option<PathBuf>,
+        /// Print the difference as JSON
+        #[arg(long)]
+        json: bool,
+        /// End with code 1 if there is a difference
+        #[arg(long)]
+        exit_code: bool,
     },
     /// Draws the state machines of a file
     Draw {
@@ -103,6 +123,11 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
         }
         Command::Apply { file, edits, dry_run } => apply::run(file, edits, *dry_run, out),
         Command::Check { file, json } => check::run(file, *json, out),
+        Command::Diff { file, other, component, svg, json, exit_code } => {
+            let output = compare::Output { svg: svg.as_deref(), json: *json };
+            let is_equal = compare::run(file, other.as_deref(), component.as_deref(), &output, out)?;
+            Ok(is_equal || !exit_code)
+        }
         Command::Draw { file, format, component, output } => {
             draw::run(file, *format, component.as_deref(), output.as_deref(), out)
         }

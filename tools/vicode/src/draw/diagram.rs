@@ -2,8 +2,9 @@
 
 use super::automatic;
 use super::route::{course, place_names};
+use crate::compare::{Change, Marks};
 use crate::files::Layout;
-use crate::model::{Component, Graph, Link, LinkKind, own_links};
+use crate::model::{self, Component, Graph, Link, LinkKind, own_links};
 
 /// Width and least height of a state, points.
 const WIDTH: f32 = 160.0;
@@ -29,6 +30,10 @@ pub struct Diagram {
     pub nodes: Vec<Node>,
     /// Transitions; those between the same states are one.
     pub edges: Vec<Edge>,
+    /// Whether it shows the difference of two versions: what has no mark is equal.
+    pub is_difference: bool,
+    /// Lines below the drawing.
+    pub notes: Vec<String>,
 }
 
 /// A state.
@@ -48,23 +53,45 @@ pub struct Node {
     pub hooks: Vec<String>,
     /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
     pub links: Vec<Link>,
+    /// How it differs, in a difference.
+    pub mark: Option<Change>,
 }
 
 /// Transitions from one state to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
     /// Names and timers, one line each.
-    pub labels: Vec<String>,
+    pub labels: Vec<Label>,
     /// The curve, points.
     pub points: Vec<(f32, f32)>,
     /// Middle of the labels, points.
     pub label_at: (f32, f32),
 }
 
+/// Name and timer of a transition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Text; with a mark it begins with the sign of the mark.
+    pub text: String,
+    /// How it differs, in a difference.
+    pub mark: Option<Change>,
+}
+
 impl Diagram {
     /// A component as it is arranged, states without a position automatically.
     #[must_use]
     pub fn of(component: &Component, layout: &Layout) -> Self {
+        Self::marked(component, layout, &Marks::default())
+    }
+
+    /// The difference of two versions of a machine; `notes` are lines below it.
+    #[must_use]
+    pub fn of_difference(both: &Component, layout: &Layout, marks: &Marks, notes: &str) -> Self {
+        let notes = notes.lines().map(str::to_owned).collect();
+        Self { is_difference: true, notes, ..Self::marked(both, layout, marks) }
+    }
+
+    fn marked(component: &Component, layout: &Layout, marks: &Marks) -> Self {
         let positions = automatic(component, layout);
         let mut nodes: Vec<Node> = Vec::new();
         for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
@@ -72,38 +99,40 @@ impl Diagram {
             let (hooks, links) = (hooks_of(component, &name), own_links(component, index));
             let size = (WIDTH, height(component, index));
             let centre = (at.x as f32, at.y as f32);
-            nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links });
+            let mark = marks.states.get(&name).copied();
+            nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links, mark });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
-        diagram.connect(&Graph::of(component));
+        diagram.connect(&Graph::of(component), marks);
         diagram.frame();
         diagram
     }
 
-    fn connect(&mut self, graph: &Graph) {
-        let timed = |name: &str, after: Option<u32>| {
-            after.map_or_else(|| name.to_owned(), |ms| format!("{name} after {ms} ms"))
-        };
-        let mut pairs: Vec<(Pair, Vec<String>)> = Vec::new();
-        let mut add = |pair, label: String| match pairs.iter_mut().find(|(known, _)| *known == pair) {
+    fn connect(&mut self, graph: &Graph, marks: &Marks) {
+        let mut pairs: Vec<(Pair, Vec<Label>)> = Vec::new();
+        let mut add = |pair, label: Label| match pairs.iter_mut().find(|(known, _)| *known == pair) {
             Some((_, labels)) if labels.contains(&label) => {}
             Some((_, labels)) => labels.push(label),
             None => pairs.push((pair, vec![label])),
         };
         for edge in &graph.edges {
-            add(((!edge.from_any).then_some(edge.from), edge.to), timed(&edge.name, edge.after_ms));
+            let from = if edge.from_any { "*" } else { &self.nodes[edge.from].name };
+            let label = Label::new(edge, marks.arrow(&edge.name, from, &self.nodes[edge.to].name));
+            add(((!edge.from_any).then_some(edge.from), edge.to), label);
         }
         self.edges = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
         place_names(&mut self.edges, &self.nodes);
     }
 
-    fn edge(&self, from: Option<usize>, to: usize, labels: Vec<String>) -> Edge {
+    fn edge(&self, from: Option<usize>, to: usize, mut labels: Vec<Label>) -> Edge {
         let end = &self.nodes[to];
         let Some(from) = from.map(|from| &self.nodes[from]) else {
             // From all states: a short arrow from above.
             let top = (end.centre.0 + 40.0, end.centre.1 - end.size.1 / 2.0);
             let points = vec![(top.0, top.1 - 34.0), top];
-            let labels: Vec<String> = labels.into_iter().map(|label| format!("* {label}")).collect();
+            for label in &mut labels {
+                label.text.insert_str(0, "* ");
+            }
             return Edge { label_at: (top.0, top.1 - 36.0 - LINE * labels.len() as f32 / 2.0), labels, points };
         };
         if std::ptr::eq(from, end) {
@@ -151,6 +180,23 @@ pub(super) fn height(component: &Component, state: usize) -> f32 {
 fn hooks_of(component: &Component, state: &str) -> Vec<String> {
     let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
     hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
+}
+
+impl Label {
+    fn new(edge: &model::Edge, mark: Option<Change>) -> Self {
+        let timer = edge.after_ms.map_or_else(String::new, |ms| format!(" after {ms} ms"));
+        let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
+        Self { text: format!("{sign}{}{timer}", edge.name), mark }
+    }
+}
+
+impl Edge {
+    /// How it differs: as all its transitions do, else it is equal.
+    #[must_use]
+    pub fn mark(&self) -> Option<Change> {
+        let first = self.labels.first()?.mark;
+        first.filter(|_| self.labels.iter().all(|label| label.mark == first))
+    }
 }
 
 impl Node {

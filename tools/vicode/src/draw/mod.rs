@@ -9,7 +9,7 @@ mod route;
 mod svg;
 
 pub use self::automatic::automatic;
-pub use self::diagram::{Diagram, Edge, Node};
+pub use self::diagram::{Diagram, Edge, Label, Node};
 pub use self::notation::{dot, mermaid};
 #[cfg(feature = "png")]
 pub use self::png::png;

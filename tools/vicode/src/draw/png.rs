@@ -48,9 +48,9 @@ fn arrow(canvas: &mut Canvas, edge: &Edge) {
 fn names(canvas: &mut Canvas, edge: &Edge) {
     for (index, label) in edge.labels.iter().enumerate() {
         let y = edge.label_at.1 + 13.0 * (index as f32 - (edge.labels.len() as f32 - 1.0) / 2.0);
-        let half = Font::Small.width(label) / 2.0;
+        let half = Font::Small.width(&label.text) / 2.0;
         let behind = Area::sized(edge.label_at.0 - half - 2.0, y - 6.0, 2.0 * half + 4.0, 12.0);
         canvas.rounded_rectangle(behind, 2.0, Ink { rgb: PAPER, alpha: 0.8 });
-        canvas.write_centred(Vec2::new(edge.label_at.0, y), Font::Small, TEXT, label);
+        canvas.write_centred(Vec2::new(edge.label_at.0, y), Font::Small, TEXT, &label.text);
     }
 }

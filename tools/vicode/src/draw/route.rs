@@ -54,7 +54,7 @@ type Area = [f32; 4];
 pub(super) fn place_names(edges: &mut [Edge], nodes: &[Node]) {
     let mut taken: Vec<Area> = nodes.iter().map(|node| around(node.centre, node.size)).collect();
     for edge in edges {
-        let longest = edge.labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
+        let longest = edge.labels.iter().map(|label| label.text.chars().count()).max().unwrap_or(0);
         let size = (LETTER.0 * longest as f32, LETTER.1 * edge.labels.len() as f32);
         if edge.points.len() > ALONG.len() {
             let last = (edge.points.len() - 1) as f32;

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Diagram, Edge, Node};
+use crate::compare::Change;
 
 /// Colours of a state machine, as in the drawings of trees.
 const FILL: &str = "#fff3d6";
@@ -12,67 +13,141 @@ const GREY: &str = "#7d8590";
 /// Small text that lines do not shine through.
 const OUTLINED: &str = "font-size=\"10\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
+/// Height of a line below the drawing, points.
+const NOTE: f32 = 16.0;
+
+/// How a part is drawn.
+#[derive(Clone, Copy)]
+struct Style {
+    fill: &'static str,
+    border: &'static str,
+    text: &'static str,
+    /// Further attributes of lines and borders.
+    dashes: &'static str,
+    thickness: f32,
+}
+
+const PLAIN: Style = Style { fill: FILL, border: BORDER, text: TEXT, dashes: "", thickness: 1.5 };
+const EQUAL: Style = Style { fill: "#ffffff", border: "#b4bbc4", text: "#5c6570", ..PLAIN };
+
+/// Colours of marks; never the colour alone: names have a sign, too.
+const fn style(mark: Option<Change>, is_difference: bool) -> Style {
+    match mark {
+        None if is_difference => EQUAL,
+        None => PLAIN,
+        Some(Change::Added) => Style { fill: "#e3f6ea", border: "#137a48", text: "#0d5c36", thickness: 2.5, ..PLAIN },
+        Some(Change::Removed) => Style {
+            fill: "#fdeaea",
+            border: "#c62828",
+            text: "#a11f1f",
+            dashes: "stroke-dasharray=\"2 4\"",
+            thickness: 2.0,
+        },
+        Some(Change::Changed) => Style { fill: "#fff3d6", border: "#9a6700", text: "#7a5200", thickness: 2.5, ..PLAIN },
+    }
+}
+
 /// A drawing as SVG.
 #[must_use]
 pub fn svg(diagram: &Diagram) -> String {
-    let Diagram { width, height, .. } = diagram;
+    let longest = diagram.notes.iter().map(|note| note.chars().count()).max().unwrap_or(0);
+    let width = diagram.width.max(longest as f32 * 7.3 + 32.0);
+    let height = diagram.height + NOTE * (diagram.notes.len() + usize::from(diagram.is_difference) * 2) as f32;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" \
          height=\"{height:.0}\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12\" \
          text-anchor=\"middle\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
         escaped(&diagram.name)
     );
-    diagram.edges.iter().for_each(|edge| arrow(&mut out, edge));
-    diagram.nodes.iter().for_each(|node| state(&mut out, node));
-    diagram.edges.iter().for_each(|edge| names(&mut out, edge));
+    let of = |mark| style(mark, diagram.is_difference);
+    diagram.edges.iter().for_each(|edge| arrow(&mut out, edge, of(edge.mark()), diagram.is_difference));
+    diagram.nodes.iter().for_each(|node| state(&mut out, node, of(node.mark)));
+    diagram.edges.iter().for_each(|edge| names(&mut out, edge, &of));
+    if diagram.is_difference {
+        legend(&mut out, diagram);
+    }
     out + "</svg>\n"
 }
 
-fn state(out: &mut String, node: &Node) {
+fn state(out: &mut String, node: &Node, style: Style) {
     let ((x, y), (width, height)) = (node.centre, node.size);
     let (left, top) = (x - width / 2.0, y - height / 2.0);
-    let thickness = if node.initial { 3.0 } else { 1.5 };
+    let Style { fill, border, dashes, thickness, .. } = style;
+    let thickness = if node.initial { thickness.max(3.0) } else { thickness };
     let frame = |out: &mut String, inset: f32| {
         let (x, y, width, height) = (left + inset, top + inset, width - 2.0 * inset, height - 2.0 * inset);
         writeln!(
             out,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"8\" fill=\"{FILL}\" \
-             stroke=\"{BORDER}\" stroke-width=\"{thickness}\"/>"
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"8\" fill=\"{fill}\" \
+             stroke=\"{border}\" stroke-width=\"{thickness}\" {dashes}/>"
         )
     };
     frame(out, 0.0).unwrap_or_default();
     if node.last {
         frame(out, 4.0).unwrap_or_default();
     }
-    text(out, (x, top + 24.0), "font-weight=\"bold\"", &node.name);
+    let sign = node.mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
+    text(out, (x, top + 24.0), style.text, "font-weight=\"bold\"", &(sign + &node.name));
     for (index, line) in node.lines().iter().enumerate() {
-        text(out, (x, top + 40.0 + 14.0 * index as f32), "font-size=\"10\"", line);
+        text(out, (x, top + 40.0 + 14.0 * index as f32), style.text, "font-size=\"10\"", line);
     }
 }
 
-fn text(out: &mut String, (x, y): (f32, f32), attributes: &str, text: &str) {
+fn text(out: &mut String, (x, y): (f32, f32), colour: &str, attributes: &str, text: &str) {
     let text = escaped(text);
-    writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{TEXT}\" {attributes}>{text}</text>").unwrap_or_default();
+    writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" fill=\"{colour}\" {attributes}>{text}</text>").unwrap_or_default();
 }
 
-fn arrow(out: &mut String, edge: &Edge) {
+fn arrow(out: &mut String, edge: &Edge, style: Style, is_difference: bool) {
     let points: Vec<String> = edge.points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-    writeln!(out, "<polyline points=\"{}\" fill=\"none\" stroke=\"{GREY}\" stroke-width=\"1.5\"/>", points.join(" "))
-        .unwrap_or_default();
+    let Style { dashes, thickness, .. } = style;
+    let colour = if is_difference { style.border } else { GREY };
+    writeln!(
+        out,
+        "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{thickness}\" {dashes}/>",
+        points.join(" ")
+    )
+    .unwrap_or_default();
     if let Some([tip, left, right]) = edge.head() {
         writeln!(
             out,
-            "<path d=\"M{:.1} {:.1}L{:.1} {:.1}L{:.1} {:.1}z\" fill=\"{GREY}\"/>",
+            "<path d=\"M{:.1} {:.1}L{:.1} {:.1}L{:.1} {:.1}z\" fill=\"{colour}\"/>",
             tip.0, tip.1, left.0, left.1, right.0, right.1
         )
         .unwrap_or_default();
     }
 }
 
-fn names(out: &mut String, edge: &Edge) {
+fn names(out: &mut String, edge: &Edge, style: &impl Fn(Option<Change>) -> Style) {
     for (index, label) in edge.labels.iter().enumerate() {
         let y = edge.label_at.1 + 13.0 * (index as f32 - (edge.labels.len() as f32 - 1.0) / 2.0) + 4.0;
-        text(out, (edge.label_at.0, y), OUTLINED, label);
+        text(out, (edge.label_at.0, y), style(label.mark).text, OUTLINED, &label.text);
+    }
+}
+
+/// What the marks mean, and the lines below the drawing.
+fn legend(out: &mut String, diagram: &Diagram) {
+    let words = [
+        (Some(Change::Added), "+ added"),
+        (Some(Change::Removed), "- removed, dotted"),
+        (Some(Change::Changed), "~ changed"),
+        (None, "grey: equal"),
+    ];
+    for (index, (mark, word)) in words.into_iter().enumerate() {
+        let at = (16.0 + 140.0 * index as f32, diagram.height);
+        text(out, at, style(mark, true).text, "text-anchor=\"start\" font-weight=\"bold\"", word);
+    }
+    for (index, note) in diagram.notes.iter().enumerate() {
+        // Lines at the margin are headings.
+        let mark = match note.strip_prefix(' ').and_then(|note| note.trim_start().chars().next()) {
+            Some('+') => Some(Change::Added),
+            Some('-') => Some(Change::Removed),
+            Some('~') => Some(Change::Changed),
+            _ => None,
+        };
+        let at = (16.0, diagram.height + NOTE * (index + 1) as f32 + 4.0);
+        let mono = "text-anchor=\"start\" font-family=\"'DejaVu Sans Mono', monospace\" xml:space=\"preserve\"";
+        text(out, at, style(mark, true).text, mono, note);
     }
 }
 

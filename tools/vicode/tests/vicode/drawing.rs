@@ -24,7 +24,7 @@ fn overlap(a: [f32; 4], b: [f32; 4]) -> bool {
 }
 
 fn names(edge: &Edge) -> [f32; 4] {
-    let longest = edge.labels.iter().map(String::len).max().unwrap();
+    let longest = edge.labels.iter().map(|label| label.text.len()).max().unwrap();
     around(edge.label_at, (LETTER.0 * longest as f32, LETTER.1 * edge.labels.len() as f32))
 }
 

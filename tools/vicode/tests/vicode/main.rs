@@ -3,6 +3,7 @@
 mod abstraction;
 mod agreement;
 mod command;
+mod comparing;
 mod compiling;
 mod documentation;
 mod drawing;

@@ -1,0 +1,128 @@
+//! Both versions of a machine as one drawing.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::{Change, PartChange};
+use crate::model::{Arrow, Component, Sources, State, Transition};
+
+/// The differences of a machine by what is drawn of it. What has none is not in the lists.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Marks {
+    /// States.
+    pub states: BTreeMap<String, Change>,
+    /// Arrows.
+    pub arrows: Vec<ArrowMark>,
+}
+
+/// The difference of an arrow.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ArrowMark {
+    /// Name of the transition.
+    pub name: String,
+    /// State that it leaves; `*` for all.
+    pub from: String,
+    /// State that it enters.
+    pub to: String,
+    /// How it differs.
+    pub change: Change,
+}
+
+impl Marks {
+    pub(super) fn of(old: Option<&Component>, new: Option<&Component>, parts: &[PartChange]) -> Self {
+        let of_kind = |kind| parts.iter().filter(move |part| part.part == kind);
+        let mut states: BTreeMap<String, Change> =
+            of_kind("state").map(|part| (part.name.clone(), part.change)).collect();
+        let has_changed = |name: &str| of_kind("hook").any(|part| part.name == name);
+        let hooks = old.iter().chain(&new).flat_map(|component| &component.hooks);
+        for state in hooks.filter(|hook| has_changed(&hook.function.name.text)).flat_map(|hook| &hook.states) {
+            states.entry(state.text.clone()).or_insert(Change::Changed);
+        }
+        let (before, after) = (old.map_or_else(Vec::new, arrows), new.map_or_else(Vec::new, arrows));
+        // Sources and targets are changes of single arrows, all else of the whole transition.
+        let is_whole = |part: &PartChange| {
+            part.details.iter().any(|one| {
+                !one.what.starts_with("from") && !one.what.starts_with("to") && !one.what.starts_with("timer")
+            })
+        };
+        let pairs = super::paired(&before, &after, |arrow| (arrow.name, arrow.from, arrow.to));
+        let marks = pairs.into_iter().filter_map(|(old, new)| {
+            let (arrow, change) = (new.or(old)?, super::change_of(old, new));
+            let is_different = change != Change::Changed
+                || old.map(|one| one.after_ms) != new.map(|one| one.after_ms)
+                || of_kind("transition").any(|part| part.name == arrow.name && is_whole(part));
+            let [name, from, to] = [arrow.name, arrow.from, arrow.to].map(str::to_owned);
+            is_different.then_some(ArrowMark { name, from, to, change })
+        });
+        let arrows = marks.collect();
+        Self { states, arrows }
+    }
+
+    /// How an arrow differs.
+    #[must_use]
+    pub fn arrow(&self, name: &str, from: &str, to: &str) -> Option<Change> {
+        self.arrows.iter().find(|one| one.name == name && one.from == from && one.to == to).map(|one| one.change)
+    }
+}
+
+/// An arrow with one source.
+struct Ends<'a> {
+    name: &'a str,
+    from: &'a str,
+    to: &'a str,
+    after_ms: Option<u32>,
+}
+
+fn arrows(component: &Component) -> Vec<Ends<'_>> {
+    let all =
+        component.transitions.iter().flat_map(|one| one.arrows.iter().map(|arrow| (&*one.function.name.text, arrow)));
+    all.flat_map(|(name, arrow)| sources(arrow).into_iter().map(move |from| ends(name, from, arrow))).collect()
+}
+
+fn ends<'a>(name: &'a str, from: &'a str, arrow: &'a Arrow) -> Ends<'a> {
+    Ends { name, from, to: &arrow.to.text, after_ms: arrow.after_ms.map(|(ms, _)| ms) }
+}
+
+fn sources(arrow: &Arrow) -> Vec<&str> {
+    match &arrow.from {
+        Sources::Any => vec!["*"],
+        Sources::These(names) => names.iter().map(|name| &*name.text).collect(),
+    }
+}
+
+/// The second version of a machine with the states and arrows of the first one that it does not have. Places in the text are those of
+/// the version from which a part comes.
+#[must_use]
+pub fn union(before: &Component, after: &Component) -> Component {
+    let mut both = after.clone();
+    let is_new = |state: &&State| after.state(&state.function.name.text).is_none();
+    both.states.extend(before.states.iter().filter(is_new).cloned().map(|state| State { initial: false, ..state }));
+    let known = arrows(after);
+    for old in &before.transitions {
+        let name = &old.function.name.text;
+        let is_known =
+            |from: &str, to: &str| known.iter().any(|one| one.name == name && one.from == from && one.to == to);
+        let gone = old
+            .arrows
+            .iter()
+            .filter_map(|arrow| without(arrow, |from| is_known(from, &arrow.to.text)))
+            .collect::<Vec<_>>();
+        match both.transitions.iter_mut().find(|one| one.function.name.text == *name) {
+            Some(one) => one.arrows.extend(gone),
+            None => both.transitions.push(Transition { function: old.function.clone(), arrows: gone }),
+        }
+    }
+    both
+}
+
+/// An arrow without some of its sources; `None` if no source remains.
+fn without(arrow: &Arrow, is_out: impl Fn(&str) -> bool) -> Option<Arrow> {
+    match &arrow.from {
+        Sources::Any => (!is_out("*")).then(|| arrow.clone()),
+        Sources::These(names) => {
+            let names: Vec<_> = names.iter().filter(|name| !is_out(&name.text)).cloned().collect();
+            (!names.is_empty()).then(|| Arrow { from: Sources::These(names), ..arrow.clone() })
+        }
+    }
+}
