@@ -41,14 +41,18 @@ pub(crate) fn install() -> Result<(), String> {
 }
 
 /// Packages with code for MuJoCo; the step of the lints checks the others.
-const PACKAGES: [&str; 5] = ["bica-body", "bica-sim", "bica-evaluation", "bica-player-program", "jmanager"];
+const PACKAGES: [&str; 6] = ["bica-body", "bica-sim", "bica-evaluation", "bica-player-program", "jmanager", "therapy"];
 
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
 /// Packages and test programs with tests in MuJoCo.
-const TESTS: [(&str, &str); 3] =
-    [("bica-player-program", "program"), ("bica-player-program", "replay"), ("jmanager", "main")];
+const TESTS: [(&str, &str); 4] = [
+    ("bica-player-program", "program"),
+    ("bica-player-program", "replay"),
+    ("jmanager", "main"),
+    ("therapy", "session"),
+];
 
 /// Checks in MuJoCo: lints, tests, trials of the body, some games.
 ///

@@ -81,6 +81,7 @@ Examples:
   therapy check morning.session               check it
   therapy play morning.session                play it in a simulated room; the same as
   therapy run --option session=morning.session
+  therapy play morning.session --world mujoco the same with forces
   therapy play morning.session --realtime --serve 127.0.0.1:7400
   therapy play morning.session --option code=K-27 --option records=FOLDER
   therapy report FOLDER K-27 > page.html      what was done
@@ -92,7 +93,8 @@ It is no medical device, and its stop is no certified safety function.";
 #[must_use]
 pub fn run() -> ExitCode {
     let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
-    let app = app.try_world("room", Room::open).until(|robot| robot.state_name::<Session>() == Some("finished"));
+    let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
+    let app = app.until(|robot| robot.state_name::<Session>() == Some("finished"));
     let app = app.commands(|command| match command {
         Commands::Check(Check { file }) => check(&file),
         Commands::New(New { file }) => new(&file),

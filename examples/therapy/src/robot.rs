@@ -5,9 +5,11 @@ use core::convert::Infallible;
 use bica::prelude::*;
 use bica::runner::Robot;
 use bica_motion::joints::Joints;
+use bica_motion::robot::{FootPressure, Inertial};
+use bica_motion::walk::Feedback;
 use glam::Vec3;
 
-use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding};
+use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding, Walk};
 use crate::exercise::{ExerciseCheck, Judgement};
 use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
 use crate::session::{Session, Step};
@@ -17,10 +19,16 @@ use crate::skeleton::{POINTS, Skeleton};
 #[message]
 #[derive(Clone, Debug)]
 pub struct Sensors {
+    /// Measured angles of the joints, rad.
+    pub angles: Joints,
     /// Temperatures of the motors, °C; NaN where unknown.
     pub temperatures: Joints,
     /// Roll and pitch of the torso, rad.
     pub tilt: [f32; 2],
+    /// Turn rates of the torso, rad/s.
+    pub gyro: [f32; 3],
+    /// Forces on the sensors of the left and the right sole, N: front left, front right, rear left, rear right.
+    pub feet: [[f32; 4]; 2],
     /// Buttons and touch.
     pub pressed: Pressed,
     /// Charge of the battery, 0 to 1.
@@ -96,7 +104,7 @@ activation_tree! {
         components: [
             Session,
             ExerciseCheck, PatientPose,
-            Mover, Motors, Sound, Lights,
+            Mover, Walk, Motors, Sound, Lights,
             Signals, Guard,
         ],
     }
@@ -110,6 +118,13 @@ impl Robot for Therapist {
     fn sense(&mut self, sensors: &Sensors) -> Result<(), Infallible> {
         self.get_mut::<Signals>().receive(sensors.pressed);
         self.get_mut::<Guard>().measure(sensors.tilt, &sensors.temperatures);
+        let [left_foot, right_foot] = sensors.feet.map(|[front_left, front_right, rear_left, rear_right]| {
+            FootPressure { front_left, front_right, rear_left, rear_right }
+        });
+        let ([roll, pitch], gyro) = (sensors.tilt, Vec3::from_array(sensors.gyro));
+        let inertial = Inertial { gyro, roll, pitch, ..Inertial::default() };
+        let feedback = Feedback::new(&inertial, &left_foot, &right_foot, &sensors.angles);
+        self.get_mut::<Walk>().measure(feedback, sensors.angles);
         if let Some(Seen { points, confidence }) = sensors.person.clone() {
             self.get_mut::<PatientPose>().see(Skeleton { points: points.map(Vec3::from_array), confidence });
         }

@@ -8,6 +8,8 @@ use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::model::Nao;
 use rand_pcg::{Pcg32, rand_core::Rng};
 use therapy::body::Mover;
+#[cfg(feature = "mujoco")]
+use therapy::body::Walk;
 use therapy::exercise::ExerciseCheck;
 use therapy::input::Guard;
 use therapy::robot::Therapist;
@@ -50,14 +52,14 @@ fn way(from: &Joints, to: &Joints) -> f32 {
 /// Asserts that nothing moves or sounds from 200 ms on, and that it stays so.
 fn assert_stops(test: &mut Test, still: Duration) {
     test.run_for(ms(200));
-    let (sound, targets) = (test.world().sound(), *test.world().angles());
+    let (sound, targets) = (test.world().sound(), test.world().angles());
     assert_eq!((sound.speech, sound.music), (None, None));
     let steps = still.as_millis() / 100;
     for _ in 0..steps {
         test.run_for(ms(100));
         assert_eq!(test.state::<Session>(), Some("stopped"));
         let sound = test.world().sound();
-        assert!(way(&targets, test.world().angles()) < 1e-3 && (sound.speech, sound.music) == (None, None));
+        assert!(way(&targets, &test.world().angles()) < 1e-3 && (sound.speech, sound.music) == (None, None));
     }
 }
 
@@ -122,11 +124,11 @@ fn stop_holds_in_every_state_and_against_every_button() {
 fn pause_lowers_the_arms_and_repeats_what_was_begun() {
     let mut test = start("movement arms_open\nwait movement at most 60 s\nmovement nod\nwait movement at most 60 s");
     test.run_for(ms(1500));
-    let raised = *test.world().angles();
+    let raised = test.world().angles();
     test.world_mut().press_chest(0.2);
     test.reaches::<Session>("paused", ms(50));
     test.until("the arms are down", ms(5000), |test| !test.tree().get::<Mover>().is_running());
-    assert!(way(&raised, test.world().angles()) > 20.0);
+    assert!(way(&raised, &test.world().angles()) > 20.0);
     test.stays::<Session>("paused", ms(3000));
     test.world_mut().press_chest(0.2);
     test.reaches::<Session>("waiting", ms(50));
@@ -224,21 +226,30 @@ fn song(folder: &Path) {
     std::fs::write(folder.join("song.wav"), wav).expect("a file");
 }
 
-#[test]
-fn long_sessions_keep_ranges_speed_and_time() {
-    let folder = std::env::temp_dir().join(format!("therapy-session-{}", std::process::id()));
+/// Plays the three long sessions in a room that is made for each.
+fn play_long_sessions(test: &str, make: impl Fn(Room) -> Room, speed: f32) {
+    let folder = std::env::temp_dir().join(format!("therapy-{test}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     song(&folder);
     for name in ["physiotherapy", "music", "language"] {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("sessions/{name}.session"));
         let script = Script::parse(&std::fs::read_to_string(file).expect("a session")).expect("a right session");
         assert_eq!(script.check_files(&folder), []);
-        let mut test = Harness::new(Therapist::new()).in_world(Room::new(script.orders(&folder), 1, true, true));
-        let (mut last, mut at_once) = (*test.world().angles(), 0);
+        let room = make(Room::new(script.orders(&folder), 1, true, true));
+        let mut test = Harness::new(Therapist::new()).in_world(room);
+        let (mut last, mut at_once) = (test.world().angles(), 0);
         while test.state::<Session>() != Some("finished") {
             test.cycle();
-            let angles = *test.world().angles();
-            assert!(angles.within_limits::<Nao>() && way(&last, &angles) <= 0.65, "{name} {:?}", test.now());
+            let angles = test.world().angles();
+            // The stops of the fingers, which stay closed, yield by 0.007° in MuJoCo.
+            let beyond = way(&angles, &angles.clamp_to_limits::<Nao>());
+            assert!(beyond < 0.01, "{name} {:?}: {beyond}° beyond the limits, {angles:?}", test.now());
+            assert!(
+                way(&last, &angles) <= 0.01 * speed,
+                "{name} {:?}: {} °/s",
+                test.now(),
+                100.0 * way(&last, &angles)
+            );
             // The cycles between two waits: each command begins within 100 ms of its place.
             at_once = if test.state::<Session>() == Some("running") { at_once + 1 } else { 0 };
             assert!(at_once < 10, "{name} {:?}", test.now());
@@ -246,6 +257,49 @@ fn long_sessions_keep_ranges_speed_and_time() {
         }
         let minutes = test.now().as_secs() as f32 / 60.0;
         assert!((10.0..20.0).contains(&minutes), "{name}: {minutes} min");
+        assert_eq!(test.world().falls(), 0, "{name}");
     }
     std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+#[test]
+fn long_sessions_keep_ranges_speed_and_time() {
+    play_long_sessions("room", |room| room, 65.0);
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
+fn walk_in_mujoco_goes_the_way_and_ends_on_its_feet_also_after_a_stop() {
+    for (text, [forward, left, turn]) in [
+        ("walk forward 0.3 m", [0.3, 0.0, 0.0]),
+        ("walk backward 0.2 m", [-0.2, 0.0, 0.0]),
+        ("walk left 0.2 m", [0.0, 0.2, 0.0]),
+        ("turn right 60", [0.0, 0.0, -60.0_f32]),
+    ] {
+        let script = Script::parse(&format!("{text}\nwait walk at most 30 s\nwait 2 s")).expect("a right script");
+        let room = || Room::new(script.orders(Path::new(".")), 1, true, true).with_forces(1).expect("a body");
+        let mut test = Harness::new(Therapist::new()).in_world(room());
+        test.reaches::<Session>("finished", ms(40_000));
+        let at = test.world().place();
+        assert_eq!(test.world().falls(), 0, "{text}");
+        assert!(at.position.distance(glam::Vec2::new(forward, left)) < 0.06, "{text}: {at:?}");
+        assert!((at.heading.to_degrees() - turn).abs() < 10.0, "{text}: {at:?}");
+
+        let mut test = Harness::new(Therapist::new()).in_world(room());
+        test.run_for(ms(3210));
+        assert!(test.tree().get::<Walk>().is_walking(), "{text}");
+        test.tree_mut().get_mut::<Session>().stop();
+        test.until("the feet are together", ms(3000), |test| !test.tree().get::<Walk>().is_walking());
+        test.run_for(ms(500));
+        let still = test.world().angles();
+        test.run_for(ms(2000));
+        assert_eq!((test.world().falls(), test.state::<Session>()), (0, Some("stopped")), "{text}");
+        assert!(way(&still, &test.world().angles()) < 1.0, "{text}: the feet stay where they are");
+    }
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
+fn long_sessions_keep_all_that_with_forces_in_mujoco() {
+    play_long_sessions("mujoco", |room| room.with_forces(1).expect("a body"), 65.0);
 }

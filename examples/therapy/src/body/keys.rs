@@ -36,7 +36,7 @@ pub(super) const fn keys(movement: Movement) -> &'static [Key] {
             &[(LShoulderPitch, 40.0), (RShoulderPitch, 40.0), (LElbowYaw, -94.0), (RElbowYaw, 94.0)],
             &[(LShoulderPitch, 40.0), (RShoulderPitch, 40.0), (LElbowYaw, 94.0), (RElbowYaw, -94.0)],
         ],
-        Movement::Nod => &[&[(HeadPitch, -38.0)], &[(HeadPitch, 29.0)]],
+        Movement::Nod => &[&[(HeadPitch, -37.0)], &[(HeadPitch, 28.0)]],
         Movement::TurnHead => &[&[(HeadYaw, 95.0)], &[(HeadYaw, -95.0)]],
     }
 }

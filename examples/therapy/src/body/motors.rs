@@ -1,5 +1,7 @@
 //! The joint commands.
 
+use core::ops::RangeInclusive;
+
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
@@ -7,14 +9,17 @@ use bica_motion::model::{Nao, RobotModel};
 /// Posture at rest: the stand, with the arms down.
 pub const REST: Joints = Nao::STAND;
 
-/// Stiffness of the legs, which stand, and of arms and head.
-const LEGS: f32 = 0.75;
+/// Indices of the joints of the legs.
+const LEGS: RangeInclusive<usize> = Joint::LHipYawPitch.index()..=Joint::RAnkleRoll.index();
+/// Stiffness of arms and head.
 const ARMS: f32 = 0.6;
 
-/// Targets and stiffness of all joints. The legs stand.
+/// Targets and stiffness of all joints.
 #[derive(Debug)]
 pub struct Motors {
     targets: Joints,
+    /// Stiffness of the legs.
+    legs: f32,
     soft: bool,
 }
 
@@ -23,12 +28,25 @@ impl Motors {
     /// Creates the component at rest.
     #[must_use]
     pub const fn new() -> Self {
-        Self { targets: REST, soft: false }
+        Self { targets: REST, legs: 0.75, soft: false }
     }
 
-    /// Sets the targets, rad.
+    /// Sets the targets of arms and head, rad.
     pub fn set(&mut self, targets: &Joints) {
-        self.targets = targets.clamp_to_limits::<Nao>();
+        self.write(targets, false);
+    }
+
+    /// Sets the targets of the legs, rad, and their stiffness, 0 to 1.
+    pub fn set_legs(&mut self, targets: &Joints, stiffness: f32) {
+        self.write(targets, true);
+        self.legs = stiffness;
+    }
+
+    fn write(&mut self, targets: &Joints, legs: bool) {
+        let targets = targets.clamp_to_limits::<Nao>();
+        for joint in (0..JOINTS).filter(|joint| LEGS.contains(joint) == legs) {
+            self.targets.0[joint] = targets.0[joint];
+        }
     }
 
     /// Makes arms and head soft or stiff.
@@ -46,8 +64,7 @@ impl Motors {
     /// Stiffness of each joint, 0 to 1.
     #[must_use]
     pub fn stiffness(&self) -> Joints {
-        let legs = Joint::LHipYawPitch.index()..=Joint::RAnkleRoll.index();
         let arms = if self.soft { 0.0 } else { ARMS };
-        Joints(core::array::from_fn::<_, JOINTS, _>(|joint| if legs.contains(&joint) { LEGS } else { arms }))
+        Joints(core::array::from_fn::<_, JOINTS, _>(|joint| if LEGS.contains(&joint) { self.legs } else { arms }))
     }
 }

@@ -4,7 +4,7 @@ use bica::prelude::*;
 use bica_motion::robot::Light;
 
 use super::{Lamp, Plan, Signal, Step, Task, Tasks, Until};
-use crate::body::{Lights, Motors, Mover, Sound};
+use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
 use crate::session::Button;
@@ -57,7 +57,14 @@ impl Session {
 
     /// Waits for the start.
     #[state(initial)]
-    fn ready(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+    fn ready(
+        &mut self,
+        _mover: &mut Mover,
+        _walk: &mut Walk,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
         self.hear();
     }
 
@@ -66,6 +73,7 @@ impl Session {
     fn running(
         &mut self,
         mover: &mut Mover,
+        walk: &mut Walk,
         sound: &mut Sound,
         lights: &mut Lights,
         motors: &mut Motors,
@@ -81,11 +89,12 @@ impl Session {
                 Step::Play(clip) => sound.play(clip, self.plan.seconds(clip)),
                 Step::Volume(volume) => sound.set_volume(volume),
                 Step::Light(lamp, light) => lights.set(lamp, light),
-                Step::Stop(tasks) => end(tasks, mover, sound),
+                Step::Walk(way) => walk.begin(way),
+                Step::Stop(tasks) => end(tasks, mover, walk, sound),
                 Step::Stiffness(stiff) => motors.soften(!stiff),
                 Step::Wait(..) | Step::Exercise { .. } => return,
-                // Jumps are the plan's; walking is refused when the session is loaded.
-                Step::GoTo(_) | Step::Again { .. } | Step::Walk(_) => {}
+                // Jumps are the plan's.
+                Step::GoTo(_) | Step::Again { .. } => {}
             }
             self.plan.advance();
         }
@@ -97,6 +106,7 @@ impl Session {
         &mut self,
         time: &Time,
         _mover: &mut Mover,
+        _walk: &mut Walk,
         _sound: &mut Sound,
         _signals: &mut Signals,
         _guard: &mut Guard,
@@ -113,6 +123,7 @@ impl Session {
         mover: &mut Mover,
         check: &mut ExerciseCheck,
         pose: &PatientPose,
+        _walk: &mut Walk,
         _sound: &mut Sound,
         _signals: &mut Signals,
         _guard: &mut Guard,
@@ -135,19 +146,40 @@ impl Session {
 
     /// Rests with the arms down until somebody lets it go on.
     #[state]
-    fn paused(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+    fn paused(
+        &mut self,
+        _mover: &mut Mover,
+        _walk: &mut Walk,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
         self.hear();
     }
 
     /// Stands still until somebody expressly lets it go on.
     #[state]
-    fn stopped(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+    fn stopped(
+        &mut self,
+        _mover: &mut Mover,
+        _walk: &mut Walk,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
         self.hear();
     }
 
     /// The session is over.
     #[state]
-    fn finished(&mut self, _mover: &mut Mover, _sound: &mut Sound, _signals: &mut Signals, _guard: &mut Guard) {
+    fn finished(
+        &mut self,
+        _mover: &mut Mover,
+        _walk: &mut Walk,
+        _sound: &mut Sound,
+        _signals: &mut Signals,
+        _guard: &mut Guard,
+    ) {
         self.hear();
     }
 
@@ -212,12 +244,12 @@ impl Session {
     }
 
     #[transition(waiting -> running)]
-    fn has_waited(&self, mover: &Mover, sound: &Sound, signals: &Signals) -> bool {
+    fn has_waited(&self, mover: &Mover, walk: &Walk, sound: &Sound, signals: &Signals) -> bool {
         let Some(Step::Wait(until, limit)) = self.plan.step() else { return true };
         let ends = |tasks: Tasks| {
-            let runs =
-                [(Task::Movement, mover.is_running()), (Task::Speech, sound.speaks()), (Task::Music, sound.plays())];
-            runs.into_iter().all(|(task, runs)| !(runs && tasks.has(task)))
+            let sounds = [(Task::Speech, sound.speaks()), (Task::Music, sound.plays())];
+            let moves = [(Task::Movement, mover.is_running()), (Task::Walk, walk.is_walking())];
+            sounds.into_iter().chain(moves).all(|(task, runs)| !(runs && tasks.has(task)))
         };
         self.waited >= limit
             || match until {
@@ -244,8 +276,8 @@ impl Session {
     }
 
     #[exit(waiting)]
-    fn end_wait(&mut self, mover: &Mover, sound: &Sound, signals: &Signals) {
-        if self.heard.is_none() && self.has_waited(mover, sound, signals) {
+    fn end_wait(&mut self, mover: &Mover, walk: &Walk, sound: &Sound, signals: &Signals) {
+        if self.heard.is_none() && self.has_waited(mover, walk, sound, signals) {
             self.plan.pass(None);
         }
     }
@@ -261,14 +293,14 @@ impl Session {
     }
 
     #[entry(paused)]
-    fn pause_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
-        halt(sound, lights, Light(1.0, 0.6, 0.0));
+    fn pause_all(&mut self, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound, lights: &mut Lights) {
+        halt(walk, sound, lights, Light(1.0, 0.6, 0.0));
         mover.rest();
     }
 
     #[entry(stopped)]
-    fn stop_all(&mut self, mover: &mut Mover, sound: &mut Sound, lights: &mut Lights) {
-        halt(sound, lights, Light(1.0, 0.0, 0.0));
+    fn stop_all(&mut self, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound, lights: &mut Lights) {
+        halt(walk, sound, lights, Light(1.0, 0.0, 0.0));
         mover.freeze();
     }
 
@@ -382,15 +414,19 @@ impl Session {
 }
 
 /// Ends tasks.
-fn end(tasks: Tasks, mover: &mut Mover, sound: &mut Sound) {
+fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
     sound.stop(tasks);
     if tasks.has(Task::Movement) {
         mover.freeze();
     }
+    if tasks.has(Task::Walk) {
+        walk.halt();
+    }
 }
 
-/// Ends all sound, and shows why.
-fn halt(sound: &mut Sound, lights: &mut Lights, chest: Light) {
+/// Ends all sound and the walk, and shows why.
+fn halt(walk: &mut Walk, sound: &mut Sound, lights: &mut Lights, chest: Light) {
+    walk.halt();
     sound.stop(Tasks::ALL);
     lights.set(Lamp::Chest, chest);
 }

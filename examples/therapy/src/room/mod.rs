@@ -1,6 +1,8 @@
 //! A simulated room: a robot that follows its targets, and a person who raises the left arm again and again.
 //!
-//! There are no forces: the robot always stands, unless an operator pushes it over.
+//! In the world `room` there are no forces: the robot always stands, unless an operator pushes it over. In `mujoco` there are.
+
+mod body;
 
 use std::collections::VecDeque;
 use std::f32::consts::PI;
@@ -11,17 +13,18 @@ use bica::prelude::*;
 use bica::runner::World;
 use bica_app::{Failure, WorldOptions};
 use bica_motion::joints::{JOINTS, Joints};
-use bica_motion::model::Nao;
+use bica_motion::pose::Pose2;
+use bica_motion::robot::{FootPressure, Inertial};
 use glam::Vec3;
 use rand_pcg::{Pcg32, rand_core::Rng};
 
-use crate::body::{REST, Sounding};
+use self::body::Body;
+use crate::body::Sounding;
 use crate::cli;
 use crate::exercise::Judgement;
 use crate::input::Pressed;
 use crate::record::Record;
 use crate::robot::{Command, Order, Seen, Sensors, Therapist};
-use crate::session::Step;
 use crate::skeleton::{POINTS, Point};
 
 /// Cycles of a second.
@@ -37,11 +40,10 @@ pub struct Room {
     orders: VecDeque<Order>,
     /// Cycle in which a person presses the button in the chest to start.
     start: Option<u64>,
-    angles: Joints,
+    body: Body,
     sound: Sounding,
     /// Cycles for which something is pressed.
     pressed: (Pressed, u64),
-    fallen: bool,
     hot: bool,
     person: Option<Pcg32>,
     /// Highest angle of the arm in this repetition, degrees.
@@ -63,10 +65,6 @@ impl Room {
             return Err(Failure::new("there is no session", "play one: `therapy play FILE`"));
         }
         let script = cli::open(&file)?;
-        if let Some(step) = script.steps.iter().position(|step| matches!(step, Step::Walk(_))) {
-            let what = format!("{}:{}: this player cannot walk yet", file.display(), script.lines[step]);
-            return Err(Failure::new(what, "leave `walk` and `turn` out"));
-        }
         let yes = |name| options.value(name, "yes".to_owned()).map(|value| value == "yes");
         let orders = script.orders(file.parent().unwrap_or(Path::new("")));
         let mut room = Self::new(orders, options.seed, yes("person")?, yes("start")?);
@@ -77,6 +75,35 @@ impl Room {
         Ok(room)
     }
 
+    /// The same with forces.
+    ///
+    /// # Errors
+    /// As for [`open`](Self::open), or if MuJoCo is not there.
+    pub fn open_with_forces(options: &WorldOptions) -> Result<Self, Failure> {
+        Self::open(options)?.with_forces(options.seed)
+    }
+
+    /// Replaces the robot's body by one with forces.
+    ///
+    /// # Errors
+    /// If MuJoCo is not there.
+    pub fn with_forces(mut self, seed: u64) -> Result<Self, Failure> {
+        self.body = Body::with_forces(seed)?;
+        Ok(self)
+    }
+
+    /// Where the robot stands on the floor, from where it began: m, rad. Without forces it stays there.
+    #[must_use]
+    pub fn place(&self) -> Pose2 {
+        self.body.place()
+    }
+
+    /// How often the robot fell.
+    #[must_use]
+    pub const fn falls(&self) -> usize {
+        self.body.falls()
+    }
+
     /// A room where a session is loaded, and started if wanted.
     #[must_use]
     pub fn new(orders: Vec<Order>, seed: u64, person: bool, start: bool) -> Self {
@@ -84,10 +111,9 @@ impl Room {
             cycle: 0,
             start: start.then_some(orders.len() as u64 + RATE),
             orders: orders.into(),
-            angles: REST,
+            body: Body::ideal(),
             sound: Sounding::default(),
             pressed: (Pressed::default(), 0),
-            fallen: false,
             hot: false,
             person: person.then(|| Pcg32::new(seed, 1)),
             peak: 100.0,
@@ -98,8 +124,8 @@ impl Room {
 
     /// Angles of the joints, rad.
     #[must_use]
-    pub const fn angles(&self) -> &Joints {
-        &self.angles
+    pub fn angles(&self) -> Joints {
+        self.body.angles()
     }
 
     /// What sounds.
@@ -180,8 +206,8 @@ impl Room {
 
     /// Pushes the robot over, or puts it on its feet again.
     #[action]
-    pub const fn push_over(&mut self, fallen: bool) {
-        self.fallen = fallen;
+    pub fn push_over(&mut self, fallen: bool) {
+        self.body.push_over(fallen);
     }
 
     /// Makes a motor hot or cool.
@@ -201,15 +227,30 @@ impl World<Therapist> for Room {
         if self.start == Some(self.cycle) {
             self.press_chest(0.2);
         }
-        let temperature = if self.hot { 72.0 } else { 38.0 };
+        let measured = self.body.sense();
+        let Inertial { gyro, roll, pitch, .. } = measured.inertial;
+        let temperatures = if self.hot { Joints([72.0; JOINTS]) } else { measured.temperatures };
+        let feet = [measured.left_foot, measured.right_foot].map(|foot| {
+            let FootPressure { front_left, front_right, rear_left, rear_right } = foot;
+            [front_left, front_right, rear_left, rear_right]
+        });
         let person = if self.cycle.is_multiple_of(SKELETON) { self.person() } else { None };
         let pressed = if self.pressed.1 > 0 { self.pressed.0 } else { Pressed::default() };
-        let tilt = [0.0, if self.fallen { 1.5 } else { 0.0 }];
-        Sensors { temperatures: Joints([temperature; JOINTS]), tilt, pressed, battery: 0.8, person, order }
+        Sensors {
+            angles: measured.angles,
+            temperatures,
+            tilt: [roll, pitch],
+            gyro: gyro.to_array(),
+            feet,
+            pressed,
+            battery: 0.8,
+            person,
+            order,
+        }
     }
 
     fn act(&mut self, command: &Command) {
-        self.angles = self.angles.moved_toward::<Nao>(&command.targets, 1.0 / RATE as f32);
+        self.body.act(command);
         if command.sound != self.sound {
             self.log.push(format!("{:8.2} s  {:?}", self.cycle as f32 / RATE as f32, command.sound));
         }
