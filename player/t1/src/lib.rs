@@ -30,3 +30,6 @@ pub use bica_field::SSIM_2026 as FIELD;
 
 /// Height of the camera over the ground in a walking robot, m.
 const CAMERA_HEIGHT: f32 = 1.08;
+
+/// Values of the parameters that differ from the NAO's, as a tune file.
+pub const PARAMETERS: &str = include_str!("../parameters.toml");
