@@ -27,11 +27,13 @@
 mod crossing;
 mod dimensions;
 mod goal;
+mod league;
 mod lines;
 
 pub use crossing::{Crossing, CrossingKind};
 pub use dimensions::{FIELD, FieldDimensions, SPL_2009};
 pub use goal::GoalColour;
+pub use league::{SSIM_2026, league_mark};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -35,6 +35,7 @@ pub(crate) const fn vector(Vec3 { x, y, z }: Vec3) -> Point3 {
 }
 
 /// Returns a pixel.
-pub(crate) const fn pixel(Vec2 { x, y }: Vec2) -> ImagePoint {
+#[must_use]
+pub const fn pixel(Vec2 { x, y }: Vec2) -> ImagePoint {
     ImagePoint { x, y }
 }

@@ -30,6 +30,12 @@ pub use forward::{Forward, tunable};
 /// tools make worlds for it.
 pub type Model = bica_motion::model::Nao;
 
+/// Field on which it plays.
+pub use bica_field::FIELD;
+
+/// Height of the cameras over the ground in a walking robot, m.
+const CAMERA_HEIGHT: f32 = 0.48;
+
 /// Time of a component that ran last so many milliseconds ago.
 #[cfg(test)]
 const fn test_time(since_run_ms: u64) -> bica::Time {

@@ -37,10 +37,10 @@ pub struct Approach {
     #[param(default = 1.0, range = 0.1..=1.5, unit = "rad/s", step = 0.05)]
     pub max_turn: f32,
     /// Head tilt, down, above which a ball in the bottom camera is near.
-    #[param(default = -0.1, range = -0.5..=0.5, unit = "rad", step = 0.01)]
+    #[param(default = -0.1, range = -0.5..=1.3, unit = "rad", step = 0.01)]
     pub near_tilt: f32,
     /// Head tilt, down, above which a ball in the bottom camera is reached.
-    #[param(default = 0.28, range = -0.3..=0.5, unit = "rad", step = 0.01)]
+    #[param(default = 0.28, range = -0.3..=1.3, unit = "rad", step = 0.01)]
     pub reached_tilt: f32,
     /// Head pan below which the ball can be reached.
     #[param(default = 0.6, range = 0.1..=1.2, unit = "rad", step = 0.01)]

@@ -14,7 +14,7 @@ use crate::perception::{BallDetector, Odometry};
 pub struct Circling {
     /// Distance from the middle of the feet to the ball. `Player.way_round_radius`, the radius of the path that is
     /// tested for obstacles, should equal it.
-    #[param(default = 0.24, range = 0.15..=0.5, unit = "m", step = 0.01)]
+    #[param(default = 0.24, range = 0.15..=1.0, unit = "m", step = 0.01)]
     pub radius: f32,
     /// Sideways speed.
     #[param(default = 0.11, range = 0.02..=0.2, unit = "m/s", step = 0.01)]

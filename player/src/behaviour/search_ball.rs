@@ -251,7 +251,7 @@ impl SearchBall {
 
 fn path_ahead(strip: &Strip, boundary: &FieldBoundary, camera: &CameraPose, robots: &RobotDetector) -> f32 {
     let robots = robots.places().map(|place| place.position);
-    camera.camera().map_or(0.0, |camera| free_path(boundary.line(), camera, robots, strip))
+    free_path(boundary, camera, robots, strip)
 }
 
 #[cfg(test)]

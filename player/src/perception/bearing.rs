@@ -3,8 +3,7 @@
 use glam::{Vec2, Vec3};
 use libm::{atan2f, hypotf};
 
-/// Height of the cameras over the ground in a walking robot, m.
-const CAMERA_HEIGHT: f32 = 0.48;
+use crate::CAMERA_HEIGHT;
 
 /// Direction from the head, relative to an upright torso.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]

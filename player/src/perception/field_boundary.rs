@@ -4,7 +4,10 @@ use bica::prelude::*;
 use bica::visual::ImagePolyline;
 use bica_vision::field_boundary::{BoundaryTuning, COLUMNS, FieldBoundary as Line};
 use bica_vision::frame::Frame;
+use bica_vision::projection::Camera;
+use glam::Vec2;
 
+use super::CameraPose;
 use super::ego_motion::LastImage;
 use crate::info;
 use crate::input::{CameraInput, Colours};
@@ -70,6 +73,20 @@ impl FieldBoundary {
     #[info(unit = "px", frame = "camera")]
     fn corners(&self) -> ImagePolyline<COLUMNS> {
         ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
+    }
+
+    /// Whether the newest image shows the field at a position in the ground frame between the feet, m. Positions beside, above or
+    /// behind the image are not on the field, those below it are: the feet hide them.
+    #[must_use]
+    pub fn is_on_field(&self, camera: &CameraPose, at: Vec2) -> bool {
+        camera.camera().is_some_and(|camera| Self::shows(&self.line, camera, at))
+    }
+
+    /// As [`Self::is_on_field`], of a boundary in the image of a camera.
+    pub(crate) fn shows(line: &Line, camera: &Camera, at: Vec2) -> bool {
+        let size = 2.0 * camera.intrinsics().centre;
+        let Some(pixel) = camera.pixel(at.extend(0.0)) else { return false };
+        pixel.y >= size.y || (0.0..size.x).contains(&pixel.x) && pixel.y >= 0.0 && line.is_below(pixel.x, pixel.y, 0.0)
     }
 
     /// The boundary.

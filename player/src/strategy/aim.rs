@@ -1,10 +1,10 @@
 //! Targets of a kick.
 
-use bica_field::FIELD;
 use glam::Vec2;
 
 use super::Planning;
 use super::situation::Goal;
+use crate::FIELD;
 
 /// Number of further targets on each side of the middle of the goal.
 const OTHERS: i8 = 4;

@@ -1,10 +1,10 @@
 //! The free path ahead of the robot.
 
 use bica::prelude::*;
-use bica_vision::field_boundary::FieldBoundary;
-use bica_vision::projection::Camera;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use libm::fabsf;
+
+use crate::perception::{CameraPose, FieldBoundary};
 
 /// Distance between two tested points of the strip, m.
 const STEP: f32 = 0.25;
@@ -22,30 +22,26 @@ pub struct Strip {
     pub strip_robot_radius: f32,
 }
 
-/// Returns the distance, m, that the robot can walk straight ahead: up to the field boundary in the image and to the nearest of
-/// `robots`, positions in the ground frame between the feet, m. At most 2.5 m.
-///
-/// Points beside, above or behind the image count as blocked, points below it as free: the feet hide them.
+/// Returns the distance, m, that the robot can walk straight ahead: up to the end of the field and to the nearest of `robots`,
+/// positions in the ground frame between the feet, m. At most 2.5 m.
 pub(crate) fn free_path(
     boundary: &FieldBoundary,
-    camera: &Camera,
+    camera: &CameraPose,
     robots: impl Iterator<Item = Vec2>,
     strip: &Strip,
 ) -> f32 {
+    path_on(|at| boundary.is_on_field(camera, at), robots, strip)
+}
+
+fn path_on(is_on_field: impl Fn(Vec2) -> bool, robots: impl Iterator<Item = Vec2>, strip: &Strip) -> f32 {
     let (half_width, radius) = (strip.strip_half_width, strip.strip_robot_radius);
     let distances = (1..=STEPS).map(|step| STEP * f32::from(step));
     let on_field = distances.take_while(|&distance| {
-        [-half_width, 0.0, half_width].into_iter().all(|y| is_on_field(boundary, camera, Vec3::new(distance, y, 0.0)))
+        [-half_width, 0.0, half_width].into_iter().all(|y| is_on_field(Vec2::new(distance, y)))
     });
     let field = on_field.last().unwrap_or(0.0);
     let in_strip = robots.filter(|robot| robot.x > 0.0 && fabsf(robot.y) < half_width + radius);
     in_strip.map(|robot| (robot.x - radius).max(0.0)).fold(field, f32::min)
-}
-
-fn is_on_field(boundary: &FieldBoundary, camera: &Camera, point: Vec3) -> bool {
-    let size = 2.0 * camera.intrinsics().centre;
-    let Some(pixel) = camera.pixel(point) else { return false };
-    pixel.y >= size.y || (0.0..size.x).contains(&pixel.x) && pixel.y >= 0.0 && boundary.is_below(pixel.x, pixel.y, 0.0)
 }
 
 #[cfg(test)]
@@ -57,7 +53,10 @@ mod tests {
     use bica_motion::robot::CameraId;
     use bica_motion::side::Side;
     use bica_vision::colour::{Classify, Colour};
+    use bica_vision::field_boundary::FieldBoundary as Line;
     use bica_vision::frame::{Frame, Pixel};
+    use bica_vision::projection::Camera;
+    use glam::Vec3;
 
     use super::*;
 
@@ -79,16 +78,20 @@ mod tests {
     }
 
     /// The boundary in an image of a field that ends at a distance ahead, m.
-    fn boundary(distance: f32) -> FieldBoundary {
+    fn boundary(distance: f32) -> Line {
         let end = camera().pixel(Vec3::new(distance, 0.0, 0.0)).map_or(0.0, |pixel| pixel.y);
         let row = |row: u16| [if f32::from(row) > end { 200 } else { 20 }, 128].repeat(SIZE.0.into());
         let yuyv: std::vec::Vec<u8> = (0..SIZE.1).flat_map(row).collect();
         let frame = Frame::new(SIZE.0, SIZE.1, &yuyv).expect("the size fits");
-        FieldBoundary::find(&frame, &Bright)
+        Line::find(&frame, &Bright)
+    }
+
+    fn free(boundary: &Line, robots: &[Vec2], strip: &Strip) -> f32 {
+        path_on(|at| FieldBoundary::shows(boundary, &camera(), at), robots.iter().copied(), strip)
     }
 
     fn path(distance: f32, robots: &[Vec2]) -> f32 {
-        free_path(&boundary(distance), &camera(), robots.iter().copied(), &Strip::DEFAULT)
+        free(&boundary(distance), robots, &Strip::DEFAULT)
     }
 
     #[test]
@@ -102,7 +105,7 @@ mod tests {
 
     #[test]
     fn without_field_in_view_there_is_no_path() {
-        let free = free_path(&FieldBoundary::NONE, &camera(), core::iter::empty(), &Strip::DEFAULT);
+        let free = free(&Line::NONE, &[], &Strip::DEFAULT);
         assert!(free <= 0.75, "{free} m: no more than the image does not show");
     }
 
@@ -115,7 +118,7 @@ mod tests {
     #[test]
     fn strip_width_and_robot_radius_are_tuned() {
         let robots = [Vec2::new(1.0, 0.5)];
-        let path = |strip: &Strip| free_path(&boundary(6.0), &camera(), robots.into_iter(), strip);
+        let path = |strip: &Strip| free(&boundary(6.0), &robots, strip);
         assert!((path(&Strip::DEFAULT) - 2.5).abs() < 1e-6, "beside the strip");
         for (strip_half_width, strip_robot_radius) in [(0.4, 0.15), (0.3, 0.25)] {
             let free = path(&Strip { strip_half_width, strip_robot_radius });

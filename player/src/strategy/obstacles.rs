@@ -23,7 +23,7 @@ pub struct Clearance {
     #[param(default = 0.08, range = 0.0..=0.3, unit = "m", step = 0.01)]
     pub robot_toe_distance: f32,
     /// Radius of the path around the ball that is tested for obstacles. It should equal `GoRound.radius`.
-    #[param(default = 0.24, range = 0.15..=0.5, unit = "m", step = 0.01)]
+    #[param(default = 0.24, range = 0.15..=1.0, unit = "m", step = 0.01)]
     pub way_round_radius: f32,
 }
 

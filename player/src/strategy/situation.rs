@@ -2,12 +2,12 @@
 
 use core::f32::consts::TAU;
 
-use bica_field::FIELD;
 use bica_motion::pose::rotate;
 use glam::Vec2;
 use libm::{ceilf, fabsf};
 
 use super::obstacles::{Clearance, Obstacle, Obstacles};
+use crate::FIELD;
 use crate::perception::{BallDetector, GoalDetector, Localization, RobotDetector};
 
 /// Angle between the tested points of the path around the ball, rad.

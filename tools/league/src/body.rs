@@ -2,7 +2,8 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{K1, T1};
+use bica_motion::model::{K1, Parameters, Profile, RobotModel, T1};
+use bica_motion::walk::Velocity;
 
 /// A robot of the league.
 pub trait Body: MujocoModel {
@@ -14,12 +15,15 @@ pub trait Body: MujocoModel {
     const POSITION_GAINS: &'static Joints = Self::GAINS;
     /// Velocity gains of the motors, Nm·s/rad.
     const VELOCITY_GAINS: &'static Joints;
+    /// Gait and kicks in the server, whose ground is soft: a foot sinks into it by some millimetres.
+    const PROFILE: &'static Profile = Self::DYNAMIC_PROFILE;
 }
 
 impl Body for T1 {
     const SERVER_NAME: &'static str = "T1";
     const STANDING_HEIGHT: f32 = 0.675;
     const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
+    const PROFILE: &'static Profile = &Profile { gait: T1_GAIT, ..*T1::DYNAMIC_PROFILE };
 }
 
 impl Body for K1 {
@@ -28,14 +32,26 @@ impl Body for K1 {
     const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
 }
 
+/// Found by a random search over falls in the server.
+const T1_GAIT: Parameters = Parameters {
+    step_duration: 0.3,
+    step_height: 0.069,
+    torso_pitch: -0.04,
+    ankle_roll_gain: 0.028,
+    gyro_smoothing: 0.1,
+    max_speed_up: Velocity::new(0.08, 0.08, 0.4),
+    kick_max_distance: 0.0,
+    ..T1::DYNAMIC_PROFILE.gait
+};
+
 /// The server computes the velocity term explicitly in steps of 5 ms: higher gains make light joints oscillate.
 const VELOCITY_GAINS: Joints = {
     let mut gains = Joints::all(1.0);
     let mut i = 0;
     while i < Joint::ALL.len() {
         gains.0[i] = match Joint::ALL[i] {
-            Joint::LHipPitch | Joint::RHipPitch | Joint::LHipRoll | Joint::RHipRoll => 10.0,
-            Joint::LKneePitch | Joint::RKneePitch => 8.0,
+            Joint::LHipPitch | Joint::RHipPitch | Joint::LHipRoll | Joint::RHipRoll => 15.0,
+            Joint::LKneePitch | Joint::RKneePitch => 12.0,
             Joint::LEFT_HIP_YAW | Joint::RIGHT_HIP_YAW | Joint::WAIST_YAW => 4.0,
             Joint::LAnklePitch | Joint::RAnklePitch | Joint::LAnkleRoll | Joint::RAnkleRoll => 2.0,
             _ => 1.0,

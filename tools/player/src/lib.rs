@@ -6,6 +6,7 @@
 mod cli;
 mod colour_profile;
 pub mod game;
+mod league;
 mod play;
 
 use bica_app::App;

@@ -15,6 +15,9 @@ use crate::cli::{Play, World};
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    if args.world == World::League {
+        return crate::league::run(args);
+    }
     if args.image.is_some() && args.world != World::Firmware {
         let what = "--image names a firmware image, and this game is played without firmware";
         return Err(Failure::new(what, "give --world firmware, too"));
@@ -72,7 +75,7 @@ fn settings(args: &Play) -> Result<&'static [Setting], Failure> {
 #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {
-        World::BuiltIn | World::Firmware => Ok(WorldKind::BuiltIn),
+        World::BuiltIn | World::Firmware | World::League => Ok(WorldKind::BuiltIn),
         #[cfg(feature = "mujoco")]
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]

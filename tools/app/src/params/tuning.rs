@@ -50,7 +50,23 @@ impl<L: Layer> TuningArgs<L> {
     /// # Errors
     /// If a file cannot be read, or a name or a value is wrong.
     pub fn layers(&self, graph: &'static Graph, kind: &str) -> Result<Layers, Failure> {
-        let mut layers = Layers::new(graph);
+        self.read(Layers::new(graph), kind, true)
+    }
+
+    /// As [`Self::layers`], over the layers of a known robot, for which a tune file may be missing.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or a name or a value is wrong.
+    pub fn over(&self, layers: Layers, kind: &str) -> Result<Layers, Failure> {
+        self.read(layers, kind, false)
+    }
+
+    /// Name of the robot.
+    pub fn robot(&self) -> Option<&str> {
+        self.robot.as_deref()
+    }
+
+    fn read(&self, mut layers: Layers, kind: &str, robot_needed: bool) -> Result<Layers, Failure> {
         let path = self.tune.as_deref().unwrap_or(Path::new(FOLDER));
         let (folder, of_kind) = match path.parent().filter(|_| path.is_file()) {
             Some(folder) => (folder, path.to_owned()),
@@ -62,7 +78,10 @@ impl<L: Layer> TuningArgs<L> {
         }
         self.layer.assign(&mut layers)?;
         if let Some(robot) = &self.robot {
-            layers.read(&folder.join(format!("{robot}.toml")))?;
+            let of_robot = folder.join(format!("{robot}.toml"));
+            if robot_needed || of_robot.exists() {
+                layers.read(&of_robot)?;
+            }
         }
         for assignment in &self.set {
             layers.assign(assignment, "--set")?;

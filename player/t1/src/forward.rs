@@ -1,0 +1,70 @@
+//! The tree of the forward on a T1, its senses and its command.
+
+use bica::prelude::*;
+use bica::runner::Robot;
+use bica_motion::robot::{Command, Lights, Sensors};
+
+use crate::behaviour::{
+    Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
+};
+use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState, Sight};
+use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
+use crate::output::{CameraSelector, Motors};
+use crate::perception::{
+    BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
+};
+
+/// What the robot senses in a cycle.
+#[derive(Clone, Copy, Debug)]
+pub struct Senses<'a> {
+    /// Joints and inertial unit, with the estimates of what the body does not measure; no image.
+    pub body: Sensors<'a>,
+    /// What the camera sees; `None` in cycles without a new view.
+    pub sights: Option<&'a [Sight]>,
+}
+
+activation_tree! {
+    /// The forward of RoboCup 2009 on a T1: finds the ball, walks to it, finds the goal, lines up and kicks.
+    pub struct Forward {
+        root: Player,
+        cycle_hz: 100,
+        budget_ms: 200,
+        tunable,
+        components: [
+            Player,
+            SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,
+            Body, GoStraight, Turn, Walk, Kicker, Head,
+            Localization, BallDetector, GoalDetector, RobotDetector, FieldBoundary, CameraPose, Odometry, FallDetector,
+            CameraInput, RobotState, HealthMonitor, GameState, RobotProfile,
+            Motors, CameraSelector,
+        ],
+    }
+}
+
+impl Robot for Forward {
+    type Sensors<'a> = Senses<'a>;
+    type Command = Command;
+    type Error = core::convert::Infallible;
+
+    fn sense(&mut self, senses: &Senses<'_>) -> Result<(), Self::Error> {
+        let commanded = *self.get::<Motors>().commanded();
+        self.get_mut::<RobotState>().measure(&senses.body, &commanded);
+        self.get_mut::<HealthMonitor>().check(&senses.body, &commanded);
+        if let Some(sights) = senses.sights {
+            let angles = *self.get::<RobotState>().angles();
+            self.get_mut::<CameraInput>().receive(sights, &angles);
+        }
+        Ok(())
+    }
+
+    fn act(&mut self) -> Command {
+        let stiffness = self.get::<HealthMonitor>().derated(self.get::<Motors>().stiffness());
+        let commanded = *self.get_mut::<Motors>().command(stiffness);
+        Command {
+            targets: commanded.targets,
+            stiffness: commanded.stiffness,
+            lights: Lights::default(),
+            camera: self.get::<CameraSelector>().selected(),
+        }
+    }
+}

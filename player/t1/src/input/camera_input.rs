@@ -1,0 +1,84 @@
+//! The newest view of the camera: what it sees, without an image.
+
+use bica::prelude::*;
+use bica_motion::joints::{JOINTS, Joints};
+use glam::Vec3;
+use heapless::Vec;
+
+/// Largest number of sights in a view.
+pub const SIGHTS: usize = 48;
+
+/// Something that the camera sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// What it is.
+    pub object: Object,
+    /// Vector from the camera, m: x along its axis, y to the left of the view, z up the view.
+    pub at: Vec3,
+}
+
+/// Kind of a sight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Object {
+    /// The centre of the ball.
+    Ball,
+    /// A mark of the field, at this position in the field frame, m.
+    Mark(Vec3),
+    /// A foot of another player.
+    Robot,
+}
+
+/// The newest view, with the joint angles at which it was taken.
+#[derive(Debug)]
+pub struct CameraInput {
+    sights: Vec<Sight, SIGHTS>,
+    count: u32,
+    angles: Joints,
+}
+
+#[component(budget_us = 1)]
+impl CameraInput {
+    /// Creates the component without a view.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { sights: Vec::new(), count: 0, angles: Joints([0.0; JOINTS]) }
+    }
+
+    /// Takes a new view, and the joint angles (rad) at which it was taken. Sights beyond the first [`SIGHTS`], and those that are not
+    /// finite, are dropped.
+    pub fn receive(&mut self, sights: &[Sight], angles: &Joints) {
+        self.sights = sights.iter().copied().filter(|sight| sight.at.is_finite()).take(SIGHTS).collect();
+        self.count = self.count.wrapping_add(1);
+        self.angles = *angles;
+    }
+
+    /// Number of views so far; it identifies the newest one.
+    #[info]
+    #[must_use]
+    pub const fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Number of sights in the newest view.
+    #[info]
+    fn sight_count(&self) -> u32 {
+        self.sights.len() as u32
+    }
+
+    /// Whether the newest view can be processed: always.
+    pub(crate) const fn has_image(&self) -> bool {
+        self.count > 0
+    }
+
+    /// The joint angles when the view was taken, rad.
+    #[must_use]
+    pub const fn angles(&self) -> &Joints {
+        &self.angles
+    }
+
+    /// The newest view.
+    #[must_use]
+    pub fn sights(&self) -> &[Sight] {
+        &self.sights
+    }
+}

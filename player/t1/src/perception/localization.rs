@@ -1,0 +1,93 @@
+//! Self-localization on the field.
+
+use bica::prelude::*;
+use bica::visual::{self, Point2};
+use bica_motion::pose::{Pose2, rotate};
+use glam::Vec2;
+use libm::atan2f;
+
+use super::ego_motion::EgoMotion;
+use super::{CameraPose, Odometry};
+use crate::input::{CameraInput, Object};
+use crate::{FIELD, info};
+
+/// Least number of marks in a view that give a pose.
+const MARKS: f32 = 2.0;
+/// Least root mean square of the marks' distances from their middle that gives a heading, m.
+const SPREAD: f32 = 1.0;
+
+/// The robot's pose on the field, from the directions and distances of known marks, and from odometry between two views.
+#[derive(Debug)]
+pub struct Localization {
+    pose: Option<Pose2>,
+    ego_motion: EgoMotion,
+}
+
+#[component(hz = 30, budget_us = 20)]
+impl Localization {
+    /// Creates the component with an unknown pose.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { pose: None, ego_motion: EgoMotion::new() }
+    }
+
+    fn step(&mut self, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
+        let advance = |motion| self.pose = self.pose.map(|pose| pose * motion);
+        if self.ego_motion.begin_run(odometry, input, advance) {
+            let marks = input.sights().iter().filter_map(|sight| match sight.object {
+                Object::Mark(mark) => Some((mark.truncate(), camera.ground(sight.at, mark.z)?)),
+                _ => None,
+            });
+            self.pose = pose_by(marks).or(self.pose);
+        }
+    }
+
+    /// Most probable pose on the field: x towards the attacked goal, from the centre.
+    #[info(frame = "field")]
+    fn robot_pose(&self) -> Option<visual::Pose2> {
+        self.pose.map(info::pose)
+    }
+
+    /// Most probable pose of the odometry's frame on the field.
+    #[info(frame = "field", child = "odometry")]
+    fn odometry_origin(&self) -> Option<visual::Pose2> {
+        self.pose.map(|pose| info::pose(pose * self.ego_motion.pose().inverse()))
+    }
+
+    /// Left and right post of the attacked goal by the pose.
+    #[info(unit = "m", frame = "robot")]
+    fn post_positions(&self) -> Option<[Point2; 2]> {
+        self.posts().map(|posts| posts.map(info::point))
+    }
+
+    /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` before the first
+    /// view with marks.
+    #[must_use]
+    pub const fn pose(&self) -> Option<Pose2> {
+        self.pose
+    }
+
+    /// The left and the right post of the attacked goal, m, in the ground frame between the feet; `None` while the pose is unknown.
+    #[must_use]
+    pub fn posts(&self) -> Option<[Vec2; 2]> {
+        let pose = self.pose()?;
+        Some(FIELD.goal_posts(true).map(|post| pose.locate(post)))
+    }
+}
+
+/// Returns the pose in which marks of the field (first) appear where they are seen (second), with the least sum of squares (Arun,
+/// Huang, Blostein 1987, in the plane); `None` if they are too few or too close together.
+fn pose_by(marks: impl Iterator<Item = (Vec2, Vec2)> + Clone) -> Option<Pose2> {
+    let count = marks.clone().count() as f32;
+    let sum = marks.clone().fold([Vec2::ZERO; 2], |[field, seen], (mark, at)| [field + mark, seen + at]);
+    let [field, seen] = sum.map(|sum| sum / count.max(1.0));
+    let (turned, straight, spread) = marks.fold((0.0, 0.0, 0.0), |(turned, straight, spread), (mark, at)| {
+        let (mark, at) = (mark - field, at - seen);
+        (turned + at.perp_dot(mark), straight + at.dot(mark), spread + mark.length_squared())
+    });
+    if count < MARKS || spread < count * SPREAD * SPREAD {
+        return None;
+    }
+    let heading = atan2f(turned, straight);
+    Some(Pose2 { position: field - rotate(seen, heading), heading })
+}

@@ -1,0 +1,59 @@
+//! Other robots.
+
+use bica::prelude::*;
+use bica::visual::{List, Point2};
+use bica_vision::memory::PositionEstimate;
+use bica_vision::uncertainty;
+use glam::Vec2;
+use heapless::Vec;
+
+use super::ego_motion::EgoMotion;
+use super::{CameraPose, Odometry};
+use crate::info;
+use crate::input::{CameraInput, Object};
+
+/// Maximum number of robots.
+const ROBOTS: usize = 4;
+/// Standard deviation of the position of a robot of which a foot is seen, m.
+const FOOT_ERROR: f32 = 0.15;
+
+/// The feet of other robots in the newest view.
+#[derive(Debug)]
+pub struct RobotDetector {
+    feet: Vec<Vec2, ROBOTS>,
+    ego_motion: EgoMotion,
+}
+
+#[component(hz = 30, budget_us = 10)]
+impl RobotDetector {
+    /// Creates the component without robots.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { feet: Vec::new(), ego_motion: EgoMotion::new() }
+    }
+
+    fn step(&mut self, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
+        let feet = &mut self.feet;
+        let advance = |motion: bica_motion::pose::Pose2| {
+            for foot in feet {
+                *foot = motion.locate(*foot);
+            }
+        };
+        if self.ego_motion.begin_run(odometry, input, advance) {
+            let seen = input.sights().iter().filter(|sight| sight.object == Object::Robot);
+            self.feet = seen.filter_map(|sight| camera.ground(sight.at, 0.0)).take(ROBOTS).collect();
+        }
+    }
+
+    /// The positions, m, in the ground frame between the feet of this robot.
+    pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
+        let covariance = uncertainty::round(FOOT_ERROR);
+        self.feet.iter().map(move |&position| PositionEstimate { position, covariance })
+    }
+
+    /// The positions.
+    #[info(unit = "m", frame = "robot")]
+    fn robot_positions(&self) -> List<Point2, ROBOTS> {
+        self.feet.iter().copied().map(info::point).collect()
+    }
+}
