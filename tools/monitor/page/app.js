@@ -1,13 +1,15 @@
 // The page: bar, docked panels, notices, keys.
 
 import { Fragment, effect, html, render, signal } from './lib/dom.js';
-import { toTransition } from './lib/axis.js';
+import { shownTime, toTransition } from './lib/axis.js';
 import { connect } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bind } from './lib/keys.js';
 import './lib/messages.js';
+import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
+import { setEdge, span } from './lib/span.js';
 import * as store from './lib/store.js';
 import { toggleTheme } from './lib/theme.js';
 import { Banner } from './banner.js';
@@ -69,6 +71,7 @@ const KEYS = [
   ['F6', 'next panel', 'Page', () => dock.focusNext(1)],
   ['Shift+F6', 'previous panel', 'Page', () => dock.focusNext(-1)],
   ['m', 'panel as large as the page, and back', 'Page', dock.maximize],
+  ['P', 'picture of the panel, as PNG', 'Page', () => savePicture(dock.active())],
   ['x', 'close the panel', 'Page', dock.closeActive],
   ['p', 'new plot', 'Page', () => dock.open('plot')],
   ...Object.entries(PRESETS).map(([name, { title }], index) => [`${index + 1}`, `layout “${title}”`, 'Page', () => dock.preset(name)]),
@@ -80,6 +83,9 @@ const KEYS = [
   ['Shift+ArrowRight', 'one second on', 'Time', () => step(1e6)],
   ['[', 'previous transition of the shown component', 'Time', () => toTransition(-1)],
   [']', 'next transition of the shown component', 'Time', () => toTransition(1)],
+  ['i', 'the span begins at the shown moment', 'Time', () => setEdge(0, shownTime.value)],
+  ['o', 'the span ends at the shown moment', 'Time', () => setEdge(1, shownTime.value)],
+  ['\\', 'no span', 'Time', () => { span.value = null; }],
   ['Home', 'first moment', 'Time', () => seek(store.session.value?.info.value.from_us ?? 0)],
   ['End', 'last moment', 'Time', () => seek(store.session.value?.info.value.until_us ?? 0)],
   ['+', 'zoom in', 'Time', () => zoom(0.6)],

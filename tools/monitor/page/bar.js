@@ -5,6 +5,7 @@ import { link } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bytes, duration, number, time } from './lib/format.js';
 import { PANELS } from './lib/panels.js';
+import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
 import * as store from './lib/store.js';
@@ -61,7 +62,7 @@ function Clock() {
   const at = store.cursor.value;
   const recording = info?.kind === 'recording';
   const moment = shown?.moment.value;
-  const state = at !== null ? (recording && store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
+  const state = at !== null ? (store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
   const fresh = shown && info.connection === 'connected';
   return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
     title="Space pauses the view; the robot goes on" onClick=${playOrPause}>
@@ -147,6 +148,7 @@ function View() {
     <button class="item" onClick=${() => download('jmanager-layout.json', new Blob([JSON.stringify(dock.layout(), null, 1)], { type: 'application/json' }))}>Layout to a file</button>
     <button class="item" onClick=${openLayoutFile}>Layout from a file…</button>
     <h3>Panels</h3>
+    <button class="item" onClick=${() => savePicture(dock.active())}>Picture of the panel<kbd>P</kbd></button>
     ${Object.entries(PANELS).map(([name, { title, many }]) => html`<button class="item" onClick=${() => dock.open(name)}>${many ? `New ${title.toLowerCase()}` : title}${dock.opened.value.has(name) ? html`<span class="dim">open</span>` : ''}</button>`)}
   <//>`;
 }

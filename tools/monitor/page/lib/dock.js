@@ -104,6 +104,9 @@ export const maximize = () => {
   else api.activePanel?.api.maximize();
 };
 
+/** The element and the title of the active panel; null if there is none. */
+export const active = () => (api.activePanel ? { element: api.activePanel.view.content.element, title: api.activePanel.title } : null);
+
 /** Moves the focus to the next panel in order. */
 export function focusNext(by) {
   const panels = api.panels.filter((panel) => panel.api.isVisible);

@@ -19,6 +19,7 @@ mod pressing;
 mod recordings;
 mod running;
 mod space;
+mod spans;
 mod watching;
 
 use jmanager_browser::{Page, Server};
