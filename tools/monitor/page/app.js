@@ -1,10 +1,11 @@
 // The page: bar, docked panels, notices, keys.
 
-import { Fragment, effect, html, render, signal } from './lib/dom.js';
+import { Fragment, effect, html, render } from './lib/dom.js';
 import { shownTime, toTransition } from './lib/axis.js';
 import { connect } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bind } from './lib/keys.js';
+import { follow, parametersOf, writeAddress } from './lib/links.js';
 import './lib/messages.js';
 import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
@@ -31,7 +32,6 @@ function App() {
   return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Palette} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
-const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
 /** What the page was opened with. */
 const wanted = parametersOf(location);
 let started = false;
@@ -93,53 +93,16 @@ const KEYS = [
   ['c', 'take control if nobody has it', 'Operate', store.operate],
   ['g', 'give control back', 'Operate', () => store.act('release', {}, 'control was given back')],
   ['u', 'undo the last change of a parameter', 'Operate', store.undoParams],
+  ['U', 'redo the change that was undone', 'Operate', store.redoParams],
   [',', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
   ['.', 'one cycle of a paused world', 'Operate', () => store.act('step', { cycles: 1 })],
 ];
 for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
 bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
 
-// ---- a link to a moment: #session=NAME&t=SECONDS&layout=NAME. The address has no layout: after a reload it would undo changes.
-
-/** The session and the time of a link, until the page shows them. */
-const pending = signal(null);
-let writing = null;
-
-/** Follows a link. The address may have been written again since its event. */
-function follow(event) {
-  const { session, t } = parametersOf(event ? new URL(event.newURL) : location);
-  const time = Number.parseFloat(t);
-  if (session || Number.isFinite(time)) pending.value = { name: session, time: Number.isFinite(time) ? time * 1e6 : null };
-}
-
-effect(() => {
-  if (!pending.value || !store.hello.value) return;
-  const { name, time } = pending.value;
-  const all = [...store.sessions.value.values()];
-  const one = name ? all.find((each) => each.info.value.name === name) : store.session.value;
-  if (name && !one) {
-    pending.value = null;
-    store.notify('error', `the session “${name}” of the link is not open`, 'open it with +, then follow the link again');
-  }
-  if (!one?.description.value) return;
-  pending.value = null;
-  clearTimeout(writing);
-  // The cursor must not become a dependency of this effect.
-  setTimeout(() => {
-    store.show(one.id);
-    if (time !== null) seek(time);
-  });
-});
 window.addEventListener('hashchange', follow);
 follow();
-
-effect(() => {
-  const at = store.cursor.value;
-  const name = store.session.value?.info.value.name;
-  const several = store.sessions.value.size > 1;
-  clearTimeout(writing);
-  writing = setTimeout(() => history.replaceState(null, '', dock.address({ session: several || at !== null ? name : null, time: at })), 400);
-});
+effect(writeAddress);
 
 effect(() => {
   const name = store.session.value?.info.value.name;
