@@ -3,8 +3,8 @@
 
 Fetches the exact versions in vendor.json from npm, compares the SHA-512 of their packages, and writes them to page/vendor. There they
 are ES modules that import each other by relative paths, so that the page needs neither an import map nor another host. esbuild joins
-the packages of the editor CodeMirror; the same versions give the same bytes. With --check it only compares the folder. Needed only for
-a change of versions: the result is in the repository.
+the packages of the editor CodeMirror, and what the page uses of three.js; the same versions give the same bytes. With --check it only
+compares the folder. Needed only for a change of versions: the result is in the repository.
 """
 
 import hashlib
@@ -49,7 +49,11 @@ def relative(text):
     return "\n".join(line for line in text.splitlines() if not line.startswith("//# sourceMappingURL")) + "\n"
 
 
-def bundle(parts):
+def licences_of(parts):
+    return f"{parts['file'].removesuffix('.js')}.LICENSE.txt"
+
+
+def bundle(esbuild, parts):
     """Returns the joined module and the licences of its packages."""
     modules = WORK / "bundle/node_modules"
     shutil.rmtree(modules.parent, ignore_errors=True)
@@ -63,22 +67,23 @@ def bundle(parts):
     entry, result = modules.parent / "entry.js", modules.parent / parts["file"]
     entry.write_text("\n".join(parts["entry"]) + "\n")
     options = "--bundle --format=esm --minify --charset=utf8 --legal-comments=none --log-level=warning".split()
-    program = unpack(parts["esbuild"]) / "bin/esbuild"
-    subprocess.run([program, entry, *options, f"--outfile={result}"], check=True)
-    return {parts["file"]: result.read_text(), "codemirror.LICENSE.txt": licences}
+    subprocess.run([esbuild, entry, *options, f"--outfile={result}"], check=True)
+    return {parts["file"]: result.read_text(), licences_of(parts): licences}
 
 
 def readme(versions):
-    parts, rows = versions["bundle"], []
+    rows = []
     for library in versions["libraries"]:
         licence = "Apache-2.0" if library["package"] == "htm" else "MIT"
         rows.append((library, ", ".join(library["files"].values()), licence, f"{flat(library['package'])}.LICENSE.txt"))
-    rows += [(library, parts["file"], "MIT", "codemirror.LICENSE.txt") for library in parts["packages"]]
+    for parts in versions["bundles"]:
+        rows += [(library, parts["file"], "MIT", licences_of(parts)) for library in parts["packages"]]
+    joined = " and ".join(parts["file"] for parts in versions["bundles"])
     table = "".join(f"| {row['package']} | {row['version']} | {files} | {kind}, {licence} |\n" for row, files, kind, licence in rows)
     return (
         "# Libraries of the page\n\nWritten by `python3 tools/monitor/vendor.py`; do not edit. Module names in imports are replaced "
-        f"by relative\npaths, links to source maps are removed, and esbuild joins the packages of {parts['file']}; nothing else is "
-        f"changed.\n\n| package | version | files | licence |\n|---|---|---|---|\n{table}"
+        f"by relative\npaths, links to source maps are removed, and esbuild joins the packages of {joined};\nnothing else "
+        f"is changed.\n\n| package | version | files | licence |\n|---|---|---|---|\n{table}"
     )
 
 
@@ -91,7 +96,9 @@ def main():
         folder = unpack(library)
         files[f"{flat(library['package'])}.LICENSE.txt"] = (folder / library["licence"]).read_text()
         files |= {to: relative((folder / source).read_text()) for source, to in library["files"].items()}
-    files |= bundle(versions["bundle"])
+    esbuild = unpack(versions["esbuild"]) / "bin/esbuild"
+    for parts in versions["bundles"]:
+        files |= bundle(esbuild, parts)
     if sys.argv[1:]:
         present = {path.name: path.read_text() for path in FOLDER.iterdir()}
         wrong = sorted(name for name in files.keys() | present.keys() if files.get(name) != present.get(name))

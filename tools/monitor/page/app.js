@@ -1,13 +1,16 @@
 // The page: bar, docked panels, notices, keys.
 
-import { Fragment, effect, html, render, signal } from './lib/dom.js';
-import { toTransition } from './lib/axis.js';
+import { Fragment, effect, html, render } from './lib/dom.js';
+import { shownTime, toTransition } from './lib/axis.js';
 import { connect } from './lib/connection.js';
 import * as dock from './lib/dock.js';
 import { bind } from './lib/keys.js';
+import { follow, parametersOf, writeAddress } from './lib/links.js';
 import './lib/messages.js';
+import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
 import { PRESETS } from './lib/presets.js';
+import { setEdge, span } from './lib/span.js';
 import * as store from './lib/store.js';
 import { toggleTheme } from './lib/theme.js';
 import { Banner } from './banner.js';
@@ -29,7 +32,6 @@ function App() {
   return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Palette} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
-const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
 /** What the page was opened with. */
 const wanted = parametersOf(location);
 let started = false;
@@ -69,6 +71,7 @@ const KEYS = [
   ['F6', 'next panel', 'Page', () => dock.focusNext(1)],
   ['Shift+F6', 'previous panel', 'Page', () => dock.focusNext(-1)],
   ['m', 'panel as large as the page, and back', 'Page', dock.maximize],
+  ['P', 'picture of the panel, as PNG', 'Page', () => savePicture(dock.active())],
   ['x', 'close the panel', 'Page', dock.closeActive],
   ['p', 'new plot', 'Page', () => dock.open('plot')],
   ...Object.entries(PRESETS).map(([name, { title }], index) => [`${index + 1}`, `layout “${title}”`, 'Page', () => dock.preset(name)]),
@@ -80,6 +83,9 @@ const KEYS = [
   ['Shift+ArrowRight', 'one second on', 'Time', () => step(1e6)],
   ['[', 'previous transition of the shown component', 'Time', () => toTransition(-1)],
   [']', 'next transition of the shown component', 'Time', () => toTransition(1)],
+  ['i', 'the span begins at the shown moment', 'Time', () => setEdge(0, shownTime.value)],
+  ['o', 'the span ends at the shown moment', 'Time', () => setEdge(1, shownTime.value)],
+  ['\\', 'no span', 'Time', () => { span.value = null; }],
   ['Home', 'first moment', 'Time', () => seek(store.session.value?.info.value.from_us ?? 0)],
   ['End', 'last moment', 'Time', () => seek(store.session.value?.info.value.until_us ?? 0)],
   ['+', 'zoom in', 'Time', () => zoom(0.6)],
@@ -87,53 +93,16 @@ const KEYS = [
   ['c', 'take control if nobody has it', 'Operate', store.operate],
   ['g', 'give control back', 'Operate', () => store.act('release', {}, 'control was given back')],
   ['u', 'undo the last change of a parameter', 'Operate', store.undoParams],
+  ['U', 'redo the change that was undone', 'Operate', store.redoParams],
   [',', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
   ['.', 'one cycle of a paused world', 'Operate', () => store.act('step', { cycles: 1 })],
 ];
 for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
 bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
 
-// ---- a link to a moment: #session=NAME&t=SECONDS&layout=NAME. The address has no layout: after a reload it would undo changes.
-
-/** The session and the time of a link, until the page shows them. */
-const pending = signal(null);
-let writing = null;
-
-/** Follows a link. The address may have been written again since its event. */
-function follow(event) {
-  const { session, t } = parametersOf(event ? new URL(event.newURL) : location);
-  const time = Number.parseFloat(t);
-  if (session || Number.isFinite(time)) pending.value = { name: session, time: Number.isFinite(time) ? time * 1e6 : null };
-}
-
-effect(() => {
-  if (!pending.value || !store.hello.value) return;
-  const { name, time } = pending.value;
-  const all = [...store.sessions.value.values()];
-  const one = name ? all.find((each) => each.info.value.name === name) : store.session.value;
-  if (name && !one) {
-    pending.value = null;
-    store.notify('error', `the session “${name}” of the link is not open`, 'open it with +, then follow the link again');
-  }
-  if (!one?.description.value) return;
-  pending.value = null;
-  clearTimeout(writing);
-  // The cursor must not become a dependency of this effect.
-  setTimeout(() => {
-    store.show(one.id);
-    if (time !== null) seek(time);
-  });
-});
 window.addEventListener('hashchange', follow);
 follow();
-
-effect(() => {
-  const at = store.cursor.value;
-  const name = store.session.value?.info.value.name;
-  const several = store.sessions.value.size > 1;
-  clearTimeout(writing);
-  writing = setTimeout(() => history.replaceState(null, '', dock.address({ session: several || at !== null ? name : null, time: at })), 400);
-});
+effect(writeAddress);
 
 effect(() => {
   const name = store.session.value?.info.value.name;

@@ -2,17 +2,18 @@
 
 import { html, useSignal } from './lib/dom.js';
 import { link } from './lib/connection.js';
+import { copyLink } from './lib/links.js';
 import * as dock from './lib/dock.js';
 import { bytes, duration, number, time } from './lib/format.js';
 import { PANELS } from './lib/panels.js';
+import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
-import { PRESETS } from './lib/presets.js';
 import * as store from './lib/store.js';
 import { theme, toggleTheme } from './lib/theme.js';
-import { Menu, download } from './lib/ui.js';
+import { Menu } from './lib/ui.js';
+import { Layouts, useSaved } from './layouts.js';
 import { helpShown } from './help.js';
 import { paletteShown } from './palette.js';
-import { askForm } from './vicode/ask.js';
 
 const CONNECTION = { connecting: 'connecting', connected: '', lost: 'lost', ended: 'ended' };
 
@@ -61,7 +62,7 @@ function Clock() {
   const at = store.cursor.value;
   const recording = info?.kind === 'recording';
   const moment = shown?.moment.value;
-  const state = at !== null ? (recording && store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
+  const state = at !== null ? (store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
   const fresh = shown && info.connection === 'connected';
   return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
     title="Space pauses the view; the robot goes on" onClick=${playOrPause}>
@@ -114,53 +115,14 @@ function Recording() {
     <i class="dot" aria-hidden="true"></i>${recording.on ? html`<span class="word">recording</span> ${bytes(recording.bytes)}` : 'not recorded'}</button>`;
 }
 
-async function shareLayout() {
-  const asked = await askForm({ title: 'Save layout', submit: 'Save', fields: [{ name: 'name', label: 'Name of the layout' }] });
-  const name = asked?.name.trim();
-  if (!name) return;
-  await store.ask('save_layout', { name, layout: dock.layout() }, `layout “${name}” was saved`);
-}
-
-function openLayoutFile() {
-  const input = document.createElement('input');
-  input.type = 'file';
-  input.accept = '.json';
-  input.onchange = async () => {
-    const file = input.files[0];
-    try {
-      if (!dock.applyLayout(JSON.parse(await file.text()), file.name)) throw new Error('not a layout');
-    } catch {
-      store.notify('error', `${file.name} is no layout`, 'choose a file that “Layout to a file” wrote');
-    }
-  };
-  input.click();
-}
-
 function View() {
-  const saved = useSignal({});
-  const load = async () => { saved.value = (await store.ask('layouts')) ?? {}; };
+  const [saved, load] = useSaved();
   return html`<${Menu} label="View" title="View: layouts and panels" onOpen=${load}>
-    <h3>Layouts</h3>
-    ${dock.presets().map(([name, { title }, key]) => html`<button class="item" onClick=${() => dock.preset(name)}>${title}<kbd>${key}</kbd></button>`)}
-    ${Object.entries(saved.value).map(([name, layout]) => html`<button class="item" onClick=${() => dock.applyLayout(layout, name)}>${name}</button>`)}
-    <button class="item" onClick=${shareLayout}>Save layout as…</button>
-    <button class="item" onClick=${() => download('jmanager-layout.json', new Blob([JSON.stringify(dock.layout(), null, 1)], { type: 'application/json' }))}>Layout to a file</button>
-    <button class="item" onClick=${openLayoutFile}>Layout from a file…</button>
+    <${Layouts} saved=${saved} />
     <h3>Panels</h3>
+    <button class="item" onClick=${() => savePicture(dock.active())}>Picture of the panel<kbd>P</kbd></button>
     ${Object.entries(PANELS).map(([name, { title, many }]) => html`<button class="item" onClick=${() => dock.open(name)}>${many ? `New ${title.toLowerCase()}` : title}${dock.opened.value.has(name) ? html`<span class="dim">open</span>` : ''}</button>`)}
   <//>`;
-}
-
-async function copyLink() {
-  const at = store.cursor.value ?? store.session.value?.moment.value?.time_us ?? 0;
-  const layout = PRESETS[dock.layoutName.value] ? dock.layoutName.value : null;
-  const url = location.origin + dock.address({ session: store.session.value?.info.value.name, time: at, layout });
-  try {
-    await navigator.clipboard.writeText(url);
-    store.notify('done', 'the link to this moment is in the clipboard');
-  } catch {
-    store.notify('done', url);
-  }
 }
 
 export function Header() {
@@ -173,7 +135,7 @@ export function Header() {
     <span class="grow"></span>
     <${Control} /><${World} /><${Recording} />
     <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>⌕<span class="word"> Find…</span></button>
-    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment" onClick=${copyLink}>Link</button>
+    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment, with the layout and its watches" onClick=${copyLink}>Link</button>
     <${View} />
     <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>
     <button class="plain" aria-label="Keys" title="Keys (?)" onClick=${() => { helpShown.value = true; }}>?</button>

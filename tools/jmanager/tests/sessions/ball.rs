@@ -7,6 +7,7 @@ use bica_monitor::protocol::{Open, Request, Watch};
 use bica_player_program::game::{ReplayOptions, replay};
 
 use crate::sessions::page::Page;
+use crate::sessions::recorded::opened;
 use crate::sessions::world::{pose_of, running, set_gain};
 
 fn ball(x: f32, y: f32) -> Request {
@@ -77,4 +78,23 @@ fn a_kept_recording_of_a_world_with_requests_replays() {
     let lines = page.lines();
     let is_placement = |line: &&serde_json::Value| line["text"].as_str().unwrap().starts_with("act place_ball(");
     assert_eq!(lines.iter().filter(is_placement).count(), placed);
+}
+
+#[test]
+fn a_span_of_a_running_world_and_of_a_recording_is_kept() {
+    let (page, _) = running();
+    page.cycle(250);
+    let keep = |name: &str, from_us, until_us| page.ask(Request::KeepSpan { name: name.to_owned(), from_us, until_us });
+    keep("part", 500_000, 1_500_000).unwrap();
+    let span = |name: &str| {
+        let (_, info) = opened(&page, name);
+        (info["from_us"].as_u64().unwrap(), info["until_us"].as_u64().unwrap())
+    };
+    assert_eq!(span("part.mcap"), (500_000, 1_500_000));
+    keep("less", 600_000, 700_000).unwrap();
+    assert_eq!(span("less.mcap"), (600_000, 700_000));
+    let error = keep("none", 2_600_000, 2_700_000).unwrap_err();
+    assert!(error["text"].as_str().unwrap().contains("no such span: it ends at 0.70 s"), "{error}");
+    let files = std::fs::read_dir(page.bench.folder.0.join("recordings")).unwrap();
+    assert_eq!(files.count(), 2, "what was not kept is removed");
 }

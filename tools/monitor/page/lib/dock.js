@@ -73,6 +73,13 @@ export function start(element) {
   window.addEventListener('pagehide', save);
 }
 
+/** Which panels are in which group, with what they show. */
+const arrangement = () => JSON.stringify([api.groups.map(({ panels }) => panels.map(({ id, params }) => [id, params ?? {}])), watches.peek()]);
+let presetArrangement = null;
+
+/** Whether the layout is the preset that was applied last, but for sizes. */
+export const isPreset = () => Boolean(PRESETS[layoutName.peek()]) && arrangement() === presetArrangement;
+
 /** Opens a panel, or shows it if it is open. */
 export function open(name, params, title) {
   const kind = PANELS[name];
@@ -103,6 +110,9 @@ export const maximize = () => {
   if (api.hasMaximizedGroup()) api.exitMaximizedGroup();
   else api.activePanel?.api.maximize();
 };
+
+/** The element and the title of the active panel; null if there is none. */
+export const active = () => (api.activePanel ? { element: api.activePanel.view.content.element, title: api.activePanel.title } : null);
 
 /** Moves the focus to the next panel in order. */
 export function focusNext(by) {
@@ -161,6 +171,7 @@ export function preset(name) {
     });
   }
   layoutName.value = name;
+  presetArrangement = arrangement();
   return undefined;
 }
 

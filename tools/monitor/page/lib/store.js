@@ -25,6 +25,8 @@ export const hovered = signal(null);
 export const notices = signal([]);
 /** Parameter changes that can be undone: {session, component, param, before, after}. */
 export const undo = signal([]);
+/** Those that were undone and can be done again. */
+export const redo = signal([]);
 
 let lastNotice = 0;
 
@@ -105,16 +107,20 @@ export async function setParams(settings) {
   const shown = session.value;
   const before = settings.map(({ component, param }) => ({ component, param, value: shown.params.value[component][param] }));
   const result = await command('set', { settings });
-  if (result !== undefined) undo.value = [...undo.value.slice(-199), { session: shown.id, before, after: settings }];
+  if (result !== undefined) [undo.value, redo.value] = [[...undo.value.slice(-199), { session: shown.id, before, after: settings }], []];
   return result;
 }
 
-export async function undoParams() {
-  const last = undo.value.at(-1);
+/** Takes the last change of a list, and puts it on the other one. */
+async function move(from, to, settings, done) {
+  const last = from.value.at(-1);
   if (!last) return;
-  undo.value = undo.value.slice(0, -1);
-  await command('set', { settings: last.before }, 'the last change was undone');
+  from.value = from.value.slice(0, -1);
+  if ((await command('set', { settings: last[settings] }, done)) !== undefined) to.value = [...to.value, last];
 }
+
+export const undoParams = () => move(undo, redo, 'before', 'the last change was undone');
+export const redoParams = () => move(redo, undo, 'after', 'the change was made again');
 
 // ---- what the page watches
 
@@ -295,7 +301,7 @@ export function show(id) {
     cursor.value = null;
     playing.value = false;
     range.value = { span: 20e6, end: null, grows: true };
-    undo.value = [];
+    [undo.value, redo.value] = [[], []];
   });
   watchAnew();
   if (next) begin(next);

@@ -9,7 +9,9 @@ import { cursor, session, watch } from '../lib/store.js';
 import { css, curveColour } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
 import { ActionsMenu, onGround, useActions } from './actions.js';
+import { drawLegend } from './map/legend.js';
 import { useDrag } from './map/place.js';
+import { Space, calibrations, framesOf, toViewOf, viewsOf } from './map/space.js';
 
 const TRAIL = 400;
 /** Distance around everything that is drawn, m, without a scenery. */
@@ -20,10 +22,12 @@ const HALO = '#ffffffa0';
 /** Whether the map has something to draw. */
 export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.info.value.can.truth || shown.scenery.value.length > 0 || visuals(shown.description.value, false).length > 0);
 
-export function GroundMap({ visible }) {
+export function GroundMap({ visible, params, remember }) {
   const shown = session.value;
   const description = shown?.description.value;
   const outputs = useMemo(() => visuals(description, false), [description]);
+  const cameras = useMemo(() => calibrations(description), [description]);
+  const deep = useSignal(params.deep ?? false);
   const truthShown = useSignal(true);
   const sceneryShown = useSignal(true);
   const turned = useSignal(false);
@@ -34,14 +38,18 @@ export function GroundMap({ visible }) {
   // What a world lets place is in its frame.
   const isFixed = fixed.value === null || fixed.value === shown?.scenery.value[0]?.frame;
   const geometry = useRef(null);
+  const ground = useRef(null);
   const list = onGround(shown);
-  const at = (event) => geometry.current?.(mapIn(event.currentTarget.clientWidth, event.currentTarget.clientHeight).at(event.offsetX, event.offsetY));
+  const at = (event) => {
+    const point = deep.value ? ground.current?.(event) : mapIn(event.currentTarget.clientWidth, event.currentTarget.clientHeight).at(event.offsetX, event.offsetY);
+    return point && geometry.current?.(point);
+  };
   const { handlers: opens, menu } = useActions({ shown, list, at });
   const { dragged, handlers } = useDrag({ shown, mapOf: (element) => mapIn(element.clientWidth, element.clientHeight), visible: truthShown.value && isFixed });
   useEffect(() => {
     if (!visible.value || !description) return undefined;
-    return watch({ truth: shown.info.value.can.truth, info: outputs.map(({ component, index }) => [component, index, 3]) });
-  }, [visible.value, shown, description]);
+    return watch({ truth: shown.info.value.can.truth, info: [...outputs, ...(deep.value ? cameras : [])].map(({ component, index }) => [component, index, 3]) });
+  }, [visible.value, shown, description, deep.value]);
 
   if (!description) return html`<${Empty} what="No map yet" help="Open a world, a robot or a recording." />`;
   if (!hasMap(shown)) return html`<${Empty} what="This tree has nothing that a map can draw" help="Return a type of bica::visual from an output, and name its frame: #[info(frame = &quot;robot&quot;)]." />`;
@@ -64,16 +72,16 @@ export function GroundMap({ visible }) {
   const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value?.[axis];
   const reads = () => {
     void [shown.truth.value, shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
-    outputs.forEach((output) => read(output));
+    [...outputs, ...cameras].forEach((output) => read(output));
   };
   /** What is drawn, the lowest first: {parts, matrix, style, trail}; nothing of a frame that has no place in the view. */
   const layers = () => {
     const now = located(outputs, read, truth());
-    const toView = inverse(now(view).matrix);
+    const toView = toViewOf(now, view);
     const layer = (frame, shape, value, style, key) => {
-      const { matrix, root: own } = now(frame);
-      const parts = own === now(view).root ? flat(value).flatMap((one) => partsOf(shape, one)) : [];
-      return { parts, matrix: times(toView, matrix), style, trail: key && seen.trails(key) };
+      const matrix = toView(frame);
+      const parts = matrix ? flat(value).flatMap((one) => partsOf(shape, one)) : [];
+      return { parts, matrix, style, trail: key && seen.trails(key) };
     };
     // Of the true places of frames only that of the robot is drawn.
     const states = (plain) => ({ name, frame, shape, value, child, colour, line_width: width }) => (child && child !== main ? [] : [layer(frame, shape, value,
@@ -81,19 +89,39 @@ export function GroundMap({ visible }) {
     const scenery = sceneryShown.value ? shown.scenery.value.flatMap(states({ colour: css('--dim'), fill: true })) : [];
     const found = outputs.map(({ component, info, index }, number) => layer(info.frame, info.shape, hidden.value.has(number) ? null : read({ component, index }),
       { colour: colour(component), halo: HALO, faint: !shown.moment.value?.components?.[component]?.[0] }, info.child === main && info.child));
-    return { scenery, found, stated: truthShown.value ? truth().flatMap(states({ colour: css('--truth'), halo: css('--panel'), dash: DASHED })) : [] };
+    return { toView, scenery, found, stated: truthShown.value ? truth().flatMap(states({ colour: css('--truth'), halo: css('--panel'), dash: DASHED })) : [] };
   };
   const draw = (context, width, height) => {
     const { scenery, found, stated } = layers();
     const all = [...scenery, ...found, ...stated];
     seen.bounds = scenery.length > 0 ? extent(scenery, null, 0) : extent(all, seen.bounds, MARGIN);
     const map = mapIn(width, height);
-    if (cursor.value === null) all.forEach((one) => drawTrail(context, map, one));
+    for (const trail of trails(all)) for (const part of trail.parts) drawPart(context, map, part, IDENTITY, trail.style);
     for (const { parts, matrix, style } of all) for (const part of parts) drawPart(context, map, part, matrix, style);
     if (dragged.value) drawPart(context, map, { dots: [dragged.value] }, IDENTITY, { colour: css('--truth') });
+    legend(context, width, height, found, stated);
+  };
+  const legend = (context, width, height, found, stated) => {
     const drawn = new Map(outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
     if (stated.length > 0) drawn.set('truth (dashed)', css('--truth'));
     drawLegend(context, width, height, [...drawn]);
+  };
+  /** The trails of layers that have one, at the newest time, as layers. */
+  const trails = (all) => (cursor.value === null ? all.flatMap(trailOf) : []);
+  const content = () => {
+    const { toView, scenery, found, stated } = layers();
+    const all = [...scenery, ...found, ...stated];
+    // A place of a frame in space is drawn as its axes.
+    const isFrame = (one) => outputs[found.indexOf(one)]?.info.shape === 'Pose3';
+    return {
+      layers: [...all.filter((one) => !isFrame(one)), ...trails(all)], frames: framesOf(outputs, toView),
+      views: viewsOf(cameras, { read, toView, colour }), follow: main === view ? null : toView(main),
+      legend: [found, stated],
+    };
+  };
+  const show = (on) => {
+    deep.value = on;
+    remember({ deep: on });
   };
   const toggle = (layer) => {
     const next = new Set(hidden.value);
@@ -103,6 +131,7 @@ export function GroundMap({ visible }) {
   return html`<${Bar} label="Map">
       <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth() }} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
+      <${Toggle} on=${deep.value} label="3D" title="Show the map in three dimensions" onChange=${show} />
       <${ActionsMenu} ...${{ shown, list, known: here }} />
       <${Menu} label="Layers" title="What the map shows">
         <label>Fixed frame <select aria-label="Fixed frame" onChange=${(event) => { fixed.value = event.target.value; }}>${frames.map((frame) => html`<option selected=${frame === view}>${frame}</option>`)}</select></label>
@@ -111,7 +140,9 @@ export function GroundMap({ visible }) {
         <${Toggle} on=${turned.value} label="Turned by 180°" title="Turn the map by 180°" onChange=${(on) => { turned.value = on; }} />
         <button class="item" onClick=${seen.clear}>Clear the trails</button><//>
     <//>
-    <div class="fill field"><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Map of the ground" ...${{ ...handlers, ...opens }} />${menu}</div>`;
+    <div class="fill field">${deep.value
+      ? html`<${Space} ...${{ content, overlay: legend, reads, visible, ground, flatten: () => show(false), ...opens }} />`
+      : html`<${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Map of the ground" ...${{ ...handlers, ...opens }} />`}${menu}</div>`;
 }
 
 /** The frame in which most outputs are given: the robot's. */
@@ -167,39 +198,11 @@ function newMemory() {
   return { bounds: null, trails: of, clear: () => trails.clear() };
 }
 
-/** Adds the place of a pose to its trail, and draws the trail. */
-function drawTrail(context, map, { parts: [part], matrix, style: { colour, dash }, trail: points }) {
-  if (!points || !part) return;
+/** Adds the place of a pose to its trail; the trail as a layer. */
+function trailOf({ parts: [part], matrix, style: { colour, dash }, trail: points }) {
+  if (!points || !part) return [];
   const [at] = pointsOf(part, matrix);
   if (points.length === 0 || Math.hypot(points.at(-1)[0] - at[0], points.at(-1)[1] - at[1]) > 0.01) points.push(at);
   if (points.length > TRAIL) points.shift();
-  drawPart(context, map, { line: points }, IDENTITY, { colour, dash: dash && [2, 4], faint: true });
-}
-
-/** What the colours mean: lines at the lower border. */
-function drawLegend(context, width, height, entries) {
-  context.font = `11px ${css('--font')}`;
-  context.textBaseline = 'middle';
-  const lines = [[]];
-  let used = 0;
-  for (const [text, colour] of entries) {
-    const wide = context.measureText(text).width + 22;
-    if (used > 0 && used + wide > width - 10) {
-      lines.push([]);
-      used = 0;
-    }
-    lines.at(-1).push({ text, colour, x: 8 + used, wide });
-    used += wide;
-  }
-  lines.forEach((line, number) => {
-    const y = height - 12 - (lines.length - 1 - number) * 17;
-    for (const { text, colour, x, wide } of line) {
-      context.fillStyle = css('--shade');
-      context.fillRect(x - 3, y - 8, wide, 17);
-      context.fillStyle = colour;
-      context.fillRect(x, y - 4, 8, 8);
-      context.fillStyle = css('--shade-text');
-      context.fillText(text, x + 12, y + 0.5);
-    }
-  });
+  return [{ parts: [{ line: points }], matrix: IDENTITY, style: { colour, dash: dash && [2, 4], faint: true } }];
 }

@@ -6,9 +6,11 @@ import { request } from '../lib/connection.js';
 import { resolve, resolved, samples, valueNow } from '../lib/curves.js';
 import { number, numbers, text, time, valueAt } from '../lib/format.js';
 import { line } from '../lib/canvas.js';
+import { on } from '../lib/listen.js';
 import { marks, shownTime, showRange } from '../lib/axis.js';
 import { cursor, newest, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
 import { css, curveColour, theme } from '../lib/theme.js';
+import { choose, span, statistics } from '../lib/span.js';
 import { Bar, Empty, download } from '../lib/ui.js';
 import { open } from '../lib/dock.js';
 import { draft, findings, threshold, watches } from '../lib/watches.js';
@@ -70,6 +72,7 @@ export function Plot({ visible, params, remember }) {
     ${curves.length === 0
       ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an output from a component tab onto this panel, or choose one above." />`
       : html`<${Chart} key=${curves.map(({ name }) => name).join() + theme.value} ...${{ shown, curves, visible }} />`}
+    ${span.value && curves.length > 0 && html`<${Statistics} ...${{ shown, curves, visible }} />`}
   </div>`;
 }
 
@@ -124,9 +127,10 @@ function useHistory(shown, description, curves, visible) {
   }, [shown, description, key]);
 }
 
-function dataOf(shown, curves, [from, until]) {
+/** Times, s, and values of curves in an interval, with some more at both ends. */
+function dataOf(shown, curves, [from, until], margin = 1e6) {
   const times = new Set();
-  const columns = curves.map((curve) => samples(shown, curve, [from - 1e6, until + 1e6]));
+  const columns = curves.map((curve) => samples(shown, curve, [from - margin, until + margin]));
   for (const column of columns) for (const at of column.keys()) times.add(at);
   // No curve is drawn through a time in which nothing was received.
   for (const [begin, end] of shown.info.value.gaps) {
@@ -160,7 +164,7 @@ function Chart({ shown, curves, visible }) {
     const schedule = () => { frame ||= requestAnimationFrame(paint); };
     const stop = effect(() => {
       for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
-      void [visibleRange.value, cursor.value, visible.value, findings.value];
+      void [visibleRange.value, cursor.value, visible.value, findings.value, span.value];
       schedule();
     });
     const observer = new ResizeObserver(() => {
@@ -189,6 +193,8 @@ function options(box, curves) {
     const colour = own.length === 1 ? curveColour(own[0].index) : css('--dim');
     return { scale, stroke: colour, grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)), ...more };
   };
+  // A drag with Shift chooses a span.
+  let shift = false;
   const hasRight = curves.some((curve) => scaleOf(curve) === 'right');
   return {
     width: Math.max(box.clientWidth, 50),
@@ -208,11 +214,12 @@ function options(box, curves) {
     hooks: {
       setSelect: [(chart) => {
         const { left, width } = chart.select;
-        if (width > 3) showRange(chart.posToVal(left, 'x') * 1e6, chart.posToVal(left + width, 'x') * 1e6);
+        if (width > 3) (shift ? choose : showRange)(chart.posToVal(left, 'x') * 1e6, chart.posToVal(left + width, 'x') * 1e6);
         chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
       }],
-      ready: [(chart) => chart.over.addEventListener('click', () => {
-        if (chart.cursor.left >= 0) seek(chart.posToVal(chart.cursor.left, 'x') * 1e6);
+      ready: [(chart) => on(chart.over, {
+        mousedown: (event) => { shift = event.shiftKey; },
+        click: () => chart.cursor.left >= 0 && seek(chart.posToVal(chart.cursor.left, 'x') * 1e6),
       })],
       draw: [(chart) => {
         const { ctx, bbox } = chart;
@@ -221,6 +228,7 @@ function options(box, curves) {
           ctx.fillStyle = css('--cursor');
           ctx.fillRect(x, bbox.top, Math.max(1, devicePixelRatio), bbox.height);
         }
+        drawSpan(chart);
         drawThresholds(chart, curves);
         drawValues(chart, curves);
       }],
@@ -230,6 +238,22 @@ function options(box, curves) {
 }
 
 const padded = (low, high) => (high - low < 1e-9 ? [low - 0.5, high + 0.5] : [low - (high - low) * 0.08, high + (high - low) * 0.08]);
+
+function drawSpan({ ctx, bbox, valToPos }) {
+  if (!span.peek()) return;
+  const [left, right] = span.peek().map((at) => Math.min(Math.max(valToPos(at / 1e6, 'x', true), bbox.left), bbox.left + bbox.width));
+  ctx.fillStyle = css('--selection');
+  ctx.fillRect(left, bbox.top, right - left, bbox.height);
+}
+
+/** What is measured of the curves in the span. */
+function Statistics({ shown, curves, visible }) {
+  if (!visible.value) return null;
+  for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
+  const rows = curves.map((curve) => [curve.name, statistics(samples(shown, curve, [0, span.value[1]]), span.value)]);
+  return html`<table class="stats" aria-label="Statistics of the span"><thead><tr><th>${time(span.value[0])} – ${time(span.value[1])}</th>${['least', 'largest', 'mean', 'deviation', 'change'].map((name) => html`<th class="n">${name}</th>`)}</tr></thead>
+    <tbody>${rows.map(([name, found], index) => html`<tr><td><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}</td>${['min', 'max', 'mean', 'deviation', 'change'].map((part) => html`<td class="n">${found ? number(found[part]) : '–'}</td>`)}</tr>`)}</tbody></table>`;
+}
 
 /** The limits of watches of these curves, the times in which they hold, and the moments at which they fired. */
 function drawThresholds(chart, curves) {
@@ -293,7 +317,7 @@ function nearest(column, index) {
 }
 
 function csv(shown, curves) {
-  const [times, ...columns] = dataOf(shown, curves, [-Infinity, Infinity]);
+  const [times, ...columns] = dataOf(shown, curves, span.value ?? [-Infinity, Infinity], 0);
   const lines = [['time_s', ...curves.map(({ name, unit }) => `${name}${unit ? ` (${unit.replaceAll(',', ';')})` : ''}`)].join(',')];
   times.forEach((at, row) => lines.push([at, ...columns.map((column) => column[row] ?? '')].join(',')));
   download('plot.csv', new Blob([lines.join('\n')], { type: 'text/csv' }));

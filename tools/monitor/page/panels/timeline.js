@@ -6,9 +6,11 @@ import { Canvas } from '../lib/canvas.js';
 import { openComponent } from '../lib/dock.js';
 import { pan, showRange, showWhole, shownTime, toTransition, zoomAt } from '../lib/axis.js';
 import { act, cursor, hovered, range, seek, session, visibleRange } from '../lib/store.js';
+import { choose, span } from '../lib/span.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { findings, watches } from '../lib/watches.js';
 import { AXIS, LABELS, drawTimeline, viewOf } from './timeline/draw.js';
+import { SpanBar, Speed } from './timeline/span.js';
 
 /** Time between two readings of the rows while time goes on. */
 const READ_MS = 500;
@@ -30,7 +32,7 @@ export function Timeline({ visible }) {
   if (!description) return html`<${Empty} what="Nothing has happened yet" help="Rows appear when a robot, a world or a recording is connected." />`;
   const listed = () => list(rows.value, description, all.value, filter.value);
   const reads = () => {
-    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value, watches.value, findings.value];
+    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value, watches.value, findings.value, span.value];
   };
   const draw = (context, width, height) => {
     drawTimeline(context, viewOf(width, height, listed(), scroll.value), { shown, pointer: pointer.value, selection: selection.value });
@@ -50,10 +52,12 @@ export function Timeline({ visible }) {
       <button class=${range.value.grows && range.value.end === null ? 'on' : ''} onClick=${showWhole}>Whole</button>
       <button aria-label="Previous transition" title="Previous transition of the shown component, key [" onClick=${() => toTransition(-1)}>⟨</button><button aria-label="Next transition" title="Next transition of the shown component, key ]" onClick=${() => toTransition(1)}>⟩</button>
       ${shown.info.value.kind !== 'recording' && (cursor.value !== null || range.value.end !== null) && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
+      ${shown.info.value.kind === 'recording' && !span.value && html`<${Speed} />`}
       <span class="grow"></span>
-      <span class="dim hint wide">click: show that moment · drag: zoom · wheel: zoom · Shift+wheel: move</span>
+      <span class="dim hint wide">click: moment · drag: zoom · Shift+drag: span · wheel: zoom</span>
       <form class="note" onSubmit=${addNote}><input placeholder="Note…" aria-label="Note" maxlength="500" value=${note.value} onInput=${(event) => { note.value = event.target.value; }} /><button>Add note</button></form>
     <//>
+    <${SpanBar} rows=${rows.value} />
     <div class="fill" ref=${place}><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Activation timeline" ...${handlers} /></div>`;
 }
 
@@ -108,7 +112,7 @@ function list(rows, description, all, filter) {
     .filter(({ component, bars }) => (all || text !== '' || bars.length > 0) && component.name.toLowerCase().includes(text));
 }
 
-/** `press.current` is {x, row, scrubs} while the pointer is down, else null. It is kept over renderings. */
+/** `press.current` is {x, row, scrubs, spans} while the pointer is down, else null. It is kept over renderings. */
 function pointers({ place, press, pointer, selection, scroll, listed, description }) {
   const view = () => viewOf(place.current.clientWidth, place.current.clientHeight, listed(), scroll.value);
   const release = () => { [press.current, selection.value] = [null, null]; };
@@ -118,7 +122,7 @@ function pointers({ place, press, pointer, selection, scroll, listed, descriptio
       if (event.button !== 0) return;
       event.currentTarget.setPointerCapture(event.pointerId);
       const now = view();
-      press.current = { x: event.offsetX, row: now.rows[now.rowAt(event.offsetY)], scrubs: event.offsetY > now.height - AXIS };
+      press.current = { x: event.offsetX, row: now.rows[now.rowAt(event.offsetY)], scrubs: event.offsetY > now.height - AXIS, spans: event.shiftKey };
       if (press.current.scrubs) seek(now.time(event.offsetX));
     },
     onPointerMove(event) {
@@ -131,7 +135,7 @@ function pointers({ place, press, pointer, selection, scroll, listed, descriptio
     },
     onPointerUp(event) {
       const [chosen, pressed] = [selection.value, press.current];
-      if (chosen) showRange(...chosen.map((x) => view().time(x)).sort((a, b) => a - b));
+      if (chosen) (pressed.spans ? choose : showRange)(...chosen.map((x) => view().time(x)).sort((a, b) => a - b));
       else if (pressed && !pressed.scrubs) {
         if (pressed.x >= LABELS) seek(view().time(event.offsetX));
         else if (pressed.row) openComponent(description.components[pressed.row.index].name, event.shiftKey);

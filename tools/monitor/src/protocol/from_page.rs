@@ -125,6 +125,15 @@ pub enum Request {
         /// File name without folder and ending.
         name: String,
     },
+    /// Keeps the cycles of a span under a name in the recordings folder: of a recording, or as `KeepRecording`. [`{"path": text}`]
+    KeepSpan {
+        /// File name without folder and ending.
+        name: String,
+        /// Begin, µs.
+        from_us: u64,
+        /// End, µs.
+        until_us: u64,
+    },
     /// Lists the recordings in the recordings folder. [list of `{"name", "bytes", "seconds"}`]
     Recordings {},
     /// Writes changed parameters to a tune file. [`{"path": text}`]

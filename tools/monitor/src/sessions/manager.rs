@@ -208,7 +208,10 @@ impl Manager {
                 self.registry.add(&again)?;
                 Ok(Some(json!({ "session": id })))
             }
-            Request::KeepRecording { name } => storage::keep(&session, page, id, &name).map(|()| None),
+            Request::KeepRecording { name } => storage::keep(&session, page, id, (&name, None)).map(|()| None),
+            Request::KeepSpan { name, from_us, until_us } => {
+                storage::keep(&session, page, id, (&name, Some(from_us..=until_us))).map(|()| None)
+            }
             Request::SaveTune { params, name } => tune::save(&session, &params, &name).map(Some),
             _ if session.kind == SessionKind::Recording => {
                 let help = "open a robot or a world; a recording can be run again with other parameters";

@@ -2,12 +2,14 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Write as _};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-use bica_recording::repair::recover;
+use bica_recording::Error;
+use bica_recording::repair::{Copied, recover, trim};
 use serde_json::{Map, Value, json};
 
 use super::keep_robot;
@@ -22,6 +24,8 @@ use bica_wire::message::LogSource;
 pub(super) const MCAP: &str = ".mcap";
 /// Time after which the recorder has written a cycle to its file.
 const WRITTEN: Duration = Duration::from_millis(600);
+/// Ending of a file that is cut when it is complete.
+const WHOLE: &str = "whole";
 /// Largest file of layouts, bytes.
 const MAX_LAYOUTS: usize = 1 << 20;
 
@@ -38,12 +42,28 @@ pub(super) fn recordings(options: &Options) -> Value {
     files.into_iter().map(|(name, bytes)| json!({ "name": name, "bytes": bytes, "seconds": null })).collect()
 }
 
-/// Writes the recording of a world, or what is remembered of a robot, to the recordings folder, and answers when that is done.
-pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) -> Result<(), Failed> {
+/// What is kept.
+enum Source {
+    /// The run of a world, which goes on.
+    Run(PathBuf),
+    /// What is remembered of a robot.
+    Memory,
+    /// A recording.
+    File(PathBuf),
+}
+
+/// Writes a recording, all of it or a span, µs, to a file of the recordings folder, and answers when that is done.
+pub(super) fn keep(
+    session: &Arc<Session>,
+    page: PageId,
+    id: u32,
+    (name, span): (&str, Option<RangeInclusive<u64>>),
+) -> Result<(), Failed> {
     let target = files::path(&session.options.recordings, name, MCAP)?;
     let source = match session.kind {
-        SessionKind::World => Some(recorded(session)?),
-        SessionKind::Robot => None,
+        SessionKind::World => Source::Run(recorded(session)?),
+        SessionKind::Robot => Source::Memory,
+        SessionKind::Recording if span.is_some() => Source::File(session.recording_path()),
         SessionKind::Recording => {
             return Err(Failed::new("a recording is kept already", "choose a world or a robot"));
         }
@@ -53,12 +73,9 @@ pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) ->
     }
     let session = Arc::clone(session);
     let work = move || {
-        let result = match &source {
-            Some(source) => {
-                thread::sleep(WRITTEN);
-                copy(source, &target)
-            }
-            None => keep_robot::keep(&session, &target),
+        let result = match span {
+            None => write(&session, &source, &target),
+            Some(span) => cut(&session, &source, &target, &span),
         };
         match &result {
             Ok(_) => session.log(2, LogSource::Monitor, format!("the recording was kept: {}", target.display())),
@@ -68,6 +85,35 @@ pub(super) fn keep(session: &Arc<Session>, page: PageId, id: u32, name: &str) ->
     };
     let started = thread::Builder::new().name("keep".to_owned()).spawn(work);
     started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
+}
+
+/// Writes all of a source.
+fn write(session: &Arc<Session>, source: &Source, target: &Path) -> Result<Value, Failed> {
+    match source {
+        Source::Run(spool) => {
+            thread::sleep(WRITTEN);
+            copy(spool, target, |source, target| recover(source, target, None))
+        }
+        Source::Memory => keep_robot::keep(session, target),
+        Source::File(file) => copy(file, target, |source, target| recover(source, target, None)),
+    }
+}
+
+/// Writes a span of a source.
+fn cut(session: &Arc<Session>, source: &Source, target: &Path, span: &RangeInclusive<u64>) -> Result<Value, Failed> {
+    let known = session.shared().history.span().1;
+    // The last cycle may be younger than what is written.
+    let until = if *span.end() >= known { u64::MAX } else { span.end().saturating_mul(1000) };
+    let trimmed = |whole: &Path| {
+        copy(whole, target, |source, target| trim(source, target, span.start().saturating_mul(1000), until, None))
+    };
+    if let Source::File(file) = source {
+        return trimmed(file);
+    }
+    let whole = target.with_extension(WHOLE);
+    let result = write(session, source, &whole).and_then(|_| trimmed(&whole));
+    let _ = fs::remove_file(&whole);
+    result
 }
 
 /// Returns the file with the run of a world.
@@ -81,27 +127,33 @@ fn recorded(session: &Session) -> Result<PathBuf, Failed> {
     Err(Failed::new(format!("this session is not recorded: {reason}"), "is there room on the disk? Restart the world"))
 }
 
-/// Copies all complete chunks of a running recording. What could not be written is removed.
-fn copy(spool: &Path, target: &Path) -> Result<Value, Failed> {
+/// Copies a recording by a function. What could not be written is removed.
+fn copy(
+    source: &Path,
+    target: &Path,
+    by: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
+) -> Result<Value, Failed> {
     let help = "is the disk full, or the folder write-protected?";
     if let Some(folder) = target.parent() {
         fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
     }
-    let source = File::open(spool).map_err(|error| failed("read", spool, &error, help))?;
+    let source = File::open(source).map_err(|error| failed("read", source, &error, help))?;
     let file = File::create_new(target).map_err(|error| failed("write", target, &error, help))?;
     let mut writer = BufWriter::new(file);
-    let result = recover(BufReader::new(source), &mut writer, None).map_err(|error| error.to_string());
-    let result = result.and_then(|copied| {
-        writer.flush().and_then(|()| writer.get_ref().sync_all()).map(|()| copied).map_err(|error| error.to_string())
+    let wrong = |error: Error| match error {
+        Error::Span { .. } => Failed::new(error.to_string(), "choose another span"),
+        error => failed("write", target, &error, help),
+    };
+    let result = by(BufReader::new(source), &mut writer).and_then(|copied| {
+        writer.flush()?;
+        writer.get_ref().sync_all()?;
+        Ok(json!({ "path": target.display().to_string(), "cycles": copied.cycles }))
     });
-    match result {
-        Ok(copied) => Ok(json!({ "path": target.display().to_string(), "cycles": copied.cycles })),
-        Err(error) => {
-            // The failure of the writing is what the user has to know.
-            let _ = fs::remove_file(target);
-            Err(failed("write", target, &error, help))
-        }
-    }
+    result.map_err(|error| {
+        // The failure of the writing is what the user has to know.
+        let _ = fs::remove_file(target);
+        wrong(error)
+    })
 }
 
 /// Reads all layouts; none if there is no file yet.

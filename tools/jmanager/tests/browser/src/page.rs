@@ -249,12 +249,13 @@ impl Page {
         self.act(json!([mouse])).await;
     }
 
-    /// Messages of the console that are errors or warnings.
+    /// Messages of the console that are errors or warnings, without those of a story that reads what a graphics card has drawn.
     pub async fn console(&self) -> Vec<String> {
         let log = self.client.issue_cmd(ConsoleLog).await.unwrap_or(Value::Null);
         let entries = log.as_array().cloned().unwrap_or_default();
         let bad = |entry: &&Value| matches!(entry["level"].as_str(), Some("SEVERE" | "WARNING"));
-        entries.iter().filter(bad).map(|entry| entry["message"].to_string()).collect()
+        let messages = entries.iter().filter(bad).map(|entry| entry["message"].to_string());
+        messages.filter(|message| !message.contains("GPU stall due to ReadPixels")).collect()
     }
 
     /// Writes a picture of the page to target/browser/screenshots.

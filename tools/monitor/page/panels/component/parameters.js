@@ -2,7 +2,7 @@
 
 import { html, useSignal } from '../../lib/dom.js';
 import { number, words } from '../../lib/format.js';
-import { act, cursor, hello, notify, setParams, undo, undoParams } from '../../lib/store.js';
+import { act, cursor, hello, notify, redo, redoParams, setParams, undo, undoParams } from '../../lib/store.js';
 
 const CHOICE = { bool: ['true', 'false'] };
 
@@ -18,7 +18,7 @@ export function Parameters({ shown, component, index }) {
     ${!shown.description.value.tunable && html`<p class="dim">This tree was built without <code>tunable</code>: its parameters are constants.</p>`}
     ${listed.map(({ param, number }) => html`<${Parameter} key=${param.name} ...${{ param, component: index, number, actual: actual[number], can }} />`)}
     ${changed.length > 0 && html`<${Save} ...${{ shown, component, index, changed, can, reset }} />`}
-    ${undo.value.length > 0 && html`<p class="save"><button class="small" onClick=${undoParams} title="Key u">Undo last change</button></p>`}
+    ${undo.value.length + redo.value.length > 0 && html`<p class="save"><button class="small" disabled=${undo.value.length === 0} onClick=${undoParams} title="Key u">Undo last change</button><button class="small" disabled=${redo.value.length === 0} onClick=${redoParams} title="Key U">Redo</button></p>`}
   </section>`;
 }
 

@@ -5,6 +5,7 @@ import { duration, time as timeText } from '../../lib/format.js';
 import { drawCursor, marks, shownTime } from '../../lib/axis.js';
 import { hovered, newest, visibleRange } from '../../lib/store.js';
 import { css, kindColour } from '../../lib/theme.js';
+import { span } from '../../lib/span.js';
 import { findings, watches } from '../../lib/watches.js';
 
 /** Width of the names, and heights of the rows below the bars, px. */
@@ -22,6 +23,7 @@ export function drawTimeline(context, view, { shown, pointer, selection }) {
   drawOverruns(context, view);
   drawCursor(context, view.x(shownTime.value), view.height - AXIS);
   drawAxis(context, view);
+  if (span.value) drawSpan(context, view, span.value.map(view.x));
   if (selection) drawSelection(context, view, selection);
   if (pointer) drawPointer(context, view, shown, pointer);
 }
@@ -233,6 +235,16 @@ function drawAxis(context, view) {
   rounded(context, left, y + 2, right - left, AXIS - 4, 3);
   context.fillStyle = css('--panel');
   context.fillText(label, left + 5, y + AXIS / 2 + 1);
+}
+
+/** The chosen span, with its edges. */
+function drawSpan(context, view, [begin, end]) {
+  const [left, right] = [Math.max(begin, LABELS), Math.min(end, view.width)];
+  if (right <= left) return;
+  context.fillStyle = css('--selection');
+  context.fillRect(left, 0, right - left, view.height - AXIS);
+  context.fillStyle = css('--control');
+  for (const x of [begin, end]) if (x >= LABELS && x <= view.width) context.fillRect(x - 1, 0, 2, view.height - AXIS + 6);
 }
 
 function drawSelection(context, view, [a, b]) {

@@ -18,6 +18,8 @@ mod pictures;
 mod pressing;
 mod recordings;
 mod running;
+mod space;
+mod spans;
 mod watching;
 
 use jmanager_browser::{Page, Server};

@@ -18,7 +18,7 @@ async fn log(page: &Page, text: &str) {
 }
 
 #[tokio::test]
-async fn a_parameter_is_set_undone_and_reset() {
+async fn a_parameter_is_set_undone_redone_and_reset() {
     let (_server, page) = game("params").await;
     page.click("button", "FaceBall", "Activation tree").await;
     // The text about activators, above the parameters, changes its height when the ball is found.
@@ -29,6 +29,10 @@ async fn a_parameter_is_set_undone_and_reset() {
     page.reads("operator: you").await;
     page.press("u").await;
     page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
+    page.press("U").await;
+    page.reads("1 changed").await;
+    page.click("button", "Undo last change", "Parameters").await;
+    page.until("it is undone again", "return !document.body.innerText.includes('1 changed')").await;
     page.find("slider", "gain", "Parameters").await.set("0.4").await;
     page.click("button", "Reset gain to 0.700", "Parameters").await;
     page.until("it is reset", "return !document.body.innerText.includes('1 changed')").await;

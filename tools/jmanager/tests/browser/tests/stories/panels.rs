@@ -161,15 +161,62 @@ async fn layouts_are_chosen_saved_and_restored() {
     page.find("textbox", "Name of the layout", "").await.set("mine").await;
     page.click("button", "Save", "").await;
     page.reads("layout “mine” was saved").await;
+    page.click("button", "View: layouts and panels", "").await;
+    page.click("button", "Rename layout mine", "").await;
+    page.find("textbox", "Name of the layout", "").await.set("ours").await;
+    page.click("button", "Rename", "").await;
+    page.reads("layout “mine” is “ours” now").await;
     page.press("4").await;
     page.find("slider", "Body forward", "Drive").await;
     page.press("5").await;
     page.find("region", "Recordings", "").await;
     page.press("1").await;
     page.find("button", "FaceBall", "Activation tree").await;
+    page.click("button", "View: layouts and panels", "").await;
+    page.click("button", "Delete layout ours", "").await;
+    page.click("button", "Delete", "").await;
+    page.reads("layout “ours” was deleted").await;
+    let none = "return import('/lib/connection.js').then(({ request }) => request('layouts')).then((all) => Object.keys(all).length === 0)";
+    page.until("no layout is left", none).await;
     page.press("?").await;
     page.reads("one cycle back").await;
     page.press("\u{e00c}").await;
     page.until("the list is closed", "return !document.querySelector('dialog').open").await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_link_leads_to_its_moment_layout_and_watches() {
+    let (_server, page) = game("shared").await;
+    let tabs = "return [...document.querySelectorAll('.dv-tab')].map((one) => one.textContent).sort().join()";
+    page.press("2").await;
+    page.find("tab", "Watches", "").await;
+    page.run("import('/lib/dock.js').then(({ open }) => { open('plot', { curves: ['Head.pan'] }); })", vec![]).await;
+    page.run(
+        "import('/lib/watches.js').then(({ replace }) => replace([{ text: 'Head.pan > 9', pause: true }]))",
+        vec![],
+    )
+    .await;
+    page.run("import('/lib/store.js').then(({ seek }) => seek(5e5))", vec![]).await;
+    page.find("button", "Time: paused", "").await;
+    page.run("navigator.clipboard.writeText = async (text) => { window.link = text; }", vec![]).await;
+    let before = page.run(tabs, vec![]).await;
+    page.click("button", "Copy a link to this moment", "").await;
+    page.until("the link is copied", "return window.link?.includes('t=0.500') && window.link.length < 3000").await;
+    page.press("l").await;
+    page.press("5").await;
+    page.run("import('/lib/watches.js').then(({ replace }) => replace([]))", vec![]).await;
+    page.run("location.href = window.link", vec![]).await;
+    page.until("the layout is there", &format!("{tabs} === {before}")).await;
+    page.reads("Head.pan").await;
+    page.find("button", "Time: paused", "").await;
+    let shared = "return Promise.all([import('/lib/watches.js'), import('/lib/store.js')]).then(([{ watches }, { cursor }]) => [watches.value, cursor.value])";
+    // A link may be anybody's: its watches pause nothing.
+    assert_eq!(
+        page.run(shared, vec![]).await,
+        serde_json::json!([[{ "text": "Head.pan > 9", "pause": false }], 500_000])
+    );
+    page.run("location.hash = '#layout=~spoilt'", vec![]).await;
+    page.reads("the layout of the link cannot be read").await;
     page.close().await;
 }

@@ -1,0 +1,94 @@
+//! A span of time: chosen, measured, played again and exported; and pictures of panels.
+
+use jmanager_browser::Page;
+use serde_json::{Value, json};
+
+use crate::{game, tab};
+
+/// Keeps what the page saves instead of saving it: `saved` is a list of file names and contents.
+const CATCH: &str = "window.saved = []; const make = URL.createObjectURL; let blob = null; \
+    URL.createObjectURL = (one) => { blob = one; return make.call(URL, one); }; \
+    HTMLAnchorElement.prototype.click = function () { window.saved.push([this.download, blob]); }";
+
+/// A script that works with `shown`, the session, and `span`.
+async fn page_run(page: &Page, script: &str) -> Value {
+    let all = "Promise.all(['store', 'span', 'curves', 'playback'].map((name) => import(`/lib/${name}.js`)))";
+    page.run(&format!("return {all}.then(([{{ session, cursor, seek, playing }}, {{ span, statistics }}, {{ resolve, samples }}, {{ speed }}]) => {{ const shown = session.value; {script} }})"), vec![]).await
+}
+
+#[tokio::test]
+async fn a_span_is_chosen_measured_played_again_and_exported() {
+    let (_server, page) = game("span").await;
+    page.run(CATCH, vec![]).await;
+    page.until("3 s of the game", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3").await;
+    page.click("button", "Pause", "").await;
+    page.reads("world paused").await;
+    // With keys: the begin and the end are moments that are shown.
+    page_run(&page, "seek(1e6)").await;
+    page.press("i").await;
+    page_run(&page, "seek(2e6)").await;
+    page.press("o").await;
+    page.reads("1.00 s – 2.00 s").await;
+    page.reads("Player: look_for_ball").await;
+    // Played ten times as fast, the span begins again and again.
+    page.find("combobox", "Playback speed", "Timeline").await.set("10").await;
+    page.click("switch", "Loop", "Timeline").await;
+    page.click("button", "Play span", "Timeline").await;
+    page.run("window.least = Infinity; window.turns = 0; setInterval(() => import('/lib/store.js').then(({ cursor }) => { \
+        if (cursor.value < window.least) window.turns += 1; window.least = cursor.value; window.outside ||= cursor.value < 1e6 || cursor.value > 2e6; }), 10)", vec![]).await;
+    page.until("it began again", "return window.turns > 3").await;
+    assert_eq!(page.run("return window.outside", vec![]).await, json!(false));
+    page.click("button", "Pause", "Timeline").await;
+    // A value holds until the next one: 0 for a quarter, 4 for the rest.
+    let measured =
+        page_run(&page, "return statistics(new Map([[0, 0], [250, 4], [900, null], [2000, 9]]), [0, 1000])").await;
+    assert_eq!((&measured["min"], &measured["max"], &measured["mean"]), (&json!(0), &json!(4), &json!(3)));
+    tab(&page, "Plot").await;
+    page.find("combobox", "Information to plot", "").await.set("Head.pan").await;
+    page.click("button", "Add", "Plot").await;
+    let largest = page.until("the plot measures it", "const cells = document.querySelectorAll('.stats tbody .n'); return cells.length === 5 && cells[1].textContent !== '–' && Number(cells[1].textContent)").await;
+    tab(&page, "Timeline").await;
+    page.click("button", "CSV", "Timeline").await;
+    let csv = page.until("the table is saved", "return window.saved[0]?.[1].text()").await;
+    let lines: Vec<Vec<&str>> = csv.as_str().unwrap().lines().map(|line| line.split(',').collect()).collect();
+    let pan = lines[0].iter().position(|name| *name == "Head.pan").unwrap();
+    let numbers = |column: usize| lines[1..].iter().map(move |line| line[column].parse::<f64>().unwrap());
+    assert!(numbers(0).all(|time| (1.0..=2.0).contains(&time)) && lines.len() > 50, "{} lines", lines.len());
+    let exported = numbers(pan).fold(f64::MIN, f64::max);
+    assert!((exported - largest.as_f64().unwrap()).abs() < 1e-3, "{exported} in the table, {largest} on the page");
+    page.click("button", "Recording…", "Timeline").await;
+    page.find("textbox", "Name of the recording", "").await.set("part").await;
+    page.click("button", "Keep", "").await;
+    page.reads("the span is kept as “part”").await;
+    tab(&page, "Recordings").await;
+    page.click("button", "Refresh", "Recordings").await;
+    page.click("button", "part", "Recordings").await;
+    page.find("button", "Play", "Replay").await;
+    let known =
+        page_run(&page, "const { from_us, until_us } = shown.info.value; return [from_us, until_us, span.value]").await;
+    assert_eq!(known, json!([1_000_000, 2_000_000, null]));
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_picture_of_each_panel_is_saved() {
+    let (_server, page) = game("picture").await;
+    page.run(CATCH, vec![]).await;
+    for (number, (name, file)) in
+        [("Timeline", "timeline.png"), ("Activation tree", "activation-tree.png"), ("Player", "player.png")]
+            .iter()
+            .enumerate()
+    {
+        page.click("tab", name, "").await;
+        page.press("P").await;
+        // A picture of text, lines or bars has some colours.
+        let colours = format!(
+            "const [name, blob] = window.saved[{number}] ?? []; if (!blob) return null; \
+            return createImageBitmap(blob).then((image) => {{ const context = new OffscreenCanvas(image.width, image.height).getContext('2d'); context.drawImage(image, 0, 0); \
+            const seen = new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)); \
+            return [name, blob.type, image.width > 250, seen.size > 20]; }})"
+        );
+        assert_eq!(page.until(name, &colours).await, json!([file, "image/png", true, true]));
+    }
+    page.close().await;
+}
