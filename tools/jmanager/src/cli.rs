@@ -79,6 +79,7 @@ mod tests {
             "draw a.rs --format dot",
             "new Keeper",
             "diff a.rs b.rs --svg d.svg --exit-code",
+            "try a.rs --steps -",
         ] {
             assert!(parse(&format!("vicode {command}")).unwrap().command.is_some(), "{command}");
         }

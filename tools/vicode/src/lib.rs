@@ -28,13 +28,14 @@ mod edit;
 mod files;
 pub mod model;
 mod read;
+pub mod trial;
 
 pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep};
 pub use self::edit::{
     Edit, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
-pub use self::read::read;
+pub use self::read::{TreeSource, read, trees};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/vicode.md")]

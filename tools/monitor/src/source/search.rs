@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bica_vicode::model::Model;
-use bica_vicode::{Target, read, uses};
+use bica_vicode::{Target, read, trees, uses};
 
 use super::files::{Files, failed, no_component};
 use super::limits;
@@ -80,7 +80,7 @@ impl Files {
                 return Some(SourceFile { file, components, trees, problem: Some(failed.text) });
             }
         };
-        let trees = trees(&text);
+        let trees = trees(&text).into_iter().map(|tree| tree.name).collect::<Vec<_>>();
         let components = if text.contains("component") { components(&read(&text)) } else { Vec::new() };
         (!components.is_empty() || !trees.is_empty()).then_some(SourceFile { file, components, trees, problem: None })
     }
@@ -138,30 +138,4 @@ fn components(model: &Model) -> Vec<SourceComponent> {
         machine: component.is_machine(),
     };
     model.components.iter().map(one).collect()
-}
-
-/// Names of the trees of a text: of the struct in each `activation_tree!`.
-fn trees(text: &str) -> Vec<String> {
-    let is_code = |at: usize| {
-        let line = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
-        !text[line..at].contains("//")
-    };
-    let name = |(at, word): (usize, &str)| {
-        let words = text[at + word.len()..].split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
-        let mut words = words.filter(|word| !word.is_empty()).skip_while(|word| *word != "struct");
-        words.nth(1).map(str::to_owned)
-    };
-    text.match_indices("activation_tree! {").filter(|(at, _)| is_code(*at)).filter_map(name).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn trees_are_found_by_the_name_of_their_struct() {
-        let text = "//! activation_tree! { struct Not {} }\nactivation_tree! {\n    /// Looks.\n    pub struct Robot {\n        root: A,\n";
-        assert_eq!(trees(text), ["Robot"]);
-        assert_eq!(trees("use activation_tree;"), Vec::<String>::new());
-    }
 }

@@ -55,7 +55,7 @@ fn default_picture(component: &Component) -> PathBuf {
     PathBuf::from(component.name.text.split('<').next().unwrap_or_default().to_lowercase()).with_extension("png")
 }
 
-fn chosen<'a>(model: &'a Model, name: Option<&str>) -> Result<&'a Component, String> {
+pub(super) fn chosen<'a>(model: &'a Model, name: Option<&str>) -> Result<&'a Component, String> {
     let machines: Vec<&Component> = model.components.iter().filter(|component| component.is_machine()).collect();
     let names = || machines.iter().map(|component| format!("`{}`", component.key)).collect::<Vec<_>>().join(", ");
     match (name, &machines[..]) {

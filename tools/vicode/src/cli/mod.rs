@@ -1,4 +1,4 @@
-//! The command line: `vicode model|apply|check|diff|draw|new`.
+//! The command line: `vicode model|apply|check|diff|draw|new|try`.
 
 mod apply;
 mod check;
@@ -6,6 +6,7 @@ mod compare;
 mod create;
 mod diff;
 mod draw;
+mod tried;
 
 use std::fs;
 use std::io::Write;
@@ -13,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Subcommand, ValueEnum};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 pub use self::diff::unified;
 
@@ -79,6 +81,20 @@ pub enum Command {
         #[arg(long)]
         output: Option<PathBuf>,
     },
+    /// Tries a machine without its program, and prints what was tried as a test in Rust
+    Try {
+        /// Rust source
+        file: PathBuf,
+        /// File with a list of steps as JSON; `-` is the standard input
+        #[arg(long)]
+        steps: PathBuf,
+        /// Component, if the file has several
+        #[arg(long)]
+        component: Option<String>,
+        /// Print states, times and ways out as JSON instead of the test
+        #[arg(long)]
+        json: bool,
+    },
     /// Makes a new component: its file, its `mod` line, its entry in a tree
     New {
         /// Name of the component, as in `WallFinder`
@@ -131,6 +147,7 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
         Command::Draw { file, format, component, output } => {
             draw::run(file, *format, component.as_deref(), output.as_deref(), out)
         }
+        Command::Try { file, steps, component, json } => tried::run(file, steps, component.as_deref(), *json, out),
         Command::New { name, folder, tree, import, dry_run } => {
             create::run(name, folder, tree.as_deref(), import.as_deref(), *dry_run, out)
         }
@@ -140,6 +157,17 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
 /// The text of a file.
 fn text_of(file: &Path) -> Result<String, String> {
     fs::read_to_string(file).map_err(|error| format!("cannot read `{}`: {error}", file.display()))
+}
+
+/// A JSON file with a list of `what`; `-` is the standard input.
+fn list_of<T: DeserializeOwned>(path: &Path, what: &str) -> Result<Vec<T>, String> {
+    let failed = |error| format!("cannot read `{}`: {error}", path.display());
+    let json = if path == Path::new("-") {
+        std::io::read_to_string(std::io::stdin()).map_err(failed)?
+    } else {
+        fs::read_to_string(path).map_err(failed)?
+    };
+    serde_json::from_str(&json).map_err(|error| format!("`{}` is no list of {what}: {error}", path.display()))
 }
 
 fn print(out: &mut dyn Write, text: &str) -> Result<(), String> {

@@ -9,6 +9,7 @@ mod nesting;
 mod outline;
 mod params;
 mod source;
+mod trees;
 
 use std::collections::BTreeMap;
 
@@ -19,6 +20,7 @@ use self::component::settings;
 pub(crate) use self::lexed::{Kind, Token, is_keyword, lexed};
 pub(crate) use self::outline::{Node, Outline};
 pub(crate) use self::source::{Source, parse};
+pub use self::trees::{TreeSource, trees};
 use crate::model::{Component, Model, Name, Problem, Reporter, Span};
 
 /// Reads a file.

@@ -17,3 +17,5 @@ mod random;
 mod reading;
 mod renaming;
 mod sources;
+mod tried;
+mod trying;

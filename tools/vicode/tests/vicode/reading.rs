@@ -1,7 +1,7 @@
 //! Reading of all kinds of text.
 
 use bica_vicode::model::{Input, LinkKind, Model, Reporter, Sources};
-use bica_vicode::read;
+use bica_vicode::{read, trees};
 
 /// A machine with everything that makes reading hard.
 const HOSTILE: &str = "\u{feff}//! File.\r\n\r\nuse bica::prelude::*;\r\n\r\n#[cfg(all())] /* odd */ #[component( hz=30 , // thirty\r\n   resume,)]\r\nimpl Player\r\n{\r\n  const N: u8 = 1; #[state(initial)] // why\r\n  /// Looks.\r\n  fn look ( &mut self, ball : & Ball , r#mod: &mut Head,) {}\r\n\r\n\t#[doc = \" Kicks. \"]\r\n  #[state(last)] fn r#loop(&mut self) { let s = \"}\r\n\"; }\r\n  #[transition(look -> r#loop, after_ms = 1_500)]\r\n  #[transition(* /* all */ -> look)] fn seen(&self, t: &Time, rate: &Tuned<A>) -> bool { true }\r\n  #[exit(look | r#loop)] fn out(&mut self, r: &mut Rate<Ball>) {}\r\n  unknown! { fn x() {} }\r\n}\r\n";
@@ -115,4 +115,13 @@ fn parameters_and_trees_are_checked() {
 fn script_with_a_byte_order_mark_is_rust() {
     let text = "\u{feff}#!/usr/bin/env run\n#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
     assert_eq!(read(text).problems, []);
+}
+
+#[test]
+fn trees_are_found_in_any_text() {
+    let text = "//! activation_tree! { struct Not {} }\nactivation_tree! {\n    /// Looks.\n    pub struct Robot {\n        root: A,\n        cycle_hz: 1_000,\n        components: [A, Eye<4> = Eye::new()],\n";
+    let [tree] = &trees(text)[..] else { panic!("one tree") };
+    assert_eq!((&*tree.name, tree.cycle_hz), ("Robot", 1000.0));
+    assert!(["A", "Eye"].iter().all(|name| tree.components.iter().any(|one| one == name)));
+    assert_eq!(trees("use activation_tree;"), []);
 }

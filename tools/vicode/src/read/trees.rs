@@ -1,0 +1,47 @@
+//! Activation trees of a text.
+
+use super::{Kind, Token, lexed};
+
+/// A tree as its `activation_tree!` declares it. Any text is read, also a macro that declares a tree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TreeSource {
+    /// Name of the struct.
+    pub name: String,
+    /// Cycles a second; 100 if it is not known.
+    pub cycle_hz: f64,
+    /// Names in the list of components.
+    pub components: Vec<String>,
+}
+
+/// The trees of a text.
+#[must_use]
+pub fn trees(text: &str) -> Vec<TreeSource> {
+    let code: Vec<Token<'_>> = lexed(text).into_iter().filter(|token| !token.is_trivia()).collect();
+    let begins = |three: &[Token<'_>]| three[0].is("activation_tree") && three[1].text == "!" && three[2].text == "{";
+    let calls = code.windows(3).enumerate().filter(|(_, three)| begins(three));
+    calls.filter_map(|(at, _)| tree(within(&code[at + 3..]))).collect()
+}
+
+fn tree(code: &[Token<'_>]) -> Option<TreeSource> {
+    let after = |word: &str| Some(&code[code.iter().position(|token| token.is(word))? + 1..]);
+    let name = after("struct")?.first()?.text.to_owned();
+    let hz = after("cycle_hz").and_then(|rest| rest.get(1)?.text.replace('_', "").parse::<f64>().ok());
+    let list = after("components").and_then(|rest| rest.get(2..)).unwrap_or_default();
+    let names = within(list).iter().filter(|token| token.kind == Kind::Word).map(|token| token.text.to_owned());
+    Some(TreeSource { name, cycle_hz: hz.filter(|hz| *hz > 0.0).unwrap_or(100.0), components: names.collect() })
+}
+
+/// The tokens before the bracket that closes.
+fn within<'a>(code: &'a [Token<'a>]) -> &'a [Token<'a>] {
+    let mut depth = 0_usize;
+    let end = code.iter().position(|token| {
+        let is_closed = depth == 0 && matches!(token.text, "}" | "]" | ")");
+        match token.text {
+            "{" | "[" | "(" => depth += 1,
+            "}" | "]" | ")" => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        is_closed
+    });
+    &code[..end.unwrap_or(code.len())]
+}

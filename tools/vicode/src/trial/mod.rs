@@ -1,0 +1,205 @@
+//! A machine tried without its program: conditions are switches, timers run.
+//!
+//! A trial is a list of [`Step`]s; [`Trial::run`] evaluates it from the beginning, by the rules of the framework for one component that is
+//! always active: it runs at its rate, first when it becomes active; in each run the transitions of the state are tried in their order,
+//! those whose time has not come are left out, and at most one is taken. Code of states, hooks and children does not run.
+
+mod place;
+mod skeleton;
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+pub use self::place::{Place, Tree};
+use crate::model::{Component, Edge, Function, Graph};
+use crate::read::lexed;
+
+/// Longest trial, µs: an hour.
+const LONGEST: u64 = 3_600_000_000;
+/// Most transitions of a trial.
+const MOST_TRANSITIONS: usize = 10_000;
+/// Most steps of a trial.
+const MOST_STEPS: usize = 5_000;
+
+/// A step of a trial.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Step {
+    /// Switches a condition. Conditions are off at first, except those whose code is `true`.
+    Switch {
+        /// Name of the transition.
+        condition: String,
+        /// Whether it holds from now on.
+        on: bool,
+    },
+    /// Lets time pass, ms.
+    Run(u32),
+}
+
+/// The result of a trial.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Trial {
+    /// Time since the machine became active, µs.
+    pub now_us: u64,
+    /// Time between two runs, µs.
+    pub period_us: u64,
+    /// The stay in each state, the current one at the end. The first one begins with the first run.
+    pub visits: Vec<Visit>,
+    /// Ways out of the current state, in the order in which they are tried.
+    pub ways: Vec<Way>,
+    /// Whether each condition holds.
+    pub switches: BTreeMap<String, bool>,
+}
+
+/// A stay in a state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Visit {
+    /// State.
+    pub state: String,
+    /// Time at which it was entered, µs.
+    pub from_us: u64,
+    /// Time in it, µs.
+    pub us: u64,
+    /// Transition by which it was entered; `None` for the first one.
+    pub by: Option<String>,
+    /// Index of the step in which it was entered.
+    pub step: usize,
+}
+
+/// A way out of a state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Way {
+    /// Name of the transition.
+    pub condition: String,
+    /// State that it enters.
+    pub to: String,
+    /// Whether the condition holds.
+    pub on: bool,
+    /// Time until its timer lets it be taken, µs; 0 without a timer.
+    pub remaining_us: u64,
+}
+
+impl Trial {
+    /// Evaluates a trial of a machine of a file whose tree has `cycle_hz` cycles a second.
+    ///
+    /// # Errors
+    /// If the machine has no states, a step names no transition of it, or the trial is too long.
+    pub fn run(component: &Component, text: &str, cycle_hz: f64, steps: &[Step]) -> Result<Self, String> {
+        let mut machine = Machine::new(component, text, cycle_hz)?;
+        if steps.len() > MOST_STEPS {
+            return Err(format!("a trial has at most {MOST_STEPS} steps: start over"));
+        }
+        for (number, step) in steps.iter().enumerate() {
+            match step {
+                Step::Switch { condition, on } => {
+                    let known = machine.switches.get_mut(condition);
+                    *known.ok_or_else(|| {
+                        format!("no transition is called `{condition}`: it may have been renamed; start over")
+                    })? = *on;
+                }
+                Step::Run(ms) => machine.advance(u64::from(*ms) * 1000, number)?,
+            }
+        }
+        Ok(machine.trial())
+    }
+}
+
+/// A machine as it is tried.
+struct Machine {
+    names: Vec<String>,
+    edges: Vec<Edge>,
+    period: f64,
+    /// Number of runs so far.
+    runs: u64,
+    now: u64,
+    state: usize,
+    entered: u64,
+    switches: BTreeMap<String, bool>,
+    visits: Vec<Visit>,
+}
+
+impl Machine {
+    fn new(component: &Component, text: &str, cycle_hz: f64) -> Result<Self, String> {
+        let names: Vec<String> = component.states.iter().map(|state| state.function.name.text.clone()).collect();
+        let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
+        let first =
+            names.get(initial).ok_or_else(|| format!("`{}` has no states: there is nothing to try", component.key))?;
+        let own =
+            component.options.get("hz").and_then(|one| one.value.as_ref()?.text.replace('_', "").parse::<f64>().ok());
+        // A component runs at most once in a cycle.
+        let hz = own.filter(|hz| *hz > 0.0 && *hz < cycle_hz).unwrap_or(cycle_hz);
+        let visits = vec![Visit { state: first.clone(), from_us: 0, us: 0, by: None, step: 0 }];
+        let is_always = |function: &Function| function.body.is_some_and(|body| on_one_line(body.of(text)) == "true");
+        let conditions = component.transitions.iter().map(|one| &one.function);
+        let switches = conditions.map(|one| (one.name.text.clone(), is_always(one))).collect();
+        let edges = Graph::of(component).edges;
+        Ok(Self { names, edges, period: 1e6 / hz, runs: 0, now: 0, state: initial, entered: 0, switches, visits })
+    }
+
+    /// Lets time pass, with the runs in it.
+    fn advance(&mut self, us: u64, step: usize) -> Result<(), String> {
+        let end = self.now + us;
+        if end > LONGEST {
+            return Err("a trial lasts at most an hour: start over".to_owned());
+        }
+        loop {
+            let next = (self.runs as f64 * self.period) as u64;
+            if next >= end {
+                break;
+            }
+            (self.now, self.runs) = (next, self.runs + 1);
+            self.decide(step);
+            if self.visits.len() > MOST_TRANSITIONS {
+                return Err(format!(
+                    "a trial has at most {MOST_TRANSITIONS} transitions: switch a condition off, or start over"
+                ));
+            }
+        }
+        self.now = end;
+        Ok(())
+    }
+
+    /// One run: the first transition of the state whose time has come and whose condition holds is taken.
+    fn decide(&mut self, step: usize) {
+        let stayed = self.now - self.entered;
+        let is_taken = |edge: &&Edge| {
+            edge.from == self.state
+                && edge.after_ms.is_none_or(|ms| stayed >= u64::from(ms) * 1000)
+                && self.switches.get(&edge.name) == Some(&true)
+        };
+        let Some(edge) = self.edges.iter().find(is_taken) else { return };
+        if let Some(last) = self.visits.last_mut() {
+            last.us = stayed;
+        }
+        (self.state, self.entered) = (edge.to, self.now);
+        let (state, by) = (self.names[edge.to].clone(), Some(edge.name.clone()));
+        self.visits.push(Visit { state, from_us: self.now, us: 0, by, step });
+    }
+
+    fn trial(mut self) -> Trial {
+        let stayed = self.now - self.entered;
+        if let Some(last) = self.visits.last_mut() {
+            last.us = stayed;
+        }
+        let ways = self.edges.iter().filter(|edge| edge.from == self.state).map(|edge| Way {
+            condition: edge.name.clone(),
+            to: self.names[edge.to].clone(),
+            on: self.switches.get(&edge.name) == Some(&true),
+            remaining_us: edge.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
+        });
+        let (ways, period_us) = (ways.collect(), self.period.round() as u64);
+        Trial { now_us: self.now, period_us, visits: self.visits, ways, switches: self.switches }
+    }
+}
+
+/// A body on one line, without comments.
+fn on_one_line(code: &str) -> String {
+    let tokens = lexed(code);
+    let words: Vec<&str> = tokens
+        .iter()
+        .filter(|token| !token.is_trivia() || token.text.trim().is_empty())
+        .map(|token| token.text)
+        .collect();
+    words.concat().split_whitespace().collect::<Vec<_>>().join(" ")
+}
