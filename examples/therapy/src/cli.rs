@@ -82,6 +82,7 @@ Examples:
   therapy play morning.session                play it in a simulated room; the same as
   therapy run --option session=morning.session
   therapy play morning.session --world mujoco the same with forces
+  therapy play morning.session --page         the page of the therapist; needs the feature `monitor`
   therapy play morning.session --realtime --serve 127.0.0.1:7400
   therapy play morning.session --option code=K-27 --option records=FOLDER
   therapy report FOLDER K-27 > page.html      what was done
@@ -104,16 +105,24 @@ pub fn run() -> ExitCode {
         }
         Commands::Judge(args) => run_judge(&args),
     });
-    app.run_from(arguments(env::args_os()))
+    let arguments = arguments(env::args_os());
+    #[cfg(feature = "monitor")]
+    let app = app.panels(crate::page::Page::new(&arguments));
+    app.run_from(arguments)
 }
 
-/// Replaces `play FILE` by the command and the option of a run.
+/// Replaces `play FILE` by the command and the option of a run, and with `--page` by those of the page.
 fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<_> = given.collect();
     if arguments.get(1).is_some_and(|command| command == "play") && arguments.len() > 2 {
         let mut session = OsString::from("session=");
         session.push(&arguments[2]);
-        arguments.splice(1..3, [OsString::from("run"), OsString::from("--option"), session]);
+        let page = arguments.iter().position(|argument| argument == "--page");
+        let command = if page.map(|at| arguments.remove(at)).is_some() { "monitor" } else { "run" };
+        arguments.splice(1..3, [command.into(), OsString::from("--option"), session]);
+        if command == "monitor" {
+            arguments.extend(["--option", "start=no"].map(OsString::from));
+        }
     }
     arguments
 }

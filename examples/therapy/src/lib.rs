@@ -7,6 +7,7 @@
 //! - [`session`]: what a session does, step by step.
 //! - [`robot`]: the activation tree, its sensors and its command.
 //! - `record`: what is kept of a session.
+//! - `page`: the panel of the therapist in the monitor.
 //! - `room`: a simulated room with a person.
 //! - `script`: the session language.
 //! - `judge`: judges recorded exercises.
@@ -22,6 +23,8 @@ pub mod exercise;
 pub mod input;
 #[cfg(feature = "host")]
 pub mod judge;
+#[cfg(feature = "monitor")]
+pub mod page;
 #[cfg(feature = "host")]
 pub mod record;
 pub mod robot;

@@ -117,7 +117,7 @@ impl Robot for Therapist {
 
     fn sense(&mut self, sensors: &Sensors) -> Result<(), Infallible> {
         self.get_mut::<Signals>().receive(sensors.pressed);
-        self.get_mut::<Guard>().measure(sensors.tilt, &sensors.temperatures);
+        self.get_mut::<Guard>().measure(sensors.tilt, &sensors.temperatures, sensors.battery);
         let [left_foot, right_foot] = sensors.feet.map(|[front_left, front_right, rear_left, rear_right]| {
             FootPressure { front_left, front_right, rear_left, rear_right }
         });

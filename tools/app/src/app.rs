@@ -28,6 +28,8 @@ pub struct App<R: Robot, L: Layer = ()> {
     own: Vec<Commands>,
     default: Option<Commands>,
     replay: Option<Replay>,
+    #[cfg(feature = "monitor")]
+    panels: Vec<Box<dyn bica_monitor::program::Extension>>,
     layer: PhantomData<fn() -> L>,
 }
 
@@ -58,6 +60,8 @@ where
             own: Vec::new(),
             default: None,
             replay: None,
+            #[cfg(feature = "monitor")]
+            panels: Vec::new(),
             layer: PhantomData,
         }
     }
@@ -97,6 +101,14 @@ where
         open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
         self.worlds.push(RegisteredWorld::new(name, true, open));
+        self
+    }
+
+    /// Adds panels to the page of `monitor`.
+    #[cfg(feature = "monitor")]
+    #[must_use]
+    pub fn panels(mut self, panels: impl bica_monitor::program::Extension + 'static) -> Self {
+        self.panels.push(Box::new(panels));
         self
     }
 
@@ -196,7 +208,7 @@ where
             (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
             #[cfg(feature = "monitor")]
             (Some(("monitor", matches)), _) if !worlds.is_empty() => {
-                crate::monitor::run::<R>(worlds, is_done, &parse(matches)?)
+                crate::monitor::run::<R>(worlds, is_done, self.panels, &parse(matches)?)
             }
             (Some((name, _)), _) => {
                 if let Some(own) = own.into_iter().find(|own| (own.has)(name)) {

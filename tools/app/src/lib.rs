@@ -17,6 +17,8 @@ mod tool;
 mod world;
 
 pub use app::App;
+#[cfg(feature = "monitor")]
+pub use bica_monitor;
 pub use clap;
 pub use console::*;
 pub use link::{RosNode, ServeArgs};

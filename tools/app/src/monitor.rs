@@ -6,7 +6,7 @@ use std::sync::Arc;
 use bica::runner::Robot;
 use bica_link::{LinkRequests, LinkServer, ServerOptions};
 use bica_monitor::cli::Arguments;
-use bica_monitor::program::{Game, LocalWorld, Program, WorldRun, WorldSetup};
+use bica_monitor::program::{Extension, Game, LocalWorld, Program, WorldRun, WorldSetup};
 use bica_monitor::sessions::Options;
 use bica_recording::{Header, LogLine, LogSource, Recordable};
 use bica_tuning::Layers;
@@ -35,6 +35,7 @@ pub(crate) fn command() -> Command {
 pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
     worlds: Vec<RegisteredWorld<R>>,
     is_done: Option<fn(&R) -> bool>,
+    extensions: Vec<Box<dyn Extension>>,
     args: &Arguments,
 ) -> Result<Outcome, Failure> {
     let worlds = Arc::new(worlds);
@@ -44,6 +45,7 @@ pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
         graph: Some(const { &R::GRAPH }),
         worlds: simulated.map(local).collect(),
         rerun: Some(Box::new(move |recording, set, out, progress| rerun(&worlds, recording, set, out, progress))),
+        extensions,
         ..Program::default()
     };
     bica_monitor::run(args, Options::default(), program, &interrupt::requested)?;

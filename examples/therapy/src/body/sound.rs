@@ -65,6 +65,13 @@ impl Sound {
         self.volume = volume;
     }
 
+    /// The volume.
+    #[info]
+    #[must_use]
+    pub const fn volume(&self) -> f32 {
+        self.volume
+    }
+
     /// What sounds.
     #[must_use]
     pub fn sounding(&self) -> Sounding {

@@ -34,6 +34,7 @@ pub enum Trouble {
 pub struct Guard {
     tilt: f32,
     hottest: f32,
+    battery: f32,
     /// Time since the last sign of the page, s; `None` before the first.
     page: Option<f32>,
     trouble: Option<Trouble>,
@@ -44,11 +45,12 @@ impl Guard {
     /// Creates the component without a trouble.
     #[must_use]
     pub const fn new() -> Self {
-        Self { tilt: 0.0, hottest: 0.0, page: None, trouble: None }
+        Self { tilt: 0.0, hottest: 0.0, battery: 0.0, page: None, trouble: None }
     }
 
-    /// Takes roll and pitch of the torso, rad, and the temperatures of the motors, °C.
-    pub fn measure(&mut self, [roll, pitch]: [f32; 2], temperatures: &Joints) {
+    /// Takes roll and pitch of the torso, rad, the temperatures of the motors, °C, and the charge of the battery, 0 to 1.
+    pub fn measure(&mut self, [roll, pitch]: [f32; 2], temperatures: &Joints, battery: f32) {
+        self.battery = battery;
         self.tilt = libm::fabsf(roll).max(libm::fabsf(pitch));
         self.hottest = temperatures.0.iter().copied().fold(0.0, f32::max);
     }
@@ -80,6 +82,13 @@ impl Guard {
     #[must_use]
     pub const fn trouble(&self) -> Option<Trouble> {
         self.trouble
+    }
+
+    /// Charge of the battery, 0 to 1.
+    #[info]
+    #[must_use]
+    pub const fn battery(&self) -> f32 {
+        self.battery
     }
 
     /// Temperature of the hottest motor.

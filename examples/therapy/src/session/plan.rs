@@ -140,7 +140,9 @@ impl Plan {
         (0..self.begun.step).rev().find(|step| self.begins(*step)).unwrap_or(0)
     }
 
-    fn begins(&self, step: u16) -> bool {
+    /// Whether a step is the first one, or follows a wait or an exercise.
+    #[must_use]
+    pub fn begins(&self, step: u16) -> bool {
         let before = self.steps.get(usize::from(step).wrapping_sub(1));
         matches!(before, None | Some(Step::Wait(..) | Step::Exercise { .. }))
     }

@@ -405,6 +405,13 @@ impl Session {
         self.plan.is_over()
     }
 
+    /// Share of tempo and repetitions that is left after what was made easier.
+    #[info]
+    #[must_use]
+    pub const fn ease(&self) -> f32 {
+        self.ease
+    }
+
     /// Number of the present step, from 0.
     #[info]
     #[must_use]

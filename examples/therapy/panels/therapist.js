@@ -1,0 +1,172 @@
+// The therapist's page: what the robot does, in words for people who are not engineers, with large buttons.
+
+import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
+import { below } from '../lib/places.js';
+import { act, ask, command, session, show, watch } from '../lib/store.js';
+import { Empty } from '../lib/ui.js';
+
+const HOLD_MS = 2000;
+const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'last']];
+const STATES = {
+  ready: ['Ready', 'The robot stands and waits. Press “Start” when everyone is seated.'],
+  running: ['Running', 'the robot shows, the person follows'],
+  exercising: ['Running', 'the robot shows, and watches the person'],
+  paused: ['Paused', 'The arms are down, the robot is silent. It waits for you.'],
+  stopped: ['STOPPED', 'The robot stands still and is silent.'],
+  finished: ['Finished', 'The session is over. The robot stands and is silent.'],
+};
+const TROUBLES = { Fallen: 'The robot has fallen. Put it on its feet.', Hot: 'A joint is hot. Let the robot rest until it is cool.', PageLost: 'The robot missed this page for some seconds.' };
+const REASONS = { too_low: 'a little too low', leaning: 'leaning', wrong_direction: 'in another direction', too_fast: 'too fast' };
+
+const sheet = new CSSStyleSheet();
+sheet.replaceSync(`
+.therapist { display: grid; grid-template-rows: auto auto minmax(0, 1fr) auto auto; gap: 9px; height: 100%; padding: 10px; font-size: 18px; overflow: auto; }
+.therapist h2 { font-size: 22px; } .therapist .head, .therapist .state, .therapist .keys { display: flex; gap: 10px 16px; align-items: center; flex-wrap: wrap; }
+.therapist .state { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .state b { font-size: 24px; }
+.therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { background: #c0182b; color: #fff; border-color: #8c0e1d; } .therapist .halt b { font-size: 64px; line-height: 1; }
+.therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 34%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
+.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .big { font-size: 40px; font-weight: 700; }
+.therapist button, .therapist select { min-height: 48px; min-width: 48px; font-size: 18px; font-weight: 600; border-radius: 10px; padding: 4px 14px; border-width: 2px; white-space: normal; }
+.therapist .parts { display: flex; flex-direction: column; gap: 6px; } .therapist .parts button { text-align: left; font-weight: 500; flex-shrink: 0; } .therapist .parts button.now { border-color: var(--control); background: var(--selection); font-weight: 700; }
+.therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 24px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
+.therapist .stop { background: #c0182b; border: 4px solid #8c0e1d; color: #fff; font-size: 34px; font-weight: 800; letter-spacing: 1px; flex: 1; min-width: 190px; } .therapist .stop:hover { border-color: #fff; }
+.therapist .held { position: relative; overflow: hidden; border-color: var(--ok); color: var(--ok); } .therapist .held i { position: absolute; left: 0; bottom: 0; height: 8px; width: 0; background: var(--ok); } .therapist .held.on i { width: 100%; transition: width ${HOLD_MS}ms linear; }
+@container (max-width: 700px) { .therapist { grid-template-rows: none; } .therapist .middle { grid-template-columns: 1fr; } }`);
+document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+
+const spoken = (text) => text.replaceAll('_', ' ');
+const quoted = (text) => text?.match(/"(.*)"/)?.[1];
+const fileName = (file) => file.split('/').at(-1).replace(/\.session$/, '');
+
+/** What a command of the session language does, in words. */
+function inWords({ does, says }) {
+  const [word, name, , count] = does.split(/\s+/);
+  switch (word) {
+    case 'exercise': return `Exercise: ${spoken(name)}, ${count} times`;
+    case 'movement': return `Shows: ${spoken(name)}`;
+    case 'walk': case 'turn': return `Walks: ${does}`;
+    case 'music': return 'Music';
+    case 'say': return `Says: “${quoted(says) ?? 'a recording'}”`;
+    default: return 'Waits for a touch or a button';
+  }
+}
+
+function Therapist({ visible }) {
+  const shown = session.value;
+  const description = shown?.description.value;
+  const script = useSignal(null);
+  const machine = shown?.find('Session') ?? -1;
+  const read = (component, name) => {
+    const at = shown.findInfo(component, name);
+    return at && shown.info_of(...at).now.value?.value;
+  };
+  const call = (component, name, values = []) => {
+    const index = shown.find(component);
+    const modulation = description.components[index].modulations.findIndex((one) => one.name === name);
+    return command('modulate', { component: index, modulation, arguments: values });
+  };
+  useEffect(() => {
+    if (!visible.value || machine < 0) return undefined;
+    return watch({ info: OUTPUTS.map(([component, name]) => [...shown.findInfo(component, name), 10]) });
+  }, [visible.value, description]);
+  useEffect(() => {
+    script.value = null;
+    if (machine >= 0) ask('extension', { session: shown.id, name: 'therapist', message: { type: 'read' } }).then((found) => { script.value = found; });
+  }, [description]);
+  const state = machine < 0 ? null : description.components[machine].states[shown.live.value?.components[machine]?.[2]]?.name ?? 'ready';
+  // Whoever operates a session must be missed if the page is lost.
+  const operates = shown?.info.value.control === 'yours' && ['running', 'waiting', 'exercising'].includes(state);
+  useEffect(() => {
+    if (!operates) return undefined;
+    const [here, gone] = ['page_is_here', 'page_closes'].map((name) => () => call('Guard', name));
+    here();
+    const timer = setInterval(here, 1000);
+    return () => {
+      clearInterval(timer);
+      if (session.peek()?.info.peek().control === 'yours') gone();
+    };
+  }, [operates]);
+
+  if (machine < 0) return html`<${Empty} what="No session" help="Open a world of the therapy player with + first." />`;
+  const open = async (file) => {
+    const about = { session: shown.id, name: 'therapist' };
+    if (!await ask('extension', { ...about, message: { type: 'check', file } })) return;
+    const world = shown.info.value.name.split(/[ ,]/)[0];
+    const opened = await ask('open', { source: { kind: 'world', world, seed: shown.info.value.seed ?? 0, options: { session: file, start: 'no' } } });
+    if (!opened) return;
+    await ask('extension', { ...about, session: opened.session, message: { type: 'chose', file } });
+    show(opened.session);
+    ask('close', { session: shown.id });
+  };
+  const parts = script.value?.parts ?? [];
+  const at = read('Session', 'at') ?? 0;
+  const now = Math.max(0, parts.findLastIndex(({ step }) => step <= at));
+  const part = parts[now];
+  const trouble = read('Guard', 'trouble');
+  const counts = read('ExerciseCheck', 'counts');
+  const volume = Math.round((read('Sound', 'volume') ?? 0.6) * 10);
+  const hottest = read('Guard', 'hottest');
+  const [title, what] = STATES[state === 'waiting' ? 'running' : state];
+  const runs = ['running', 'waiting', 'exercising'].includes(state);
+  const over = state === 'ready' || state === 'finished';
+  const key = (label, name, off, kind = '') => html`<button class=${kind} disabled=${off} onClick=${() => call('Session', name)}>${label}</button>`;
+  const level = (label, to) => html`<button aria-label=${label} disabled=${to < 0 || to > 10} onClick=${() => call('Sound', 'set_volume', [to / 10])}>${label === 'Louder' ? '+' : '−'}</button>`;
+  return html`<div class="therapist">
+    <div class="head"><h2>${script.value?.title || 'Session'}</h2><span class="grow"></span>
+      <span>Battery ${Math.round((read('Guard', 'battery') ?? 0) * 100)} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
+    <div role="status" class=${`state ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
+      <span>${runs && part ? `Part ${now + 1} of ${parts.length}: ${what}` : what}${state === 'stopped' && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
+    <div class="middle"><section class="card" aria-label="Now">
+      ${state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
+      ${part?.says && !part.does.startsWith('say') && html`<p>It says: “${quoted(part.says)}”</p>`}
+      ${/arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
+      ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
+      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
+      <${Last} last=${read('ExerciseCheck', 'last')} />
+      ${part && html`<p class="dim">Line ${part.line} of ${fileName(script.value.file)}</p>`}</section>
+      <section class="card parts" aria-label="Parts of this session">
+        <select aria-label="Open a session" onChange=${(event) => open(event.target.value)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
+        ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${over} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
+    <div class="keys">
+      ${key('◀ Back', 'previous', over)}
+      ${state === 'ready' ? key('▶ Start', 'start', false, 'main start') : state === 'paused' ? key('▶ Go on', 'go_on', false, 'main start') : state === 'stopped' ? html`<${Held} done=${() => call('Session', 'go_on')} />`
+    : state === 'finished' ? html`<button class="main start" onClick=${() => act('restart', { seed: null })}>Once more</button>` : key('❚❚ Pause', 'pause', !runs, 'main pause')}
+      ${key('Next ▶', 'next', over)}${key('Repeat', 'repeat', over)}${key('Easier', 'easier', false)}
+      <span class="join" role="group" aria-label="Volume">Volume ${volume} ${level('Quieter', volume - 1)}${level('Louder', volume + 1)}</span>
+      <button class="stop" onClick=${() => call('Session', 'stop')}>${state === 'stopped' ? 'It is stopped' : '⯃ STOP'}</button></div>
+    <p class="dim">STOP is not an emergency switch. In danger: hold the robot. The bumpers of its feet stop it, too.</p></div>`;
+}
+
+/** What was wrong with the last repetition. */
+function Last({ last }) {
+  const wrong = Object.keys(REASONS).filter((name) => last?.reasons?.[name] === true || last?.reasons?.includes?.(name));
+  return wrong.length > 0 && html`<p>The last one: <strong>${wrong.map((name) => REASONS[name]).join(', ')}</strong>.</p>`;
+}
+
+/** A button that must be held for two seconds. */
+function Held({ done }) {
+  const timer = useRef(null);
+  const on = useSignal(false);
+  const end = () => {
+    clearTimeout(timer.current);
+    [timer.current, on.value] = [null, false];
+  };
+  const begin = (event) => {
+    if (timer.current !== null || (event.type === 'keydown' && ![' ', 'Enter'].includes(event.key))) return;
+    event.preventDefault();
+    on.value = true;
+    timer.current = setTimeout(() => {
+      end();
+      done();
+    }, HOLD_MS);
+  };
+  useEffect(() => end, []);
+  return html`<button class=${`main held ${on.value ? 'on' : ''}`} onPointerDown=${begin} onPointerUp=${end} onPointerLeave=${end} onKeyDown=${begin} onKeyUp=${end} onBlur=${end}>Hold 2 seconds to go on<i></i></button>`;
+}
+
+const offered = (shown) => shown.find('Session') >= 0 && shown.find('ExerciseCheck') >= 0;
+
+export default {
+  panels: { therapist: { title: 'Session', view: Therapist, offered } },
+  presets: { therapist: { title: 'Therapist', needs: 'therapist', panels: (_, height) => [['therapist', {}], ['timeline', below('therapist', height * 0.16)]] } },
+};

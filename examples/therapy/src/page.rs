@@ -1,0 +1,121 @@
+//! The therapist's page: a panel of the monitor. This part reads sessions; `panels/therapist.js` shows them.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bica_app::Failure;
+use bica_app::bica_monitor::program::{Asked, Extension, Reply};
+use bica_app::bica_monitor::protocol::Failed;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::cli;
+use crate::script::Script;
+use crate::session::{Plan, Step};
+
+/// The panel.
+pub struct Page {
+    /// Session of the world that the command line opens.
+    first: PathBuf,
+}
+
+/// Session of a world that the page opened.
+#[derive(Default)]
+struct Chosen(Option<PathBuf>);
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case")]
+enum Message {
+    /// The session of this world: its title, what it does, and the sessions beside it.
+    Read,
+    /// Checks a session before its world is opened.
+    Check { file: PathBuf },
+    /// This world has that session.
+    Chose { file: PathBuf },
+}
+
+impl Page {
+    /// The panel for the arguments of a program, among which is `session=FILE`.
+    #[must_use]
+    pub fn new(arguments: &[OsString]) -> Self {
+        let file = arguments.iter().find_map(|argument| argument.to_str()?.strip_prefix("session="));
+        Self { first: file.unwrap_or_default().into() }
+    }
+}
+
+impl Extension for Page {
+    fn name(&self) -> &'static str {
+        "therapist"
+    }
+
+    fn module(&self) -> &'static str {
+        include_str!("../panels/therapist.js")
+    }
+
+    fn only_reads(&self, message: &Value) -> bool {
+        message["type"] != "chose"
+    }
+
+    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed> {
+        let wrong = |error: serde_json::Error| Failed::new(error.to_string(), "load the page again");
+        Ok(Reply::Done(match serde_json::from_value(message).map_err(wrong)? {
+            Message::Read => {
+                let chosen = asked.memory().of::<Chosen>().0.clone();
+                read(chosen.as_ref().unwrap_or(&self.first))?
+            }
+            Message::Check { file } => read(&file)?,
+            Message::Chose { file } => {
+                asked.memory().of::<Chosen>().0 = Some(file);
+                Value::Null
+            }
+        }))
+    }
+}
+
+/// A session for the page.
+fn read(file: &Path) -> Result<Value, Failed> {
+    let script = cli::open(file).map_err(|failure| match failure {
+        Failure::Error { what, help } => Failed::new(what, help),
+        Failure::BrokenPipe => Failed::new("the session cannot be read", "try again"),
+    })?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let beside = fs::read_dir(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    let beside = beside.into_iter().flatten().flatten().map(|entry| folder.join(entry.file_name()));
+    let mut files: Vec<_> = beside.filter(|file| file.extension().is_some_and(|ending| ending == "session")).collect();
+    files.sort();
+    let text = fs::read_to_string(file).unwrap_or_default();
+    Ok(json!({ "title": script.title, "file": file, "files": files, "parts": parts(&script, &text) }))
+}
+
+/// What a session does between two waits: the step with which it begins, its line, the most important of its commands, and the text
+/// that is spoken.
+fn parts(script: &Script, text: &str) -> Vec<Value> {
+    let mut plan = Plan::new();
+    script.steps.iter().for_each(|step| plan.add_step(*step));
+    let starts: Vec<_> = (0..script.steps.len()).filter(|step| plan.begins(*step as u16)).collect();
+    let lines: Vec<_> = text.lines().map(str::trim).collect();
+    let line = |step: usize| lines.get(script.lines[step] - 1).copied().unwrap_or_default();
+    let ends = starts.iter().skip(1).copied().chain([script.steps.len()]);
+    let part = |(&from, to): (&usize, usize)| {
+        let says = |step: &usize| matches!(script.steps[*step], Step::Speak(_));
+        let shown = (from..to).min_by_key(|step| importance(script.steps[*step]))?;
+        let says = (from..to).find(says).map(line);
+        let worth = importance(script.steps[shown]) < 9;
+        worth.then(|| json!({ "step": from, "line": script.lines[shown], "does": line(shown), "says": says }))
+    };
+    starts.iter().zip(ends).filter_map(part).collect()
+}
+
+/// Order of the steps by what a person wants to know of a part: 0 first, 9 nothing.
+const fn importance(step: Step) -> u8 {
+    match step {
+        Step::Exercise { .. } => 0,
+        Step::Move { .. } => 1,
+        Step::Walk(_) => 2,
+        Step::Play(_) => 3,
+        Step::Speak(_) => 4,
+        Step::Wait(crate::session::Until::Signal(_), _) => 5,
+        _ => 9,
+    }
+}
