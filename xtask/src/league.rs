@@ -18,10 +18,13 @@ pub(crate) fn install() -> Result<(), String> {
     python(&venv, MODULE, &[SERVER]).map(drop)
 }
 
-/// Tests the client with the server.
+/// Tests the client with the server, then plays in it. The games show that they are played to an end; in how many of them the T1
+/// scores is in `docs/league.md`.
 ///
 /// # Errors
-/// If a test fails.
+/// If a test or a game fails.
 pub(crate) fn check() -> Result<(), String> {
-    run("cargo", &["test", "-p", "bica-league", "--", "--ignored"], &[])
+    run("cargo", &["test", "-p", "bica-league", "--", "--ignored"], &[])?;
+    let play = ["--", "play", "--world", "league", "--robot", "t1", "--games", "4", "--at-least", "1"];
+    run("cargo", &[&["run", "--release"], &play[..]].concat(), &[])
 }

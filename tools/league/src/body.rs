@@ -40,6 +40,7 @@ const T1_GAIT: Parameters = Parameters {
     ankle_roll_gain: 0.028,
     gyro_smoothing: 0.1,
     max_speed_up: Velocity::new(0.08, 0.08, 0.4),
+    velocity_drift: Velocity::new(0.08, 0.0, 0.0),
     kick_max_distance: 0.0,
     ..T1::DYNAMIC_PROFILE.gait
 };

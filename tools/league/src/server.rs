@@ -61,6 +61,9 @@ impl Server {
         if !realtime {
             command.arg("--no-realtime");
         }
+        // Ctrl-C ends the program, which then ends its server.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         command.stdin(Stdio::null()).stdout(output.try_clone()?).stderr(output);
         let process = command.spawn().map_err(|error| Error::Start(program.display().to_string(), error))?;
         let address = Address { host: "127.0.0.1".to_owned(), agents, monitors };

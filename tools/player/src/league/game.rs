@@ -48,7 +48,8 @@ pub(crate) struct Change {
     pub(crate) ball: Option<Vec2>,
 }
 
-/// Plays a game until a goal, a fall or its end after `seconds`, and tells each change of the player's state. The server must be new.
+/// Plays a game until a goal, a fall, its end after `seconds`, or as long as it `goes_on`, and tells each change of the player's
+/// state. The server must be new.
 ///
 /// # Errors
 /// If the connection broke.
@@ -58,6 +59,7 @@ pub(crate) fn play(
     seed: u64,
     seconds: f64,
     tell: &mut dyn FnMut(&Change),
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<LeagueGame, Error> {
     let Start { robot, ball } = Start::new(seed);
     let (agent, first) = Agent::<Model>::join(server.address(), "BICA", NUMBER)?;
@@ -77,7 +79,7 @@ pub(crate) fn play(
     let mut runner = Runner::new(forward, world);
     let (mut state, mut down_since, mut goal_s) = ("", None, None);
     let (mut at, mut score) = (0.0, [0; 2]);
-    while at < seconds && goal_s.is_none() && down_since.is_none_or(|since| at - since < LOST_AFTER) {
+    while goes_on() && at < seconds && goal_s.is_none() && down_since.is_none_or(|since| at - since < LOST_AFTER) {
         // Infallible.
         _ = runner.cycle();
         if let Some(error) = runner.world_mut().error() {

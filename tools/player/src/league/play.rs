@@ -36,7 +36,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         let mut story = Vec::new();
         let server =
             Server::start(&Server::installed(Path::new(".")), args.realtime).map_err(|error| failure(&error))?;
-        let game = play(&server, &settings, seed, args.seconds, &mut |change| story.push(line(change)));
+        let game = play(&server, &settings, seed, args.seconds, &mut |change| story.push(line(change)), &|| {
+            !interrupt::requested()
+        });
         if args.games.is_none() {
             story.iter().try_for_each(|line| console.print(line))?;
         }

@@ -1,0 +1,119 @@
+//! What the forward knows from directions and distances.
+
+use bica::runner::Robot;
+use bica::{Instant, Tree};
+use bica_field::{SSIM_2026, league_mark};
+use bica_motion::joints::Joints;
+use bica_motion::kinematics::{camera, ground_from_robot};
+use bica_motion::model::RobotModel;
+use bica_motion::pose::{Pose2, wrap};
+use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
+use bica_motion::side::Side;
+use bica_player_t1::behaviour::Player;
+use bica_player_t1::input::{Object, Sight};
+use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
+use bica_player_t1::{Forward, Model, PARAMETERS, Senses};
+use bica_tuning::Layers;
+use glam::{Vec2, Vec3};
+
+const MARKS: [&str; 14] = [
+    "l_luf", "l_llf", "l_ruf", "l_rlf", "t_cuf", "t_clf", "x_cuc", "x_clc", "p_lpm", "p_rpm", "g_lup", "g_llp",
+    "g_rup", "g_rlp",
+];
+
+/// What a standing robot sees from a pose, with a ball at a position, within the server's angles and rounding.
+fn sights(pose: Pose2, ball: Vec2) -> Vec<Sight> {
+    let angles = Model::STAND;
+    let eye = ground_from_robot::<Model>(Side::Left, &angles) * camera::<Model>(CameraId::Top, &angles);
+    let sight = |object: Object, at: Vec3| {
+        let from_eye = eye.inverse().transform_point3(pose.locate(at.truncate()).extend(at.z));
+        let round = |value: f32| (100.0 * value).trunc() / 100.0;
+        let distance = round(from_eye.length());
+        let azimuth = round(from_eye.y.atan2(from_eye.x).to_degrees());
+        let elevation = round((from_eye.z / from_eye.length()).asin().to_degrees());
+        let (up, along) = elevation.to_radians().sin_cos();
+        let (left, ahead) = azimuth.to_radians().sin_cos();
+        let at = distance * Vec3::new(along * ahead, along * left, up);
+        (azimuth.abs() <= 60.0 && elevation.abs() <= 60.0).then_some(Sight { object, at })
+    };
+    let marks = MARKS.map(|name| league_mark(name).expect("a mark")).map(|mark| sight(Object::Mark(mark), mark));
+    let ball = sight(Object::Ball, ball.extend(SSIM_2026.ball_radius()));
+    marks.into_iter().chain([ball]).flatten().collect()
+}
+
+/// A standing body in a cycle: without noise, the inertial unit would count as broken.
+fn body(cycle: u64) -> Sensors<'static> {
+    let noise = 0.001 * (cycle % 2) as f32;
+    let inertial = Inertial { acceleration: Vec3::new(noise, 0.0, 9.81), ..Inertial::default() };
+    let foot = FootPressure { front_left: 40.0, front_right: 40.0, rear_left: 40.0, rear_right: 40.0 };
+    Sensors {
+        angles: Model::STAND,
+        temperatures: Joints::all(f32::NAN),
+        currents: Joints::all(f32::NAN),
+        inertial,
+        left_foot: foot,
+        right_foot: foot,
+        buttons: Buttons::default(),
+        image: None,
+    }
+}
+
+/// Runs cycles with equal senses, beginning with `from`.
+fn run(forward: &mut Forward, sights: &[Sight], cycles: core::ops::Range<u64>) {
+    for cycle in cycles {
+        forward.sense(&Senses { body: body(cycle), sights: (cycle % 2 == 0).then_some(sights) }).expect("infallible");
+        forward.tick(Instant::from_millis(20 * cycle));
+    }
+}
+
+#[test]
+fn ball_is_found_and_approached_where_it_is_seen() {
+    let mut forward = Box::new(Forward::new());
+    let pose = Pose2::new(20.0, 2.0, 0.5);
+    let ball = pose.place(Vec2::new(2.0, 0.4));
+    run(&mut forward, &sights(pose, ball), 0..6);
+    assert_eq!(forward.state_name::<Player>(), Some("approach"));
+    let seen = forward.get::<BallDetector>().position().expect("the ball is seen");
+    assert!(seen.distance(Vec2::new(2.0, 0.4)) < 0.03, "{seen}");
+    // Without a view of the ball for longer than its memory, it is searched again.
+    run(&mut forward, &[], 6..150);
+    assert_eq!(forward.state_name::<Player>(), Some("look_for_ball"));
+}
+
+#[test]
+fn pose_and_goal_follow_from_marks() {
+    for pose in [Pose2::new(20.0, 2.0, 0.3), Pose2::new(24.0, -6.0, 0.9), Pose2::new(-10.0, 4.0, -0.4)] {
+        let mut forward = Box::new(Forward::new());
+        // The marks are read only while the robot searches for the goal: here it is held active.
+        forward.hold_at("Localization", bica::Hold::Active).expect("a component");
+        run(&mut forward, &sights(pose, Vec2::ZERO), 0..6);
+        let found = forward.get::<Localization>().pose().expect("marks are in view");
+        assert!(found.position.distance(pose.position) < 0.05, "{found:?} {pose:?}");
+        assert!(wrap(found.heading - pose.heading).abs() < 0.005, "{found:?} {pose:?}");
+        let [left, right] = SSIM_2026.goal_posts(true).map(|post| pose.locate(post));
+        if let Some(goal) = forward.get::<GoalDetector>().position() {
+            assert!(goal.distance(left.midpoint(right)) < 0.1, "{goal}");
+        }
+    }
+}
+
+#[test]
+fn one_mark_and_marks_in_a_point_give_no_pose() {
+    let mut forward = Box::new(Forward::new());
+    forward.hold_at("Localization", bica::Hold::Active).expect("a component");
+    let all = sights(Pose2::new(20.0, 2.0, 0.3), Vec2::ZERO);
+    let mark = *all.iter().find(|sight| matches!(sight.object, Object::Mark(_))).expect("a mark");
+    run(&mut forward, &[mark, mark], 0..6);
+    assert_eq!(forward.get::<Localization>().pose(), None);
+    let broken = Sight { at: Vec3::NAN, ..mark };
+    run(&mut forward, &[broken; 60], 6..12);
+    assert_eq!(forward.get::<Localization>().pose(), None);
+}
+
+#[test]
+fn parameters_of_the_robot_are_accepted() {
+    let mut layers = Layers::new(const { &Forward::GRAPH });
+    layers.read_text("parameters.toml", PARAMETERS).expect("names and values are right");
+    assert!(layers.all().filter(|value| !value.is_default()).count() > 10);
+    layers.apply(&mut *Box::new(Forward::new())).expect("they fit together");
+}
