@@ -8,6 +8,8 @@ use crate::process::{run, works};
 pub(crate) const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Cargo.toml", "--locked"];
 
 const PROGRAMS: [&str; 5] = ["build", "--package", "jmanager", "--package", "bica-player-program"];
+/// A robot of another kind, with its monitor.
+const EXAMPLE: [&str; 7] = ["build", "--package", "bica-app", "--features", "monitor", "--example", "wall_follower"];
 /// Arguments of Cargo that run the tests.
 const TEST: [&str; 9] = [
     "test",
@@ -52,7 +54,8 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
 fn prepare() -> Result<(), String> {
     install()?;
     firmware::prepare()?;
-    run("cargo", &PROGRAMS, &[])
+    run("cargo", &PROGRAMS, &[])?;
+    run("cargo", &EXAMPLE, &[])
 }
 
 /// Installs Chromium, Firefox, their `WebDriver`s, and the checks of accessibility.

@@ -2,6 +2,7 @@
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { number, words } from '../lib/format.js';
+import { visuals } from '../lib/frames.js';
 import { on } from '../lib/listen.js';
 import { act, command, notify, operate, session } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
@@ -43,6 +44,22 @@ function leaders(description, { body, head }) {
   return description.components.flatMap((one, component) => (component !== description.root && moves(one, head) && !moves(one, body) ? [component] : []));
 }
 
+/**
+ * Components whose outputs the map draws, or that place a frame, and that would end with the root: they are held active, so that the map
+ * goes on. None of them moves anything.
+ */
+function drawn({ components, root, ...description }, now, moved) {
+  const below = (part, found = new Set()) => {
+    for (const { to } of components[part].links) if (!found.has(to)) below(to, found.add(to));
+    return found;
+  };
+  const moves = (part) => [part, ...below(part)].some((one) => components[one].links.some(({ kind }) => kind === 'modulation'));
+  const kept = new Set(moved.flatMap((part) => [part, ...below(part)]));
+  const all = visuals({ components, ...description }, false).filter(({ component, info }) => now?.[component]?.[0] || info.child);
+  const wanted = [...new Set(all.map(({ component }) => component))].filter((one) => one !== root && !kept.has(one) && !moves(one));
+  return wanted.filter((one) => !wanted.some((other) => below(other).has(one)));
+}
+
 export function Drive({ visible }) {
   const shown = session.value;
   const description = shown?.description.value;
@@ -71,8 +88,10 @@ function Controls({ shown, description, body, head, visible }) {
   const hold = (component, kind) => act('hold', { component, hold: kind });
   const take = async () => {
     if (!(await operate())) return;
+    const moved = [body, head].filter(Boolean).map(({ component }) => component);
+    const seen = drawn(description, now, moved);
     await hold(root, 'latent');
-    for (const part of [body, head]) if (part) await hold(part.component, 'active');
+    for (const component of [...moved, ...seen]) await hold(component, 'active');
     notify('done', `${description.name} is taken over`, 'hold Shift, or the button, to move');
   };
   const give = () => act('release', {}, `${description.name} was given back`);
@@ -105,7 +124,7 @@ function Controls({ shown, description, body, head, visible }) {
   };
   return html`<article class="tab drive" ref=${panel}>
     <section aria-label="Take over"><h3>Driven by ${taken ? 'you' : description.name}</h3>
-      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the robot back, or 3 s after this page is closed.' : 'Take over: the root is held latent, what moves the robot is held active.'}</p>
+      <p class="dim">${taken ? 'The root is held latent. Your requests end when you give the robot back, or 3 s after this page is closed.' : 'Take over: the root is held latent; what moves the robot, and what the map shows, is held active.'}</p>
       <div class="buttons">${taken ? html`<button class="primary" onClick=${give}>Give back</button>` : html`<button class="primary" onClick=${take}>Take over</button>`}
         ${followers.length > 0 && html`<label>Head moved by <select aria-label="Head moved by" disabled=${!taken} title="A component that is held active" onChange=${(event) => lead(shown.find(event.target.value))}>
           ${[-1, ...followers].map((component) => html`<option selected=${component === leader}>${description.components[component]?.name ?? 'you'}</option>`)}</select></label>`}</div>

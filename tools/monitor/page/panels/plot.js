@@ -64,10 +64,9 @@ export function Plot({ visible, params, remember }) {
     <${Bar} label="Plot">
       <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
       <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
-      <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
-      <span class="grow"></span>
-      ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
       <button disabled=${curves.length === 0} onClick=${() => csv(shown, curves)}>CSV</button>
+      ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
+      <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
     <//>
     ${curves.length === 0
       ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an output from a component tab onto this panel, or choose one above." />`

@@ -1,7 +1,7 @@
 //! A running JManager.
 
 use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
@@ -26,12 +26,24 @@ impl Server {
     /// If the program is not built or does not start.
     #[must_use]
     pub fn start(name: &str, arguments: &[&str]) -> Self {
+        Self::start_program(&program("jmanager"), name, arguments)
+    }
+
+    /// The same with the monitor of an example.
+    ///
+    /// # Panics
+    /// If the example is not built or does not start.
+    #[must_use]
+    pub fn start_example(name: &str) -> Self {
+        Self::start_program(&program("examples").join(name), name, &["monitor"])
+    }
+
+    fn start_program(program: &Path, name: &str, arguments: &[&str]) -> Self {
         let folder = target().join(format!("browser/run/{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the server");
-        let program = program("jmanager");
-        let mut child = Command::new(&program)
-            .args(["--no-open", "--port", "0"])
+        let mut child = Command::new(program)
             .args(arguments)
+            .args(["--no-open", "--port", "0"])
             .current_dir(&folder)
             .stdout(Stdio::piped())
             .spawn()

@@ -17,6 +17,7 @@ mod panels;
 mod pictures;
 mod pressing;
 mod recordings;
+mod rolling;
 mod running;
 mod space;
 mod spans;
