@@ -18,6 +18,7 @@ mod pictures;
 mod pressing;
 mod recordings;
 mod running;
+mod uses;
 
 use jmanager_browser::{Page, Server};
 
