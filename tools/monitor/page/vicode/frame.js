@@ -6,7 +6,7 @@ import { Bar, Menu } from '../lib/ui.js';
 import { align } from './canvas/actions.js';
 import { focusOn } from './canvas/keys.js';
 import { createComponent } from './create.js';
-import { saveSvg, savePng } from './export.js';
+import { saveSvg, savePng, saveText } from './export.js';
 import { functionsOf } from './machine.js';
 import { Modes } from './mode.js';
 import { check, fixesOf, jump, mend, problems, startCheck } from './problems.js';
@@ -48,6 +48,7 @@ export function Tools({ search }) {
     <${Menu} label="More" title="More: layout and pictures">
       <button class="item" onClick=${arrange}>Arrange all states automatically</button>
       <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button>
+      <button class="item" onClick=${() => saveText('mermaid', 'mmd')}>Mermaid</button><button class="item" onClick=${() => saveText('dot', 'dot')}>DOT (Graphviz)</button>
       <button class="item" onClick=${() => ask('save_file', { file: own.file })}>Save now</button>
     <//>`}
     <span class="grow"></span>${own && html`<${Modes} />`}<${Stops} /><${Check} /><${Run} />

@@ -95,6 +95,15 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
     assert_eq!(page.run(label, vec![]).await, true);
     page.reads("follow.reached() && self.decision.get().is_none()").await;
     pictures(&page, "diff").await;
+    // What is saved is what is drawn.
+    let watch = "window.texts = []; const make = URL.createObjectURL; URL.createObjectURL = (blob) => { blob.text().then((text) => texts.push(text)); return make(blob); };";
+    page.run(watch, vec![]).await;
+    for (item, text) in [("Picture as SVG", "− dribble"), ("Mermaid", "stateDiagram-v2"), ("DOT (Graphviz)", "digraph")]
+    {
+        page.click("button", "More", "").await;
+        page.click("button", item, "").await;
+        page.until(item, &format!("return window.texts.some((one) => one.includes('{text}'))")).await;
+    }
     // The drawing of both versions is not edited.
     page.run("document.querySelector('svg.machine').focus()", vec![]).await;
     page.press("a").await;
