@@ -126,6 +126,15 @@ impl FieldBoundary {
     pub fn is_below(&self, x: f32, y: f32, margin: f32) -> bool {
         self.row_at(x).is_some_and(|end| y >= end - margin)
     }
+
+    /// Whether the image of a camera shows the field at a position in the ground frame, m. Positions beside, above or behind the
+    /// image are not on the field, those below it are: the feet hide them.
+    #[must_use]
+    pub fn shows_field(&self, camera: &Camera, at: Vec2) -> bool {
+        let size = 2.0 * camera.intrinsics().centre;
+        let Some(pixel) = camera.pixel(at.extend(0.0)) else { return false };
+        pixel.y >= size.y || (0.0..size.x).contains(&pixel.x) && pixel.y >= 0.0 && self.is_below(pixel.x, pixel.y, 0.0)
+    }
 }
 
 /// Middles of the scanned columns of a frame of a width, px.

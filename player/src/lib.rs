@@ -36,13 +36,6 @@ pub use bica_field::FIELD;
 /// Height of the cameras over the ground in a walking robot, m.
 const CAMERA_HEIGHT: f32 = 0.48;
 
-/// Time of a component that ran last so many milliseconds ago.
-#[cfg(test)]
-const fn test_time(since_run_ms: u64) -> bica::Time {
-    let since_run = bica::Duration::from_millis(since_run_ms);
-    bica::Time { now: bica::Instant::from_millis(since_run_ms), since_run, in_state: since_run }
-}
-
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

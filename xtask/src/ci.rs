@@ -135,7 +135,16 @@ fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
     run("cargo", &["test", "--workspace", "--features", "bica-app/monitor"], &cases)?;
-    slow_tests::run(&cases)
+    slow_tests::run(&cases)?;
+    coverage()
+}
+
+/// Prints how much of the forward's machine the recorded games of the tests visit.
+fn coverage() -> Result<(), String> {
+    let vicode = ["run", "--quiet", "--package", "bica-vicode", "--", "coverage", "player/src/behaviour/player.rs"];
+    let games = ["game", "crowd", "images"].map(|name| format!("tools/player/tests/recordings/{name}.mcap"));
+    let games = games.each_ref().map(String::as_str);
+    run("cargo", &[&vicode[..], &games, &["--summary"]].concat(), &[])
 }
 
 /// Installs MuJoCo if it is `wanted`, and returns the feature of the program's libraries that needs it.

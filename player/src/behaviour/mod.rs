@@ -26,6 +26,13 @@ pub use search::Search;
 pub use search_ball::SearchBall;
 pub use search_net::SearchNet;
 
+/// Time of a component that ran last so many milliseconds ago.
+#[cfg(test)]
+pub(crate) const fn test_time(since_run_ms: u64) -> bica::Time {
+    let since_run = bica::Duration::from_millis(since_run_ms);
+    bica::Time { now: bica::Instant::from_millis(since_run_ms), since_run, in_state: since_run }
+}
+
 /// Times of a run, some milliseconds after the previous one.
 #[cfg(test)]
 const fn time(since_run_ms: u64) -> bica::Time {

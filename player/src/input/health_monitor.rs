@@ -119,7 +119,7 @@ mod tests {
     }
 
     fn step(monitor: &mut HealthMonitor, grace_time: f32) {
-        monitor.step(&Tuned::new(FaultReaction { grace_time }), &crate::test_time(10), &RobotState::new());
+        monitor.step(&Tuned::new(FaultReaction { grace_time }), &crate::behaviour::test_time(10), &RobotState::new());
     }
 
     #[test]

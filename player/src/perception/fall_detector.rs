@@ -131,7 +131,7 @@ mod tests {
         for (forward_pitch, is_down) in [(0.6, true), (0.8, false)] {
             let mut detector = FallDetector::new();
             let tuned = Tuned::new(FallDetection { forward_pitch, ..FallDetection::DEFAULT });
-            (0..5).for_each(|_| detector.step(&tuned, &crate::test_time(10), &state));
+            (0..5).for_each(|_| detector.step(&tuned, &crate::behaviour::test_time(10), &state));
             assert_eq!(detector.is_down(), is_down, "limit {forward_pitch} rad");
         }
     }

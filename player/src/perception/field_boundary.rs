@@ -75,18 +75,11 @@ impl FieldBoundary {
         ImagePolyline { points: self.line.corners().iter().copied().map(info::pixel).collect() }
     }
 
-    /// Whether the newest image shows the field at a position in the ground frame between the feet, m. Positions beside, above or
-    /// behind the image are not on the field, those below it are: the feet hide them.
+    /// Whether the newest image shows the field at a position in the ground frame between the feet, m; see
+    /// [`Line::shows_field`].
     #[must_use]
     pub fn is_on_field(&self, camera: &CameraPose, at: Vec2) -> bool {
-        camera.camera().is_some_and(|camera| Self::shows(&self.line, camera, at))
-    }
-
-    /// As [`Self::is_on_field`], of a boundary in the image of a camera.
-    pub(crate) fn shows(line: &Line, camera: &Camera, at: Vec2) -> bool {
-        let size = 2.0 * camera.intrinsics().centre;
-        let Some(pixel) = camera.pixel(at.extend(0.0)) else { return false };
-        pixel.y >= size.y || (0.0..size.x).contains(&pixel.x) && pixel.y >= 0.0 && line.is_below(pixel.x, pixel.y, 0.0)
+        camera.camera().is_some_and(|camera| self.line.shows_field(camera, at))
     }
 
     /// The boundary.

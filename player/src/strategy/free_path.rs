@@ -87,7 +87,7 @@ mod tests {
     }
 
     fn free(boundary: &Line, robots: &[Vec2], strip: &Strip) -> f32 {
-        path_on(|at| FieldBoundary::shows(boundary, &camera(), at), robots.iter().copied(), strip)
+        path_on(|at| boundary.shows_field(&camera(), at), robots.iter().copied(), strip)
     }
 
     fn path(distance: f32, robots: &[Vec2]) -> f32 {

@@ -80,6 +80,7 @@ mod tests {
             "new Keeper",
             "diff a.rs b.rs --svg d.svg --exit-code",
             "try a.rs --steps -",
+            "coverage a.rs one.mcap two.mcap --summary",
         ] {
             assert!(parse(&format!("vicode {command}")).unwrap().command.is_some(), "{command}");
         }

@@ -22,10 +22,12 @@
 
 pub mod cli;
 pub mod compare;
+pub mod coverage;
 mod document;
 pub mod draw;
 mod edit;
 mod files;
+mod fix;
 pub mod model;
 mod read;
 pub mod trial;
@@ -35,6 +37,7 @@ pub use self::edit::{
     Edit, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan, uses,
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
+pub use self::fix::{Fix, fixes};
 pub use self::read::{TreeSource, read, trees};
 
 #[cfg(doctest)]

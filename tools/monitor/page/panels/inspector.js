@@ -1,13 +1,21 @@
-// What is selected in the designer, as fields.
+// What is selected in the designer, as fields; in its other uses the differences, the trial, or the coverage.
 
 import { html } from '../lib/dom.js';
 import { Empty } from '../lib/ui.js';
+import { TrySide } from '../vicode/attempt.js';
+import { CoverageSide } from '../vicode/coverage.js';
+import { DiffSide } from '../vicode/diff.js';
 import { ArrowFields } from '../vicode/inspector/arrow.js';
 import { ComponentFields } from '../vicode/inspector/component.js';
 import { StateFields } from '../vicode/inspector/state.js';
+import { mode } from '../vicode/mode.js';
 import { chosen, locked, machine, refusal, selection } from '../vicode/sources.js';
 
+const SIDES = { diff: DiffSide, try: TrySide, coverage: CoverageSide };
+
 export function Inspector() {
+  const Side = SIDES[mode.value];
+  if (Side) return html`<article class="tab side"><${Side} /></article>`;
   const own = machine.value;
   if (!own) return html`<${Empty} what="Nothing is selected" help="Open a component, then click a state or a transition." />`;
   const one = chosen.value;

@@ -13,7 +13,12 @@ import { ALL, NAMES } from '../vicode/canvas/rows.js';
 import { stage } from '../vicode/canvas/stage.js';
 import { Conflict } from '../vicode/conflict.js';
 import { Footer, Tools } from '../vicode/frame.js';
+import { TryLegend, writeTrial } from '../vicode/attempt.js';
+import { CoverageLegend, writeCoverage } from '../vicode/coverage.js';
+import { DiffLegend, bothVersions } from '../vicode/diff.js';
 import { writeLive } from '../vicode/live.js';
+import { mode } from '../vicode/mode.js';
+import { paint } from '../vicode/paint.js';
 import { marked } from '../vicode/problems.js';
 import { component, forget, isBroken, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
 import { place, stopKeys } from '../vicode/stops.js';
@@ -21,6 +26,15 @@ import { place, stopKeys } from '../vicode/stops.js';
 const { view } = stage;
 /** Number of arrows above which those of other states fade while something is selected. */
 const MANY = 24;
+
+/** What each use of the drawing shows below it and on it. */
+const USES = {
+  design: { write: writeLive },
+  diff: { Legend: DiffLegend, write: () => paint() },
+  try: { Legend: TryLegend, write: writeTrial },
+  coverage: { Legend: CoverageLegend, write: writeCoverage },
+};
+const write = () => USES[mode.value].write();
 
 export function Designer({ visible, retitle }) {
   const valid = useRef(null);
@@ -37,9 +51,10 @@ export function Designer({ visible, retitle }) {
   const own = machine.value;
   const isHidden = isBroken.value && valid.current?.file === openedFile.value && valid.current.own.name === name && !(own?.states.length >= valid.current.own.states.length);
   if (own && !isHidden) valid.current = { own, file: openedFile.value };
-  const drawn = isHidden ? valid.current.own : own;
+  const drawn = isHidden ? valid.current.own : (mode.value === 'diff' && bothVersions()) || own;
+  const { Legend } = USES[mode.value];
   return html`<${Tools} search=${search} />
-    ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? html`<${Canvas} machine=${drawn} isStale=${isHidden} search=${search} visible=${visible} />`
+    ${opened.value?.conflict ? html`<${Conflict} />` : drawn ? html`<${Canvas} machine=${drawn} isStale=${isHidden} search=${search} visible=${visible} />${Legend && html`<${Legend} />`}`
       : html`<${Empty} what=${opened.value ? `${opened.value.file} has no component` : 'No component is open'} help=${opened.value ? 'Its mistakes are listed below; the text is in the code panel.' : list.value?.length === 0 ? 'There is none below the folder of --source. Press “New…” for the first one.' : 'Choose one in Sources, or press “New…”.'} />`}
     <${Footer} />`;
 }
@@ -49,6 +64,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   const layer = useRef(null);
   /** Whether the focus is moved by the page, and not by a person. */
   const follows = useRef(false);
+  const before = useRef(mode.value);
   // Drawn from the machine and the places; kept while only the selection changes.
   const look = stage.look.value;
   useMemo(() => stage.take(own, positions.value), [own, positions.value, look]);
@@ -75,7 +91,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
     svg.current.classList.toggle('small', view.small);
     svg.current.classList.toggle('names', view.isAutomatic && look.level === NAMES);
     svg.current.classList.toggle('brief', view.isAutomatic && look.level > ALL);
-    writeLive();
+    write();
     for (const [key, element] of stage.elements) {
       element.classList.toggle('wrong', marked.value.get(key) === 'error');
       element.classList.toggle('warned', marked.value.get(key) === 'warning');
@@ -93,7 +109,12 @@ function Canvas({ machine: own, isStale, search, visible }) {
   const focused = (event) => {
     if (event.target.dataset.key && !follows.current) forget();
   };
-  useEffect(() => effect(() => visible.value && writeLive()), []);
+  useEffect(() => effect(() => {
+    if (!visible.value) return;
+    if (mode.value !== before.current) paint();
+    before.current = mode.value;
+    write();
+  }), []);
   useEffect(() => effect(() => {
     for (const [key, element] of stage.elements) element.classList.toggle('target', key === `s:${target.value}`);
   }), []);
@@ -101,7 +122,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   useEffect(() => (visible.value && index >= 0 ? watch({ conditions: own.arrows.length > 0 ? [index] : [] }) : undefined), [visible.value, index, session.value?.id]);
 
   return html`<div class="machine-canvas fill">
-    <svg class=${`machine ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''} ${isStale ? 'stale' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
+    <svg class=${`machine use-${mode.value} ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''} ${isStale ? 'stale' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
       <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
     </svg>

@@ -1,13 +1,13 @@
-// The drawing as a file: SVG with its colours in it, and PNG.
+// The drawing as a file: SVG with its colours in it, and PNG; the machine in the languages of Mermaid and Graphviz.
 
 import { notify } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { download } from '../lib/ui.js';
 import { bounds } from './canvas/boxes.js';
 import { stage } from './canvas/stage.js';
-import { component } from './sources.js';
+import { ask, component, openedFile } from './sources.js';
 
-const WRITTEN = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'font-size', 'font-weight', 'font-family', 'opacity', 'text-anchor', 'paint-order'];
+const WRITTEN = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'font-size', 'font-weight', 'font-family', 'opacity', 'text-anchor', 'text-decoration', 'paint-order'];
 const HIDDEN = '.hit, .handle, .stop, .live, title';
 
 /** The drawing as text: without what only serves the mouse. */
@@ -36,6 +36,12 @@ function drawing() {
 
 export function saveSvg() {
   download(`${component.value}.svg`, new Blob([drawing().text], { type: 'image/svg+xml' }));
+}
+
+/** Saves the machine as text: 'mermaid' or 'dot'. */
+export async function saveText(format, ending) {
+  const answer = await ask('draw_file', { file: openedFile.value, component: component.value, format });
+  if (answer) download(`${component.value}.${ending}`, new Blob([answer.text], { type: 'text/plain' }));
 }
 
 export async function savePng() {

@@ -6,11 +6,12 @@ import { Bar, Menu } from '../lib/ui.js';
 import { align } from './canvas/actions.js';
 import { focusOn } from './canvas/keys.js';
 import { createComponent } from './create.js';
-import { saveSvg, savePng } from './export.js';
+import { saveSvg, savePng, saveText } from './export.js';
 import { functionsOf } from './machine.js';
-import { check, jump, problems, startCheck } from './problems.js';
+import { Modes } from './mode.js';
+import { check, fixesOf, jump, mend, problems, startCheck } from './problems.js';
 import { Run } from './run.js';
-import { arrange, ask, choose, chosenStates, component, editedOutside, locked, machine, opened, redo, selection, undo } from './sources.js';
+import { arrange, ask, choose, chosenStates, component, editedOutside, held, locked, machine, opened, redo, selection, undo } from './sources.js';
 import { clearStops, hit, nextHit, stops, wordsOf } from './stops.js';
 import { Trail } from './trail.js';
 
@@ -47,9 +48,10 @@ export function Tools({ search }) {
     <${Menu} label="More" title="More: layout and pictures">
       <button class="item" onClick=${arrange}>Arrange all states automatically</button>
       <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button>
+      <button class="item" onClick=${() => saveText('mermaid', 'mmd')}>Mermaid</button><button class="item" onClick=${() => saveText('dot', 'dot')}>DOT (Graphviz)</button>
       <button class="item" onClick=${() => ask('save_file', { file: own.file })}>Save now</button>
     <//>`}
-    <span class="grow"></span><${Stops} /><${Check} /><${Run} />
+    <span class="grow"></span>${own && html`<${Modes} />`}<${Stops} /><${Check} /><${Run} />
   <//>`;
 }
 
@@ -99,7 +101,7 @@ export function Footer() {
   const size = machine.value ? `${counted(machine.value.states.length, 'state')}, ${counted(machine.value.component.transitions.length, 'transition')}` : `${own.model.components.flatMap(functionsOf).length} functions`;
   return html`<footer class="frame-foot" aria-label="Mistakes and file" role="region">
     ${hit.value && hit.value.session === session.value?.id && html`<p class="hit-line" role="status"><b>Breakpoint</b> ${wordsOf(hit.value)} at ${(hit.value.time_us / 1e6).toFixed(2)} s${hit.value.paused ? ', the world is paused' : ''} <button class="small" aria-label="Dismiss the hit" onClick=${() => { hit.value = null; }}>×</button></p>`}
-    <ul class=${open.value ? 'open' : ''}>${shown.map((one) => html`<li class=${one.level}><button class="name" onClick=${() => jump(one)}>${one.place ?? one.file ?? ''}${one.line ? `:${one.line}` : ''}</button> <span title=${one.help}>${one.text}</span>${one.help && open.value && html` <span class="dim">${one.help}</span>`}</li>`)}</ul>
+    <ul class=${open.value ? 'open' : ''}>${shown.map((one) => html`<li class=${one.level}><button class="name" onClick=${() => jump(one)}>${one.place ?? one.file ?? ''}${one.line ? `:${one.line}` : ''}</button> <span title=${one.help}>${one.text}</span>${fixesOf(one).map((fix) => html` <button class="small fix" disabled=${Boolean(held.value)} onClick=${() => mend(fix)}>${fix.label.replaceAll('`', '')}</button>`)}${one.help && open.value && html` <span class="dim">${one.help}</span>`}</li>`)}</ul>
     ${list.length > 1 && html`<button class="small" aria-expanded=${open.value} onClick=${() => { open.value = !open.value; }}>${open.value ? 'fewer' : `${list.length - 1} more`}</button>`}
     <span class="grow"></span><span class="dim" role="status" aria-label="State of the file">${locked.value && !own.conflict ? html`${locked.value} · ` : ''}${stateOf(own)}${outside ? ` · ${outside}` : ''} · ${size}</span></footer>`;
 }

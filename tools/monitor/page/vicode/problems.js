@@ -1,9 +1,9 @@
 // Mistakes: those of the macros and of Rust's syntax at once, those of the compiler when it has run.
 
-import { computed, signal } from '../lib/dom.js';
-import { listen } from '../lib/connection.js';
+import { computed, effect, signal } from '../lib/dom.js';
+import { listen, request } from '../lib/connection.js';
 import { functionsOf } from './machine.js';
-import { ask, choose, component, machine, model, offsets, onChange, open, opened, openedFile, openedText } from './sources.js';
+import { ask, choose, component, edit, machine, model, offsets, onChange, open, opened, openedFile, openedText } from './sources.js';
 import { bytesOf } from './offsets.js';
 
 /** The last message of a check: {state, seconds, messages}; null before the first. */
@@ -49,7 +49,7 @@ const lineOf = (span) => openedText.value.slice(0, offsets.value.index(span[0]))
 export const problems = computed(() => {
   const own = openedFile.value;
   if (!own) return [];
-  const now = model.value.problems.map(({ span, message, from }) => ({ level: 'error', text: message, help: '', span, place: placeAt(span[0]), line: lineOf(span), file: own, from }));
+  const now = model.value.problems.map(({ span, message, from }, number) => ({ number, level: 'error', text: message, help: '', span, place: placeAt(span[0]), line: lineOf(span), file: own, from }));
   const said = new Set(now.map(({ text, line }) => `${line} ${text}`));
   const later = (check.value?.messages ?? []).map((one) => {
     const here = one.file === own && one.span;
@@ -58,6 +58,25 @@ export const problems = computed(() => {
   const order = (one) => (one.level === 'error' ? 0 : 2) + (one.file === own ? 0 : 1);
   return [...now, ...later.filter(({ text, line }) => !said.has(`${line} ${text}`)).sort((a, b) => order(a) - order(b))];
 });
+
+/** Fixes of the text of a version: {version, fixes: [[{label, edit}]]}; null before the first. */
+const fixes = signal(null);
+/** Time without typing after which fixes are searched, ms. */
+const PAUSE = 400;
+
+let timer = 0;
+effect(() => {
+  const [own, wrong] = [openedFile.value, model.value?.problems.length > 0];
+  clearTimeout(timer);
+  if (own && wrong) timer = setTimeout(async () => { fixes.value = (await request('source', { request: { type: 'fixes', file: own } }).catch(() => null)); }, PAUSE);
+});
+
+/** The fixes of a mistake of the text that is shown. */
+export function fixesOf({ number }) {
+  return number !== undefined && fixes.value?.version === opened.value?.version ? fixes.value.fixes[number] ?? [] : [];
+}
+
+export const mend = ({ edit: one }) => edit([one]);
 
 /** Number of mistakes by key of the canvas. */
 export const marked = computed(() => {

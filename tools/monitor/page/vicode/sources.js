@@ -6,6 +6,7 @@ import { link, listen, request } from '../lib/connection.js';
 import { hello, notify } from '../lib/store.js';
 import { stored } from '../lib/stored.js';
 import { machineOf, parsed } from './machine.js';
+import { heldBy, mode } from './mode.js';
 import { Offsets, spliced } from './offsets.js';
 
 /** Files of the folder: [{file, components: [{name, machine}], trees, problem}]. */
@@ -42,6 +43,9 @@ export const locked = computed(() => {
   if (opened.value?.readonly) return 'The file is read-only: change its permissions.';
   return null;
 });
+
+/** Whether the drawing can be edited, and if not, why. */
+export const held = computed(() => locked.value ?? heldBy[mode.value] ?? null);
 
 /** Sends a request about sources. An error is shown. */
 export async function ask(type, fields = {}) {
@@ -128,9 +132,9 @@ export const setSettle = (how) => { settle = how; };
 
 /** Applies edits as one step. Resolves to whether they were applied. */
 export async function edit(edits) {
-  if (locked.value) {
-    refusal.value = { text: locked.value, help: '' };
-    notify('error', locked.value);
+  if (held.value) {
+    refusal.value = { text: held.value, help: '' };
+    notify('error', held.value);
     return false;
   }
   await settle();

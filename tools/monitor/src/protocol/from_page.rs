@@ -110,6 +110,15 @@ pub enum Request {
         /// Time after which it is searched, µs.
         from_us: u64,
     },
+    /// Counts what a session has visited of a machine, as far as it is in memory. [`bica_vicode::coverage::Coverage`]
+    Coverage {
+        /// File of the machine below the folder of sources.
+        file: String,
+        /// Key of its component.
+        component: String,
+        /// Index of the component in the session.
+        index: usize,
+    },
     /// Begins a simulated world again, with another seed if given.
     Restart {
         /// Seed.

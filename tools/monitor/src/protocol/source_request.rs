@@ -2,6 +2,7 @@
 
 use bica_vicode::Edit;
 use bica_vicode::model::Span;
+use bica_vicode::trial::Step;
 use serde::{Deserialize, Serialize};
 
 /// What a page asks of the sources. In brackets: the `result` of the answer, if there is one. A `file` is a path below the folder of
@@ -111,6 +112,26 @@ pub enum SourceRequest {
         component: String,
         /// Format.
         format: DrawingFormat,
+    },
+    /// Finds edits that mend the mistakes of a file. [`{"version": number, "fixes": list for each mistake of `{"label", "edit"}`}`]
+    Fixes {
+        /// File.
+        file: String,
+    },
+    /// Compares a file with its last commit. [`{"revision": text, "new": bool, "report": text, "comparison", "both": object from component
+    /// to its model with what was removed}`]
+    CompareFile {
+        /// File.
+        file: String,
+    },
+    /// Evaluates a trial of a machine from its beginning. [`{"trial", "test": text}`]
+    TryMachine {
+        /// File.
+        file: String,
+        /// Component.
+        component: String,
+        /// What is done, in order.
+        steps: Vec<Step>,
     },
     /// Checks the packages of the open files with the compiler. Results come as [`ToPage::Check`](super::ToPage::Check).
     Check {},

@@ -198,6 +198,10 @@ impl Manager {
                 self.editor()?.set_default(page, &owner.name, param).map(Some)
             }
             Request::Breakpoints { list } => session.set_breakpoints(&list).map(|()| Some(Value::Null)),
+            Request::Coverage { file, component, index } => {
+                let visits = session.visits(index)?;
+                self.editor()?.coverage(&file, &component, &visits).map(Some)
+            }
             Request::NextHit { from_us } => Ok(Some(json!(session.next_hit(from_us)))),
             Request::Compare { other } => {
                 recorded::compare(page, id, &session, &*self.registry.get(other)?).map(|()| None)
@@ -245,6 +249,7 @@ impl Manager {
                 | Request::Lines { .. }
                 | Request::Breakpoints { .. }
                 | Request::NextHit { .. }
+                | Request::Coverage { .. }
                 | Request::Recordings {}
                 | Request::Layouts {}
                 | Request::Source { .. }

@@ -23,6 +23,7 @@ mod session;
 mod storage;
 mod tune;
 mod value;
+mod visits;
 mod watches;
 mod watching;
 mod world;

@@ -8,6 +8,7 @@
 mod cargo;
 mod check;
 mod checks;
+mod compare;
 mod create;
 mod default;
 mod draw;
@@ -23,6 +24,7 @@ mod save;
 mod search;
 mod sidecar;
 mod stamp;
+mod trial;
 mod watch;
 
 use std::path::Path;
@@ -31,6 +33,7 @@ use std::thread::{self, JoinHandle};
 
 use bica_link::Param;
 use bica_vicode::Folder;
+use bica_vicode::coverage::{Coverage, Visits};
 use serde_json::{Value, json};
 
 use self::checks::Checks;
@@ -100,6 +103,11 @@ impl Editor {
         self.files.left(page);
     }
 
+    /// The coverage of a machine by what a session visited.
+    pub(crate) fn coverage(&self, file: &str, component: &str, visits: &Visits) -> Result<Value, Failed> {
+        self.files.machine(file, component).map(|(_, machine)| json!(Coverage::of(&machine, visits)))
+    }
+
     /// Writes the present value of a parameter as its default.
     pub(crate) fn set_default(&self, page: PageId, component: &str, param: &Param) -> Result<Value, Failed> {
         self.writable()?;
@@ -131,6 +139,11 @@ impl Editor {
                 return files.uses(&file, &component, &function).map(|uses| json!(uses));
             }
             SourceRequest::DrawFile { file, component, format } => return files.draw(&file, &component, format),
+            SourceRequest::Fixes { file } => return files.fixes(&file),
+            SourceRequest::CompareFile { file } => return files.compare(&file),
+            SourceRequest::TryMachine { file, component, steps } => {
+                return files.try_machine(&file, &component, &steps);
+            }
             _ => self.writable()?,
         }
         match request {

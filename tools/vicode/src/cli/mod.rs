@@ -1,8 +1,10 @@
-//! The command line: `vicode model|apply|check|diff|draw|new|try`.
+//! The command line: `vicode model|apply|check|coverage|diff|draw|new|try`.
 
 mod apply;
 mod check;
 mod compare;
+#[cfg(feature = "recordings")]
+mod coverage;
 mod create;
 mod diff;
 mod draw;
@@ -45,6 +47,24 @@ pub enum Command {
         /// Rust source
         file: PathBuf,
         /// Print the mistakes as JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Counts in recordings which states and transitions of a machine were visited, and for how long
+    #[cfg(feature = "recordings")]
+    Coverage {
+        /// Rust source
+        file: PathBuf,
+        /// Recordings (MCAP), which are counted together
+        #[arg(required = true)]
+        recordings: Vec<PathBuf>,
+        /// Component, if the file has several
+        #[arg(long)]
+        component: Option<String>,
+        /// Print one line only
+        #[arg(long, conflicts_with = "json")]
+        summary: bool,
+        /// Print the numbers as JSON
         #[arg(long)]
         json: bool,
     },
@@ -139,6 +159,15 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
         }
         Command::Apply { file, edits, dry_run } => apply::run(file, edits, *dry_run, out),
         Command::Check { file, json } => check::run(file, *json, out),
+        #[cfg(feature = "recordings")]
+        Command::Coverage { file, recordings, component, summary, json } => {
+            let form = match (summary, json) {
+                (true, _) => coverage::Form::Line,
+                (_, true) => coverage::Form::Json,
+                _ => coverage::Form::Table,
+            };
+            coverage::run(file, recordings, component.as_deref(), form, out)
+        }
         Command::Diff { file, other, component, svg, json, exit_code } => {
             let output = compare::Output { svg: svg.as_deref(), json: *json };
             let is_equal = compare::run(file, other.as_deref(), component.as_deref(), &output, out)?;

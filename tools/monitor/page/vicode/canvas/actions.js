@@ -2,7 +2,7 @@
 
 import { askForm, askName } from '../ask.js';
 import { freeName, parsed, stateKey } from '../machine.js';
-import { change, choose, chosen, chosenStates, component, list, locked, machine, move, opened, selection, wish } from '../sources.js';
+import { change, choose, chosen, chosenStates, component, list, held, machine, move, opened, selection, wish } from '../sources.js';
 import { notify } from '../../lib/store.js';
 import { renameUsed } from '../rename.js';
 import { stage } from './stage.js';
@@ -13,8 +13,8 @@ export const snapped = ([x, y]) => [Math.round(x / GRID) * GRID, Math.round(y / 
 /** Whether the machine can be changed; says why not. */
 function editable() {
   if (!machine.value) return false;
-  if (locked.value) notify('error', locked.value);
-  return !locked.value;
+  if (held.value) notify('error', held.value);
+  return !held.value;
 }
 
 async function makeState(name, at, more = []) {

@@ -2,8 +2,10 @@
 
 import { signal } from '../../lib/dom.js';
 import { on } from '../../lib/listen.js';
+import { toggle } from '../attempt.js';
 import { parsed, stateKey } from '../machine.js';
-import { change, choose, chosenStates, locked, machine, move, selection, wish } from '../sources.js';
+import { mode } from '../mode.js';
+import { change, choose, chosenStates, held, machine, move, selection, wish } from '../sources.js';
 import { toggleStop } from '../stops.js';
 import { descend } from '../trail.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
@@ -80,7 +82,7 @@ function moveStates(event, names) {
   };
   follow(event, {
     onMove(one) {
-      if (locked.value) return;
+      if (held.value) return;
       const [x, y] = view.point(one);
       places = Object.fromEntries(names.map((name) => [name, [before[name][0] + x - begin[0], before[name][1] + y - begin[1]]]));
       if (!stage.lifted) stage.lift(names);
@@ -89,7 +91,7 @@ function moveStates(event, names) {
     onEnd(one, moved) {
       cancelAnimationFrame(frame);
       stage.drop();
-      if (!moved || locked.value) stage.drag(before);
+      if (!moved || held.value) stage.drag(before);
       else {
         places = Object.fromEntries(names.map((name) => [name, snapped(places[name])]));
         stage.drag(places);
@@ -170,7 +172,8 @@ export function press(event) {
   if (!key) return selectArea(event);
   if (event.target.closest('.stop')) return toggleStop(key);
   const state = event.target.closest('[data-state]')?.dataset.state;
-  if (state && !event.shiftKey && (event.target.closest('.handle') || atEdge(stage.boxes.get(state), view.point(event)))) {
+  if (mode.value === 'try' && key.startsWith('t:')) toggle(parsed(key).name);
+  if (state && !held.value && !event.shiftKey && (event.target.closest('.handle') || atEdge(stage.boxes.get(state), view.point(event)))) {
     drawTransition(event, state);
     return;
   }

@@ -22,6 +22,7 @@ mod running;
 mod space;
 mod spans;
 mod watching;
+mod uses;
 
 use jmanager_browser::{Page, Server};
 

@@ -1,0 +1,58 @@
+//! `vicode coverage`
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use bica_recording::Recording;
+
+use super::draw::chosen;
+use super::{print, print_json, text_of};
+use crate::coverage::{Coverage, Visits};
+
+/// How the coverage is printed.
+#[derive(Clone, Copy)]
+pub(super) enum Form {
+    Table,
+    Line,
+    Json,
+}
+
+pub(super) fn run(
+    file: &Path,
+    recordings: &[PathBuf],
+    component: Option<&str>,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<bool, String> {
+    let model = crate::read(&text_of(file)?);
+    let component = chosen(&model, component)?;
+    let mut visits = Visits::default();
+    for path in recordings {
+        add(&mut visits, path, &component.name.text).map_err(|error| format!("`{}`: {error}", path.display()))?;
+    }
+    let coverage = Coverage::of(component, &visits);
+    match form {
+        Form::Table => print(out, &coverage.to_string())?,
+        Form::Line => print(out, &(coverage.summary() + "\n"))?,
+        Form::Json => print_json(out, &coverage)?,
+    }
+    Ok(true)
+}
+
+/// Adds a recording. One that was cut off is read as far as it goes.
+fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> {
+    let mut recording = Recording::open(path).map_err(|error| error.to_string())?.without_blobs();
+    let header = recording.header().clone();
+    let base = |name: &str| name.split('<').next().unwrap_or_default().to_owned();
+    let names: Vec<String> = header.tree.components.iter().map(|one| base(&one.name)).collect();
+    let index = names
+        .iter()
+        .position(|name| *name == base(component))
+        .ok_or_else(|| format!("its robot has no component `{component}`; it has {}", names.join(", ")))?;
+    visits.begin();
+    while let Some(cycle) = recording.next_cycle().map_err(|error| error.to_string())? {
+        let state = cycle.tree.is_active(index).then(|| header.tree.state(index, cycle.tree.state(index))).flatten();
+        visits.sample(header.nanoseconds(cycle.tick.instant) / 1000, state);
+    }
+    Ok(())
+}

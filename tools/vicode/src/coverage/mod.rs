@@ -1,0 +1,149 @@
+//! Which states and transitions of a machine were visited, how often and for how long.
+
+mod table;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+
+use crate::model::{Component, Graph};
+
+/// The states of a machine over time, of one or several runs.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Visits {
+    states: BTreeMap<String, Stays>,
+    /// Number of changes from a state to another one.
+    ways: BTreeMap<(String, String), u64>,
+    /// Time, µs, and state of the last sample; no state while the component is latent.
+    last: Option<(u64, Option<String>)>,
+    runs: usize,
+}
+
+/// Stays in a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Stays {
+    /// Number of times that it was entered.
+    pub visits: u64,
+    /// Time in it, µs.
+    pub us: u64,
+    /// Longest stay without interruption, µs.
+    pub longest_us: u64,
+    /// Length of the stay that lasts, µs.
+    #[serde(skip)]
+    current_us: u64,
+}
+
+impl Visits {
+    /// A new run begins, or samples are missing: what follows does not continue what was before.
+    pub fn begin(&mut self) {
+        (self.last, self.runs) = (None, self.runs + 1);
+    }
+
+    /// The state from a time on, µs, until the next sample; `None` while the component is latent. Samples of all cycles or of all
+    /// changes are the same, but the last one has to be there.
+    pub fn sample(&mut self, time_us: u64, state: Option<&str>) {
+        let before = self.last.replace((time_us, state.map(str::to_owned)));
+        let (since, left) = before.map_or((time_us, None), |(since, left)| (since, left));
+        if let Some(left) = &left {
+            let stays = self.states.entry(left.clone()).or_default();
+            let us = time_us.saturating_sub(since);
+            (stays.us, stays.current_us) = (stays.us + us, stays.current_us + us);
+            stays.longest_us = stays.longest_us.max(stays.current_us);
+        }
+        if left.as_deref() == state {
+            return;
+        }
+        if let Some(entered) = state {
+            let stays = self.states.entry(entered.to_owned()).or_default();
+            (stays.visits, stays.current_us) = (stays.visits + 1, 0);
+            if let Some(left) = left {
+                *self.ways.entry((left, entered.to_owned())).or_default() += 1;
+            }
+        }
+    }
+}
+
+/// The coverage of a machine.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Coverage {
+    /// Key of the component.
+    pub component: String,
+    /// Number of runs.
+    pub runs: usize,
+    /// Time in which it was active, µs.
+    pub us: u64,
+    /// Its states, in the order of the source.
+    pub states: Vec<StateCoverage>,
+    /// Its transitions, in the order in which they are tried, one entry for each state that they leave.
+    pub transitions: Vec<TransitionCoverage>,
+    /// States of the runs that the source does not have.
+    pub unknown: Vec<String>,
+}
+
+/// The coverage of a state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct StateCoverage {
+    /// Name.
+    pub name: String,
+    /// Stays in it.
+    #[serde(flatten)]
+    pub stays: Stays,
+}
+
+/// The coverage of a transition from one state.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TransitionCoverage {
+    /// Name.
+    pub name: String,
+    /// State that it leaves.
+    pub from: String,
+    /// State that it enters.
+    pub to: String,
+    /// Whether its attribute names all states by `*`.
+    pub any: bool,
+    /// Number of changes from the one state to the other.
+    pub taken: u64,
+    /// Other transitions between the same states: which of them was taken is not known.
+    pub or: Vec<String>,
+}
+
+impl Coverage {
+    /// The coverage of a machine by its visits.
+    #[must_use]
+    pub fn of(component: &Component, visits: &Visits) -> Self {
+        let names: Vec<&str> = component.states.iter().map(|state| &*state.function.name.text).collect();
+        let stays = |name: &&str| visits.states.get(*name).copied().unwrap_or_default();
+        let states = names.iter().map(|name| StateCoverage { name: (*name).to_owned(), stays: stays(name) });
+        let edges = Graph::of(component).edges;
+        let transitions = edges.iter().map(|edge| {
+            let [from, to] = [edge.from, edge.to].map(|state| names[state].to_owned());
+            let same = edges.iter().filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.name != edge.name);
+            let or = same.map(|one| one.name.clone()).collect();
+            let taken = visits.ways.get(&(from.clone(), to.clone())).copied().unwrap_or_default();
+            TransitionCoverage { name: edge.name.clone(), from, to, any: edge.from_any, taken, or }
+        });
+        Self {
+            component: component.key.clone(),
+            runs: visits.runs,
+            us: visits.states.values().map(|stays| stays.us).sum(),
+            states: states.collect(),
+            transitions: transitions.collect(),
+            unknown: visits.states.keys().filter(|name| !names.contains(&name.as_str())).cloned().collect(),
+        }
+    }
+
+    /// Number of visited states.
+    #[must_use]
+    pub fn visited(&self) -> usize {
+        self.states.iter().filter(|state| state.stays.visits > 0).count()
+    }
+
+    /// Number of conditions that led to another state, and of all. Of several between the same states all count.
+    #[must_use]
+    pub fn taken(&self) -> (usize, usize) {
+        let names = |is_counted: &dyn Fn(&&TransitionCoverage) -> bool| {
+            self.transitions.iter().filter(is_counted).map(|one| &one.name).collect::<BTreeSet<_>>().len()
+        };
+        (names(&|one| one.taken > 0), names(&|_| true))
+    }
+}

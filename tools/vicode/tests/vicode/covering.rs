@@ -1,0 +1,95 @@
+//! Which states and transitions of a machine were visited.
+
+use std::process::Command;
+
+use bica_recording::Recording;
+use bica_vicode::coverage::{Coverage, Visits};
+use bica_vicode::read;
+
+use crate::sources;
+
+const MACHINE: &str = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n    \
+    #[state]\n    fn two(&mut self) {}\n    #[state]\n    fn three(&mut self) {}\n    \
+    #[transition(one -> two)]\n    fn go(&self) -> bool { true }\n    #[transition(one -> two)]\n    fn run(&self) -> bool { true }\n    \
+    #[transition(two -> one)]\n    fn back(&self) -> bool { true }\n    #[transition(* -> three)]\n    fn end(&self) -> bool { true }\n}\n";
+
+/// Changes of the state; the last one is the end.
+const COURSE: [(u64, Option<&str>); 7] = [
+    (0, None),
+    (10, Some("one")),
+    (30, Some("two")),
+    (60, Some("one")),
+    (70, None),
+    (80, Some("one")),
+    (90, Some("one")),
+];
+
+fn coverage(visits: &Visits) -> Coverage {
+    Coverage::of(&read(MACHINE).components[0], visits)
+}
+
+#[test]
+fn visits_times_and_transitions_are_counted() {
+    let mut visits = Visits::default();
+    visits.begin();
+    for (time, state) in COURSE {
+        visits.sample(time, state);
+    }
+    let found = coverage(&visits);
+    let states: Vec<_> =
+        found.states.iter().map(|one| (&*one.name, one.stays.visits, one.stays.us, one.stays.longest_us)).collect();
+    assert_eq!(states, [("one", 3, 40, 20), ("two", 1, 30, 30), ("three", 0, 0, 0)]);
+    let taken: Vec<_> = found.transitions.iter().map(|one| (&*one.name, &*one.from, one.taken, one.or.len())).collect();
+    // Two transitions lead from `one` to `two`.
+    assert_eq!(
+        taken,
+        [("go", "one", 1, 1), ("run", "one", 1, 1), ("back", "two", 1, 0), ("end", "one", 0, 0), ("end", "two", 0, 0)]
+    );
+    assert_eq!(found.summary(), "A: 2 of 3 states, 3 of 4 transitions, 0.00 s in 1 run");
+}
+
+#[test]
+fn samples_of_all_cycles_count_as_those_of_changes() {
+    let (mut changes, mut cycles) = (Visits::default(), Visits::default());
+    for (time, state) in COURSE {
+        changes.sample(time, state);
+    }
+    for time in 0..=90 {
+        let state = COURSE.iter().rev().find(|(from, _)| *from <= time).and_then(|(_, state)| *state);
+        cycles.sample(time, state);
+    }
+    assert_eq!(coverage(&changes), coverage(&cycles));
+}
+
+/// The time in each state is that of its cycles, counted in another way.
+#[test]
+fn coverage_of_a_recorded_game_has_all_its_time() {
+    let root = sources::root().canonicalize().unwrap();
+    let [source, game] =
+        ["player/src/behaviour/player.rs", "tools/player/tests/recordings/game.mcap"].map(|path| root.join(path));
+    let output = Command::new(env!("CARGO_BIN_EXE_vicode"))
+        .arg("coverage")
+        .args([&source, &game])
+        .arg("--json")
+        .output()
+        .unwrap();
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let mut recording = Recording::open(&game).unwrap().without_blobs();
+    let tree = recording.header().tree.clone();
+    let player = tree.components.iter().position(|one| one.name == "Player").unwrap();
+    let mut cycles = vec![0; tree.components[player].states.len()];
+    while let Some(cycle) = recording.next_cycle().unwrap() {
+        cycles[cycle.tree.state(player).unwrap()] += 1;
+    }
+    // The last cycle has no successor.
+    assert_eq!(found["us"], 10_000 * (cycles.iter().sum::<u64>() - 1));
+    for (state, number) in tree.components[player].states.iter().zip(&cycles) {
+        let own = found["states"].as_array().unwrap().iter().find(|one| one["name"] == *state.name).unwrap();
+        assert!(own["us"].as_u64().unwrap().abs_diff(10_000 * number) <= 10_000, "{own} and {number} cycles");
+        assert_eq!(own["visits"] == 0, *number == 0, "{own}");
+    }
+    let other = root.join("examples/goalkeeper/src/goalkeeper.rs");
+    let refused = Command::new(env!("CARGO_BIN_EXE_vicode")).arg("coverage").args([&other, &game]).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("has no component `Goalkeeper`; it has Player, "));
+}
