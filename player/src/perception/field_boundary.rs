@@ -4,7 +4,6 @@ use bica::prelude::*;
 use bica::visual::ImagePolyline;
 use bica_vision::field_boundary::{BoundaryTuning, COLUMNS, FieldBoundary as Line};
 use bica_vision::frame::Frame;
-use bica_vision::projection::Camera;
 use glam::Vec2;
 
 use super::CameraPose;
