@@ -69,8 +69,7 @@ impl Course for Nao {
     const PUSHES: &'static [PushCase] = &[
         once("one of 0.6 m/s, behind", 0.6, 0.0, 18),
         ten("ten of 0.4 m/s", 0.4, 19),
-        // The aim is 15.
-        ten("ten of 0.5 m/s", 0.5, 0),
+        ten("ten of 0.5 m/s", 0.5, 15),
         ten("ten of 0.6 m/s", 0.6, 0),
         ten("ten of 0.8 m/s", 0.8, 0),
     ];
