@@ -33,10 +33,3 @@ const CAMERA_HEIGHT: f32 = 1.08;
 
 /// Values of the parameters that differ from the NAO's, as a tune file.
 pub const PARAMETERS: &str = include_str!("../parameters.toml");
-
-/// Time of a component that ran last so many milliseconds ago: for the shared files.
-#[cfg(test)]
-const fn test_time(since_run_ms: u64) -> bica::Time {
-    let since_run = bica::Duration::from_millis(since_run_ms);
-    bica::Time { now: bica::Instant::from_millis(since_run_ms), since_run, in_state: since_run }
-}
