@@ -84,16 +84,17 @@ fn ball_is_found_and_approached_where_it_is_seen() {
 fn pose_and_goal_follow_from_marks() {
     for pose in [Pose2::new(20.0, 2.0, 0.3), Pose2::new(24.0, -6.0, 0.9), Pose2::new(-10.0, 4.0, -0.4)] {
         let mut forward = Box::new(Forward::new());
-        // The marks are read only while the robot searches for the goal: here it is held active.
-        forward.hold_at("Localization", bica::Hold::Active).expect("a component");
+        // Marks and goal are read only while the robot searches for the goal.
+        for name in ["Localization", "GoalDetector"] {
+            forward.hold_at(name, bica::Hold::Active).expect("a component");
+        }
         run(&mut forward, &sights(pose, Vec2::ZERO), 0..6);
         let found = forward.get::<Localization>().pose().expect("marks are in view");
         assert!(found.position.distance(pose.position) < 0.05, "{found:?} {pose:?}");
         assert!(wrap(found.heading - pose.heading).abs() < 0.005, "{found:?} {pose:?}");
-        let [left, right] = SSIM_2026.goal_posts(true).map(|post| pose.locate(post));
-        if let Some(goal) = forward.get::<GoalDetector>().position() {
-            assert!(goal.distance(left.midpoint(right)) < 0.1, "{goal}");
-        }
+        let back = pose.locate(Vec2::new(SSIM_2026.goal_back(), 0.0));
+        let goal = forward.get::<GoalDetector>().position().expect("both posts are in view");
+        assert!(goal.distance(back) < 0.1, "{goal}");
     }
 }
 

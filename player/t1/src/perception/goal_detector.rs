@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica::visual::{Point2, Pose2 as VisualPose};
-use bica_motion::pose::{Pose2, rotate};
+use bica_motion::pose::Pose2;
 use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
@@ -74,10 +74,17 @@ impl GoalDetector {
         None
     }
 
-    /// The position of the middle of the goal, m, in the ground frame between the feet.
+    /// The middle of the back of the goal, m, in the ground frame between the feet: a robot that walks the ball there crosses the line,
+    /// from beside a post, too.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
-        self.posts.map(|[left, right]| left.midpoint(right))
+        let depth = FIELD.goal_back() - FIELD.field_corner().x;
+        self.posts.map(|[left, right]| left.midpoint(right) + depth * self.out())
+    }
+
+    /// Unit vector out of the field, in the ground frame.
+    fn out(&self) -> Vec2 {
+        -self.across().perp()
     }
 
     /// Left and right post.
@@ -86,10 +93,10 @@ impl GoalDetector {
         self.posts.map(|posts| posts.map(info::point))
     }
 
-    /// Middle of the goal, with the direction out of the field.
+    /// Middle of the back of the goal, with the direction out of the field.
     #[info(unit = "m", frame = "robot")]
     fn goal(&self) -> Option<VisualPose> {
-        let out = rotate(self.across(), -core::f32::consts::FRAC_PI_2);
+        let out = self.out();
         Some(info::pose(Pose2 { position: self.position()?, heading: libm::atan2f(out.y, out.x) }))
     }
 }
