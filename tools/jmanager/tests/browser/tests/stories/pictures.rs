@@ -109,6 +109,7 @@ async fn picture_of_a_comparison() {
     page.find("combobox", "Parameter", "Replay").await.set("FaceBall.gain").await;
     page.find("textbox", "Value", "Replay").await.set("0.2").await;
     page.click("button", "Add", "Replay").await;
+    page.reads("FaceBall.gain = 0.2").await;
     page.click("button", "Run again", "Replay").await;
     page.until(
         "there are two recordings",
@@ -119,6 +120,8 @@ async fn picture_of_a_comparison() {
     page.click("button", "kick-off.mcap", "Sessions").await;
     let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()].filter(({ info }) => info.value.kind === 'recording').every(({ info }) => info.value.connection !== 'connecting'))";
     page.until("both recordings are complete", read).await;
+    // The panel rests.
+    tokio::time::sleep(std::time::Duration::from_secs(1)).await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
     page.run("location.hash = '#t=11.000&layout=replay'", vec![]).await;
