@@ -51,6 +51,8 @@ pub struct Client {
     packets: Packets,
     inbox: Inbox,
     sent: Instant,
+    /// When it last showed the robot that it goes on owning the lease.
+    kept: Instant,
     last_number: u32,
     /// Watched snapshots and information, to watch them again after a reconnection.
     every: u16,
@@ -74,6 +76,7 @@ impl Client {
             packets: Packets::new(),
             inbox: Inbox::new(),
             sent: Instant::now(),
+            kept: Instant::now(),
             last_number: 0,
             every: 0,
             info: BTreeMap::new(),
@@ -334,15 +337,16 @@ impl Client {
 
     /// Shows the robot that this monitor still exists.
     fn heartbeat(&mut self) -> Result<(), Error> {
+        let lease = self.lease();
+        // What else is sent, as changes of what is watched, does not keep the lease.
+        if lease.yours && self.kept.elapsed() >= HEARTBEAT {
+            self.kept = Instant::now();
+            return self.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }));
+        }
         if self.sent.elapsed() < HEARTBEAT {
             return Ok(());
         }
-        let lease = self.lease();
-        if lease.yours {
-            self.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }))
-        } else {
-            self.send(&FromMonitor::Watch(Watch { every: self.every }))
-        }
+        self.send(&FromMonitor::Watch(Watch { every: self.every }))
     }
 
     fn send(&mut self, message: &FromMonitor) -> Result<(), Error> {

@@ -88,8 +88,8 @@ function useReading(shown, rows, visible, place) {
     };
     const stop = effect(() => {
       const { span, end } = range.value;
-      void [shown.description.value, visible.value];
-      const key = `${span} ${end}`;
+      void shown.description.value;
+      const key = `${span} ${end} ${visible.value}`;
       if (key !== lastEnd || end === null) {
         lastEnd = key;
         setTimeout(read);

@@ -67,8 +67,16 @@ impl Page {
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
         let driver = Driver::start();
         let size = format!("--window-size={width},{height}");
-        let fixed =
-            ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run", &size];
+        // The last one: WebGL by the processor, where there is no graphics card.
+        let fixed = [
+            "--headless=new",
+            "--no-sandbox",
+            "--disable-dev-shm-usage",
+            "--hide-scrollbars",
+            "--no-first-run",
+            &size,
+            "--enable-unsafe-swiftshader",
+        ];
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
         if is_firefox() {

@@ -21,8 +21,8 @@ mod rolling;
 mod running;
 mod space;
 mod spans;
-mod watching;
 mod uses;
+mod watching;
 
 use jmanager_browser::{Page, Server};
 

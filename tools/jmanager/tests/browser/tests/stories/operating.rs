@@ -27,6 +27,11 @@ async fn a_parameter_is_set_undone_redone_and_reset() {
     page.reads("1 changed").await;
     page.find("status", "Control", "").await;
     page.reads("operator: you").await;
+    // Control stays as long as the page is open, also if it requests nothing.
+    let clock = "Number.parseFloat(document.querySelector('.clock b').textContent)";
+    let now = page.run(&format!("return {clock}"), vec![]).await.as_f64().expect("a time");
+    page.until("the world goes on for 4 s", &format!("return {clock} > {now} + 4")).await;
+    page.reads("operator: you").await;
     page.press("u").await;
     page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
     page.press("U").await;

@@ -1,13 +1,11 @@
 //! The pictures of the documentation: `cargo test --manifest-path tools/jmanager/tests/browser/Cargo.toml --target-dir target/browser
-//! pictures -- --ignored`, after a release build of the programs and with `JMANAGER_PROFILE=release`. They are written beside the other
-//! screenshots; in docs/ they have 256 colours.
+//! pictures -- --ignored`, after a release build of the programs and of the example `wall_follower`, and with
+//! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours.
 
 use jmanager_browser::{Page, Server, player};
 
+use crate::glance::{SMALL, show_in};
 use crate::open_in;
-
-/// Size of the window, px.
-const SIZE: (u32, u32) = (1560, 1010);
 
 /// Waits until the game has lasted some seconds.
 async fn at(page: &Page, seconds: f64) {
@@ -17,11 +15,16 @@ async fn at(page: &Page, seconds: f64) {
 
 /// Opens the built-in world in the dark theme.
 async fn dark(server: &Server) -> Page {
-    let page = open_in(server, SIZE).await;
+    let page = open_in(server, SMALL).await;
+    show_in(&page, SMALL).await;
+    make_dark(&page).await;
+    page
+}
+
+async fn make_dark(page: &Page) {
     if page.run("return document.documentElement.dataset.theme", vec![]).await != "dark" {
         page.press("t").await;
     }
-    page
 }
 
 #[tokio::test]
@@ -31,6 +34,27 @@ async fn picture_of_the_overview() {
     let page = dark(&server).await;
     at(&page, 7.5).await;
     page.screenshot("docs-jmanager-overview").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_a_watch() {
+    let server = Server::start_example("wall_follower");
+    let page = Page::open(&server, SMALL).await;
+    show_in(&page, SMALL).await;
+    make_dark(&page).await;
+    page.click("tab", "Watches", "").await;
+    page.click("switch", "Pause the world", "Watches").await;
+    page.find("combobox", "Condition to watch", "").await.set("WallDetector.distance > 0.7 for 300 ms").await;
+    at(&page, 8.0).await;
+    page.click("button", "Watch", "Watches").await;
+    page.reads("The world is paused").await;
+    page.click("switch", "3D", "Map").await;
+    page.click("button", "All", "Map").await;
+    page.click("tab", "Timeline", "").await;
+    tokio::time::sleep(std::time::Duration::from_secs(1)).await;
+    page.screenshot("docs-jmanager-watch").await;
     page.close().await;
 }
 
@@ -85,6 +109,7 @@ async fn picture_of_a_comparison() {
     page.find("combobox", "Parameter", "Replay").await.set("FaceBall.gain").await;
     page.find("textbox", "Value", "Replay").await.set("0.2").await;
     page.click("button", "Add", "Replay").await;
+    page.reads("FaceBall.gain = 0.2").await;
     page.click("button", "Run again", "Replay").await;
     page.until(
         "there are two recordings",
@@ -93,6 +118,10 @@ async fn picture_of_a_comparison() {
     .await;
     page.find("button", "Time: paused", "").await;
     page.click("button", "kick-off.mcap", "Sessions").await;
+    let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()].filter(({ info }) => info.value.kind === 'recording').every(({ info }) => info.value.connection !== 'connecting'))";
+    page.until("both recordings are complete", read).await;
+    // The panel rests.
+    tokio::time::sleep(std::time::Duration::from_secs(1)).await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
     page.run("location.hash = '#t=11.000&layout=replay'", vec![]).await;

@@ -5,9 +5,6 @@ use serde_json::json;
 
 use crate::WIDE;
 
-/// Chromium draws with the processor where there is no graphics card.
-const SOFTWARE: &str = "--enable-unsafe-swiftshader";
-
 /// Shares of the scene's pixels that are the green of the field, and that are white.
 const SEEN: &str = "const canvas = document.querySelector('.field canvas[aria-hidden]'); if (!canvas || canvas.width < 50) return null; \
     const { width, height } = canvas; const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
@@ -22,8 +19,8 @@ async fn seen(page: &Page, condition: &str) {
 }
 
 /// Opens a paused game in the dark theme.
-async fn paused(server: &Server, argument: &str) -> Page {
-    let page = Page::open_with(&server.url(), WIDE, &[argument]).await;
+async fn paused(server: &Server, arguments: &[&str]) -> Page {
+    let page = Page::open_with(&server.url(), WIDE, arguments).await;
     page.find("button", "FaceBall", "Activation tree").await;
     page.run("import('/lib/theme.js').then(({ applyTheme }) => applyTheme('dark'))", vec![]).await;
     page.click("button", "Pause", "").await;
@@ -34,7 +31,7 @@ async fn paused(server: &Server, argument: &str) -> Page {
 #[tokio::test]
 async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
     let server = Server::start("space", &[]);
-    let page = paused(&server, SOFTWARE).await;
+    let page = paused(&server, &[]).await;
     assert_eq!(page.run(LOADED, vec![]).await, json!(false), "the library is loaded with the page");
     page.click("switch", "3D", "Map").await;
     seen(&page, "green > 0.2 && white > 0").await;
@@ -59,7 +56,7 @@ async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
 #[tokio::test]
 async fn without_webgl_the_map_says_what_is_missing() {
     let server = Server::start("flat", &[]);
-    let page = paused(&server, "--disable-3d-apis").await;
+    let page = paused(&server, &["--disable-3d-apis"]).await;
     page.click("switch", "3D", "Map").await;
     page.reads("WebGL 2 is missing").await;
     page.click("button", "Show the map in 2D", "Map").await;
