@@ -15,9 +15,11 @@ fn machine(changes: &[(&str, &str)]) -> Document {
 
 #[test]
 fn each_fix_mends_its_mistake() {
-    let cases: [Case<'_>; 6] = [
+    let cases: [Case<'_>; 7] = [
         (&[("one -> two", "one -> tow")], &["Replace `tow` by `two`", "Add last state `tow`"]),
         (&[("one -> two", "one -> kick")], &["Add last state `kick`"]),
+        // A function has that name: no state is added.
+        (&[("one -> two", "one -> back")], &[]),
         (&[("#[transition(one", "#[transtion(one")], &["Replace `transtion` by `transition`"]),
         (&[("#[state(initial)]", "#[state]")], &["Start in `one`"]),
         (&[("#[state]", "#[state(last)]")], &["`two` is not last"]),

@@ -7,7 +7,7 @@ use crate::glance::SMALL;
 use crate::open_in;
 
 /// Buttons and fields with a side below 24 px, as far as they are shown.
-const TARGETS: &str = r"
+pub(crate) const TARGETS: &str = r"
 const small = (one) => { const { width, height } = one.getBoundingClientRect(); return Math.min(width, height) < 23.5; };
 const controls = [...document.querySelectorAll('button, select, input:not([type=range]), summary, [role=button], [role=tab]')].filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest('.chart'));
 return controls.filter(small).map((one) => `${one.ariaLabel || one.textContent || one.outerHTML.slice(0, 80)} ${Math.round(one.getBoundingClientRect().width)}×${Math.round(one.getBoundingClientRect().height)}`);

@@ -7,6 +7,8 @@ use std::process::Command;
 use jmanager_browser::{Page, Server, target};
 use serde_json::json;
 
+use crate::access::TARGETS;
+use crate::geometry::faults;
 use crate::open_in;
 
 const SIZE: (u32, u32) = (1440, 900);
@@ -63,6 +65,7 @@ async fn states(page: &Page, class: &str) -> serde_json::Value {
     page.run(&script, vec![]).await
 }
 
+/// Takes pictures in both themes. No name covers another one, and all targets beside the drawing are large enough.
 async fn pictures(page: &Page, name: &str) {
     for theme in ["dark", "light"] {
         if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
@@ -70,6 +73,10 @@ async fn pictures(page: &Page, name: &str) {
         }
         page.screenshot(&format!("uses-{theme}-{name}")).await;
     }
+    assert_eq!(faults(page, "svg.machine", ".box > .body", ".arrow > .line", ".label > .ground").await, json!([]));
+    // Lines of the drawing are thinner, and have names beside them.
+    let targets = TARGETS.replace("'.chart'", "'.chart, svg'");
+    assert_eq!(page.run(&targets, vec![]).await, json!([]));
 }
 
 #[tokio::test]
