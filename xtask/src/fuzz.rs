@@ -6,7 +6,7 @@ use crate::install::cargo_tool;
 use crate::process::run;
 
 const VERSION: &str = "0.13.2";
-const TARGETS: [&str; 5] = ["vicode", "vision", "wire", "recording", "link"];
+const TARGETS: [&str; 6] = ["vicode", "vision", "wire", "recording", "link", "session"];
 /// Limits of one input: 10 s and 2 GB of memory; a summary at the end instead of a line for each new input.
 const OPTIONS: [&str; 4] = ["-timeout=10", "-rss_limit_mb=2048", "-verbosity=0", "-print_final_stats=1"];
 

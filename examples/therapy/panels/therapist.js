@@ -1,7 +1,6 @@
 // The therapist's page: what the robot does, in words for people who are not engineers, with large buttons.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
-import { below } from '../lib/places.js';
 import { act, ask, command, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
@@ -21,17 +20,17 @@ const REASONS = { too_low: 'a little too low', leaning: 'leaning', wrong_directi
 const sheet = new CSSStyleSheet();
 sheet.replaceSync(`
 .therapist { display: grid; grid-template-rows: auto auto minmax(0, 1fr) auto auto; gap: 9px; height: 100%; padding: 10px; font-size: 18px; overflow: auto; }
-.therapist h2 { font-size: 22px; } .therapist .head, .therapist .state, .therapist .keys { display: flex; gap: 10px 16px; align-items: center; flex-wrap: wrap; }
-.therapist .state { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .state b { font-size: 24px; }
+.therapist h2 { font-size: 22px; } .therapist .head, .therapist .mood, .therapist .keys { display: flex; gap: 10px 16px; align-items: center; flex-wrap: wrap; }
+.therapist .mood { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .mood b { font-size: 24px; }
 .therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { background: #c0182b; color: #fff; border-color: #8c0e1d; } .therapist .halt b { font-size: 64px; line-height: 1; }
 .therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 34%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
-.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .big { font-size: 40px; font-weight: 700; }
+.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .figure { float: right; width: 110px; margin-left: 16px; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
 .therapist button, .therapist select { min-height: 48px; min-width: 48px; font-size: 18px; font-weight: 600; border-radius: 10px; padding: 4px 14px; border-width: 2px; white-space: normal; }
 .therapist .parts { display: flex; flex-direction: column; gap: 6px; } .therapist .parts button { text-align: left; font-weight: 500; flex-shrink: 0; } .therapist .parts button.now { border-color: var(--control); background: var(--selection); font-weight: 700; }
-.therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 24px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
-.therapist .stop { background: #c0182b; border: 4px solid #8c0e1d; color: #fff; font-size: 34px; font-weight: 800; letter-spacing: 1px; flex: 1; min-width: 190px; } .therapist .stop:hover { border-color: #fff; }
+.therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 22px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
+.therapist .stop { background: #c0182b; border: 4px solid #8c0e1d; color: #fff; font-size: 34px; font-weight: 800; letter-spacing: 1px; flex: 1 0 100%; } .therapist .stop:hover { border-color: #fff; }
 .therapist .held { position: relative; overflow: hidden; border-color: var(--ok); color: var(--ok); } .therapist .held i { position: absolute; left: 0; bottom: 0; height: 8px; width: 0; background: var(--ok); } .therapist .held.on i { width: 100%; transition: width ${HOLD_MS}ms linear; }
-@container (max-width: 700px) { .therapist { grid-template-rows: none; } .therapist .middle { grid-template-columns: 1fr; } }`);
+@container (max-width: 700px) { .therapist { grid-template-rows: none; grid-auto-rows: max-content; } .therapist .middle { grid-template-columns: 1fr; } .therapist .figure { display: none; } .therapist .keys { position: sticky; bottom: 0; background: var(--panel); } .therapist .parts { max-height: 260px; } .therapist .keys button { min-height: 52px; } }`);
 document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
 
 const spoken = (text) => text.replaceAll('_', ' ');
@@ -87,6 +86,15 @@ function Therapist({ visible }) {
     };
   }, [operates]);
 
+  const at = shown?.description.value && machine >= 0 ? read('Session', 'at') ?? 0 : 0;
+  const parts = script.value?.parts ?? [];
+  const now = Math.max(0, parts.findLastIndex(({ step }) => step <= at));
+  const list = useRef(null);
+  useEffect(() => {
+    const one = list.current?.querySelector('.now');
+    if (one) list.current.scrollTop = one.offsetTop - list.current.offsetTop - 60;
+  }, [now, script.value]);
+
   if (machine < 0) return html`<${Empty} what="No session" help="Open a world of the therapy player with + first." />`;
   const open = async (file) => {
     const about = { session: shown.id, name: 'therapist' };
@@ -98,44 +106,49 @@ function Therapist({ visible }) {
     show(opened.session);
     ask('close', { session: shown.id });
   };
-  const parts = script.value?.parts ?? [];
-  const at = read('Session', 'at') ?? 0;
-  const now = Math.max(0, parts.findLastIndex(({ step }) => step <= at));
   const part = parts[now];
   const trouble = read('Guard', 'trouble');
   const counts = read('ExerciseCheck', 'counts');
   const volume = Math.round((read('Sound', 'volume') ?? 0.6) * 10);
   const hottest = read('Guard', 'hottest');
+  const battery = Math.round((read('Guard', 'battery') ?? 0) * 100);
+  const [yes, no] = [html`<span class="yes">✓</span>`, html`<span class="warn">⚠</span>`];
   const [title, what] = STATES[state === 'waiting' ? 'running' : state];
   const runs = ['running', 'waiting', 'exercising'].includes(state);
   const over = state === 'ready' || state === 'finished';
+  const lines = parts.length === 1 ? 'The session can be played.' : `All ${parts.length} parts of the session can be played.`;
   const key = (label, name, off, kind = '') => html`<button class=${kind} disabled=${off} onClick=${() => call('Session', name)}>${label}</button>`;
   const level = (label, to) => html`<button aria-label=${label} disabled=${to < 0 || to > 10} onClick=${() => call('Sound', 'set_volume', [to / 10])}>${label === 'Louder' ? '+' : '−'}</button>`;
   return html`<div class="therapist">
     <div class="head"><h2>${script.value?.title || 'Session'}</h2><span class="grow"></span>
-      <span>Battery ${Math.round((read('Guard', 'battery') ?? 0) * 100)} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
-    <div role="status" class=${`state ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
+      <span>Battery ${battery} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
+    <div role="status" class=${`mood ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
       <span>${runs && part ? `Part ${now + 1} of ${parts.length}: ${what}` : what}${state === 'stopped' && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
-    <div class="middle"><section class="card" aria-label="Now">
+    <div class="middle"><section class="card" aria-label="Now"><${Figure} />
       ${state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
       ${part?.says && !part.does.startsWith('say') && html`<p>It says: “${quoted(part.says)}”</p>`}
-      ${/arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
+      ${state !== 'stopped' && /arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
+      ${state === 'ready' && script.value && html`<ul aria-label="Checked before the start"><li>${yes}${lines}</li><li>${read('Guard', 'battery') > 0.3 ? yes : no}Battery ${battery} %</li><li>${hottest < 60 ? yes : no}The hottest joint has ${Math.round(hottest ?? 0)} °C</li><li>${no}<span><strong>Please look:</strong> is one arm’s length free around the robot?</span></li></ul>`}
       ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
       ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
       <${Last} last=${read('ExerciseCheck', 'last')} />
       ${part && html`<p class="dim">Line ${part.line} of ${fileName(script.value.file)}</p>`}</section>
-      <section class="card parts" aria-label="Parts of this session">
+      <section class="card parts" aria-label="Parts of this session" ref=${list}>
         <select aria-label="Open a session" onChange=${(event) => open(event.target.value)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
-        ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${over} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
+        ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
     <div class="keys">
       ${key('◀ Back', 'previous', over)}
       ${state === 'ready' ? key('▶ Start', 'start', false, 'main start') : state === 'paused' ? key('▶ Go on', 'go_on', false, 'main start') : state === 'stopped' ? html`<${Held} done=${() => call('Session', 'go_on')} />`
     : state === 'finished' ? html`<button class="main start" onClick=${() => act('restart', { seed: null })}>Once more</button>` : key('❚❚ Pause', 'pause', !runs, 'main pause')}
       ${key('Next ▶', 'next', over)}${key('Repeat', 'repeat', over)}${key('Easier', 'easier', false)}
       <span class="join" role="group" aria-label="Volume">Volume ${volume} ${level('Quieter', volume - 1)}${level('Louder', volume + 1)}</span>
-      <button class="stop" onClick=${() => call('Session', 'stop')}>${state === 'stopped' ? 'It is stopped' : '⯃ STOP'}</button></div>
+      <button class="stop" onClick=${() => call('Session', 'stop')}>${state === 'stopped' ? 'It is stopped' : html`<${Octagon} /> STOP`}</button></div>
     <p class="dim">STOP is not an emergency switch. In danger: hold the robot. The bumpers of its feet stop it, too.</p></div>`;
 }
+
+const Octagon = () => html`<svg width="30" height="30" viewBox="0 0 30 30" aria-hidden="true"><path fill="currentColor" d="M9 0h12l9 9v12l-9 9H9l-9-9V9z" /></svg>`;
+
+const Figure = () => html`<svg class="figure" viewBox="0 0 150 172" aria-hidden="true"><g stroke-width="4"><rect x="55" y="6" width="40" height="34" rx="15" /><rect x="53" y="45" width="44" height="56" rx="14" /><circle cx="75" cy="64" r="6" /><path d="M67 22h1M83 22h1" /></g><path stroke-width="12" d="M46 58L39 104M104 58L111 104M64 106V150M86 106V150M56 161H70M80 161H94" /></svg>`;
 
 /** What was wrong with the last repetition. */
 function Last({ last }) {
@@ -161,12 +174,12 @@ function Held({ done }) {
     }, HOLD_MS);
   };
   useEffect(() => end, []);
-  return html`<button class=${`main held ${on.value ? 'on' : ''}`} onPointerDown=${begin} onPointerUp=${end} onPointerLeave=${end} onKeyDown=${begin} onKeyUp=${end} onBlur=${end}>Hold 2 seconds to go on<i></i></button>`;
+  return html`<button class=${`main held ${on.value ? 'on' : ''}`} onPointerDown=${begin} onPointerUp=${end} onPointerLeave=${end} onKeyDown=${begin} onKeyUp=${end} onBlur=${end}>Hold 2 s to go on<i></i></button>`;
 }
 
 const offered = (shown) => shown.find('Session') >= 0 && shown.find('ExerciseCheck') >= 0;
 
 export default {
   panels: { therapist: { title: 'Session', view: Therapist, offered } },
-  presets: { therapist: { title: 'Therapist', needs: 'therapist', panels: (_, height) => [['therapist', {}], ['timeline', below('therapist', height * 0.16)]] } },
+  presets: { therapist: { title: 'Therapist', needs: 'therapist', panels: () => [['therapist', {}]] } },
 };

@@ -119,3 +119,20 @@ const fn importance(step: Step) -> u8 {
         _ => 9,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_of_a_session_begin_where_one_can_go_and_show_what_matters() {
+        let text = "say \"Hello.\"\nwait speech at most 9 s\n\nlight eyes red\nsay \"Up.\"\nmovement nod\nwait all at most 9 s\nwait 1 s\n\
+            exercise nod reps 2 at most 9 s\nvolume 9";
+        let parts = parts(&Script::parse(text).expect("a right script"), text);
+        let found = parts.iter().map(|part| (part["step"].as_u64(), part["does"].as_str(), part["says"].as_str()));
+        let (hello, up) = ("say \"Hello.\"", "say \"Up.\"");
+        let nod = (Some(2), Some("movement nod"), Some(up));
+        let exercise = (Some(7), Some("exercise nod reps 2 at most 9 s"), None);
+        assert_eq!(found.collect::<Vec<_>>(), [(Some(0), Some(hello), Some(hello)), nod, exercise]);
+    }
+}

@@ -1,9 +1,12 @@
 //! The component that plays a session.
 
+mod wish;
+
 use bica::prelude::*;
 use bica_motion::robot::Light;
 
-use super::{Lamp, Plan, Signal, Step, Task, Tasks, Until};
+use self::wish::{Wish, end, halt};
+use super::{Plan, Signal, Step, Task, Tasks, Until};
 use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
@@ -13,19 +16,6 @@ use crate::session::Button;
 const AT_ONCE: usize = 16;
 /// Time for which the chest must be pressed to go on after a stop, s.
 const EXPRESS: f32 = 2.0;
-/// Time without a skeleton after which nobody is there, s.
-const NOBODY: f32 = 15.0;
-
-/// What a person asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Wish {
-    /// Goes to a step.
-    GoTo(u16),
-    Start,
-    Pause,
-    GoOn,
-    Stop,
-}
 
 /// Plays a session. Whatever happens, a stop ends movement, sound and speech, and only an express wish goes on.
 #[derive(Debug)]
@@ -316,34 +306,6 @@ impl Session {
         self.plan.go_back();
     }
 
-    fn hear(&mut self) {
-        self.heard = self.wish.take();
-        if let Some(Wish::GoTo(step)) = self.heard {
-            self.plan.go_to(step);
-        }
-    }
-
-    /// The signal that the present step waits for.
-    fn awaited(&self) -> Option<Signal> {
-        match self.plan.step() {
-            Some(Step::Wait(Until::Signal(signal), _)) => Some(signal),
-            _ => None,
-        }
-    }
-
-    /// Result of the exercise once it has ended: 0 done, 1 not done, 2 nobody there.
-    fn result(&self, check: &ExerciseCheck) -> Option<usize> {
-        let Some(Step::Exercise { repetitions, limit, .. }) = self.plan.step() else { return None };
-        let wanted = (f32::from(repetitions) * self.ease) as u16;
-        if check.counts().repetitions >= wanted.max(1) {
-            Some(0)
-        } else if self.unseen.0 > NOBODY {
-            Some(2)
-        } else {
-            (self.waited >= limit).then_some(1)
-        }
-    }
-
     /// Starts the session.
     #[modulation]
     pub const fn start(&mut self) {
@@ -418,22 +380,4 @@ impl Session {
     pub const fn at(&self) -> u16 {
         self.plan.at()
     }
-}
-
-/// Ends tasks.
-fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
-    sound.stop(tasks);
-    if tasks.has(Task::Movement) {
-        mover.freeze();
-    }
-    if tasks.has(Task::Walk) {
-        walk.halt();
-    }
-}
-
-/// Ends all sound and the walk, and shows why.
-fn halt(walk: &mut Walk, sound: &mut Sound, lights: &mut Lights, chest: Light) {
-    walk.halt();
-    sound.stop(Tasks::ALL);
-    lights.set(Lamp::Chest, chest);
 }

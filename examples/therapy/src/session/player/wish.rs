@@ -1,0 +1,70 @@
+//! What a person asks for, and what ends.
+
+use bica_motion::robot::Light;
+
+use super::Session;
+use crate::body::{Lights, Mover, Sound, Walk};
+use crate::exercise::ExerciseCheck;
+use crate::session::{Lamp, Signal, Step, Task, Tasks, Until};
+
+/// Time without a skeleton after which nobody is there, s.
+const NOBODY: f32 = 15.0;
+
+/// What a person asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// Goes to a step.
+    GoTo(u16),
+    Start,
+    Pause,
+    GoOn,
+    Stop,
+}
+
+impl Session {
+    pub(super) fn hear(&mut self) {
+        self.heard = self.wish.take();
+        if let Some(Wish::GoTo(step)) = self.heard {
+            self.plan.go_to(step);
+        }
+    }
+
+    /// The signal that the present step waits for.
+    pub(super) fn awaited(&self) -> Option<Signal> {
+        match self.plan.step() {
+            Some(Step::Wait(Until::Signal(signal), _)) => Some(signal),
+            _ => None,
+        }
+    }
+
+    /// Result of the exercise once it has ended: 0 done, 1 not done, 2 nobody there.
+    pub(super) fn result(&self, check: &ExerciseCheck) -> Option<usize> {
+        let Some(Step::Exercise { repetitions, limit, .. }) = self.plan.step() else { return None };
+        let wanted = (f32::from(repetitions) * self.ease) as u16;
+        if check.counts().repetitions >= wanted.max(1) {
+            Some(0)
+        } else if self.unseen.0 > NOBODY {
+            Some(2)
+        } else {
+            (self.waited >= limit).then_some(1)
+        }
+    }
+}
+
+/// Ends tasks.
+pub(super) fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
+    sound.stop(tasks);
+    if tasks.has(Task::Movement) {
+        mover.freeze();
+    }
+    if tasks.has(Task::Walk) {
+        walk.halt();
+    }
+}
+
+/// Ends all sound and the walk, and shows why.
+pub(super) fn halt(walk: &mut Walk, sound: &mut Sound, lights: &mut Lights, chest: Light) {
+    walk.halt();
+    sound.stop(Tasks::ALL);
+    lights.set(Lamp::Chest, chest);
+}
