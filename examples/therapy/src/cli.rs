@@ -29,6 +29,13 @@ enum Commands {
     Report(Records),
     /// Delete all records of a person
     Forget(Records),
+    /// Without the feature `monitor`: tells how to build the page
+    #[cfg(not(feature = "monitor"))]
+    #[command(hide = true)]
+    Monitor {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        rest: Vec<OsString>,
+    },
     /// Judge recorded exercises against the first three correct ones of each person
     Judge(Judge),
 }
@@ -102,6 +109,10 @@ pub fn run() -> ExitCode {
         Commands::Report(Records { folder, code }) => print(&record::report(&folder, &code)?),
         Commands::Forget(Records { folder, code }) => {
             print(&format!("{code}: {} records deleted", record::forget(&folder, &code)?))
+        }
+        #[cfg(not(feature = "monitor"))]
+        Commands::Monitor { .. } => {
+            Err(Failure::new("this program was built without the page", "build it with `--features monitor`"))
         }
         Commands::Judge(args) => run_judge(&args),
     });

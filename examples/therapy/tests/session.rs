@@ -269,6 +269,29 @@ fn long_sessions_keep_ranges_speed_and_time() {
 
 #[cfg(feature = "mujoco")]
 #[test]
+fn stop_in_mujoco_slows_all_joints_within_half_a_second() {
+    let (mut random, orders) =
+        (Pcg32::new(29, 2), Script::parse(LIVELY).expect("a right script").orders(Path::new(".")));
+    for seed in 0..4 {
+        let room = Room::new(orders.clone(), seed, true, true).with_forces(seed).expect("a body");
+        let mut test = Harness::new(Therapist::new()).in_world(room);
+        test.run_for(ms(3000));
+        for stop in 0..10 {
+            test.run_for(ms(u64::from(random.next_u32() % 5000)));
+            test.tree_mut().get_mut::<Session>().stop();
+            test.run_for(ms(500));
+            let last = test.world().angles();
+            test.cycle();
+            let speed = 100.0 * way(&last, &test.world().angles());
+            assert!(speed < 5.0, "seed {seed}, stop {stop}: {speed} °/s");
+            test.tree_mut().get_mut::<Session>().go_on();
+        }
+        assert_eq!(test.world().falls(), 0);
+    }
+}
+
+#[cfg(feature = "mujoco")]
+#[test]
 fn walk_in_mujoco_goes_the_way_and_ends_on_its_feet_also_after_a_stop() {
     for (text, [forward, left, turn]) in [
         ("walk forward 0.3 m", [0.3, 0.0, 0.0]),

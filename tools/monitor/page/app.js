@@ -44,14 +44,15 @@ function startDock(element) {
   else if (!dock.restore()) first();
 }
 
-/** The layout of a first visit: for the tree that is shown first. */
+/** The layout of a first visit, which an extension may choose: for the tree that is shown first. */
 function first() {
-  dock.preset('overview');
+  const name = Object.keys(PRESETS).find((one) => PRESETS[one].first) ?? 'overview';
+  dock.preset(name);
   const end = effect(() => {
     if (!store.session.value?.description.value) return;
     setTimeout(() => {
       end();
-      if (dock.layoutName.value === 'overview') dock.refit('overview');
+      if (dock.layoutName.value === name) dock.refit(name);
     });
   });
 }

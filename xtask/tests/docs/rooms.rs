@@ -27,6 +27,8 @@ const GENERIC: [&str; 14] = [
     "bica-monitor",
     "bica-vicode",
 ];
+/// Packages of a humanoid and of its application without soccer: they use generic packages and one another.
+const WITHOUT_SOCCER: [&str; 3] = ["bica-motion", "bica-body", "therapy"];
 /// Sources that list the components of a robot in `components: [...]`.
 const TREES: [&str; 2] = ["player/src/forward.rs", "examples/goalkeeper/src/tree.rs"];
 /// The joints of a robot, one line each.
@@ -38,19 +40,25 @@ const WORDS: [&str; 6] = ["Body", "Head", "Odometry", "Turn", "Player", "Walk"];
 /// Cameras of a robot.
 const CAMERAS: [&str; 2] = ["top_camera", "bottom_camera"];
 
-/// Returns a line for each dependency of a generic package on another package of the workspace that is not generic.
+/// Returns a line for each dependency of a generic package on another package of the workspace that is not generic, and of a package
+/// without soccer on one with it.
 pub(crate) fn forbidden_dependencies() -> Vec<String> {
     let packages = cargo::packages();
     let names: BTreeSet<&str> = packages.iter().filter_map(|package| package["name"].as_str()).collect();
-    let generic = packages.iter().filter(|package| is_generic(&package["name"]));
+    let bound = packages.iter().filter(|package| is_generic(&package["name"]) || is_without_soccer(&package["name"]));
     // Tests may read the sources of a robot.
-    let dependencies = generic.flat_map(|package| {
+    let dependencies = bound.flat_map(|package| {
         let used = package["dependencies"].as_array().into_iter().flatten().filter(|used| used["kind"] != "dev");
         used.map(move |used| (&package["name"], &used["name"]))
     });
     let is_ours = |used: &Value| used.as_str().is_some_and(|used| names.contains(used));
-    let forbidden = dependencies.filter(|(_, used)| is_ours(used) && !is_generic(used));
+    let may = |package: &Value, used: &Value| is_generic(used) || is_without_soccer(package) && is_without_soccer(used);
+    let forbidden = dependencies.filter(|(package, used)| is_ours(used) && !may(package, used));
     forbidden.map(|(package, used)| format!("{package} uses {used}")).collect()
+}
+
+fn is_without_soccer(name: &Value) -> bool {
+    name.as_str().is_some_and(|name| WITHOUT_SOCCER.contains(&name))
 }
 
 fn is_generic(name: &Value) -> bool {
