@@ -74,7 +74,7 @@ function Therapist({ visible }) {
   }, [description]);
   const state = machine < 0 ? null : description.components[machine].states[shown.live.value?.components[machine]?.[2]]?.name ?? 'ready';
   // Whoever operates a session must be missed if the page is lost.
-  const operates = shown?.info.value.control === 'yours' && ['running', 'waiting', 'exercising'].includes(state);
+  const operates = shown?.info.value.control === 'yours' && !['ready', 'finished', null].includes(state);
   useEffect(() => {
     if (!operates) return undefined;
     const [here, gone] = ['page_is_here', 'page_closes'].map((name) => () => call('Guard', name));
@@ -117,6 +117,11 @@ function Therapist({ visible }) {
   const runs = ['running', 'waiting', 'exercising'].includes(state);
   const over = state === 'ready' || state === 'finished';
   const lines = parts.length === 1 ? 'The session can be played.' : `All ${parts.length} parts of the session can be played.`;
+  // A robot that missed the page goes on only after it has heard of it again.
+  const goOn = async () => {
+    await call('Guard', 'page_is_here');
+    call('Session', 'go_on');
+  };
   const key = (label, name, off, kind = '') => html`<button class=${kind} disabled=${off} onClick=${() => call('Session', name)}>${label}</button>`;
   const level = (label, to) => html`<button aria-label=${label} disabled=${to < 0 || to > 10} onClick=${() => call('Sound', 'set_volume', [to / 10])}>${label === 'Louder' ? '+' : '−'}</button>`;
   return html`<div class="therapist">
@@ -138,7 +143,7 @@ function Therapist({ visible }) {
         ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
     <div class="keys">
       ${key('◀ Back', 'previous', over)}
-      ${state === 'ready' ? key('▶ Start', 'start', false, 'main start') : state === 'paused' ? key('▶ Go on', 'go_on', false, 'main start') : state === 'stopped' ? html`<${Held} done=${() => call('Session', 'go_on')} />`
+      ${state === 'ready' ? key('▶ Start', 'start', false, 'main start') : state === 'paused' ? html`<button class="main start" onClick=${goOn}>▶ Go on</button>` : state === 'stopped' ? html`<${Held} done=${goOn} />`
     : state === 'finished' ? html`<button class="main start" onClick=${() => act('restart', { seed: null })}>Once more</button>` : key('❚❚ Pause', 'pause', !runs, 'main pause')}
       ${key('Next ▶', 'next', over)}${key('Repeat', 'repeat', over)}${key('Easier', 'easier', false)}
       <span class="join" role="group" aria-label="Volume">Volume ${volume} ${level('Quieter', volume - 1)}${level('Louder', volume + 1)}</span>
