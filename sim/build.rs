@@ -1,9 +1,9 @@
 //! Search path of MuJoCo's library for the feature `mujoco`.
 
-#[path = "body/rpath.rs"]
+// A link to that of `body/`: a package contains no file of another one.
 mod rpath;
 
 fn main() {
-    println!("cargo::rerun-if-changed=body/rpath.rs");
+    println!("cargo::rerun-if-changed=rpath.rs");
     rpath::set();
 }
