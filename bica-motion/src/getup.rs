@@ -139,7 +139,8 @@ impl<M: RobotModel> GetUp<M> {
     /// Stops the motion if the robot has risen and lies again, does not sit at the start of the rise, or lies on its face
     /// on the way from the back.
     fn check_progress(&mut self, inertial: &Inertial) {
-        let uprightness = libm::cosf(inertial.pitch) * libm::cosf(inertial.roll);
+        let [(_, pitch), (_, roll)] = [inertial.pitch, inertial.roll].map(libm::sincosf);
+        let uprightness = pitch * roll;
         self.risen |= uprightness > RISEN_UPRIGHTNESS || self.index > self.first_frames().len();
         let on_face = self.sequence == Sequence::UpFromBack
             && self.index >= M::GET_UP.rolled_onto_back

@@ -1,7 +1,7 @@
 //! Range, speed and aim of the head.
 
 use glam::Vec3;
-use libm::{asinf, atan2f, cosf, hypotf, sinf};
+use libm::{asinf, atan2f, hypotf, sincosf};
 
 use crate::bounds::clamp;
 use crate::joints::{Joint, Joints};
@@ -72,7 +72,8 @@ pub fn look_at<M: RobotModel>(camera: CameraId, point: Vec3) -> HeadAngles {
     let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(camera);
     let (ahead, up) = (hypotf(point.x, point.y), point.z - M::DIMENSIONS.neck.z);
     // Distance of the optical axis from the neck, independent of the pitch.
-    let over_neck = position.x * sinf(tilt) + position.z * cosf(tilt);
+    let (sin, cos) = sincosf(tilt);
+    let over_neck = position.x * sin + position.z * cos;
     let down = asinf((over_neck / hypotf(ahead, up)).clamp(-1.0, 1.0)) - atan2f(up, ahead);
     HeadAngles { yaw: atan2f(point.y, point.x), pitch: down - tilt }
 }

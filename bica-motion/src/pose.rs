@@ -3,7 +3,7 @@
 use core::ops::Mul;
 
 use glam::Vec2;
-use libm::{cosf, sinf};
+use libm::sincosf;
 
 /// A pose on the ground, or the motion between two poses: m and rad, x forward, y left, angles counter-clockwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,7 +56,7 @@ impl Mul for Pose2 {
 /// Rotates a vector counter-clockwise by `angle` rad.
 #[must_use]
 pub fn rotate(v: Vec2, angle: f32) -> Vec2 {
-    let (s, c) = (sinf(angle), cosf(angle));
+    let (s, c) = sincosf(angle);
     Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
 }
 

@@ -131,9 +131,12 @@ fn build_for(rust: &Toolchain, board: &str, more: &[&str]) -> Result<(), String>
     let manifest = format!("firmware/boards/{board}/Cargo.toml");
     // The image contains the paths of sources for its panics: its size must not depend on the folder of the checkout.
     let home = std::env::var("CARGO_HOME").or_else(|_| std::env::var("HOME").map(|home| format!("{home}/.cargo")));
-    let folders = [root().display().to_string(), home.unwrap_or_default()];
-    let flags =
-        folders.iter().filter(|folder| !folder.is_empty()).map(|folder| format!("'--remap-path-prefix={folder}/='"));
+    let home = home.unwrap_or_default();
+    let registries = std::fs::read_dir(format!("{home}/registry/src")).into_iter().flatten().flatten();
+    let registries = registries.map(|registry| registry.path().display().to_string());
+    // The last prefix that fits is the one that is removed.
+    let folders = [root().display().to_string(), home.clone()].into_iter().chain(registries);
+    let flags = folders.filter(|folder| !folder.is_empty()).map(|folder| format!("'--remap-path-prefix={folder}/='"));
     let flags = flags.collect::<Vec<_>>().join(",");
     let paths = format!("target.thumbv7em-none-eabihf.rustflags=[{flags}]");
     let options = ["--config", "firmware/.cargo/config.toml", "--config", &paths, "--target-dir", "firmware/target"];

@@ -5,7 +5,7 @@
 //! lies between the feet, facing as the robot does.
 
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
-use libm::{atan2f, cosf, sinf};
+use libm::{atan2f, sincosf};
 
 use crate::joints::Joints;
 use crate::kinematics::sole;
@@ -28,7 +28,7 @@ pub fn ground_from_soles(support: Side, left: &Affine3A, right: &Affine3A) -> Af
     let sole_from_robot = rigid_inverse(support);
     let other = sole_from_robot * *other;
     let half_yaw = 0.5 * atan2f(other.matrix3.x_axis.y, other.matrix3.x_axis.x);
-    let (s, c) = (sinf(half_yaw), cosf(half_yaw));
+    let (s, c) = sincosf(half_yaw);
     let turn = Mat3A::from_cols(Vec3A::new(c, -s, 0.0), Vec3A::new(s, c, 0.0), Vec3A::Z);
     let middle = Vec3A::new(0.5 * other.translation.x, 0.5 * other.translation.y, 0.0);
     Affine3A { matrix3: turn, translation: turn * -middle } * sole_from_robot

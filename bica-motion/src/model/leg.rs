@@ -7,7 +7,7 @@
 use core::f32::consts::FRAC_PI_4;
 
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
-use libm::{atan2f, cosf, hypotf, sinf, sqrtf};
+use libm::{atan2f, hypotf, sincosf, sqrtf};
 
 use crate::limbs::LegAngles;
 use crate::model::{Dimensions, RobotModel};
@@ -40,7 +40,8 @@ pub(super) fn angles<M: RobotModel>(side: Side, ankle: &Affine3A) -> LegAngles {
     let lower = over * hypotf(to_hip.y, to_hip.z);
     let knee_pitch = knee::<M>(hypotf(to_hip.x, lower));
     let ankle_roll = atan2f(over * to_hip.y, over * to_hip.z);
-    let lean = atan2f(thigh * sinf(knee_pitch), tibia + thigh * cosf(knee_pitch));
+    let (sin, cos) = sincosf(knee_pitch);
+    let lean = atan2f(thigh * sin, tibia + thigh * cos);
     let ankle_pitch = -lean - atan2f(to_hip.x, lower);
 
     let tilt = side.sign() * FRAC_PI_4;
@@ -67,7 +68,8 @@ pub(super) fn angles_at<M: RobotModel>(side: Side, ankle: &Affine3A, hip_yaw_pit
     let lower = hypotf(to_ankle.y, to_ankle.z);
     let knee_pitch = knee::<M>(hypotf(to_ankle.x, lower));
     let hip_roll = atan2f(to_ankle.y, -to_ankle.z);
-    let lean = atan2f(tibia * sinf(knee_pitch), thigh + tibia * cosf(knee_pitch));
+    let (sin, cos) = sincosf(knee_pitch);
+    let lean = atan2f(tibia * sin, thigh + tibia * cos);
     let hip_pitch = atan2f(-to_ankle.x, lower) - lean;
 
     let shin = pelvis * Mat3A::from_rotation_x(hip_roll) * Mat3A::from_rotation_y(hip_pitch + knee_pitch);

@@ -6,7 +6,7 @@
 //! repeated with the secant method. They are singular at a hip roll of 90°.
 
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
-use libm::{asinf, atan2f, cosf, hypotf, sinf, sqrtf};
+use libm::{asinf, atan2f, hypotf, sincosf, sqrtf};
 
 use crate::limbs::LegAngles;
 use crate::side::Side;
@@ -95,7 +95,8 @@ impl PitchFirstLeg {
         let aside = side.sign() * (self.ankle.y + self.ankle_roll.y);
         let ankle_roll = atan2f(over * to_hip.y, over * to_hip.z) + asinf((over * aside / lower).clamp(-1.0, 1.0));
         // In the leg's plane: x ahead, y up, from the ankle pitch to the point.
-        let up = sinf(ankle_roll) * to_hip.y + cosf(ankle_roll) * to_hip.z;
+        let (sin, cos) = sincosf(ankle_roll);
+        let up = sin * to_hip.y + cos * to_hip.z;
         let leg = Vec2::new(to_hip.x, up + self.ankle_roll.z);
         let upper = Vec2::new(self.knee.x, self.knee.z + self.yaw.z);
         let shank = Vec2::new(self.ankle.x, self.ankle.z);

@@ -2,7 +2,7 @@
 
 use bica_motion::pose::{Pose2, rotate};
 use glam::{Mat2, Vec2};
-use libm::{cosf, fabsf, logf, sinf};
+use libm::{fabsf, logf, sincosf};
 
 use super::MemoryTuning;
 use crate::uncertainty::{Covariance, inverse, round, square};
@@ -110,7 +110,7 @@ impl Fit {
 
 /// Matrix that rotates vectors into the frame after a motion.
 pub(super) fn turn_of(motion: Pose2) -> Mat2 {
-    let (sin, cos) = (sinf(motion.heading), cosf(motion.heading));
+    let (sin, cos) = sincosf(motion.heading);
     Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos))
 }
 

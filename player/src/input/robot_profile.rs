@@ -59,16 +59,10 @@ impl RobotProfile {
         self.used
     }
 
-    /// The profile in use; `Program` if it is none of the others.
+    /// The kind of the profile in use: that of a world with dynamics walks as a pendulum.
     #[info]
     fn used(&self) -> BodyProfile {
-        if self.used == Model::KINEMATIC_PROFILE {
-            BodyProfile::Kinematic
-        } else if self.used == Model::DYNAMIC_PROFILE {
-            BodyProfile::Dynamic
-        } else {
-            BodyProfile::Program
-        }
+        if self.used.gait.pendulum_height > 0.0 { BodyProfile::Dynamic } else { BodyProfile::Kinematic }
     }
 }
 
