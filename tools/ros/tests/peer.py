@@ -51,6 +51,7 @@ class Peer:
         self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self.got: dict[str, list[Any]] = {}
+        self.clients: dict[str, Any] = {}
 
     def close(self) -> None:
         self.executor.shutdown()
@@ -72,7 +73,10 @@ class Peer:
         raise AssertionError(f"{what}: not within {limit} s")
 
     def call(self, service: str, kind: type, **fields: Any) -> Any:
-        client = self.node.create_client(kind, service)
+        # A new client may wait 3 s for its first answer, until both sides have found each other.
+        if service not in self.clients:
+            self.clients[service] = self.node.create_client(kind, service)
+        client = self.clients[service]
         self.until(client.service_is_ready, f"the service {service}")
         future = client.call_async(kind.Request(**fields))
         return self.until(lambda: future.done() and future.result(), f"the answer of {service}")
