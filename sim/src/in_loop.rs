@@ -2,6 +2,7 @@
 
 use bica_core::action::Actions;
 use bica_core::visual::Scene;
+use bica_field::FIELD;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
@@ -36,7 +37,7 @@ macro_rules! controlled {
             }
 
             fn scenery(&self, scene: &mut dyn Scene) {
-                show_field(scene);
+                show_field(&FIELD, scene);
             }
 
             fn truth(&self, scene: &mut dyn Scene) {

@@ -40,6 +40,7 @@ mod spectator;
 mod world;
 
 pub use referee::Referee;
+pub use scene::show_field;
 pub use segmentation::PixelLabel;
 pub use shared_image::SharedImage;
 pub use spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};

@@ -1,7 +1,7 @@
 //! What monitors see of a world: the field, and the true state.
 
 use bica_core::visual::{Circle, List, Point2, Polyline, Pose2, Rectangle, Scene, SceneItem, Segment};
-use bica_field::{FIELD, GoalColour};
+use bica_field::{FIELD, FieldDimensions, GoalColour};
 use glam::Vec2;
 
 use crate::referee::Referee;
@@ -16,11 +16,11 @@ const SKY_BLUE: [u8; 3] = [0x4a, 0xa3, 0xff];
 /// Radius that shows another robot, m.
 const ROBOT: f32 = 0.15;
 
-/// Shows the carpet with its markings.
-pub(crate) fn show_field(scene: &mut dyn Scene) {
+/// Shows the carpet of a field with its markings.
+pub fn show_field(field: &FieldDimensions, scene: &mut dyn Scene) {
     let rectangle =
         |x: f32, corner: Vec2| Rectangle { x, y: 0.0, heading: 0.0, length: 2.0 * corner.x, width: 2.0 * corner.y };
-    let (corner, area) = (FIELD.field_corner(), FIELD.penalty_area_corner());
+    let (corner, area) = (field.field_corner(), field.penalty_area_corner());
     let half_area = Vec2::new(0.5 * (corner.x - area.x), area.y);
     let outlines = [
         rectangle(0.0, corner),
@@ -29,12 +29,12 @@ pub(crate) fn show_field(scene: &mut dyn Scene) {
     ];
     let outlines = outlines.map(|one| Polyline::<5> { points: corners(&one).into_iter().collect() });
     let halfway = Segment { start: Point2 { x: 0.0, y: corner.y }, end: Point2 { x: 0.0, y: -corner.y } };
-    let circle = Circle { x: 0.0, y: 0.0, radius: FIELD.centre_circle_radius() };
-    let (mark, size) = (FIELD.penalty_mark(), FIELD.penalty_mark_size());
+    let circle = Circle { x: 0.0, y: 0.0, radius: field.centre_circle_radius() };
+    let (mark, size) = (field.penalty_mark(), field.penalty_mark_size());
     let marks = [mark, -mark].map(|x| Rectangle { x, y: 0.0, heading: 0.0, length: size, width: size });
     let marking = |name| SceneItem::new(name, FRAME).colour(MARKING);
-    let line = |name| marking(name).line_width(FIELD.line_width());
-    scene.show(&SceneItem::new("carpet", FRAME).colour(GRASS), &rectangle(0.0, FIELD.carpet_corner()));
+    let line = |name| marking(name).line_width(field.line_width());
+    scene.show(&SceneItem::new("carpet", FRAME).colour(GRASS), &rectangle(0.0, field.carpet_corner()));
     scene.show(&line("lines"), &outlines);
     scene.show(&line("halfway line"), &halfway);
     scene.show(&line("centre circle"), &circle);

@@ -7,7 +7,7 @@ use bica_motion::robot::{Command, Lights, Sensors};
 use crate::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState, Sight};
+use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState, View};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
 use crate::perception::{
@@ -15,12 +15,15 @@ use crate::perception::{
 };
 
 /// What the robot senses in a cycle.
-#[derive(Clone, Copy, Debug)]
+#[message]
+#[derive(Clone, Debug)]
 pub struct Senses<'a> {
     /// Joints and inertial unit, with the estimates of what the body does not measure; no image.
     pub body: Sensors<'a>,
     /// What the camera sees; `None` in cycles without a new view.
-    pub sights: Option<&'a [Sight]>,
+    pub view: Option<View>,
+    /// Whether the robot may play.
+    pub playing: bool,
 }
 
 activation_tree! {
@@ -50,9 +53,10 @@ impl Robot for Forward {
         let commanded = *self.get::<Motors>().commanded();
         self.get_mut::<RobotState>().measure(&senses.body, &commanded);
         self.get_mut::<HealthMonitor>().check(&senses.body, &commanded);
-        if let Some(sights) = senses.sights {
+        self.get_mut::<GameState>().set(senses.playing);
+        if let Some(view) = &senses.view {
             let angles = *self.get::<RobotState>().angles();
-            self.get_mut::<CameraInput>().receive(sights, &angles);
+            self.get_mut::<CameraInput>().receive(view, &angles);
         }
         Ok(())
     }

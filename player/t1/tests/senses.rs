@@ -10,7 +10,7 @@ use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_player_t1::behaviour::Player;
-use bica_player_t1::input::{Object, Sight};
+use bica_player_t1::input::{Object, Sight, View};
 use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
 use bica_player_t1::{Forward, Model, PARAMETERS, Senses};
 use bica_tuning::Layers;
@@ -22,7 +22,7 @@ const MARKS: [&str; 14] = [
 ];
 
 /// What a standing robot sees from a pose, with a ball at a position, within the server's angles and rounding.
-fn sights(pose: Pose2, ball: Vec2) -> Vec<Sight> {
+fn sights(pose: Pose2, ball: Vec2) -> View {
     let angles = Model::STAND;
     let eye = ground_from_robot::<Model>(Side::Left, &angles) * camera::<Model>(CameraId::Top, &angles);
     let sight = |object: Object, at: Vec3| {
@@ -34,9 +34,9 @@ fn sights(pose: Pose2, ball: Vec2) -> Vec<Sight> {
         let (up, along) = elevation.to_radians().sin_cos();
         let (left, ahead) = azimuth.to_radians().sin_cos();
         let at = distance * Vec3::new(along * ahead, along * left, up);
-        (azimuth.abs() <= 60.0 && elevation.abs() <= 60.0).then_some(Sight { object, at })
+        (azimuth.abs() <= 60.0 && elevation.abs() <= 60.0).then_some(Sight { object, at: at.into() })
     };
-    let marks = MARKS.map(|name| league_mark(name).expect("a mark")).map(|mark| sight(Object::Mark(mark), mark));
+    let marks = MARKS.map(|name| league_mark(name).expect("a mark")).map(|mark| sight(Object::Mark(mark.into()), mark));
     let ball = sight(Object::Ball, ball.extend(SSIM_2026.ball_radius()));
     marks.into_iter().chain([ball]).flatten().collect()
 }
@@ -59,9 +59,11 @@ fn body(cycle: u64) -> Sensors<'static> {
 }
 
 /// Runs cycles with equal senses, beginning with `from`.
-fn run(forward: &mut Forward, sights: &[Sight], cycles: core::ops::Range<u64>) {
+fn run(forward: &mut Forward, view: &View, cycles: core::ops::Range<u64>) {
     for cycle in cycles {
-        forward.sense(&Senses { body: body(cycle), sights: (cycle % 2 == 0).then_some(sights) }).expect("infallible");
+        forward
+            .sense(&Senses { body: body(cycle), view: (cycle % 2 == 0).then(|| view.clone()), playing: true })
+            .expect("infallible");
         forward.tick(Instant::from_millis(20 * cycle));
     }
 }
@@ -76,7 +78,7 @@ fn ball_is_found_and_approached_where_it_is_seen() {
     let seen = forward.get::<BallDetector>().position().expect("the ball is seen");
     assert!(seen.distance(Vec2::new(2.0, 0.4)) < 0.03, "{seen}");
     // Without a view of the ball for longer than its memory, it is searched again.
-    run(&mut forward, &[], 6..150);
+    run(&mut forward, &View::new(), 6..150);
     assert_eq!(forward.state_name::<Player>(), Some("look_for_ball"));
 }
 
@@ -104,10 +106,10 @@ fn one_mark_and_marks_in_a_point_give_no_pose() {
     forward.hold_at("Localization", bica::Hold::Active).expect("a component");
     let all = sights(Pose2::new(20.0, 2.0, 0.3), Vec2::ZERO);
     let mark = *all.iter().find(|sight| matches!(sight.object, Object::Mark(_))).expect("a mark");
-    run(&mut forward, &[mark, mark], 0..6);
+    run(&mut forward, &[mark, mark].into_iter().collect(), 0..6);
     assert_eq!(forward.get::<Localization>().pose(), None);
-    let broken = Sight { at: Vec3::NAN, ..mark };
-    run(&mut forward, &[broken; 60], 6..12);
+    let broken = Sight { at: [f32::NAN; 3], ..mark };
+    run(&mut forward, &[broken; 40].into_iter().collect(), 6..12);
     assert_eq!(forward.get::<Localization>().pose(), None);
 }
 

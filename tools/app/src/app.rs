@@ -17,14 +17,14 @@ use crate::replay;
 use crate::run::{self, RunArgs};
 use crate::start::start;
 use crate::tool::{Replay, Tool};
-use crate::world::{RegisteredWorld, WorldOptions};
+use crate::world::{RegisteredWorld, Robots, WorldOptions};
 
 /// Program of the robot `R`: its worlds and commands. `L` is the program's own layer of parameters.
 pub struct App<R: Robot, L: Layer = ()> {
     command: Command,
     kind: Option<&'static str>,
     worlds: Vec<RegisteredWorld<R>>,
-    is_done: Option<fn(&R) -> bool>,
+    robot: Robots<R>,
     own: Vec<Commands>,
     default: Option<Commands>,
     replay: Option<Replay>,
@@ -56,7 +56,7 @@ where
             command: Command::new(name).about(about).after_help(run::EXIT_CODES),
             kind: None,
             worlds: Vec::new(),
-            is_done: None,
+            robot: Robots { make: Box::default, is_done: None },
             own: Vec::new(),
             default: None,
             replay: None,
@@ -115,7 +115,13 @@ where
     /// Sets the aim of a run: it ends when this holds, unless it is served to monitors. A run that ends earlier has exit code 1.
     #[must_use]
     pub fn until(self, is_done: fn(&R) -> bool) -> Self {
-        Self { is_done: Some(is_done), ..self }
+        Self { robot: Robots { is_done: Some(is_done), ..self.robot }, ..self }
+    }
+
+    /// Sets how a robot is made before the parameters of the command line are applied; by default with [`Default`].
+    #[must_use]
+    pub fn robot(self, make: fn() -> Box<R>) -> Self {
+        Self { robot: Robots { make, ..self.robot }, ..self }
     }
 
     /// Sets the kind of robot whose tune file `params` reads without `--kind`; by default it is the first world.
@@ -196,25 +202,47 @@ where
         start(move || self.dispatch(&matches))
     }
 
+    /// Runs the robot as `run` does with these arguments, for a command of another program.
+    ///
+    /// # Errors
+    /// If an argument is wrong, or the run cannot go on.
+    pub fn play(&self, args: &RunArgs<L>) -> Result<Outcome, Failure>
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        run::run::<R, L>(&self.worlds, self.robot, args)
+    }
+
+    /// Runs the code again on a recording as `replay` does, for a command of another program.
+    ///
+    /// # Errors
+    /// If the recording cannot be read, or is not one of this robot.
+    pub fn repeat(&self, options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure>
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        replay::replay(&self.worlds, self.robot, options)
+    }
+
     fn dispatch(self, matches: &ArgMatches) -> Result<Outcome, Failure>
     where
         R: Recordable<Error: fmt::Display>,
     {
-        let Self { kind, worlds, is_done, own, default, replay, .. } = self;
+        let Self { kind, worlds, robot, own, default, replay, .. } = self;
         let first = worlds.first().map(|world| world.name);
         match (matches.subcommand(), default) {
             (None, Some(default)) => (default.run)(matches),
-            (None, None) => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
-            (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, is_done, &parse(matches)?),
+            (None, None) => run::run::<R, L>(&worlds, robot, &parse(matches)?),
+            (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, robot, &parse(matches)?),
             #[cfg(feature = "monitor")]
             (Some(("monitor", matches)), _) if !worlds.is_empty() => {
-                crate::monitor::run::<R>(worlds, is_done, self.panels, &parse(matches)?)
+                crate::monitor::run::<R>(worlds, robot, self.panels, &parse(matches)?)
             }
             (Some((name, _)), _) => {
                 if let Some(own) = own.into_iter().find(|own| (own.has)(name)) {
                     return (own.run)(matches);
                 }
-                let again = replay.unwrap_or_else(|| Box::new(move |options| replay::replay(&worlds, options)));
+                let again = replay.unwrap_or_else(|| Box::new(move |options| replay::replay(&worlds, robot, options)));
                 parse::<Tool<L>>(matches)?.run::<R>(kind.or(first).unwrap_or(R::GRAPH.name), again)
             }
         }

@@ -26,5 +26,5 @@ pub use params::{Layer, TuningArgs};
 pub use record::{Images, RecordArgs, RecordedFile, TopicsArg};
 #[cfg(feature = "ros")]
 pub use ros::NodeArgs;
-pub use run::seconds;
+pub use run::{RunArgs, seconds};
 pub use world::WorldOptions;

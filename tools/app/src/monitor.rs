@@ -18,7 +18,7 @@ use crate::console::{Failure, Outcome, interrupt};
 use crate::record::{Images, RecordArgs, RecordedFile};
 use crate::replay::rerun;
 use crate::run::Running;
-use crate::world::{RegisteredWorld, WorldOptions};
+use crate::world::{RegisteredWorld, Robots, WorldOptions};
 
 /// Level of a note in the log of a recording: information.
 const NOTE_LEVEL: u8 = 2;
@@ -32,19 +32,21 @@ pub(crate) fn command() -> Command {
 }
 
 /// Serves the page until Ctrl-C.
-pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
+pub(crate) fn run<R: Recordable<Error: fmt::Display> + 'static>(
     worlds: Vec<RegisteredWorld<R>>,
-    is_done: Option<fn(&R) -> bool>,
+    robots: Robots<R>,
     extensions: Vec<Box<dyn Extension>>,
     args: &Arguments,
 ) -> Result<Outcome, Failure> {
     let worlds = Arc::new(worlds);
     let simulated = (0..worlds.len()).filter(|&index| !worlds[index].is_device);
-    let local = |index| Box::new(Simulated { worlds: Arc::clone(&worlds), index, is_done }) as Box<dyn LocalWorld>;
+    let local = |index| Box::new(Simulated { worlds: Arc::clone(&worlds), index, robots }) as Box<dyn LocalWorld>;
     let program = Program {
         graph: Some(const { &R::GRAPH }),
         worlds: simulated.map(local).collect(),
-        rerun: Some(Box::new(move |recording, set, out, progress| rerun(&worlds, recording, set, out, progress))),
+        rerun: Some(Box::new(move |recording, set, out, progress| {
+            rerun(&worlds, robots, recording, set, out, progress)
+        })),
         extensions,
         ..Program::default()
     };
@@ -56,10 +58,10 @@ pub(crate) fn run<R: Recordable<Error: fmt::Display> + Default + 'static>(
 struct Simulated<R: Robot> {
     worlds: Worlds<R>,
     index: usize,
-    is_done: Option<fn(&R) -> bool>,
+    robots: Robots<R>,
 }
 
-impl<R: Recordable<Error: fmt::Display> + Default + 'static> LocalWorld for Simulated<R> {
+impl<R: Recordable<Error: fmt::Display> + 'static> LocalWorld for Simulated<R> {
     fn name(&self) -> &str {
         self.worlds[self.index].name
     }
@@ -69,27 +71,27 @@ impl<R: Recordable<Error: fmt::Display> + Default + 'static> LocalWorld for Simu
         if let Some(tune) = &setup.tune {
             layers.read(tune)?;
         }
-        layers.apply(&mut *Box::<R>::default())?;
+        layers.apply(&mut *(self.robots.make)())?;
         let options: Vec<_> = setup.options.iter().map(|(name, value)| format!("{name}={value}")).collect();
         let options = WorldOptions::new(setup.seed, &options)?;
-        let Self { worlds, index, is_done } = self;
-        let (worlds, index, is_done) = (Arc::clone(worlds), *index, *is_done);
-        Ok(Box::new(move |run| Ok(play(&worlds[index], &options, &layers, is_done, run)?)))
+        let Self { worlds, index, robots } = self;
+        let (worlds, index, robots) = (Arc::clone(worlds), *index, *robots);
+        Ok(Box::new(move |run| Ok(play(&worlds[index], &options, &layers, robots, run)?)))
     }
 }
 
 /// Runs a world until the monitor ends it. At its aim it pauses.
-fn play<R: Recordable<Error: fmt::Display> + Default + 'static>(
+fn play<R: Recordable<Error: fmt::Display> + 'static>(
     registered: &RegisteredWorld<R>,
     options: &WorldOptions,
     layers: &Layers,
-    is_done: Option<fn(&R) -> bool>,
+    Robots { make, is_done }: Robots<R>,
     run: &WorldRun,
 ) -> Result<(), Failure> {
     let set_up = options.set_up(registered.name);
     let mut world = registered.open(options)?;
     let actions = world.actions().map_or(&[][..], |actions| actions.list());
-    let mut robot = Box::<R>::default();
+    let mut robot = make();
     layers.apply(&mut *robot)?;
     let header = |images| {
         let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);

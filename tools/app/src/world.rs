@@ -78,6 +78,20 @@ impl WorldOptions {
     }
 }
 
+/// How a robot is made, and the aim of its run.
+pub(crate) struct Robots<R: Robot> {
+    pub(crate) make: fn() -> Box<R>,
+    pub(crate) is_done: Option<fn(&R) -> bool>,
+}
+
+impl<R: Robot> Clone for Robots<R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R: Robot> Copy for Robots<R> {}
+
 /// Function that makes a world.
 type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send + Sync>;
 

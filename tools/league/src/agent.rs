@@ -6,6 +6,8 @@ use std::net::TcpStream;
 use std::time::Duration;
 
 use bica_motion::joints::Joints;
+use bica_motion::pose::Pose2;
+use glam::Vec2;
 
 use crate::action;
 use crate::body::Body;
@@ -63,5 +65,16 @@ impl<B: Body> Agent<B> {
     /// If the connection broke.
     pub fn act(&mut self, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         frame::write(&mut self.stream, &action::motors::<B>(targets, stiffness))
+    }
+
+    /// As [`act`](Self::act), and asks to stand at a pose in the own half, with x towards the attacked goal, which the server grants
+    /// before a kick-off and after a goal. All joints are at zero then.
+    ///
+    /// # Errors
+    /// If the connection broke.
+    pub fn place(&mut self, at: Pose2, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
+        let (Vec2 { x, y }, heading) = (at.position, at.heading.to_degrees());
+        let motors = action::motors::<B>(targets, stiffness);
+        frame::write(&mut self.stream, &format!("(beam {x:.3} {y:.3} {heading:.3}){motors}"))
     }
 }

@@ -19,6 +19,6 @@ mod server;
 pub use agent::Agent;
 pub use body::Body;
 pub use error::Error;
-pub use monitor::Monitor;
+pub use monitor::{FieldSide, Monitor};
 pub use perception::{Game, Perception, PlayMode, Seen, Sight};
 pub use server::{Address, Server};

@@ -11,6 +11,15 @@ use crate::error::Error;
 use crate::frame;
 use crate::server::Address;
 
+/// Side of a team: that of its own goal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldSide {
+    /// The first team that joined; it attacks the right goal.
+    Left,
+    /// The second team.
+    Right,
+}
+
 /// Places ball and players. The server's own messages, which contain the whole scene, are read and dropped.
 #[derive(Debug)]
 pub struct Monitor {
@@ -38,14 +47,15 @@ impl Monitor {
         frame::write(&mut self.stream, &format!("(ball (pos {x:.4} {y:.4} {radius:.4})(vel 0 0 0))"))
     }
 
-    /// Puts a player of the left team at a pose on the field, with its torso at a height, m, and all joints at zero.
+    /// Puts a player of the left or the right team at a pose on the field, x towards the right goal, with its torso at a height, m, and
+    /// all joints at zero.
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn place_player(&mut self, number: u32, at: Pose2, height: f32) -> Result<(), Error> {
+    pub fn place_player(&mut self, side: FieldSide, number: u32, at: Pose2, height: f32) -> Result<(), Error> {
         let Vec2 { x, y } = at.position;
         let pose = format!("{x:.4} {y:.4} {height:.4} {:.3}", at.heading.to_degrees());
-        frame::write(&mut self.stream, &format!("(agent (unum {number})(team Left)(move {pose}))"))
+        frame::write(&mut self.stream, &format!("(agent (unum {number})(team {side:?})(move {pose}))"))
     }
 
     /// Lets the game go on with the ball where it lies. Before a kick-off, a goal counts from then on.

@@ -10,8 +10,6 @@ use crate::expression::{Expression, find, numbers};
 /// What a player senses in a cycle of 20 ms: all but the true pose, which the server sends, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Perception {
-    /// Time of the simulation, s.
-    pub time: f32,
     /// State of the game.
     pub game: Game,
     /// Joint angles, rad; zero for joints that the robot lacks.
@@ -31,6 +29,8 @@ pub struct Game {
     pub mode: PlayMode,
     /// Goals of the left and of the right team.
     pub score: [u32; 2],
+    /// Names of the left and of the right team; empty until a player of it has joined.
+    pub teams: [String; 2],
 }
 
 /// Play mode, as far as a player without a team distinguishes it.
@@ -84,13 +84,11 @@ impl Perception {
     /// Reads the message of a cycle.
     ///
     /// # Errors
-    /// If it is not well-formed, or lacks time, game, gyroscope or accelerometer.
+    /// If it is not well-formed, or lacks game, gyroscope or accelerometer.
     pub(crate) fn parse(message: &str) -> Result<Self, Error> {
         let all = Expression::parse(message)?;
         let one = |name, value| find(&all, name).and_then(|rest| numbers::<3>(find(rest, value)?));
-        let time = find(&all, "time").and_then(|time| numbers::<1>(find(time, "now")?));
         let missing = |what| Error::Message(what);
-        let [time] = time.ok_or(missing("it has no time"))?;
         let game = find(&all, "GS").and_then(Game::of).ok_or(missing("it has no state of the game"))?;
         let gyro = one("GYR", "rt").ok_or(missing("it has no gyroscope"))?.map(f32::to_radians);
         let acceleration = one("ACC", "a").ok_or(missing("it has no accelerometer"))?;
@@ -102,7 +100,7 @@ impl Perception {
             }
         }
         let sights = find(&all, "See").map(|sights| sights.iter().flat_map(sights_of).collect());
-        Ok(Self { time, game, angles, gyro: gyro.into(), acceleration: acceleration.into(), sights })
+        Ok(Self { game, angles, gyro: gyro.into(), acceleration: acceleration.into(), sights })
     }
 
     /// Returns the centre of the ball in the newest view.
@@ -122,7 +120,8 @@ impl Game {
             "GameOver" => PlayMode::GameOver,
             _ => PlayMode::Other,
         };
-        Some(Self { mode, score: [count("sl")?, count("sr")?] })
+        let team = |name| find(state, name).and_then(|name| name.first()?.atom()).unwrap_or_default().to_owned();
+        Some(Self { mode, score: [count("sl")?, count("sr")?], teams: [team("tl"), team("tr")] })
     }
 }
 
@@ -165,7 +164,8 @@ mod tests {
     #[test]
     fn senses_are_in_si_units() {
         let read = Perception::parse(MESSAGE).expect("well-formed");
-        assert_eq!(read.game, Game { mode: PlayMode::PlayOn, score: [2, 1] });
+        assert_eq!(read.game.mode, PlayMode::PlayOn);
+        assert_eq!((read.game.score, &*read.game.teams[0], &*read.game.teams[1]), ([2, 1], "Bica", ""));
         assert!((read.angles[Joint::HeadYaw] - 1.0).abs() < 1e-4);
         assert!((read.angles[Joint::LKneePitch] - 0.5).abs() < 1e-4);
         assert!((read.gyro - Vec3::new(2.0, 0.0, -1.0)).length() < 1e-3);
@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_named() {
-        for (name, missing) in [("(GYR", "(XYZ"), ("(ACC", "(XYZ"), ("(GS", "(XYZ"), ("(time", "(XYZ")] {
+        for (name, missing) in [("(GYR", "(XYZ"), ("(ACC", "(XYZ"), ("(GS", "(XYZ")] {
             let error = Perception::parse(&MESSAGE.replace(name, missing)).expect_err("incomplete");
             assert!(error.to_string().contains("it has no"), "{error}");
         }

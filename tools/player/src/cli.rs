@@ -6,6 +6,7 @@ use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
 use bica_evaluation::calibrate::CalibrationOptions;
 use bica_evaluation::detection::{DetectionOptions, SeeOptions};
 use bica_evaluation::trial_options::TrialOptions;
+use bica_league::Address;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::{Args, Subcommand, ValueEnum};
 
@@ -44,7 +45,7 @@ tree, and the cost of each component.";
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Play one game or a series (the default command)
-    Play(Play),
+    Play(Box<Play>),
     #[command(
         about = "Run trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls; print tables of results"
     )]
@@ -90,6 +91,8 @@ pub(crate) struct Play {
     #[arg(long, value_name = "FILE", conflicts_with = "games")]
     pub(crate) film: Option<PathBuf>,
     #[command(flatten)]
+    pub(crate) league: LeagueArgs,
+    #[command(flatten)]
     pub(crate) record: RecordArgs,
     #[command(flatten)]
     pub(crate) link: ServeArgs,
@@ -107,6 +110,23 @@ pub(crate) struct Play {
     /// Print the results as JSON on stdout; all other output goes to stderr
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Arguments of a game in the league's server.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct LeagueArgs {
+    /// With `--world league`, join the game of a running server: HOST:PORT of its players [default: start one]
+    #[arg(long, value_name = "ADDR", value_parser = crate::league::server)]
+    pub(crate) server: Option<Address>,
+    /// With `--world league`, name of the team
+    #[arg(long, value_name = "NAME", default_value = "BICA")]
+    pub(crate) team: String,
+    /// With `--world league`, number of the player, 0 to 99
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) number: u32,
+    /// With `--world league`, play against a second team: the same forward from the other side
+    #[arg(long)]
+    pub(crate) against: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -22,7 +22,7 @@ pub fn app() -> App<Forward, ColourProfile> {
     App::new("player")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(cli::ABOUT).after_help(cli::AFTER))
         .kind("built-in")
-        .replay(game::replay)
+        .replay(|options| league::replay(options).unwrap_or_else(|| game::replay(options)))
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),

@@ -18,6 +18,10 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     if args.world == World::League {
         return crate::league::run(args);
     }
+    if args.league.server.is_some() || args.league.against {
+        let what = "--server and --against belong to the league's server, and this game is played in another world";
+        return Err(Failure::new(what, "give --world league --robot t1, too"));
+    }
     if args.image.is_some() && args.world != World::Firmware {
         let what = "--image names a firmware image, and this game is played without firmware";
         return Err(Failure::new(what, "give --world firmware, too"));

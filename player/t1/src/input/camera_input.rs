@@ -9,29 +9,34 @@ use heapless::Vec;
 pub const SIGHTS: usize = 48;
 
 /// Something that the camera sees.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight {
     /// What it is.
     pub object: Object,
     /// Vector from the camera, m: x along its axis, y to the left of the view, z up the view.
-    pub at: Vec3,
+    pub at: [f32; 3],
 }
 
 /// Kind of a sight.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Object {
     /// The centre of the ball.
     Ball,
     /// A mark of the field, at this position in the field frame, m.
-    Mark(Vec3),
+    Mark([f32; 3]),
     /// A foot of another player.
     Robot,
 }
 
+/// All that the camera sees at a moment.
+pub type View = Vec<Sight, SIGHTS>;
+
 /// The newest view, with the joint angles at which it was taken.
 #[derive(Debug)]
 pub struct CameraInput {
-    sights: Vec<Sight, SIGHTS>,
+    sights: View,
     count: u32,
     angles: Joints,
 }
@@ -41,13 +46,12 @@ impl CameraInput {
     /// Creates the component without a view.
     #[must_use]
     pub const fn new() -> Self {
-        Self { sights: Vec::new(), count: 0, angles: Joints([0.0; JOINTS]) }
+        Self { sights: View::new(), count: 0, angles: Joints([0.0; JOINTS]) }
     }
 
-    /// Takes a new view, and the joint angles (rad) at which it was taken. Sights beyond the first [`SIGHTS`], and those that are not
-    /// finite, are dropped.
-    pub fn receive(&mut self, sights: &[Sight], angles: &Joints) {
-        self.sights = sights.iter().copied().filter(|sight| sight.at.is_finite()).take(SIGHTS).collect();
+    /// Takes a new view, and the joint angles (rad) at which it was taken. Sights that are not finite are dropped.
+    pub fn receive(&mut self, sights: &View, angles: &Joints) {
+        self.sights = sights.iter().copied().filter(|sight| Vec3::from(sight.at).is_finite()).collect();
         self.count = self.count.wrapping_add(1);
         self.angles = *angles;
     }

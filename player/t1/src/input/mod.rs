@@ -1,7 +1,6 @@
 //! Input components: written before a tick, read by perception, motion and behaviour.
 
 mod camera_input;
-#[path = "../../../src/input/game_state.rs"]
 mod game_state;
 #[path = "../../../src/input/health_monitor.rs"]
 mod health_monitor;
@@ -10,7 +9,7 @@ mod robot_profile;
 #[path = "../../../src/input/robot_state.rs"]
 mod robot_state;
 
-pub use camera_input::{CameraInput, Object, SIGHTS, Sight};
+pub use camera_input::{CameraInput, Object, SIGHTS, Sight, View};
 pub use game_state::GameState;
 pub use health_monitor::{FaultReaction, HealthMonitor};
 pub use robot_profile::{BodyProfile, ProfileChoice, RobotProfile};

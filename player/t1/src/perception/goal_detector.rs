@@ -33,7 +33,7 @@ impl GoalDetector {
         if self.ego_motion.begin_run(odometry, input, advance) {
             let seen = FIELD.goal_posts(true).map(|post| {
                 input.sights().iter().find_map(|sight| match sight.object {
-                    Object::Mark(mark) if mark.truncate() == post => camera.ground(sight.at, mark.z),
+                    Object::Mark([x, y, z]) if Vec2::new(x, y) == post => camera.ground(sight.at, z),
                     _ => None,
                 })
             });

@@ -35,7 +35,7 @@ impl Localization {
         let advance = |motion| self.pose = self.pose.map(|pose| pose * motion);
         if self.ego_motion.begin_run(odometry, input, advance) {
             let marks = input.sights().iter().filter_map(|sight| match sight.object {
-                Object::Mark(mark) => Some((mark.truncate(), camera.ground(sight.at, mark.z)?)),
+                Object::Mark([x, y, z]) => Some((Vec2::new(x, y), camera.ground(sight.at, z)?)),
                 _ => None,
             });
             self.pose = pose_by(marks).or(self.pose);

@@ -42,6 +42,9 @@ pub struct TuningArgs<L: Layer = ()> {
     /// Set a parameter over all tune files; may be repeated. The command `params` lists the parameters
     #[arg(long, value_name = "COMPONENT.NAME=VALUE")]
     set: Vec<String>,
+    /// Whether the program knows the robot without its tune file.
+    #[arg(skip)]
+    is_robot_known: bool,
 }
 
 impl<L: Layer> TuningArgs<L> {
@@ -50,23 +53,7 @@ impl<L: Layer> TuningArgs<L> {
     /// # Errors
     /// If a file cannot be read, or a name or a value is wrong.
     pub fn layers(&self, graph: &'static Graph, kind: &str) -> Result<Layers, Failure> {
-        self.read(Layers::new(graph), kind, true)
-    }
-
-    /// As [`Self::layers`], over the layers of a known robot, for which a tune file may be missing.
-    ///
-    /// # Errors
-    /// If a file cannot be read, or a name or a value is wrong.
-    pub fn over(&self, layers: Layers, kind: &str) -> Result<Layers, Failure> {
-        self.read(layers, kind, false)
-    }
-
-    /// Name of the robot.
-    pub fn robot(&self) -> Option<&str> {
-        self.robot.as_deref()
-    }
-
-    fn read(&self, mut layers: Layers, kind: &str, robot_needed: bool) -> Result<Layers, Failure> {
+        let mut layers = Layers::new(graph);
         let path = self.tune.as_deref().unwrap_or(Path::new(FOLDER));
         let (folder, of_kind) = match path.parent().filter(|_| path.is_file()) {
             Some(folder) => (folder, path.to_owned()),
@@ -79,7 +66,7 @@ impl<L: Layer> TuningArgs<L> {
         self.layer.assign(&mut layers)?;
         if let Some(robot) = &self.robot {
             let of_robot = folder.join(format!("{robot}.toml"));
-            if robot_needed || of_robot.exists() {
+            if !self.is_robot_known || of_robot.exists() {
                 layers.read(&of_robot)?;
             }
         }
@@ -87,5 +74,16 @@ impl<L: Layer> TuningArgs<L> {
             layers.assign(assignment, "--set")?;
         }
         Ok(layers)
+    }
+
+    /// The same arguments for a robot that the program knows: its tune file may be missing.
+    #[must_use]
+    pub fn of_known_robot(&self) -> Self {
+        Self { is_robot_known: true, ..self.clone() }
+    }
+
+    /// Name of the robot.
+    pub fn robot(&self) -> Option<&str> {
+        self.robot.as_deref()
     }
 }

@@ -10,14 +10,18 @@ use bica_tuning::Layers;
 use bica_wire::model::Invalid;
 
 use crate::console::{Failure, interrupt};
-use crate::world::{REPLAY_HELP, RegisteredWorld, WorldOptions};
+use crate::world::{REPLAY_HELP, RegisteredWorld, Robots, WorldOptions};
 
 /// Runs the code again on a recording of a robot in one of these worlds, or compares two recordings.
-pub(crate) fn replay<R>(worlds: &[RegisteredWorld<R>], options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure>
+pub(crate) fn replay<R>(
+    worlds: &[RegisteredWorld<R>],
+    robots: Robots<R>,
+    options: &ReplayOptions<'_>,
+) -> Result<ReplayReport, Failure>
 where
-    R: Recordable<Error: fmt::Display> + Default + 'static,
+    R: Recordable<Error: fmt::Display> + 'static,
 {
-    let subject = |header: &Header, runs_world| subject(worlds, header, options.set, runs_world);
+    let subject = |header: &Header, runs_world| subject(worlds, robots, header, options.set, runs_world);
     Ok(bica_recording::replay(options, subject, |_| !interrupt::requested())?)
 }
 
@@ -25,39 +29,41 @@ where
 #[cfg(feature = "monitor")]
 pub(crate) fn rerun<R>(
     worlds: &[RegisteredWorld<R>],
+    robots: Robots<R>,
     path: &Path,
     set: &[String],
     out: &Path,
     mut progress: impl FnMut(f64) -> bool,
 ) -> Result<(), Invalid>
 where
-    R: Recordable<Error: fmt::Display> + Default + 'static,
+    R: Recordable<Error: fmt::Display> + 'static,
 {
-    let subject = |header: &Header, runs_world| subject(worlds, header, set, runs_world);
+    let subject = |header: &Header, runs_world| subject(worlds, robots, header, set, runs_world);
     let progress = |seconds| !interrupt::requested() && progress(seconds);
     bica_recording::rerun(path, out, subject, progress).map(drop)
 }
 
 /// Returns the robot as it was at the start of the recording, with other parameters, and its world if it runs again.
-fn subject<R: Robot + Default + 'static>(
+fn subject<R: Robot + 'static>(
     worlds: &[RegisteredWorld<R>],
+    robots: Robots<R>,
     header: &Header,
     set: &[String],
     runs_world: bool,
 ) -> Result<Subject<R>, Invalid> {
-    let robot = robot(header, set)?;
+    let robot = robot(robots, header, set)?;
     let world = runs_world.then(|| world(worlds, header)).transpose()?;
     Ok(Subject { robot, world })
 }
 
-fn robot<R: Robot + Default>(header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
+fn robot<R: Robot>(robots: Robots<R>, header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
     let mut layers = Layers::new(const { &R::GRAPH });
     // The parameters of other trees are constants.
     if R::GRAPH.tunable {
         header.assignments().try_for_each(|assignment| layers.assign(&assignment, "the recording"))?;
     }
     set.iter().try_for_each(|assignment| layers.assign(assignment, "--set"))?;
-    let mut robot = Box::<R>::default();
+    let mut robot = (robots.make)();
     layers.apply(&mut *robot)?;
     Ok(robot)
 }

@@ -6,32 +6,36 @@ use crate::link::ServeArgs;
 use crate::params::{Layer, TuningArgs};
 use crate::record::RecordArgs;
 
+/// Arguments of `run`.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct RunArgs<L: Layer> {
+pub struct RunArgs<L: Layer> {
     /// World to run in
     #[arg(long, value_name = "WORLD", required = false)]
-    pub(super) world: String,
+    pub world: String,
     /// Seed of everything random in the world; the same seed gives the same run, bit for bit
     #[arg(long, value_name = "N", default_value_t = 0)]
-    pub(super) seed: u64,
+    pub seed: u64,
     /// Option of the world; may be repeated
     #[arg(long, value_name = "NAME=VALUE")]
-    pub(super) option: Vec<String>,
+    pub option: Vec<String>,
     /// Run in real time instead of as fast as possible
     #[arg(long)]
-    pub(super) realtime: bool,
+    pub realtime: bool,
     /// Longest duration of the run, in seconds of the world [default: until the run is over, or Ctrl-C]
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
-    pub(super) seconds: Option<f64>,
+    pub seconds: Option<f64>,
+    /// How the run is recorded
     #[command(flatten)]
-    pub(super) record: RecordArgs,
+    pub record: RecordArgs,
+    /// How the run is served
     #[command(flatten)]
-    pub(super) link: ServeArgs,
+    pub link: ServeArgs,
+    /// Values of the parameters
     #[command(flatten)]
-    pub(super) tuning: TuningArgs<L>,
+    pub tuning: TuningArgs<L>,
     /// Print the result as JSON on stdout; all other output goes to stderr
     #[arg(long)]
-    pub(super) json: bool,
+    pub json: bool,
 }
 
 /// Parses a duration of 0.01 to 86400 s.

@@ -17,9 +17,8 @@ use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::RosNode;
 use crate::params::Layer;
 use crate::record::RecordedFile;
-use crate::world::{RegisteredWorld, WorldOptions};
-pub(crate) use args::RunArgs;
-pub use args::seconds;
+use crate::world::{RegisteredWorld, Robots, WorldOptions};
+pub use args::{RunArgs, seconds};
 use report::{End, Report};
 pub(crate) use running::Running;
 use story::Story;
@@ -32,11 +31,11 @@ Exit codes: 0 the command is done, 1 the run ended before its aim, 2 wrong argum
 /// Runs the robot in one of the worlds as the command line requests.
 pub(crate) fn run<R, L>(
     worlds: &[RegisteredWorld<R>],
-    is_done: Option<fn(&R) -> bool>,
+    Robots { make, is_done }: Robots<R>,
     args: &RunArgs<L>,
 ) -> Result<Outcome, Failure>
 where
-    R: Recordable<Error: fmt::Display> + Default + 'static,
+    R: Recordable<Error: fmt::Display> + 'static,
     L: Layer,
 {
     let unknown = || Failure::new(format!("there is no world `{}`", args.world), "--help lists the worlds");
@@ -45,7 +44,7 @@ where
     let set_up = options.set_up(registered.name);
     let mut world = registered.open(&options)?;
     let actions = world.actions().map_or(&[][..], |actions| actions.list());
-    let mut robot = Box::<R>::default();
+    let mut robot = make();
     args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
     let console = Console::new(args.json);
     let is_paced = args.realtime || registered.is_device || args.link.is_paced();

@@ -1,8 +1,11 @@
 //! Games in the league's server, `RCSSServerMJ`, which is neither a simulator of this workspace nor shows images.
 
-mod game;
+mod entry;
+mod opponent;
 mod play;
+mod robot;
 mod start;
 mod world;
 
-pub(crate) use play::run;
+pub(crate) use entry::server;
+pub(crate) use play::{replay, run};

@@ -1,16 +1,18 @@
 //! `play --world league`.
 
-use std::path::Path;
+use std::sync::{Arc, PoisonError};
 
-use bica::{Setting, Tree};
-use bica_app::{Batch, Console, Failure, Outcome, interrupt};
+use bica::Tree;
+use bica::runner::{Runner, World};
+use bica_app::{Batch, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_evaluation::statistics::percentile;
-use bica_league::{Error, Server};
-use bica_player_t1::{Forward, PARAMETERS};
-use bica_tuning::Layers;
+use bica_player_t1::Forward;
+use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
-use super::game::{Change, LeagueGame, play};
+use super::entry::{Entry, failure};
+use super::robot::{self, Standing, WORLD, forward};
+use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
 
 /// The robot that plays.
@@ -28,22 +30,65 @@ struct Report<'a> {
 
 /// Plays in the league's server as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
-    check(args)?;
-    let settings = settings(args)?;
+    let entry = entry(args)?;
+    if args.games.is_some() { series(args, &entry) } else { game(args, entry) }
+}
+
+/// Runs the code again on the recording of a game; `None` if it is not one of this robot.
+pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
+    // The reader of the other games reports a file that cannot be read.
+    let recording = Recording::open(options.path).ok()?;
+    let world = recording.header().set_up.get("world")?.as_str()?;
+    (world == WORLD).then(|| robot::app(Entry::default(), &Standing::default()).repeat(options))
+}
+
+/// Plays one game, with all that the program of a robot offers.
+fn game(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
+    let standing = Standing::default();
+    let is_own = entry.server.is_none();
+    let run = RunArgs {
+        world: WORLD.to_owned(),
+        seed: args.seed,
+        option: Vec::new(),
+        realtime: args.realtime,
+        seconds: Some(args.seconds),
+        record: args.record.clone(),
+        link: args.link.clone(),
+        tuning: args.tuning.of_known_robot(),
+        json: args.json,
+    };
+    let outcome = robot::app(entry, &standing).play(&run)?;
+    let (game, error) = &*standing.lock().unwrap_or_else(PoisonError::into_inner);
+    match error {
+        Some(error) => Err(failure(error)),
+        None if is_own && game.goal_s.is_none() && outcome == Outcome::Success => Ok(Outcome::Unsuccessful),
+        None => Ok(outcome),
+    }
+}
+
+/// Plays a game for each seed, each in its own server.
+fn series(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
+    if entry.server.is_some() {
+        return Err(Failure::new("a series starts a server for each game", "leave out --server or --games"));
+    }
+    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
+    // Each game has its own tree: values that do not fit together are reported once.
+    layers.apply(&mut *forward())?;
     let console = Console::new(args.json);
-    let batch = Batch::new(args.seed, args.games.unwrap_or(1), args.threads);
-    let games = batch.run(|seed| {
-        let mut story = Vec::new();
-        let server =
-            Server::start(&Server::installed(Path::new(".")), args.realtime).map_err(|error| failure(&error))?;
-        let game = play(&server, &settings, seed, args.seconds, &mut |change| story.push(line(change)), &|| {
-            !interrupt::requested()
-        });
-        if args.games.is_none() {
-            story.iter().try_for_each(|line| console.print(line))?;
+    let games = Batch::new(args.seed, args.games.unwrap_or(1), args.threads).run(|seed| {
+        let standing = Standing::default();
+        let world = LeagueWorld::open(&Entry { seed, ..entry.clone() }, Arc::clone(&standing));
+        let mut runner = Runner::new(forward(), world.map_err(|error| failure(&error))?);
+        _ = runner.robot_mut().set_params(&layers.settings());
+        let limit = runner.world().now() + bica::Duration::from_micros((args.seconds * 1e6) as u64);
+        while !interrupt::requested() && !runner.world().is_over() && runner.world().now() < limit {
+            // Infallible.
+            _ = runner.cycle();
         }
-        let game = game.map_err(|error| failure(&error))?;
-        console.print(&result(&game))?;
+        drop(runner);
+        let (game, error) = core::mem::take(&mut *standing.lock().unwrap_or_else(PoisonError::into_inner));
+        error.map_or(Ok(()), |error| Err(failure(&error)))?;
+        console.print(&game.line())?;
         Ok(game)
     })?;
     let goals = games.iter().filter(|game| game.goal_s.is_some()).count();
@@ -64,50 +109,27 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     })
 }
 
-/// Refuses what this world does not have.
-fn check(args: &Play) -> Result<(), Failure> {
+/// Returns where and as whom the robot plays; refuses what this world does not have.
+fn entry(args: &Play) -> Result<Entry, Failure> {
     if args.tuning.robot() != Some(ROBOT) {
         let what = "the forward plays in the league's server with the body of a T1 only";
         return Err(Failure::new(what, format!("give --robot {ROBOT}, too")));
     }
-    let observed = [args.pictures.is_some(), args.film.is_some(), args.record.record.is_some(), args.link.is_paced()];
-    if observed.contains(&true) || args.robots > 0 {
-        let what = "the league's server has no pictures, films, recordings, monitors and other robots here";
-        return Err(Failure::new(what, "leave out --pictures, --film, --record, --serve and --robots"));
+    if args.pictures.is_some() || args.film.is_some() || args.robots > 0 {
+        let what = "the league's server has no pictures, films and other robots here";
+        return Err(Failure::new(
+            what,
+            "leave out --pictures, --film and --robots; --against plays with a second team",
+        ));
     }
-    Ok(())
-}
-
-/// Returns the parameters: the robot's, those of the tune files `league.toml` and `t1.toml`, and those of the command line.
-fn settings(args: &Play) -> Result<Vec<Setting>, Failure> {
-    let mut layers = Layers::new(const { &Forward::GRAPH });
-    layers.read_text("the parameters of the T1", PARAMETERS)?;
-    let layers = args.tuning.over(layers, "league")?;
-    layers.apply(&mut *Box::new(Forward::new()))?;
-    Ok(layers.settings())
-}
-
-fn failure(error: &Error) -> Failure {
-    let help = match error {
-        Error::Start(..) => "`cargo xtask league` installs it; start this program in the workspace",
-        Error::NotReady(_) => "see its output above; `cargo xtask league` installs it",
-        _ => "see docs/league.md",
+    let entry = Entry {
+        server: args.league.server.clone(),
+        team: args.league.team.clone(),
+        number: args.league.number,
+        realtime: args.realtime,
+        against: args.league.against,
+        seed: args.seed,
     };
-    Failure::new(error.to_string(), help)
-}
-
-fn line(Change { at, state, place, ball }: &Change) -> String {
-    let [place, ball] =
-        [place, ball].map(|at| at.map_or_else(|| "-".to_owned(), |at| format!("{:.2} {:.2}", at.x, at.y)));
-    format!("{at:7.2} s  {state:14} robot {place}  ball {ball}")
-}
-
-fn result(game: &LeagueGame) -> String {
-    let LeagueGame { seed, score: [ours, theirs], goal_s, fall_s, seconds } = game;
-    let end = match (goal_s, fall_s) {
-        (Some(at), _) => format!("goal after {at:.1} s"),
-        (None, Some(at)) => format!("fell after {at:.1} s"),
-        (None, None) => format!("no goal in {seconds:.0} s"),
-    };
-    format!("seed {seed}: {ours}:{theirs}, {end}")
+    entry.check()?;
+    Ok(entry)
 }

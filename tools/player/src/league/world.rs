@@ -1,91 +1,236 @@
 //! The league's server as a world of the forward on a T1.
 
+use std::sync::PoisonError;
+
 use bica::Instant;
 use bica::runner::World;
-use bica_field::league_mark;
-use bica_league::{Agent, Error, Game, Perception, Seen};
+use bica::visual::Scene;
+use bica_field::{SSIM_2026, league_mark};
+use bica_league::{Agent, Body, Error, FieldSide, Game, Monitor, Perception, PlayMode, Seen, Server};
 use bica_motion::joints::Joints;
+use bica_motion::model::RobotModel;
+use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
 use bica_motion::senses::SenseEstimator;
-use bica_player_t1::input::{Object, Sight};
+use bica_player_t1::input::{Object, Sight, View};
 use bica_player_t1::{Forward, Model, Senses};
-use glam::Vec3;
+use bica_sim::show_field;
+use glam::{Vec2, Vec3};
+use serde::Serialize;
+
+use super::entry::Entry;
+use super::opponent::Opponent;
+use super::robot::Standing;
+use super::start::Start;
 
 /// Duration of a cycle of the server, ms.
 const CYCLE: u64 = 20;
+/// Number of cycles in which the robot gets from straight joints to its stand.
+const STANDING_UP: u32 = 100;
+/// Tilt of a torso that lies, rad.
+const LYING: f32 = 1.0;
+/// Time on the ground after which a game is lost, s: the robot cannot get up.
+const LOST_AFTER: f64 = 3.0;
+/// Distance of the players from the halfway line at a kick-off, and from each other, m.
+const KICK_OFF: Vec2 = Vec2::new(2.5, 3.0);
 
-/// A player in the server.
+/// Sensor values of a body that has not measured yet; the robots of the league measure neither temperatures nor currents.
+const UNMEASURED: Sensors<'_> = Sensors {
+    angles: Joints::all(0.0),
+    temperatures: Joints::all(f32::NAN),
+    currents: Joints::all(f32::NAN),
+    inertial: Inertial { gyro: Vec3::ZERO, acceleration: Vec3::ZERO, roll: 0.0, pitch: 0.0 },
+    left_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
+    right_foot: FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 },
+    buttons: Buttons { chest: false, left_bumper: false, right_bumper: false },
+    image: None,
+};
+
+/// How a game went.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(crate) struct LeagueGame {
+    pub(crate) seed: u64,
+    /// Goals of the robot's team and of the other one since the start, by the server's count.
+    pub(crate) score: [u32; 2],
+    /// Time from the start to the first goal of the team, s.
+    pub(crate) goal_s: Option<f64>,
+    /// Time of the fall after which the robot lies, s.
+    pub(crate) fall_s: Option<f64>,
+    /// Duration, s.
+    pub(crate) seconds: f64,
+}
+
+/// A player in the server. Its parts end in this order: the server waits for each player.
 pub(crate) struct LeagueWorld {
     agent: Agent<Model>,
+    opponent: Option<Opponent>,
+    server: Option<Server>,
+    team: String,
     number: u32,
     perception: Perception,
     estimator: SenseEstimator<Model>,
-    sights: Option<Vec<Sight>>,
+    body: Sensors<'static>,
+    view: Option<View>,
     cycles: u64,
-    error: Option<Error>,
+    /// Cycle of the start, and the score then.
+    start: (u64, [u32; 2]),
+    standing: Standing,
 }
 
 impl LeagueWorld {
-    /// A player that has joined with this number, with its first perception.
-    pub(crate) fn new(agent: Agent<Model>, number: u32, first: Perception) -> Self {
-        let mut world = Self {
-            agent,
-            number,
-            perception: Perception::default(),
-            estimator: SenseEstimator::new(),
-            sights: None,
-            cycles: 0,
-            error: None,
-        };
-        world.take(first);
-        world
-    }
-
-    /// State of the game, as the server tells each player.
-    pub(crate) const fn game(&self) -> &Game {
-        &self.perception.game
-    }
-
-    /// Time since the player joined, s.
-    pub(crate) const fn seconds(&self) -> f64 {
-        (CYCLE * self.cycles) as f64 / 1000.0
-    }
-
-    /// Moves the joints to their targets for one cycle.
+    /// Joins a running server, where the game begins by its rules; or starts a server, places robot and ball by the seed, and begins.
     ///
     /// # Errors
-    /// If the connection broke.
-    pub(crate) fn hold(&mut self, targets: &Joints) -> Result<(), Error> {
-        self.move_joints(targets, &Joints::all(1.0));
-        self.error.take().map_or(Ok(()), Err)
-    }
-
-    /// Takes the reason for which the world ended.
-    pub(crate) const fn error(&mut self) -> Option<Error> {
-        self.error.take()
-    }
-
-    fn move_joints(&mut self, targets: &Joints, stiffness: &Joints) {
-        match self.agent.act(targets, stiffness).and_then(|()| self.agent.sense()) {
-            Ok(perception) => self.take(perception),
-            Err(error) => self.error = Some(error),
+    /// If the server cannot be started or reached, or refuses the player.
+    pub(crate) fn open(entry: &Entry, standing: Standing) -> Result<Self, Error> {
+        let server = entry.start()?;
+        let address = server.as_ref().map(Server::address).or(entry.server.as_ref()).ok_or(Error::Refused)?.clone();
+        let (agent, first) = Agent::join(&address, &entry.team, entry.number)?;
+        let mut world = Self {
+            agent,
+            opponent: None,
+            server,
+            team: entry.team.clone(),
+            number: entry.number,
+            perception: Perception::default(),
+            estimator: SenseEstimator::new(),
+            body: UNMEASURED,
+            view: None,
+            cycles: 0,
+            start: (0, [0; 2]),
+            standing,
+        };
+        world.take(first);
+        if world.server.is_some() {
+            if entry.against {
+                let opponent = Opponent::start(address.clone(), entry)?;
+                while !opponent.has_joined()? {
+                    world.stand()?;
+                }
+                world.opponent = Some(opponent);
+            }
+            world.place(&mut Monitor::connect(&address)?, entry.seed)?;
+        } else if !world.is_playing() {
+            world.line_up()?;
         }
+        world.start = (world.cycles, world.score());
+        world.told(|(game, _)| *game = LeagueGame { seed: entry.seed, ..LeagueGame::default() });
+        Ok(world)
+    }
+
+    /// Places ball and robot, lets it stand up, and begins.
+    fn place(&mut self, monitor: &mut Monitor, seed: u64) -> Result<(), Error> {
+        let Start { robot, ball } = Start::new(seed);
+        monitor.place_player(FieldSide::Left, self.number, robot, Model::STANDING_HEIGHT)?;
+        monitor.place_ball(ball, SSIM_2026.ball_radius())?;
+        for _ in 0..STANDING_UP {
+            self.stand()?;
+        }
+        monitor.drop_ball()
+    }
+
+    /// Moves the joints to the stand for one cycle.
+    fn stand(&mut self) -> Result<(), Error> {
+        self.agent.act(&Model::STAND, &Joints::all(1.0))?;
+        self.sense()
+    }
+
+    fn sense(&mut self) -> Result<(), Error> {
+        let perception = self.agent.sense()?;
         self.cycles += 1;
+        self.take(perception);
+        Ok(())
     }
 
     fn take(&mut self, perception: Perception) {
-        let number = self.number;
-        let sight = |sight: &bica_league::Sight| {
-            let object = match &sight.what {
-                Seen::Ball => Object::Ball,
-                Seen::Mark(name) => Object::Mark(league_mark(name)?),
-                Seen::Player { number: other, part, .. } if *other != number && part.ends_with("foot") => Object::Robot,
-                Seen::Player { .. } => return None,
-            };
-            Some(Sight { object, at: vector(sight) })
-        };
-        self.sights = perception.sights.as_ref().map(|sights| sights.iter().filter_map(sight).collect());
         self.perception = perception;
+        let sights = self.perception.sights.as_ref();
+        self.view = sights.map(|sights| sights.iter().filter_map(|sight| self.sight(sight)).collect());
+        let Perception { angles, gyro, acceleration, .. } = self.perception;
+        self.body.angles = angles;
+        self.body.inertial = Inertial { gyro, acceleration, roll: 0.0, pitch: 0.0 };
+        self.estimator.complete(&mut self.body, CYCLE as f32 / 1000.0);
+    }
+
+    /// What the robot knows of a sight: the marks in its own field frame, and the feet of other players.
+    fn sight(&self, sight: &bica_league::Sight) -> Option<Sight> {
+        let object = match &sight.what {
+            Seen::Ball => Object::Ball,
+            Seen::Mark(name) => {
+                let Vec3 { x, y, z } = league_mark(name)?;
+                let side = self.side();
+                Object::Mark([side * x, side * y, z])
+            }
+            Seen::Player { team, number, .. } if (team, *number) == (&self.team, self.number) => return None,
+            Seen::Player { part, .. } if part.ends_with("foot") => Object::Robot,
+            Seen::Player { .. } => return None,
+        };
+        Some(Sight { object, at: vector(sight).into() })
+    }
+
+    fn is_right(&self) -> bool {
+        self.perception.game.teams[1] == self.team
+    }
+
+    /// Direction of the attacked goal along the x axis of the server: 1 or -1.
+    fn side(&self) -> f32 {
+        if self.is_right() { -1.0 } else { 1.0 }
+    }
+
+    /// Goals of the robot's team and of the other one.
+    fn score(&self) -> [u32; 2] {
+        let [left, right] = self.perception.game.score;
+        if self.is_right() { [right, left] } else { [left, right] }
+    }
+
+    /// Whether players may move.
+    fn is_playing(&self) -> bool {
+        let Game { mode, .. } = &self.perception.game;
+        !matches!(mode, PlayMode::BeforeKickOff | PlayMode::Goal | PlayMode::GameOver)
+    }
+
+    /// Time since the start, s.
+    fn seconds(&self) -> f64 {
+        (CYCLE * (self.cycles - self.start.0)) as f64 / 1000.0
+    }
+
+    /// Pose of the player before a kick-off, x towards the attacked goal and y as the server counts it.
+    fn kick_off(&self) -> Pose2 {
+        let aside = f32::from(u8::try_from(self.number % 5).unwrap_or_default()) - 1.0;
+        Pose2 { position: Vec2::new(-1.0, aside) * KICK_OFF, heading: 0.0 }
+    }
+
+    fn told<T>(&self, tell: impl FnOnce(&mut (LeagueGame, Option<Error>)) -> T) -> T {
+        tell(&mut self.standing.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn tell(&self) {
+        let (at, now, before) = (self.seconds(), self.score(), self.start.1);
+        let Inertial { roll, pitch, .. } = self.body.inertial;
+        let is_lying = roll.abs().max(pitch.abs()) > LYING;
+        self.told(|(game, _)| {
+            game.seconds = at;
+            game.score = [0, 1].map(|team| now[team] - before[team]);
+            game.goal_s = game.goal_s.or((game.score[0] > 0).then_some(at));
+            game.fall_s = is_lying.then(|| game.fall_s.unwrap_or(at));
+        });
+    }
+
+    /// Goes to the own place for the next kick-off.
+    fn line_up(&mut self) -> Result<(), Error> {
+        self.agent.place(self.kick_off(), &Model::STAND, &Joints::all(1.0))?;
+        self.sense()
+    }
+
+    /// Acts for one cycle, and senses its result.
+    fn act(&mut self, Command { targets, stiffness, .. }: &Command) -> Result<(), Error> {
+        let was_playing = self.is_playing();
+        self.agent.act(targets, stiffness)?;
+        self.sense()?;
+        if self.server.is_none() && was_playing && self.perception.game.mode == PlayMode::Goal {
+            self.line_up()?;
+        }
+        Ok(())
     }
 }
 
@@ -102,26 +247,44 @@ impl World<Forward> for LeagueWorld {
     }
 
     fn sensors(&mut self) -> Senses<'_> {
-        let Perception { angles, gyro, acceleration, .. } = self.perception;
-        let mut body = Sensors {
-            angles,
-            temperatures: Joints::all(f32::NAN),
-            currents: Joints::all(f32::NAN),
-            inertial: Inertial { gyro, acceleration, roll: 0.0, pitch: 0.0 },
-            left_foot: FootPressure::default(),
-            right_foot: FootPressure::default(),
-            buttons: Buttons::default(),
-            image: None,
-        };
-        self.estimator.complete(&mut body, CYCLE as f32 / 1000.0);
-        Senses { body, sights: self.sights.as_deref() }
+        Senses { body: self.body, view: self.view.clone(), playing: self.is_playing() }
     }
 
     fn act(&mut self, command: &Command) {
-        self.move_joints(&command.targets, &command.stiffness);
+        if let Err(error) = Self::act(self, command) {
+            self.told(|(_, reason)| *reason = Some(error));
+        }
+        self.tell();
     }
 
     fn is_over(&self) -> bool {
-        self.error.is_some()
+        let is_own = self.server.is_some();
+        self.told(|(game, error)| {
+            let is_lost = game.fall_s.is_some_and(|fall| game.seconds - fall >= LOST_AFTER);
+            error.is_some()
+                || self.perception.game.mode == PlayMode::GameOver
+                || (is_own && (is_lost || game.score != [0; 2]))
+        })
+    }
+
+    fn report(&self, out: &mut dyn core::fmt::Write) -> core::fmt::Result {
+        self.told(|(game, _)| write!(out, "{}", game.line()))
+    }
+
+    fn scenery(&self, scene: &mut dyn Scene) {
+        show_field(&SSIM_2026, scene);
+    }
+}
+
+impl LeagueGame {
+    /// The result as a line.
+    pub(crate) fn line(&self) -> String {
+        let Self { seed, score: [ours, theirs], goal_s, fall_s, seconds } = self;
+        let end = match (goal_s, fall_s) {
+            (Some(at), _) => format!("goal after {at:.1} s"),
+            (None, Some(at)) => format!("fell after {at:.1} s"),
+            (None, None) => format!("no goal in {seconds:.0} s"),
+        };
+        format!("seed {seed}: {ours}:{theirs}, {end}")
     }
 }

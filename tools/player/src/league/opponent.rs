@@ -1,0 +1,71 @@
+//! The player of the other team, in a thread.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, mpsc};
+use std::thread::{self, JoinHandle};
+
+use bica::runner::{Runner, World};
+use bica_league::{Address, Error};
+
+use super::entry::Entry;
+use super::robot::{Standing, forward};
+use super::world::LeagueWorld;
+
+/// Name of the other team.
+const TEAM: &str = "Opponent";
+/// Stack of the thread, bytes: it builds a tree.
+const STACK: usize = 16 << 20;
+
+/// A second forward, which plays until it is dropped. The server waits for each player: the other one must have left it before.
+pub(crate) struct Opponent {
+    thread: Option<JoinHandle<()>>,
+    is_over: Arc<AtomicBool>,
+    joined: mpsc::Receiver<Result<(), Error>>,
+}
+
+impl Opponent {
+    /// Starts the thread, which lets the player join.
+    ///
+    /// # Errors
+    /// If there is no thread.
+    pub(crate) fn start(server: Address, entry: &Entry) -> Result<Self, Error> {
+        let entry = Entry { server: Some(server), team: TEAM.to_owned(), against: false, ..entry.clone() };
+        let (is_over, (tell, joined)) = (Arc::new(AtomicBool::new(false)), mpsc::channel());
+        let ended = Arc::clone(&is_over);
+        let play = move || {
+            let world = match LeagueWorld::open(&entry, Standing::default()) {
+                Ok(world) => world,
+                Err(error) => return drop(tell.send(Err(error))),
+            };
+            // Nobody asks any more if the game is over.
+            _ = tell.send(Ok(()));
+            let mut runner = Runner::new(forward(), world);
+            while !ended.load(Ordering::Relaxed) && !World::is_over(runner.world()) {
+                // Infallible.
+                _ = runner.cycle();
+            }
+        };
+        let thread = thread::Builder::new().stack_size(STACK).spawn(play)?;
+        Ok(Self { thread: Some(thread), is_over, joined })
+    }
+
+    /// Whether it has joined its team.
+    ///
+    /// # Errors
+    /// If the server refused it.
+    pub(crate) fn has_joined(&self) -> Result<bool, Error> {
+        match self.joined.try_recv() {
+            Ok(result) => result.map(|()| true),
+            Err(mpsc::TryRecvError::Empty) => Ok(false),
+            Err(mpsc::TryRecvError::Disconnected) => Err(Error::Refused),
+        }
+    }
+}
+
+impl Drop for Opponent {
+    fn drop(&mut self) {
+        self.is_over.store(true, Ordering::Relaxed);
+        // A panic of it has printed its message.
+        _ = self.thread.take().map(JoinHandle::join);
+    }
+}
