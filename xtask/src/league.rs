@@ -25,6 +25,7 @@ pub(crate) fn install() -> Result<(), String> {
 /// If a test or a game fails.
 pub(crate) fn check() -> Result<(), String> {
     run("cargo", &["test", "-p", "bica-league", "--", "--ignored"], &[])?;
+    run("cargo", &["test", "-p", "bica-player-program", "--test", "league", "--", "--ignored"], &[])?;
     let play = ["--", "play", "--world", "league", "--robot", "t1", "--games", "4", "--at-least", "1"];
     run("cargo", &[&["run", "--release"], &play[..]].concat(), &[])
 }

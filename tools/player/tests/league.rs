@@ -1,0 +1,54 @@
+//! Games in the league's server; `cargo xtask ci --only league` runs them.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn player(arguments: &[&str]) -> Output {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    Command::new(env!("CARGO_BIN_EXE_player")).args(arguments).current_dir(workspace).output().expect("the program")
+}
+
+fn game(seconds: &str, more: &[&str]) -> Output {
+    let game = ["play", "--world", "league", "--robot", "t1", "--seed", "3", "--seconds", seconds];
+    player(&[&game[..], more].concat())
+}
+
+/// The recording has what the robot senses, and no true pose: the commands of the replay cannot depend on it.
+#[test]
+#[ignore = "needs the league's server: cargo xtask ci --only league"]
+fn recorded_game_replays_bit_for_bit() {
+    let folder = std::env::temp_dir().join(format!("bica-league-test-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("game.mcap").display().to_string();
+    let played = game("10", &["--record", &file]);
+    assert_eq!(played.status.code(), Some(1), "no goal in 10 s: {played:?}");
+    let replayed = player(&["replay", &file]);
+    let text = String::from_utf8_lossy(&replayed.stdout);
+    assert!(replayed.status.success() && text.contains("equal, bit for bit"), "{replayed:?}");
+    let other = player(&["replay", &file, "--set", "FaceBall.gain=0.5"]);
+    assert_eq!(other.status.code(), Some(1), "another gain moves the head in another way: {other:?}");
+    std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+#[test]
+#[ignore = "needs the league's server: cargo xtask ci --only league"]
+fn second_team_plays_in_the_same_server() {
+    let played = game("5", &["--against"]);
+    let text = String::from_utf8_lossy(&played.stdout);
+    assert!(played.status.code() == Some(1) && text.contains("no goal in 5 s"), "{played:?}");
+}
+
+#[test]
+fn wrong_arguments_are_named() {
+    for (arguments, expected) in [
+        (&["--server", "nowhere"][..], "HOST:PORT"),
+        (&["--server", "127.0.0.1:1"], "--server"),
+        (&["--server", "127.0.0.1:1", "--against"], "--against"),
+        (&["--number", "100"], "0 to 99"),
+        (&["--team", "two words"], "--team"),
+    ] {
+        let refused = game("5", arguments);
+        let text = String::from_utf8_lossy(&refused.stderr);
+        assert!(refused.status.code() == Some(2) && text.contains(expected), "{arguments:?}: {text}");
+    }
+}
