@@ -61,10 +61,11 @@ export function Spark({ information, path, pick, span = 10e6 }) {
 export function Menu({ label, title, children, onOpen }) {
   const button = useRef(null);
   const items = useRef(null);
-  // `toggle` follows some time after the menu is shown; what was typed meanwhile must stay.
   const opens = (event) => { if (event.newState === 'open') onOpen?.(); };
-  const toggled = (event) => {
-    if (event.newState !== 'open') return;
+  // In its place before it is painted: what moves under the pointer is not clicked.
+  const toggle = () => {
+    items.current.togglePopover();
+    if (!items.current.matches(':popover-open')) return;
     const { left, right, bottom } = button.current.getBoundingClientRect();
     const { offsetWidth, offsetHeight, style } = items.current;
     style.left = `${Math.max(4, left + offsetWidth > innerWidth - 4 ? right - offsetWidth : left)}px`;
@@ -73,8 +74,8 @@ export function Menu({ label, title, children, onOpen }) {
   const done = (event) => {
     if (event.target.closest('button.item')) items.current.hidePopover();
   };
-  return html`<button ref=${button} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${() => items.current.togglePopover()}>${label}</button>
-    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onBeforeToggle=${opens} onToggle=${toggled} onClick=${done}>${children}</div>`;
+  return html`<button ref=${button} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${toggle}>${label}</button>
+    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onBeforeToggle=${opens} onClick=${done}>${children}</div>`;
 }
 
 /** Writes a file that the browser saves. */

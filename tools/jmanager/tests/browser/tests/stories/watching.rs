@@ -25,7 +25,10 @@ async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout
     watch(&page, "Odometry.wanders > 1").await;
     page.reads("there is no output or parameter “Odometry.wanders”").await;
     page.click("switch", "Pause the world", "Watches").await;
-    let text = "Odometry.walked.y > 0.2 for 500 ms";
+    // 30 images a second: it begins some seconds later, and stays true while a busy page pauses the world.
+    let clock = "return document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
+    let seconds = page.run(clock, vec![]).await.as_f64().expect("a time");
+    let text = &*format!("CameraInput.count > {:.0} for 500 ms", 30.0 * (seconds + 6.0));
     watch(&page, text).await;
     page.reads("Watch fired at").await;
     page.reads("The world is paused; all panels show").await;
