@@ -16,7 +16,7 @@ export function Banner() {
   const { name, connection, note, result, kind } = own;
   if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
   if (alarm.value) return html`<${Alarm} ...${alarm.value} />`;
-  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<${Result} own=${own} />`;
+  if (result && kind !== 'recording' && (note || connection === 'ended')) return !dock.isPlain() && html`<${Result} own=${own} />`;
   if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
   return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
 }

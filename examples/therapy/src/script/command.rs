@@ -4,7 +4,7 @@ use bica_motion::robot::Light;
 
 use super::words::Line;
 use super::{Clip, Problem};
-use crate::session::{Button, Lamp, Movement, Signal, Step, Task, Tasks, Until};
+use crate::session::{Lamp, Movement, Signal, Step, Tasks, Until};
 
 /// A line of a script.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,48 +24,53 @@ pub(super) enum Command {
     End,
 }
 
-/// First words of a line.
-#[derive(Clone, Copy)]
-enum Verb {
-    Title,
-    Language,
-    Say,
-    Music,
-    Movement,
-    Exercise,
-    Volume,
-    Light,
-    Walk,
-    Turn,
-    Wait,
-    Stop,
-    Stiffness,
-    Place,
-    Go,
-    Repeat,
-    When,
-    End,
-}
+/// Reads what follows the first word of a line.
+pub(super) type Read = fn(&mut Line<'_>) -> Result<Command, Problem>;
 
-const VERBS: [(&str, Verb); 18] = [
-    ("title", Verb::Title),
-    ("language", Verb::Language),
-    ("say", Verb::Say),
-    ("music", Verb::Music),
-    ("movement", Verb::Movement),
-    ("exercise", Verb::Exercise),
-    ("volume", Verb::Volume),
-    ("light", Verb::Light),
-    ("walk", Verb::Walk),
-    ("turn", Verb::Turn),
-    ("wait", Verb::Wait),
-    ("stop", Verb::Stop),
-    ("stiffness", Verb::Stiffness),
-    ("place", Verb::Place),
-    ("go", Verb::Go),
-    ("repeat", Verb::Repeat),
-    ("when", Verb::When),
-    ("end", Verb::End),
+/// First words of a line.
+pub(super) const VERBS: [(&str, Read); 18] = [
+    ("title", |line| Ok(Command::Title(line.text("the title")?.0.to_owned()))),
+    ("language", |line| Ok(Command::Language(line.choice("a language", &LANGUAGES)?.to_owned()))),
+    ("say", say),
+    ("music", |line| line.text("the file").map(|(file, at)| Command::Play(Clip::File(file.into()), at))),
+    ("movement", |line| {
+        let movement = line.choice("a movement", &Movement::NAMES)?;
+        let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
+        Ok(Command::Step(Step::Move { movement, tempo: tempo / 100.0 }))
+    }),
+    ("exercise", exercise),
+    ("volume", |line| Ok(Command::Step(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0)))),
+    ("light", |line| {
+        let lamp = line.choice("a light", &LAMPS)?;
+        Ok(Command::Step(Step::Light(lamp, line.choice("a colour", &COLOURS)?)))
+    }),
+    ("walk", |line| {
+        let [forward, left] = line.choice("a direction", &DIRECTIONS)?;
+        let distance = line.measure("a distance in metres", 0.02..=0.5, "m")?;
+        Ok(Command::Step(Step::Walk([forward * distance, left * distance, 0.0])))
+    }),
+    ("turn", |line| {
+        let sign = line.choice("a side", &[("left", 1.0_f32), ("right", -1.0)])?;
+        let angle = line.number("an angle in degrees", 5.0..=90.0)?;
+        Ok(Command::Step(Step::Walk([0.0, 0.0, sign * angle.to_radians()])))
+    }),
+    ("wait", wait),
+    ("stop", |line| Ok(Command::Step(Step::Stop(line.choice("a task", &TASKS)?)))),
+    ("stiffness", |line| {
+        Ok(Command::Step(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?)))
+    }),
+    ("place", |line| line.name("the name of the place").map(|(name, at)| Command::Place(name.to_owned(), at))),
+    ("go", |line| {
+        line.expect(&["to"])?;
+        line.name("the name of a place").map(|(name, at)| Command::GoTo(name.to_owned(), at))
+    }),
+    ("repeat", |line| {
+        let times = line.count("a number of times", 2..=1000)?;
+        line.expect(&["times"])?;
+        Ok(Command::Repeat(times))
+    }),
+    ("when", |line| Ok(Command::When(line.choice("a result of the exercise", &BRANCHES)?))),
+    ("end", |_| Ok(Command::End)),
 ];
 
 /// Languages that `espeak-ng` speaks, by their codes in ISO 639-1.
@@ -90,18 +95,14 @@ const DIRECTIONS: [(&str, [f32; 2]); 4] =
     [("forward", [1.0, 0.0]), ("backward", [-1.0, 0.0]), ("left", [0.0, 1.0]), ("right", [0.0, -1.0])];
 
 const TASKS: [(&str, Tasks); 5] = [
-    ("movement", Tasks::of(Task::Movement)),
-    ("speech", Tasks::of(Task::Speech)),
-    ("music", Tasks::of(Task::Music)),
-    ("walk", Tasks::of(Task::Walk)),
+    ("movement", Tasks { movement: true, ..Tasks::NONE }),
+    ("speech", Tasks { speech: true, ..Tasks::NONE }),
+    ("music", Tasks { music: true, ..Tasks::NONE }),
+    ("walk", Tasks { walk: true, ..Tasks::NONE }),
     ("all", Tasks::ALL),
 ];
 
-const BUTTONS: [(&str, Signal); 3] = [
-    ("chest", Signal::Press(Button::Chest)),
-    ("left", Signal::Press(Button::Left)),
-    ("right", Signal::Press(Button::Right)),
-];
+const BUTTONS: [(&str, Signal); 3] = [("chest", Signal::Chest), ("left", Signal::Left), ("right", Signal::Right)];
 
 const TOUCHES: [(&str, Signal); 3] =
     [("head", Signal::Head), ("left_hand", Signal::LeftHand), ("right_hand", Signal::RightHand)];
@@ -117,55 +118,9 @@ pub(super) fn parse(number: usize, line: &str) -> Result<Option<Command>, Proble
     if line.is_done() {
         return Ok(None);
     }
-    let command = command(&mut line)?;
+    let command = line.choice("a command", &VERBS)?(&mut line)?;
     line.end()?;
     Ok(Some(command))
-}
-
-fn command(line: &mut Line<'_>) -> Result<Command, Problem> {
-    Ok(match line.choice("a command", &VERBS)? {
-        Verb::Title => Command::Title(line.text("the title")?.0.to_owned()),
-        Verb::Language => Command::Language(line.choice("a language", &LANGUAGES)?.to_owned()),
-        Verb::Say => say(line)?,
-        Verb::Music => line.text("the file").map(|(file, at)| Command::Play(Clip::File(file.into()), at))?,
-        Verb::Movement => {
-            let movement = line.choice("a movement", &Movement::NAMES)?;
-            let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
-            Command::Step(Step::Move { movement, tempo: tempo / 100.0 })
-        }
-        Verb::Exercise => exercise(line)?,
-        Verb::Volume => Command::Step(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0)),
-        Verb::Light => {
-            let lamp = line.choice("a light", &LAMPS)?;
-            Command::Step(Step::Light(lamp, line.choice("a colour", &COLOURS)?))
-        }
-        Verb::Walk => {
-            let [forward, left] = line.choice("a direction", &DIRECTIONS)?;
-            let distance = line.number("a distance in metres", 0.02..=0.5)?;
-            line.expect(&["m"])?;
-            Command::Step(Step::Walk([forward * distance, left * distance, 0.0]))
-        }
-        Verb::Turn => {
-            let sign = line.choice("a side", &[("left", 1.0_f32), ("right", -1.0)])?;
-            let angle = line.number("an angle in degrees", 5.0..=90.0)?;
-            Command::Step(Step::Walk([0.0, 0.0, sign * angle.to_radians()]))
-        }
-        Verb::Wait => wait(line)?,
-        Verb::Stop => Command::Step(Step::Stop(line.choice("a task", &TASKS)?)),
-        Verb::Stiffness => Command::Step(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?)),
-        Verb::Place => line.name("the name of the place").map(|(name, at)| Command::Place(name.to_owned(), at))?,
-        Verb::Go => {
-            line.expect(&["to"])?;
-            line.name("the name of a place").map(|(name, at)| Command::GoTo(name.to_owned(), at))?
-        }
-        Verb::Repeat => {
-            let times = line.count("a number of times", 2..=1000)?;
-            line.expect(&["times"])?;
-            Command::Repeat(times)
-        }
-        Verb::When => Command::When(line.choice("a result of the exercise", &BRANCHES)?),
-        Verb::End => Command::End,
-    })
 }
 
 fn say(line: &mut Line<'_>) -> Result<Command, Problem> {
@@ -182,11 +137,7 @@ fn exercise(line: &mut Line<'_>) -> Result<Command, Problem> {
     let movement = line.choice("a movement", &Movement::NAMES)?;
     line.expect(&["reps"])?;
     let repetitions = line.count("a number of repetitions", 1..=100)?;
-    let mut hold = 0.0;
-    if line.has("hold") {
-        hold = line.number("a time in seconds", 0.5..=60.0)?;
-        line.expect(&["s"])?;
-    }
+    let hold = if line.has("hold") { line.measure("a time in seconds", 0.5..=60.0, "s")? } else { 0.0 };
     let limit = at_most(line)?;
     Ok(Command::Step(Step::Exercise { movement, repetitions, hold, limit, then: [0; 3] }))
 }
@@ -197,8 +148,7 @@ fn wait(line: &mut Line<'_>) -> Result<Command, Problem> {
     } else if line.has("touch") {
         Until::Signal(line.choice("a place to touch", &TOUCHES)?)
     } else if line.next_is_number() {
-        let seconds = line.number("a time in seconds", 0.1..=LONGEST)?;
-        line.expect(&["s"])?;
+        let seconds = line.measure("a time in seconds", 0.1..=LONGEST, "s")?;
         return Ok(Command::Step(Step::Wait(Until::Time, seconds)));
     } else {
         let allowed = ["a time in seconds", "press", "touch", "movement", "speech", "music", "walk", "all"];
@@ -210,7 +160,5 @@ fn wait(line: &mut Line<'_>) -> Result<Command, Problem> {
 /// Reads the time limit, which each wait must have.
 fn at_most(line: &mut Line<'_>) -> Result<f32, Problem> {
     line.expect(&["at", "most"])?;
-    let seconds = line.number("a time in seconds", 0.1..=LONGEST)?;
-    line.expect(&["s"])?;
-    Ok(seconds)
+    line.measure("a time in seconds", 0.1..=LONGEST, "s")
 }

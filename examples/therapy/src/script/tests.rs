@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::session::{Movement, Task, Tasks, Until};
+use crate::session::{Movement, Tasks, Until};
 
 fn steps(text: &str) -> Vec<Step> {
     Script::parse(text).unwrap_or_else(|problems| panic!("{problems:?}")).steps
@@ -35,7 +35,8 @@ fn loops_and_branches_become_numbers_of_steps() {
 fn walk_keeps_its_first_value_and_stop_names_its_task() {
     let text = "walk forward 0.2 m\nturn right 90\nstop music # not \"all\"";
     let turn = -core::f32::consts::FRAC_PI_2;
-    let wanted = [Step::Walk([0.2, 0.0, 0.0]), Step::Walk([0.0, 0.0, turn]), Step::Stop(Tasks::of(Task::Music))];
+    let wanted =
+        [Step::Walk([0.2, 0.0, 0.0]), Step::Walk([0.0, 0.0, turn]), Step::Stop(Tasks { music: true, ..Tasks::NONE })];
     assert_eq!(steps(text), wanted);
 }
 
@@ -100,6 +101,20 @@ fn each_wrong_script_has_its_error_at_its_place() {
     assert_eq!(lines, [1, 3, 4, 7, 9], "all errors are told");
     let lost = Script::parse("go to b\nwait 1 s\nplace b\nwait 1 s").expect_err("lost");
     assert_eq!(lost[0].to_string(), "2:1: this line is never reached");
+}
+
+#[test]
+fn each_command_of_the_documentation_exists() {
+    let docs = include_str!("../../../../docs/therapy.md");
+    let rows = docs.lines().skip_while(|line| *line != "| command | what it does |").skip(2);
+    let rows: Vec<_> = rows.map_while(|line| line.strip_prefix("| ")?.split(" | ").next()).collect();
+    let named = rows.iter().flat_map(|row| row.split('`').skip(1).step_by(2)).map(|line| line.replace("NAME", "nod"));
+    let first = named.map(|line| {
+        assert!(matches!(command::parse(1, &line), Ok(Some(_))), "{line}: {:?}", command::parse(1, &line));
+        line.split(' ').next().unwrap_or_default().to_owned()
+    });
+    let first: Vec<_> = first.collect();
+    assert!(command::VERBS.iter().all(|(verb, _)| first.iter().any(|named| named == verb)), "{first:?}");
 }
 
 #[test]
