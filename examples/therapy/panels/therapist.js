@@ -5,7 +5,7 @@ import { act, ask, command, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const HOLD_MS = 2000;
-const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['Motors', 'targets'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'last']];
+const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['Motors', 'targets'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'examples'], ['ExerciseCheck', 'last']];
 const STATES = {
   ready: ['Ready', 'The robot stands and waits. Press “Start” when everyone is seated.'],
   running: ['Running', 'the robot shows, the person follows'],
@@ -111,8 +111,10 @@ function Therapist({ visible }) {
   const part = parts[now];
   const trouble = read('Guard', 'trouble');
   const counts = read('ExerciseCheck', 'counts');
-  const volume = Math.round((read('Sound', 'volume') ?? 0.6) * 10);
   const ease = Math.round((read('Session', 'ease') ?? 1) * 100);
+  const examples = read('ExerciseCheck', 'examples') ?? 0;
+  const wanted = Math.max(1, Math.floor((/reps (\d+)/.exec(part?.does)?.[1] ?? 1) * ease / 100));
+  const volume = Math.round((read('Sound', 'volume') ?? 0.6) * 10);
   const hottest = read('Guard', 'hottest');
   const battery = Math.round((read('Guard', 'battery') ?? 0) * 100);
   const [yes, no] = [html`<span class="yes">✓</span>`, html`<span class="warn">⚠</span>`];
@@ -138,7 +140,8 @@ function Therapist({ visible }) {
       ${state !== 'stopped' && /arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
       ${state === 'ready' && script.value && html`<ul aria-label="Checked before the start"><li>${yes}${lines}</li><li>${read('Guard', 'battery') > 0.3 ? yes : no}Battery ${battery} %</li><li>${hottest < 60 ? yes : no}The hottest joint has ${Math.round(hottest ?? 0)} °C</li><li>${no}<span><strong>Please look:</strong> is one arm’s length free around the robot?</span></li></ul>`}
       ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
-      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
+      ${state === 'exercising' && examples < 3 && html`<p>The robot learns from three correct repetitions: <strong>${examples} of 3</strong></p>`}
+      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> of ${wanted} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
       <${Last} last=${read('ExerciseCheck', 'last')} />
       ${ease < 100 && html`<p class="dim">Easier: ${ease} % of tempo and repetitions</p>`}
       ${part && html`<p class="dim">Line ${part.line} of ${fileName(script.value.file)}</p>`}</section>
