@@ -15,7 +15,7 @@ use therapy::input::Guard;
 use therapy::robot::Therapist;
 use therapy::room::Room;
 use therapy::script::Script;
-use therapy::session::Session;
+use therapy::session::{Session, Signal};
 
 type Test = Harness<Therapist, InWorld<Room>>;
 
@@ -76,7 +76,7 @@ fn stop_at_a_thousand_instants_ends_all_until_somebody_lets_it_go_on() {
             0 => test.tree_mut().get_mut::<Session>().stop(),
             _ => {
                 // The bumper that is not waited for.
-                test.world_mut().press_right_bumper();
+                test.world_mut().press(Signal::Right, 0.2);
             }
         }
         assert_stops(&mut test, ms(500));
@@ -108,14 +108,14 @@ fn stop_holds_in_every_state_and_against_every_button() {
         test.reaches::<Session>(state, ms(1000));
         test.tree_mut().get_mut::<Session>().stop();
         test.reaches::<Session>("stopped", ms(50));
-        test.world_mut().press_chest(0.5);
-        test.world_mut().touch_head();
+        test.world_mut().press(Signal::Chest, 0.5);
+        test.world_mut().press(Signal::Head, 0.2);
         assert_stops(&mut test, ms(5000));
     }
     let mut test = start(LIVELY);
     test.tree_mut().get_mut::<Session>().stop();
     test.reaches::<Session>("stopped", ms(50));
-    test.world_mut().press_chest(2.5);
+    test.world_mut().press(Signal::Chest, 2.5);
     test.stays::<Session>("stopped", ms(1900));
     test.reaches::<Session>("running", ms(200));
 }
@@ -125,12 +125,12 @@ fn pause_lowers_the_arms_and_repeats_what_was_begun() {
     let mut test = start("movement arms_open\nwait movement at most 60 s\nmovement nod\nwait movement at most 60 s");
     test.run_for(ms(1500));
     let raised = test.world().angles();
-    test.world_mut().press_chest(0.2);
+    test.world_mut().press(Signal::Chest, 0.2);
     test.reaches::<Session>("paused", ms(50));
     test.until("the arms are down", ms(5000), |test| !test.tree().get::<Mover>().is_running());
     assert!(way(&raised, &test.world().angles()) > 20.0);
     test.stays::<Session>("paused", ms(3000));
-    test.world_mut().press_chest(0.2);
+    test.world_mut().press(Signal::Chest, 0.2);
     test.reaches::<Session>("waiting", ms(50));
     assert_eq!(test.tree().get::<Session>().at(), 1, "the first movement begins anew");
 }
@@ -141,7 +141,7 @@ fn wait_ends_at_its_limit() {
     test.reaches::<Session>("waiting", ms(50));
     assert!(test.reaches::<Session>("running", ms(3000)) >= ms(1950));
     test.run_for(ms(100));
-    test.world_mut().touch_head();
+    test.world_mut().press(Signal::Head, 0.2);
     test.reaches::<Session>("finished", ms(50));
 }
 
@@ -191,7 +191,7 @@ fn troubles_pause_or_stop_and_only_a_person_lets_it_go_on() {
     test.stays::<Session>("paused", ms(1000));
     test.world_mut().heat(false);
     test.stays::<Session>("paused", ms(1000));
-    test.world_mut().press_chest(0.2);
+    test.world_mut().press(Signal::Chest, 0.2);
     test.reaches::<Session>("waiting", ms(100));
     test.world_mut().push_over(true);
     test.reaches::<Session>("stopped", ms(50));

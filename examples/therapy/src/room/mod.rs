@@ -161,43 +161,22 @@ impl Room {
         let raised = libm::sinf(PI * (time / REPETITION - 0.25).max(0.0) / 0.75);
         Some(Person { peak: self.peak, ..Person::STILL }.at(raised))
     }
-
-    fn press(&mut self, signal: Signal, seconds: f32) {
-        self.pressed = (Some(signal), (seconds * RATE as f32) as u64);
-    }
 }
 
 /// What an operator can do.
 #[world_actions]
 impl Room {
-    /// Presses the button in the chest.
+    /// Presses or touches the robot.
     #[action]
-    pub fn press_chest(
+    pub const fn press(
         &mut self,
+        signal: Signal,
         #[range(0.05..=5.0)]
         #[unit("s")]
         #[default(0.2)]
         seconds: f32,
     ) {
-        self.press(Signal::Chest, seconds);
-    }
-
-    /// Presses the bumper of the left foot.
-    #[action]
-    pub fn press_left_bumper(&mut self) {
-        self.press(Signal::Left, 0.2);
-    }
-
-    /// Presses the bumper of the right foot.
-    #[action]
-    pub fn press_right_bumper(&mut self) {
-        self.press(Signal::Right, 0.2);
-    }
-
-    /// Touches the head.
-    #[action]
-    pub fn touch_head(&mut self) {
-        self.press(Signal::Head, 0.2);
+        self.pressed = (Some(signal), (seconds * RATE as f32) as u64);
     }
 
     /// Pushes the robot over, or puts it on its feet again.
@@ -221,7 +200,7 @@ impl World<Therapist> for Room {
     fn sensors(&mut self) -> Sensors {
         let order = self.orders.get(self.cycle as usize).copied();
         if self.start == Some(self.cycle) {
-            self.press_chest(0.2);
+            self.press(Signal::Chest, 0.2);
         }
         let measured = self.body.sense();
         let Inertial { gyro, roll, pitch, .. } = measured.inertial;

@@ -2,75 +2,67 @@
 
 use bica_motion::robot::Light;
 
+use super::build::Builder;
 use super::words::Line;
 use super::{Clip, Problem};
 use crate::session::{Lamp, Movement, Signal, Step, Tasks, Until};
 
-/// A line of a script.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Command {
-    Title(String),
-    Language(String),
-    /// A step as it is.
-    Step(Step),
-    /// A clip of sound, with the place of its file or text.
-    Speak(Clip, (usize, usize)),
-    Play(Clip, (usize, usize)),
-    Place(String, (usize, usize)),
-    GoTo(String, (usize, usize)),
-    Repeat(u16),
-    /// A branch of the exercise before it: 0 done, 1 not done, 2 nobody there.
-    When(usize),
-    End,
-}
-
-/// Reads what follows the first word of a line.
-pub(super) type Read = fn(&mut Line<'_>) -> Result<Command, Problem>;
+/// Reads what follows the first word of a line, and adds it to the script.
+pub(super) type Read = fn(&mut Builder, &mut Line<'_>) -> Result<(), Problem>;
 
 /// First words of a line.
 pub(super) const VERBS: [(&str, Read); 18] = [
-    ("title", |line| Ok(Command::Title(line.text("the title")?.0.to_owned()))),
-    ("language", |line| Ok(Command::Language(line.choice("a language", &LANGUAGES)?.to_owned()))),
+    ("title", |script, line| line.text("the title").map(|(title, _)| title.clone_into(&mut script.script.title))),
+    ("language", |script, line| {
+        line.choice("a language", &LANGUAGES).map(|code| code.clone_into(&mut script.language))
+    }),
     ("say", say),
-    ("music", |line| line.text("the file").map(|(file, at)| Command::Play(Clip::File(file.into()), at))),
-    ("movement", |line| {
+    ("music", |script, line| {
+        let (file, at) = line.text("the file")?;
+        script.sound(Step::Play, Clip::File(file.into()), at)
+    }),
+    ("movement", |script, line| {
         let movement = line.choice("a movement", &Movement::NAMES)?;
         let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
-        Ok(Command::Step(Step::Move { movement, tempo: tempo / 100.0 }))
+        script.push(Step::Move { movement, tempo: tempo / 100.0 })
     }),
     ("exercise", exercise),
-    ("volume", |line| Ok(Command::Step(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0)))),
-    ("light", |line| {
+    ("volume", |script, line| script.push(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0))),
+    ("light", |script, line| {
         let lamp = line.choice("a light", &LAMPS)?;
-        Ok(Command::Step(Step::Light(lamp, line.choice("a colour", &COLOURS)?)))
+        script.push(Step::Light(lamp, line.choice("a colour", &COLOURS)?))
     }),
-    ("walk", |line| {
+    ("walk", |script, line| {
         let [forward, left] = line.choice("a direction", &DIRECTIONS)?;
         let distance = line.measure("a distance in metres", 0.02..=0.5, "m")?;
-        Ok(Command::Step(Step::Walk([forward * distance, left * distance, 0.0])))
+        script.push(Step::Walk([forward * distance, left * distance, 0.0]))
     }),
-    ("turn", |line| {
+    ("turn", |script, line| {
         let sign = line.choice("a side", &[("left", 1.0_f32), ("right", -1.0)])?;
         let angle = line.number("an angle in degrees", 5.0..=90.0)?;
-        Ok(Command::Step(Step::Walk([0.0, 0.0, sign * angle.to_radians()])))
+        script.push(Step::Walk([0.0, 0.0, sign * angle.to_radians()]))
     }),
     ("wait", wait),
-    ("stop", |line| Ok(Command::Step(Step::Stop(line.choice("a task", &TASKS)?)))),
-    ("stiffness", |line| {
-        Ok(Command::Step(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?)))
+    ("stop", |script, line| script.push(Step::Stop(line.choice("a task", &TASKS)?))),
+    ("stiffness", |script, line| {
+        script.push(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?))
     }),
-    ("place", |line| line.name("the name of the place").map(|(name, at)| Command::Place(name.to_owned(), at))),
-    ("go", |line| {
+    ("place", |script, line| {
+        let (name, at) = line.name("the name of the place")?;
+        script.place(name, at)
+    }),
+    ("go", |script, line| {
         line.expect(&["to"])?;
-        line.name("the name of a place").map(|(name, at)| Command::GoTo(name.to_owned(), at))
+        let (name, at) = line.name("the name of a place")?;
+        script.go_to(name, at)
     }),
-    ("repeat", |line| {
+    ("repeat", |script, line| {
         let times = line.count("a number of times", 2..=1000)?;
         line.expect(&["times"])?;
-        Ok(Command::Repeat(times))
+        script.repeat(times)
     }),
-    ("when", |line| Ok(Command::When(line.choice("a result of the exercise", &BRANCHES)?))),
-    ("end", |_| Ok(Command::End)),
+    ("when", |script, line| script.when(line.choice("a result of the exercise", &BRANCHES)?)),
+    ("end", |script, _| script.end()),
 ];
 
 /// Languages that `espeak-ng` speaks, by their codes in ISO 639-1.
@@ -112,49 +104,48 @@ const BRANCHES: [(&str, usize); 3] = [("done", 0), ("not_done", 1), ("nobody", 2
 /// Most time of a wait or of an exercise, s.
 const LONGEST: f32 = 3600.0;
 
-/// Parses a line; `None` if it is empty.
-pub(super) fn parse(number: usize, line: &str) -> Result<Option<Command>, Problem> {
+/// Reads a line, which may be empty.
+pub(super) fn read(script: &mut Builder, number: usize, line: &str) -> Result<(), Problem> {
     let mut line = Line::new(number, line)?;
     if line.is_done() {
-        return Ok(None);
+        return Ok(());
     }
-    let command = line.choice("a command", &VERBS)?(&mut line)?;
-    line.end()?;
-    Ok(Some(command))
+    line.choice("a command", &VERBS)?(script, &mut line)?;
+    line.end()
 }
 
-fn say(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn say(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     if line.has("file") {
         let (file, at) = line.text("the file")?;
-        return Ok(Command::Speak(Clip::File(file.into()), at));
+        return script.sound(Step::Speak, Clip::File(file.into()), at);
     }
     let (text, at) = line.text("the text")?;
-    let language = line.has("in").then(|| line.choice("a language", &LANGUAGES)).transpose()?;
-    Ok(Command::Speak(Clip::Text { text: text.to_owned(), language: language.unwrap_or_default().to_owned() }, at))
+    let own = line.has("in").then(|| line.choice("a language", &LANGUAGES)).transpose()?;
+    let language = own.unwrap_or(&script.language).to_owned();
+    script.sound(Step::Speak, Clip::Text { text: text.to_owned(), language }, at)
 }
 
-fn exercise(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn exercise(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     let movement = line.choice("a movement", &Movement::NAMES)?;
     line.expect(&["reps"])?;
     let repetitions = line.count("a number of repetitions", 1..=100)?;
     let hold = if line.has("hold") { line.measure("a time in seconds", 0.5..=60.0, "s")? } else { 0.0 };
     let limit = at_most(line)?;
-    Ok(Command::Step(Step::Exercise { movement, repetitions, hold, limit, then: [0; 3] }))
+    script.push(Step::Exercise { movement, repetitions, hold, limit, then: [0; 3] })
 }
 
-fn wait(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn wait(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     let until = if line.has("press") {
         Until::Signal(line.choice("a button", &BUTTONS)?)
     } else if line.has("touch") {
         Until::Signal(line.choice("a place to touch", &TOUCHES)?)
     } else if line.next_is_number() {
-        let seconds = line.measure("a time in seconds", 0.1..=LONGEST, "s")?;
-        return Ok(Command::Step(Step::Wait(Until::Time, seconds)));
+        return script.push(Step::Wait(Until::Time, line.measure("a time in seconds", 0.1..=LONGEST, "s")?));
     } else {
         let allowed = ["a time in seconds", "press", "touch", "movement", "speech", "music", "walk", "all"];
         Until::Ends(line.choice("what is waited for", &TASKS).map_err(|problem| problem.with_allowed(&allowed))?)
     };
-    Ok(Command::Step(Step::Wait(until, at_most(line)?)))
+    script.push(Step::Wait(until, at_most(line)?))
 }
 
 /// Reads the time limit, which each wait must have.

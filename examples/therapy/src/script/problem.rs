@@ -34,6 +34,11 @@ impl Problem {
         Self { line: at.0, column: at.1, what: what.into(), allowed, nearest }
     }
 
+    /// An error that no other word mends.
+    pub(super) fn at(at: (usize, usize), what: impl Into<String>) -> Self {
+        Self::new(at, what, "", &[])
+    }
+
     /// The same error with another list of what can stand there.
     pub(super) fn with_allowed(self, allowed: &[&str]) -> Self {
         Self { allowed: allowed.iter().map(ToString::to_string).collect(), ..self }

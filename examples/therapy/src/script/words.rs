@@ -55,7 +55,7 @@ impl<'a> Line<'a> {
         let Some(sign) = text[offset..].chars().next() else { return Ok(line) };
         let at = line.place(offset);
         if sign == '"' {
-            return Err(Problem::new(at, "the text has no closing quote `\"`", "", &[]));
+            return Err(Problem::at(at, "the text has no closing quote `\"`"));
         }
         Err(Problem::new(at, format!("`{sign}` cannot stand here"), "", &["a word", "a number", "a text in quotes"]))
     }
@@ -141,7 +141,7 @@ impl<'a> Line<'a> {
             return Err(self.wrong(wanted, &["a text in quotes"]));
         };
         if text.trim().is_empty() {
-            return Err(Problem::new(at, format!("{wanted} is empty"), "", &[]));
+            return Err(Problem::at(at, format!("{wanted} is empty")));
         }
         self.words.next();
         Ok((text, at))

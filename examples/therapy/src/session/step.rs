@@ -70,7 +70,7 @@ pub enum Until {
 
 /// What can be pressed or touched.
 #[message]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ParamEnum)]
 pub enum Signal {
     /// The button in the chest.
     Chest,
