@@ -49,12 +49,10 @@ impl fmt::Display for Problem {
     /// `LINE:COLUMN: what is wrong; what is allowed`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}: {}", self.line, self.column, self.what)?;
-        if let Some(nearest) = &self.nearest {
-            write!(f, "; did you mean `{nearest}`?")?;
+        match &self.nearest {
+            Some(nearest) => write!(f, "; did you mean `{nearest}`? Allowed: {}", self.allowed.join(", ")),
+            None if !self.allowed.is_empty() => write!(f, ". Allowed: {}", self.allowed.join(", ")),
+            None => Ok(()),
         }
-        if !self.allowed.is_empty() {
-            write!(f, " Allowed: {}", self.allowed.join(", "))?;
-        }
-        Ok(())
     }
 }
