@@ -273,25 +273,30 @@ mod with_forces {
     }
 
     #[test]
-    #[ignore = "long: 1000 stops"]
+    fn a_session_in_mujoco_keeps_all_that() {
+        play_long("language", 1..=1, |room, seed| room.with_forces(seed).expect("a body"));
+    }
+
+    #[test]
+    #[ignore = "long: `cargo xtask long` runs it"]
     fn long_stops_slow_all_joints_within_half_a_second() {
         stop_with_forces(20, 50);
     }
 
     #[test]
-    #[ignore = "long: 20 sessions of more than ten minutes"]
+    #[ignore = "long: `cargo xtask long` runs it"]
     fn long_physiotherapy_keeps_all_that() {
         play("physiotherapy");
     }
 
     #[test]
-    #[ignore = "long: 20 sessions of more than ten minutes"]
+    #[ignore = "long: `cargo xtask long` runs it"]
     fn long_music_keeps_all_that() {
         play("music");
     }
 
     #[test]
-    #[ignore = "long: 20 sessions of more than ten minutes"]
+    #[ignore = "long: `cargo xtask long` runs it"]
     fn long_language_keeps_all_that() {
         play("language");
     }

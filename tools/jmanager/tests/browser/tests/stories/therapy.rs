@@ -152,6 +152,12 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.reads("You operate the robot").await;
     button(&page, "Give back").await;
     page.reads("Nobody operates the robot").await;
+    // An engineer beside the therapist.
+    page.press("1").await;
+    page.reads("operator: nobody").await;
+    page.find("button", "Session", "Activation tree").await;
+    assert_eq!(page.run(AXE, vec![]).await, json!([]), "the whole bar");
+    page.screenshot("therapist-engineer").await;
     page.close().await;
 }
 
