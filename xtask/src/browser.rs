@@ -10,6 +10,8 @@ pub(crate) const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests
 const PROGRAMS: [&str; 5] = ["build", "--package", "jmanager", "--package", "bica-player-program"];
 /// A robot of another kind, with its monitor.
 const EXAMPLE: [&str; 7] = ["build", "--package", "bica-app", "--features", "monitor", "--example", "wall_follower"];
+/// A program with a panel of its own.
+const THERAPY: [&str; 5] = ["build", "--package", "therapy", "--features", "monitor"];
 /// Arguments of Cargo that run the tests.
 const TEST: [&str; 9] = [
     "test",
@@ -55,7 +57,8 @@ fn prepare() -> Result<(), String> {
     install()?;
     firmware::prepare()?;
     run("cargo", &PROGRAMS, &[])?;
-    run("cargo", &EXAMPLE, &[])
+    run("cargo", &EXAMPLE, &[])?;
+    run("cargo", &THERAPY, &[])
 }
 
 /// Installs Chromium, Firefox, their `WebDriver`s, and the checks of accessibility.

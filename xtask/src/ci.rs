@@ -147,12 +147,12 @@ fn coverage() -> Result<(), String> {
     run("cargo", &[&vicode[..], &games, &["--summary"]].concat(), &[])
 }
 
-/// Installs MuJoCo if it is `wanted`, and returns the feature of the program's libraries that needs it.
+/// Installs MuJoCo if it is `wanted`, and returns the features of the packages with long tests that need it.
 ///
 /// # Errors
 /// If the installation fails.
 pub(crate) fn with_mujoco(wanted: bool) -> Result<&'static [&'static str], String> {
-    if wanted { mujoco::install().map(|()| &["bica-player-program/mujoco"][..]) } else { Ok(&[]) }
+    if wanted { mujoco::install().map(|()| &["bica-player-program/mujoco", "therapy/mujoco"][..]) } else { Ok(&[]) }
 }
 
 /// Plays games in the built-in world.

@@ -5,7 +5,7 @@ import { act, ask, command, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const HOLD_MS = 2000;
-const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'last']];
+const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['Motors', 'targets'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'examples'], ['ExerciseCheck', 'last']];
 const STATES = {
   ready: ['Ready', 'The robot stands and waits. Press “Start” when everyone is seated.'],
   running: ['Running', 'the robot shows, the person follows'],
@@ -96,11 +96,13 @@ function Therapist({ visible }) {
   }, [now, script.value]);
 
   if (machine < 0) return html`<${Empty} what="No session" help="Open a world of the therapy player with + first." />`;
-  const open = async (file) => {
+  const open = async (chosen) => {
+    const file = chosen.value;
+    chosen.value = script.value.file;
     const about = { session: shown.id, name: 'therapist' };
     if (!await ask('extension', { ...about, message: { type: 'check', file } })) return;
     const world = shown.info.value.name.split(/[ ,]/)[0];
-    const opened = await ask('open', { source: { kind: 'world', world, seed: shown.info.value.seed ?? 0, options: { session: file, start: 'no' } } });
+    const opened = await ask('open', { source: { kind: 'world', world, seed: shown.info.value.seed ?? 0, options: { ...script.value?.options, session: file } } });
     if (!opened) return;
     await ask('extension', { ...about, session: opened.session, message: { type: 'chose', file } });
     show(opened.session);
@@ -109,6 +111,9 @@ function Therapist({ visible }) {
   const part = parts[now];
   const trouble = read('Guard', 'trouble');
   const counts = read('ExerciseCheck', 'counts');
+  const ease = Math.round((read('Session', 'ease') ?? 1) * 100);
+  const examples = read('ExerciseCheck', 'examples') ?? 0;
+  const wanted = Math.max(1, Math.floor((/reps (\d+)/.exec(part?.does)?.[1] ?? 1) * ease / 100));
   const volume = Math.round((read('Sound', 'volume') ?? 0.6) * 10);
   const hottest = read('Guard', 'hottest');
   const battery = Math.round((read('Guard', 'battery') ?? 0) * 100);
@@ -129,17 +134,19 @@ function Therapist({ visible }) {
       <span>Battery ${battery} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
     <div role="status" class=${`mood ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
       <span>${runs && part ? `Part ${now + 1} of ${parts.length}: ${what}` : what}${state === 'stopped' && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
-    <div class="middle"><section class="card" aria-label="Now"><${Figure} />
+    <div class="middle"><section class="card" aria-label="Now" tabindex="0"><${Figure} targets=${read('Motors', 'targets')} />
       ${state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
       ${part?.says && !part.does.startsWith('say') && html`<p>It says: “${quoted(part.says)}”</p>`}
       ${state !== 'stopped' && /arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
       ${state === 'ready' && script.value && html`<ul aria-label="Checked before the start"><li>${yes}${lines}</li><li>${read('Guard', 'battery') > 0.3 ? yes : no}Battery ${battery} %</li><li>${hottest < 60 ? yes : no}The hottest joint has ${Math.round(hottest ?? 0)} °C</li><li>${no}<span><strong>Please look:</strong> is one arm’s length free around the robot?</span></li></ul>`}
       ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
-      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
+      ${state === 'exercising' && examples < 3 && html`<p>The robot learns from three correct repetitions: <strong>${examples} of 3</strong></p>`}
+      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> of ${wanted} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
       <${Last} last=${read('ExerciseCheck', 'last')} />
+      ${ease < 100 && html`<p class="dim">Easier: ${ease} % of tempo and repetitions</p>`}
       ${part && html`<p class="dim">Line ${part.line} of ${fileName(script.value.file)}</p>`}</section>
       <section class="card parts" aria-label="Parts of this session" ref=${list}>
-        <select aria-label="Open a session" onChange=${(event) => open(event.target.value)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
+        <select aria-label="Open a session" onChange=${(event) => open(event.target)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
         ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
     <div class="keys">
       ${key('◀ Back', 'previous', over)}
@@ -153,7 +160,18 @@ function Therapist({ visible }) {
 
 const Octagon = () => html`<svg width="30" height="30" viewBox="0 0 30 30" aria-hidden="true"><path fill="currentColor" d="M9 0h12l9 9v12l-9 9H9l-9-9V9z" /></svg>`;
 
-const Figure = () => html`<svg class="figure" viewBox="0 0 150 172" aria-hidden="true"><g stroke-width="4"><rect x="55" y="6" width="40" height="34" rx="15" /><rect x="53" y="45" width="44" height="56" rx="14" /><circle cx="75" cy="64" r="6" /><path d="M67 22h1M83 22h1" /></g><path stroke-width="12" d="M46 58L39 104M104 58L111 104M64 106V150M86 106V150M56 161H70M80 161H94" /></svg>`;
+/** Indices of the pitch of the right and the left shoulder; their rolls follow. */
+const SHOULDERS = [18, 2];
+
+/** The robot from the front, with its upper arms as they are. */
+function Figure({ targets }) {
+  const arms = SHOULDERS.map((at, index) => {
+    const [pitch, roll] = targets?.slice(at, at + 2) ?? [Math.PI / 2, 0];
+    const [x, y] = [46 + 58 * index, 58];
+    return `M${x} ${y}L${(x + 46 * Math.sin(roll)).toFixed(1)} ${(y + 46 * Math.cos(roll) * Math.sin(pitch)).toFixed(1)}`;
+  });
+  return html`<svg class="figure" viewBox="-10 0 170 172" aria-hidden="true"><g stroke-width="4"><rect x="55" y="6" width="40" height="34" rx="15" /><rect x="53" y="45" width="44" height="56" rx="14" /><circle cx="75" cy="64" r="6" /><path d="M67 22h1M83 22h1" /></g><path stroke-width="12" d="${arms.join('')}M64 106V150M86 106V150M56 161H70M80 161H94" /></svg>`;
+}
 
 /** What was wrong with the last repetition. */
 function Last({ last }) {
@@ -186,5 +204,5 @@ const offered = (shown) => shown.find('Session') >= 0 && shown.find('ExerciseChe
 
 export default {
   panels: { therapist: { title: 'Session', view: Therapist, offered } },
-  presets: { therapist: { title: 'Therapist', needs: 'therapist', first: true, panels: () => [['therapist', {}]] } },
+  presets: { therapist: { title: 'Therapist', needs: 'therapist', first: true, plain: true, panels: () => [['therapist', {}]] } },
 };

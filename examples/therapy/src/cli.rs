@@ -22,9 +22,15 @@ use crate::session::Session;
 #[derive(Debug, Subcommand)]
 enum Commands {
     /// Check a session: its words, and that its files exist
-    Check(Check),
+    Check {
+        /// The session
+        file: PathBuf,
+    },
     /// Write a session that shows what can be said, to begin with
-    New(New),
+    New {
+        /// The new file
+        file: PathBuf,
+    },
     /// Print a page about the records of a person
     Report(Records),
     /// Delete all records of a person
@@ -37,44 +43,24 @@ enum Commands {
         rest: Vec<OsString>,
     },
     /// Judge recorded exercises against the first three correct ones of each person
-    Judge(Judge),
-}
-
-#[derive(Debug, Args)]
-struct Check {
-    /// The session
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
-}
-
-#[derive(Debug, Args)]
-struct New {
-    /// The new file
-    #[arg(value_name = "FILE")]
-    file: PathBuf,
+    Judge {
+        /// Folder with `correct/` and `incorrect/`: files `mMM_sSS_eEE_positions.txt` and `…_angles.txt`, also compressed (.gz)
+        folder: PathBuf,
+        /// Skeletons a second
+        #[arg(long, value_name = "HZ", default_value_t = 30.0, value_parser = rate)]
+        rate: f32,
+        /// Print a line of JSON for each recording; all other output goes to stderr
+        #[arg(long)]
+        json: bool,
+    },
 }
 
 #[derive(Debug, Args)]
 struct Records {
     /// Folder of the records
-    #[arg(value_name = "FOLDER")]
     folder: PathBuf,
     /// Code of the person
-    #[arg(value_name = "CODE")]
     code: String,
-}
-
-#[derive(Debug, Args)]
-struct Judge {
-    /// Folder with `correct/` and `incorrect/`: files `mMM_sSS_eEE_positions.txt` and `…_angles.txt`, also compressed (.gz)
-    #[arg(value_name = "FOLDER")]
-    folder: PathBuf,
-    /// Skeletons a second
-    #[arg(long, value_name = "HZ", default_value_t = 30.0, value_parser = rate)]
-    rate: f32,
-    /// Print a line of JSON for each recording; all other output goes to stderr
-    #[arg(long)]
-    json: bool,
 }
 
 fn rate(text: &str) -> Result<f32, String> {
@@ -90,6 +76,8 @@ Examples:
   therapy run --option session=morning.session
   therapy play morning.session --world mujoco the same with forces
   therapy play morning.session --page         the page of the therapist; needs the feature `monitor`
+  therapy play morning.session --realtime --option sound=FOLDER
+                                              speech (espeak-ng) and music (paplay)
   therapy play morning.session --realtime --serve 127.0.0.1:7400
   therapy play morning.session --option code=K-27 --option records=FOLDER
   therapy report FOLDER K-27 > page.html      what was done
@@ -104,8 +92,8 @@ pub fn run() -> ExitCode {
     let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
     let app = app.until(|robot| robot.state_name::<Session>() == Some("finished"));
     let app = app.commands(|command| match command {
-        Commands::Check(Check { file }) => check(&file),
-        Commands::New(New { file }) => new(&file),
+        Commands::Check { file } => check(&file),
+        Commands::New { file } => new(&file),
         Commands::Report(Records { folder, code }) => print(&record::report(&folder, &code)?),
         Commands::Forget(Records { folder, code }) => {
             print(&format!("{code}: {} records deleted", record::forget(&folder, &code)?))
@@ -114,7 +102,7 @@ pub fn run() -> ExitCode {
         Commands::Monitor { .. } => {
             Err(Failure::new("this program was built without the page", "build it with `--features monitor`"))
         }
-        Commands::Judge(args) => run_judge(&args),
+        Commands::Judge { folder, rate, json } => run_judge(&folder, rate, json),
     });
     let arguments = arguments(env::args_os());
     #[cfg(feature = "monitor")]
@@ -172,13 +160,13 @@ fn new(file: &Path) -> Result<Outcome, Failure> {
     print(&format!("{}: change it, then run `therapy check` on it", file.display()))
 }
 
-fn run_judge(args: &Judge) -> Result<Outcome, Failure> {
+fn run_judge(folder: &Path, rate: f32, json: bool) -> Result<Outcome, Failure> {
     // Recordings have no times, so their tempo is not known.
     let judging = Judging { tempo: 0.0, ..Judging::DEFAULT };
-    let judged = judge::judge(&args.folder, args.rate, &judging)?;
-    let console = Console::new(args.json);
+    let judged = judge::judge(folder, rate, &judging)?;
+    let console = Console::new(json);
     for each in &judged {
-        if args.json {
+        if json {
             console.print_json_line(each)?;
         } else {
             let (reasons, plural) = (each.reasons.join(", "), if each.repetitions == 1 { "" } else { "s" });
@@ -189,4 +177,18 @@ fn run_judge(args: &Judge) -> Result<Outcome, Failure> {
         }
     }
     Ok(Outcome::Success)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn help_names_no_command_that_does_not_exist() {
+        let known = Commands::augment_subcommands(clap::Command::new("therapy"));
+        for line in AFTER.lines().filter_map(|line| line.trim_start().strip_prefix("therapy ")) {
+            let name = line.split(' ').next().unwrap_or_default();
+            assert!(["play", "run"].contains(&name) || known.find_subcommand(name).is_some(), "{line}");
+        }
+    }
 }

@@ -10,6 +10,7 @@
 //! - `page`: the panel of the therapist in the monitor.
 //! - `room`: a simulated room with a person.
 //! - `script`: the session language.
+//! - `speech`: speech by `espeak-ng`, and sound.
 //! - `judge`: judges recorded exercises.
 //! - `cli`: the program.
 //!
@@ -34,3 +35,5 @@ pub mod room;
 pub mod script;
 pub mod session;
 pub mod skeleton;
+#[cfg(feature = "host")]
+pub mod speech;

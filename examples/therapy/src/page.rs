@@ -1,5 +1,6 @@
 //! The therapist's page: a panel of the monitor. This part reads sessions; `panels/therapist.js` shows them.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,8 +17,8 @@ use crate::session::{Plan, Step};
 
 /// The panel.
 pub struct Page {
-    /// Session of the world that the command line opens.
-    first: PathBuf,
+    /// Options of the world that the command line opens, of which `session` is its session.
+    options: BTreeMap<String, String>,
 }
 
 /// Session of a world that the page opened.
@@ -36,11 +37,12 @@ enum Message {
 }
 
 impl Page {
-    /// The panel for the arguments of a program, among which is `session=FILE`.
+    /// The panel for the arguments of a program, among which is `--option session=FILE`.
     #[must_use]
     pub fn new(arguments: &[OsString]) -> Self {
-        let file = arguments.iter().find_map(|argument| argument.to_str()?.strip_prefix("session="));
-        Self { first: file.unwrap_or_default().into() }
+        let options = arguments.windows(2).filter(|two| two[0] == "--option");
+        let options = options.filter_map(|two| two[1].to_str()?.split_once('='));
+        Self { options: options.map(|(name, value)| (name.to_owned(), value.to_owned())).collect() }
     }
 }
 
@@ -62,7 +64,10 @@ impl Extension for Page {
         Ok(Reply::Done(match serde_json::from_value(message).map_err(wrong)? {
             Message::Read => {
                 let chosen = asked.memory().of::<Chosen>().0.clone();
-                read(chosen.as_ref().unwrap_or(&self.first))?
+                let first = || self.options.get("session").map(PathBuf::from).unwrap_or_default();
+                let mut session = read(&chosen.unwrap_or_else(first))?;
+                session["options"] = json!(self.options);
+                session
             }
             Message::Check { file } => read(&file)?,
             Message::Chose { file } => {

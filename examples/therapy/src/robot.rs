@@ -13,7 +13,7 @@ use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding, Walk};
 use crate::exercise::{ExerciseCheck, Judgement};
 use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
 use crate::session::{Session, Step};
-use crate::skeleton::{POINTS, Skeleton};
+use crate::skeleton::Skeleton;
 
 /// Sensor values of a cycle.
 #[message]
@@ -27,26 +27,16 @@ pub struct Sensors {
     pub tilt: [f32; 2],
     /// Turn rates of the torso, rad/s.
     pub gyro: [f32; 3],
-    /// Forces on the sensors of the left and the right sole, N: front left, front right, rear left, rear right.
-    pub feet: [[f32; 4]; 2],
+    /// Forces on the left and the right sole.
+    pub feet: [FootPressure; 2],
     /// Buttons and touch.
     pub pressed: Pressed,
     /// Charge of the battery, 0 to 1.
     pub battery: f32,
     /// A new skeleton of the person.
-    pub person: Option<Seen>,
+    pub person: Option<Skeleton>,
     /// A part of a session that is loaded.
     pub order: Option<Order>,
-}
-
-/// A skeleton as a message; see [`Skeleton`].
-#[message]
-#[derive(Clone, Debug)]
-pub struct Seen {
-    /// Positions.
-    pub points: [[f32; 3]; POINTS],
-    /// Confidence in each, 0 to 1.
-    pub confidence: [f32; POINTS],
 }
 
 /// A part of a session.
@@ -118,15 +108,12 @@ impl Robot for Therapist {
     fn sense(&mut self, sensors: &Sensors) -> Result<(), Infallible> {
         self.get_mut::<Signals>().receive(sensors.pressed);
         self.get_mut::<Guard>().measure(sensors.tilt, &sensors.temperatures, sensors.battery);
-        let [left_foot, right_foot] = sensors.feet.map(|[front_left, front_right, rear_left, rear_right]| {
-            FootPressure { front_left, front_right, rear_left, rear_right }
-        });
         let ([roll, pitch], gyro) = (sensors.tilt, Vec3::from_array(sensors.gyro));
         let inertial = Inertial { gyro, roll, pitch, ..Inertial::default() };
-        let feedback = Feedback::new(&inertial, &left_foot, &right_foot, &sensors.angles);
+        let feedback = Feedback::new(&inertial, &sensors.feet[0], &sensors.feet[1], &sensors.angles);
         self.get_mut::<Walk>().measure(feedback, sensors.angles);
-        if let Some(Seen { points, confidence }) = sensors.person.clone() {
-            self.get_mut::<PatientPose>().see(Skeleton { points: points.map(Vec3::from_array), confidence });
+        if let Some(person) = sensors.person {
+            self.get_mut::<PatientPose>().see(person);
         }
         let plan = self.get_mut::<Session>().plan_mut();
         match sensors.order {

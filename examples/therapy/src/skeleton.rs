@@ -1,6 +1,13 @@
 //! The skeleton of a person, as a depth camera or a detector of poses in images finds it.
 
+#[cfg(any(feature = "host", test))]
+mod person;
+
+use bica::prelude::*;
 use glam::Vec3;
+
+#[cfg(any(feature = "host", test))]
+pub use person::Person;
 
 /// Number of points of a [`Skeleton`].
 pub const POINTS: usize = 10;
@@ -32,10 +39,11 @@ pub enum Point {
 }
 
 /// Points of a body with the confidence in each. Any unit and any frame: only angles are computed from it.
+#[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skeleton {
     /// Positions, in the order of [`Point`].
-    pub points: [Vec3; POINTS],
+    pub points: [[f32; 3]; POINTS],
     /// Confidence in each point, 0 (a guess, or hidden) to 1.
     pub confidence: [f32; POINTS],
 }
@@ -93,7 +101,7 @@ impl Layout {
         let sure = |of: &[usize]| of.iter().map(|&index| confidence[index]).fold(1.0, f32::min);
         let confidence =
             core::array::from_fn(|point| if read[point].is_finite() { sure(sources[point]).max(0.0) } else { 0.0 });
-        Some(Skeleton { points: read, confidence })
+        Some(Skeleton { points: read.map(Vec3::into), confidence })
     }
 }
 
@@ -101,7 +109,7 @@ impl Skeleton {
     /// Position of a point.
     #[must_use]
     pub const fn at(&self, point: Point) -> Vec3 {
-        self.points[point as usize]
+        Vec3::from_array(self.points[point as usize])
     }
 
     /// Whether the confidence in each of the points is at least this.

@@ -13,10 +13,14 @@ export function Banner() {
   if (link.value === 'lost') return lost('The connection to the program is lost. It is being restored; what you operated has ended. If the program was started again, open the new address that it printed.');
   const own = store.session.value?.info.value;
   if (!own || own.connection === 'connecting') return null;
-  const { name, connection, note, result, kind } = own;
+  const { connection, note, result, kind } = own;
+  const plain = dock.isPlain();
+  const name = plain ? 'The robot' : own.name;
   if (connection === 'lost') return lost(`${name}: the connection is lost and is being restored. ${note}`);
   if (alarm.value) return html`<${Alarm} ...${alarm.value} />`;
-  if (result && kind !== 'recording' && (note || connection === 'ended')) return html`<${Result} own=${own} />`;
+  // A plain panel tells itself that its world is over.
+  if (plain && kind === 'world' && connection === 'connected') return null;
+  if (!plain && result && kind !== 'recording' && (note || connection === 'ended')) return html`<${Result} own=${own} />`;
   if (connection === 'ended') return lost(`${name}: it has ended. ${note}`);
   return kind !== 'recording' && note && html`<div class="banner" role="status">${name}: ${note}</div>`;
 }

@@ -87,12 +87,20 @@ const CONTROL = {
   other_monitor: 'operator: another monitor',
   unavailable: 'watching only',
 };
+/** The same for people who are not engineers. */
+const PLAIN_CONTROL = {
+  free: 'Nobody operates the robot',
+  yours: 'You operate the robot',
+  other_page: 'Another page operates the robot',
+  other_monitor: 'Another program operates the robot',
+  unavailable: 'This page only watches',
+};
 
-function Control() {
+function Control({ plain }) {
   const info = store.session.value?.info.value;
   if (!info) return null;
   const { control } = info;
-  return html`<span class=${`chip control ${control}`} role="status" aria-label="Control">${CONTROL[control]}
+  return html`<span class=${`chip control ${control}`} role="status" aria-label="Control">${(plain ? PLAIN_CONTROL : CONTROL)[control]}
     ${control === 'free' && html`<button onClick=${() => store.act('acquire')} title="Key c">Take control</button>`}
     ${(control === 'other_page' || control === 'other_monitor') && html`<button onClick=${() => store.act('take', {}, 'control was taken')}>Take control</button>`}
     ${control === 'yours' && html`<button onClick=${() => store.act('release', {}, 'control was given back')} title="Key g: holds, rates and modulations end, parameters stay">Give back</button>`}
@@ -125,17 +133,25 @@ function View() {
   <//>`;
 }
 
+/** The connection to the robot, in one word. */
+function Connected() {
+  const connection = store.session.value?.info.value.connection;
+  return connection && html`<span class="chip" role="status"><i class=${`state ${connection}`} aria-hidden="true"></i>${CONNECTION[connection] || 'connected'}</span>`;
+}
+
 export function Header() {
   const tree = store.session.value?.description.value?.name;
+  const plain = dock.isPlain();
   return html`<header class="top">
     <b class="name" title="Activation tree">${tree ?? 'JManager'}</b>
-    <${Sessions} />
+    ${!plain && html`<${Sessions} />`}
     ${link.value !== 'open' && html`<span class="chip warn" role="status">${link.value === 'lost' ? 'program lost' : 'connecting'}</span>`}
-    <${Clock} /><${Costs} />
+    ${plain ? html`<${Connected} />` : html`<${Clock} /><${Costs} />`}
     <span class="grow"></span>
-    <${Control} /><${World} /><${Recording} />
+    <${Control} plain=${plain} />
+    ${!plain && html`<${World} /><${Recording} />
     <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>⌕<span class="word"> Find…</span></button>
-    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment, with the layout and its watches" onClick=${copyLink}>Link</button>
+    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment, with the layout and its watches" onClick=${copyLink}>Link</button>`}
     <${View} />
     <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>
     <button class="plain" aria-label="Keys" title="Keys (?)" onClick=${() => { helpShown.value = true; }}>?</button>

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::session::{Task, Tasks};
+use crate::session::Tasks;
 
 /// What sounds.
 #[message]
@@ -51,10 +51,10 @@ impl Sound {
 
     /// Ends what belongs to the tasks.
     pub const fn stop(&mut self, tasks: Tasks) {
-        if tasks.has(Task::Speech) {
+        if tasks.speech {
             self.speech = None;
         }
-        if tasks.has(Task::Music) {
+        if tasks.music {
             self.music = None;
         }
     }

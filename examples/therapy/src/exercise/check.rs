@@ -150,10 +150,8 @@ impl ExerciseCheck {
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec3;
-
     use super::*;
-    use crate::skeleton::{POINTS, Point, Skeleton};
+    use crate::skeleton::{POINTS, Person, Skeleton};
 
     /// Skeletons per second.
     const RATE: u32 = 20;
@@ -161,43 +159,15 @@ mod tests {
     /// How an arm is raised and lowered again.
     #[derive(Clone, Copy)]
     struct Lift {
-        /// Highest angle, degrees.
-        peak: f32,
-        /// Largest lean of the trunk, degrees.
-        lean: f32,
-        /// Angle of its plane in front of the shoulders, degrees.
-        plane: f32,
+        person: Person,
         seconds: f32,
         /// Of so many skeletons one is seen.
         seen: u32,
     }
 
-    const CORRECT: Lift = Lift { peak: 100.0, lean: 1.0, plane: 0.0, seconds: 2.0, seen: 1 };
-    const REST: Lift = Lift { peak: 0.0, lean: 0.0, seconds: 0.5, ..CORRECT };
-
-    /// The person at a share of the lift, 0 to 1.
-    fn person(lift: &Lift, share: f32) -> Skeleton {
-        let (sin, cos) = libm::sincosf((share * lift.lean).to_radians());
-        let (up, across) = (Vec3::new(sin, cos, 0.0), Vec3::new(-cos, sin, 0.0));
-        let (ahead, aside) = libm::sincosf(lift.plane.to_radians());
-        let (sin, cos) = libm::sincosf((share * lift.peak).to_radians());
-        let arm = 0.3 * (sin * (aside * across + ahead * Vec3::Z) - cos * up);
-        let mut skeleton = Skeleton { points: [Vec3::ZERO; POINTS], confidence: [1.0; POINTS] };
-        for (point, at) in [
-            (Point::Head, 0.7 * up),
-            (Point::Neck, 0.52 * up),
-            (Point::Chest, 0.5 * up),
-            (Point::LeftShoulder, 0.5 * up + 0.2 * across),
-            (Point::RightShoulder, 0.5 * up - 0.2 * across),
-            (Point::LeftElbow, 0.5 * up + 0.2 * across + arm),
-            (Point::RightElbow, 0.2 * up - 0.2 * across),
-            (Point::LeftHip, 0.1 * across),
-            (Point::RightHip, -0.1 * across),
-        ] {
-            skeleton.points[point as usize] = at;
-        }
-        skeleton
-    }
+    const PERSON: Person = Person { peak: 100.0, lean: 1.0, plane: 0.0 };
+    const CORRECT: Lift = Lift { person: PERSON, seconds: 2.0, seen: 1 };
+    const REST: Lift = Lift { person: Person::STILL, seconds: 0.5, seen: 1 };
 
     /// The check and the newest skeleton.
     struct Room {
@@ -226,10 +196,10 @@ mod tests {
 
         /// Rests for 0.5 s, then lifts the arm and lowers it.
         fn repeat(&mut self, lift: &Lift) {
-            (0..RATE / 2).for_each(|_| self.pass(Some(person(&REST, 0.0))));
+            (0..RATE / 2).for_each(|_| self.pass(Some(Person::STILL.at(0.0))));
             let frames = (lift.seconds * RATE as f32) as u32;
             for frame in 0..=frames {
-                let mut skeleton = person(lift, libm::sinf(core::f32::consts::PI * frame as f32 / frames as f32));
+                let mut skeleton = lift.person.at(libm::sinf(core::f32::consts::PI * frame as f32 / frames as f32));
                 skeleton.confidence = [if frame % lift.seen == 0 { 1.0 } else { 0.1 }; POINTS];
                 self.pass(Some(skeleton));
             }
@@ -238,16 +208,17 @@ mod tests {
 
     #[test]
     fn a_repetition_is_judged_for_each_reason() {
-        for (lift, verdict, reasons) in [
-            (Lift { peak: 98.0, lean: 1.5, plane: 10.0, seconds: 2.2, ..CORRECT }, Verdict::Correct, ""),
-            (Lift { peak: 80.0, ..CORRECT }, Verdict::Incorrect, "too low"),
-            (Lift { lean: 8.0, ..CORRECT }, Verdict::Incorrect, "leaning"),
-            (Lift { plane: 60.0, ..CORRECT }, Verdict::Incorrect, "wrong direction"),
-            (Lift { seconds: 0.7, ..CORRECT }, Verdict::Incorrect, "too fast"),
-            (Lift { peak: 80.0, seen: 3, ..CORRECT }, Verdict::CannotTell, "not seen"),
+        let (told, seconds) = (Verdict::Incorrect, 2.0);
+        for (person, seconds, seen, verdict, reasons) in [
+            (Person { peak: 98.0, lean: 1.5, plane: 10.0 }, 2.2, 1, Verdict::Correct, ""),
+            (Person { peak: 80.0, ..PERSON }, seconds, 1, told, "too low"),
+            (Person { lean: 8.0, ..PERSON }, seconds, 1, told, "leaning"),
+            (Person { plane: 60.0, ..PERSON }, seconds, 1, told, "wrong direction"),
+            (PERSON, 0.7, 1, told, "too fast"),
+            (Person { peak: 80.0, ..PERSON }, seconds, 3, Verdict::CannotTell, "not seen"),
         ] {
             let mut room = Room::new();
-            room.repeat(&lift);
+            room.repeat(&Lift { person, seconds, seen });
             room.repeat(&REST);
             let last = room.check.last().expect("a repetition");
             let names: Vec<_> = last.reasons.names().collect();
@@ -258,7 +229,7 @@ mod tests {
     #[test]
     fn a_person_who_leaves_is_not_judged() {
         let mut room = Room::new();
-        (0..10).for_each(|step| room.pass(Some(person(&CORRECT, 0.1 * step as f32))));
+        (0..10).for_each(|step| room.pass(Some(PERSON.at(0.1 * step as f32))));
         (0..600).for_each(|_| room.pass(None));
         room.repeat(&REST);
         assert_eq!(room.check.last().map(|last| last.verdict), Some(Verdict::CannotTell));

@@ -2,26 +2,10 @@
 
 use bica::prelude::*;
 
-use crate::session::{Button, Signal};
+use crate::session::Signal;
 
-/// Buttons and sensors of touch; true while pressed or touched.
-#[message]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[expect(clippy::struct_excessive_bools, reason = "each is pressed or not, in any combination")]
-pub struct Pressed {
-    /// The button in the chest.
-    pub chest: bool,
-    /// Bumper of the left foot.
-    pub left: bool,
-    /// Bumper of the right foot.
-    pub right: bool,
-    /// Head.
-    pub head: bool,
-    /// Left hand.
-    pub left_hand: bool,
-    /// Right hand.
-    pub right_hand: bool,
-}
+/// What is pressed or touched, in the order of [`Signal`].
+pub type Pressed = [bool; Signal::COUNT];
 
 /// Presses and touches that begin, and how long the chest is pressed.
 #[derive(Debug)]
@@ -36,9 +20,7 @@ impl Signals {
     /// Creates the component with nothing pressed.
     #[must_use]
     pub const fn new() -> Self {
-        const NONE: Pressed =
-            Pressed { chest: false, left: false, right: false, head: false, left_hand: false, right_hand: false };
-        Self { now: NONE, before: NONE, chest: 0.0 }
+        Self { now: [false; Signal::COUNT], before: [false; Signal::COUNT], chest: 0.0 }
     }
 
     /// Takes what is pressed in this cycle, before it is stepped.
@@ -47,24 +29,13 @@ impl Signals {
     }
 
     fn step(&mut self, time: &Time) {
-        self.chest = if self.now.chest { self.chest + time.dt() } else { 0.0 };
+        self.chest = if self.now[Signal::Chest as usize] { self.chest + time.dt() } else { 0.0 };
     }
 
     /// Whether it begins in this cycle.
     #[must_use]
     pub const fn begins(&self, signal: Signal) -> bool {
-        Self::is(self.now, signal) && !Self::is(self.before, signal)
-    }
-
-    const fn is(pressed: Pressed, signal: Signal) -> bool {
-        match signal {
-            Signal::Press(Button::Chest) => pressed.chest,
-            Signal::Press(Button::Left) => pressed.left,
-            Signal::Press(Button::Right) => pressed.right,
-            Signal::Head => pressed.head,
-            Signal::LeftHand => pressed.left_hand,
-            Signal::RightHand => pressed.right_hand,
-        }
+        self.now[signal as usize] && !self.before[signal as usize]
     }
 
     /// Time since the button in the chest was pressed.

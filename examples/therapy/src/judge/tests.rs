@@ -3,7 +3,6 @@
 use std::f32::consts::TAU;
 
 use bica::Params;
-use glam::Vec3;
 use rand_pcg::{Pcg32, rand_core::Rng};
 
 use super::*;
@@ -38,8 +37,7 @@ impl Damage {
                 .map(|skeleton| {
                     let mut skeleton = skeleton?;
                     let mut normal = || libm::sqrtf(-2.0 * libm::logf(1.0 - unit())) * libm::cosf(TAU * unit());
-                    skeleton.points =
-                        skeleton.points.map(|point| point + 2.0 * Vec3::new(normal(), normal(), normal()));
+                    skeleton.points = skeleton.points.map(|point| point.map(|axis| axis + 2.0 * normal()));
                     Some(skeleton)
                 })
                 .collect(),

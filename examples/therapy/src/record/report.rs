@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
+use std::time::{Duration, UNIX_EPOCH};
 
 use bica_app::Failure;
 
@@ -32,7 +33,8 @@ pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
         let lines =
             lines.map(serde_json::from_str).collect::<Result<Vec<Line>, _>>().map_err(|error| failed(&error))?;
         let title = head.session.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-        let _ = writeln!(page, "<h2>{title}, {}</h2>", date(head.begun));
+        let date = humantime::format_rfc3339_seconds(UNIX_EPOCH + Duration::from_secs(head.begun)).to_string();
+        let _ = writeln!(page, "<h2>{title}, {}</h2>", &date[..10]);
         for exercise in lines.chunk_by(|a, b| a.line == b.line) {
             write_exercise(&mut page, exercise);
         }
@@ -71,31 +73,4 @@ fn write_exercise(page: &mut String, lines: &[Line]) {
     }
     let goal = HEIGHT - lines[0].goal.clamp(0.0, HEIGHT);
     let _ = writeln!(page, "<line x1=\"0\" x2=\"{width}\" y1=\"{goal:.0}\" y2=\"{goal:.0}\"/></svg>");
-}
-
-/// Date of a time, seconds since 1970, in UTC. Source: Howard Hinnant, `chrono`-compatible low-level date algorithms, 2013.
-fn date(seconds: u64) -> String {
-    let days = seconds / 86_400 + 719_468;
-    let (era, day) = (days / 146_097, days % 146_097);
-    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
-    let day = day - (365 * year + year / 4 - year / 100);
-    let month = (5 * day + 2) / 153;
-    let (of_month, month) = (day - (153 * month + 2) / 5 + 1, if month < 10 { month + 3 } else { month - 9 });
-    let year = year + 400 * era + u64::from(month <= 2);
-    format!("{year}-{month:02}-{of_month:02}")
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn dates_of_leap_years() {
-        for (seconds, date) in [
-            (0, "1970-01-01"),
-            (951_782_400, "2000-02-29"),
-            (1_709_251_199, "2024-02-29"),
-            (1_709_251_200, "2024-03-01"),
-        ] {
-            assert_eq!(super::date(seconds), date);
-        }
-    }
 }

@@ -36,11 +36,23 @@ impl Body {
         Self::Ideal { angles: REST, fallen: false }
     }
 
+    /// A body and a floor of a seed: friction 0.6 to 1.2, gains of the leg motors 0.8 to 1.2 and their torque 0.8 to 1.1 of the usual,
+    /// dead time 20 to 40 ms. Our choice: robots and floors that differ more than the noise of the sensors.
+    ///
     /// # Errors
     /// If MuJoCo rejects its model.
     #[cfg(feature = "mujoco")]
     pub(super) fn with_forces(seed: u64) -> Result<Self, Failure> {
-        let physics = Physics { cameras: false, ..Physics::of::<Nao>() };
+        let (mut random, usual) = (Random::new(seed, 1_u64), Physics::of::<Nao>());
+        let mut between = |low, high| random.between(low, high);
+        let physics = Physics {
+            friction: between(0.6, 1.2),
+            leg_gain: between(0.8, 1.2),
+            torque_limit: usual.torque_limit * between(0.8, 1.1),
+            dead_time: between(0.02, 0.04),
+            cameras: false,
+            ..usual
+        };
         let failed = |error: bica_body::mujoco::Error| Failure::new(error.to_string(), "install it anew");
         let (model, noise) = (Model::on_floor::<Nao>(&physics).map_err(failed)?, Random::new(seed, 0_u64));
         let humanoid = Box::new(Humanoid::new(model, Pose2::ORIGIN, noise, &physics, |_| ()));

@@ -11,11 +11,10 @@ use std::path::{Path, PathBuf};
 
 use bica::prelude::*;
 use bica::runner::World;
-use bica_app::{Failure, WorldOptions};
+use bica_app::{Console, Failure, WorldOptions};
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{FootPressure, Inertial};
-use glam::Vec3;
+use bica_motion::robot::Inertial;
 use rand_pcg::{Pcg32, rand_core::Rng};
 
 use self::body::Body;
@@ -24,8 +23,10 @@ use crate::cli;
 use crate::exercise::Judgement;
 use crate::input::Pressed;
 use crate::record::Record;
-use crate::robot::{Command, Order, Seen, Sensors, Therapist};
-use crate::skeleton::{POINTS, Point};
+use crate::robot::{Command, Order, Sensors, Therapist};
+use crate::session::Signal;
+use crate::skeleton::{Person, Skeleton};
+use crate::speech::{self, Player};
 
 /// Cycles of a second.
 const RATE: u64 = 100;
@@ -43,7 +44,7 @@ pub struct Room {
     body: Body,
     sound: Sounding,
     /// Cycles for which something is pressed.
-    pressed: (Pressed, u64),
+    pressed: (Option<Signal>, u64),
     hot: bool,
     person: Option<Pcg32>,
     /// Highest angle of the arm in this repetition, degrees.
@@ -51,11 +52,12 @@ pub struct Room {
     /// What began and ended, with its time.
     log: Vec<String>,
     record: Option<Record>,
+    player: Option<Player>,
 }
 
 impl Room {
     /// A room for the options of a run: `session` is a file, `person` is `yes` or `no`, `start` too. With `code`, a record is kept in
-    /// the folder `records`.
+    /// the folder `records`. With `sound`, texts are spoken into this folder, and all sounds are played.
     ///
     /// # Errors
     /// If an option is missing or wrong, or the session has an error.
@@ -64,13 +66,21 @@ impl Room {
         if file.as_os_str().is_empty() {
             return Err(Failure::new("there is no session", "play one: `therapy play FILE`"));
         }
-        let script = cli::open(&file)?;
+        let mut script = cli::open(&file)?;
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let sound = options.value("sound", String::new())?;
+        if !sound.is_empty()
+            && let Err(Failure::Error { what, help }) = speech::speak(&mut script, Path::new(&sound), "espeak-ng")
+        {
+            let what = format!("warning: {what}; the session goes on without speech\n  help: {help}");
+            Console::new(true).print(&what)?;
+        }
         let yes = |name| options.value(name, "yes".to_owned()).map(|value| value == "yes");
-        let orders = script.orders(file.parent().unwrap_or(Path::new("")));
-        let mut room = Self::new(orders, options.seed, yes("person")?, yes("start")?);
-        let (code, folder) = (options.value("code", String::new())?, options.value("records", ".".to_owned())?);
+        let mut room = Self::new(script.orders(folder), options.seed, yes("person")?, yes("start")?);
+        room.player = (!sound.is_empty()).then(|| Player::new(&script, folder, "paplay"));
+        let (code, records) = (options.value("code", String::new())?, options.value("records", ".".to_owned())?);
         if !code.is_empty() {
-            room.record = Some(Record::begin(Path::new(&folder), &code, &script.title, script.lines)?);
+            room.record = Some(Record::begin(Path::new(&records), &code, &script.title, script.lines)?);
         }
         Ok(room)
     }
@@ -113,12 +123,13 @@ impl Room {
             orders: orders.into(),
             body: Body::ideal(),
             sound: Sounding::default(),
-            pressed: (Pressed::default(), 0),
+            pressed: (None, 0),
             hot: false,
             person: person.then(|| Pcg32::new(seed, 1)),
             peak: 100.0,
             log: Vec::new(),
             record: None,
+            player: None,
         }
     }
 
@@ -141,67 +152,31 @@ impl Room {
     }
 
     /// The person: raises the left arm and lowers it, with a rest of a fourth of the time.
-    fn person(&mut self) -> Option<Seen> {
+    fn person(&mut self) -> Option<Skeleton> {
         let random = self.person.as_mut()?;
         let time = (self.cycle % (RATE * REPETITION as u64)) as f32 / RATE as f32;
         if time == 0.0 {
             self.peak = 98.0 + 4.0 * (random.next_u32() as f32 / u32::MAX as f32);
         }
         let raised = libm::sinf(PI * (time / REPETITION - 0.25).max(0.0) / 0.75);
-        let (sin, cos) = libm::sincosf((raised * self.peak).to_radians());
-        let mut points = [[0.0; 3]; POINTS];
-        for (point, at) in [
-            (Point::Head, Vec3::new(0.0, 0.7, 0.0)),
-            (Point::Neck, Vec3::new(0.0, 0.52, 0.0)),
-            (Point::Chest, Vec3::new(0.0, 0.5, 0.0)),
-            (Point::LeftShoulder, Vec3::new(-0.2, 0.5, 0.0)),
-            (Point::RightShoulder, Vec3::new(0.2, 0.5, 0.0)),
-            (Point::LeftElbow, Vec3::new(-0.2 - 0.3 * sin, 0.5 - 0.3 * cos, 0.0)),
-            (Point::RightElbow, Vec3::new(0.2, 0.2, 0.0)),
-            (Point::LeftHip, Vec3::new(-0.1, 0.0, 0.0)),
-            (Point::RightHip, Vec3::new(0.1, 0.0, 0.0)),
-        ] {
-            points[point as usize] = at.to_array();
-        }
-        Some(Seen { points, confidence: [1.0; POINTS] })
-    }
-
-    fn press(&mut self, pressed: Pressed, seconds: f32) {
-        self.pressed = (pressed, (seconds * RATE as f32) as u64);
+        Some(Person { peak: self.peak, ..Person::STILL }.at(raised))
     }
 }
 
 /// What an operator can do.
 #[world_actions]
 impl Room {
-    /// Presses the button in the chest.
+    /// Presses or touches the robot.
     #[action]
-    pub fn press_chest(
+    pub const fn press(
         &mut self,
+        signal: Signal,
         #[range(0.05..=5.0)]
         #[unit("s")]
         #[default(0.2)]
         seconds: f32,
     ) {
-        self.press(Pressed { chest: true, ..Pressed::default() }, seconds);
-    }
-
-    /// Presses the bumper of the left foot.
-    #[action]
-    pub fn press_left_bumper(&mut self) {
-        self.press(Pressed { left: true, ..Pressed::default() }, 0.2);
-    }
-
-    /// Presses the bumper of the right foot.
-    #[action]
-    pub fn press_right_bumper(&mut self) {
-        self.press(Pressed { right: true, ..Pressed::default() }, 0.2);
-    }
-
-    /// Touches the head.
-    #[action]
-    pub fn touch_head(&mut self) {
-        self.press(Pressed { head: true, ..Pressed::default() }, 0.2);
+        self.pressed = (Some(signal), (seconds * RATE as f32) as u64);
     }
 
     /// Pushes the robot over, or puts it on its feet again.
@@ -225,23 +200,22 @@ impl World<Therapist> for Room {
     fn sensors(&mut self) -> Sensors {
         let order = self.orders.get(self.cycle as usize).copied();
         if self.start == Some(self.cycle) {
-            self.press_chest(0.2);
+            self.press(Signal::Chest, 0.2);
         }
         let measured = self.body.sense();
         let Inertial { gyro, roll, pitch, .. } = measured.inertial;
         let temperatures = if self.hot { Joints([72.0; JOINTS]) } else { measured.temperatures };
-        let feet = [measured.left_foot, measured.right_foot].map(|foot| {
-            let FootPressure { front_left, front_right, rear_left, rear_right } = foot;
-            [front_left, front_right, rear_left, rear_right]
-        });
         let person = if self.cycle.is_multiple_of(SKELETON) { self.person() } else { None };
-        let pressed = if self.pressed.1 > 0 { self.pressed.0 } else { Pressed::default() };
+        let mut pressed = Pressed::default();
+        if let (Some(signal), 1..) = self.pressed {
+            pressed[signal as usize] = true;
+        }
         Sensors {
             angles: measured.angles,
             temperatures,
             tilt: [roll, pitch],
             gyro: gyro.to_array(),
-            feet,
+            feet: [measured.left_foot, measured.right_foot],
             pressed,
             battery: 0.8,
             person,
@@ -255,6 +229,10 @@ impl World<Therapist> for Room {
             self.log.push(format!("{:8.2} s  {:?}", self.cycle as f32 / RATE as f32, command.sound));
         }
         self.sound = command.sound;
+        if let Some(Err(error)) = self.player.as_mut().map(|player| player.play(command.sound)) {
+            self.log.push(format!("`paplay` does not play, so there is no sound: {error}"));
+            self.player = None;
+        }
         if let Some(noted) = &command.noted {
             let seconds = self.cycle as f32 / RATE as f32;
             let Judgement { verdict, reasons } = noted.judgement;

@@ -2,70 +2,67 @@
 
 use bica_motion::robot::Light;
 
+use super::build::Builder;
 use super::words::Line;
 use super::{Clip, Problem};
-use crate::session::{Button, Lamp, Movement, Signal, Step, Task, Tasks, Until};
+use crate::session::{Lamp, Movement, Signal, Step, Tasks, Until};
 
-/// A line of a script.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Command {
-    Title(String),
-    Language(String),
-    /// A step as it is.
-    Step(Step),
-    /// A clip of sound, with the place of its file or text.
-    Speak(Clip, (usize, usize)),
-    Play(Clip, (usize, usize)),
-    Place(String, (usize, usize)),
-    GoTo(String, (usize, usize)),
-    Repeat(u16),
-    /// A branch of the exercise before it: 0 done, 1 not done, 2 nobody there.
-    When(usize),
-    End,
-}
+/// Reads what follows the first word of a line, and adds it to the script.
+pub(super) type Read = fn(&mut Builder, &mut Line<'_>) -> Result<(), Problem>;
 
 /// First words of a line.
-#[derive(Clone, Copy)]
-enum Verb {
-    Title,
-    Language,
-    Say,
-    Music,
-    Movement,
-    Exercise,
-    Volume,
-    Light,
-    Walk,
-    Turn,
-    Wait,
-    Stop,
-    Stiffness,
-    Place,
-    Go,
-    Repeat,
-    When,
-    End,
-}
-
-const VERBS: [(&str, Verb); 18] = [
-    ("title", Verb::Title),
-    ("language", Verb::Language),
-    ("say", Verb::Say),
-    ("music", Verb::Music),
-    ("movement", Verb::Movement),
-    ("exercise", Verb::Exercise),
-    ("volume", Verb::Volume),
-    ("light", Verb::Light),
-    ("walk", Verb::Walk),
-    ("turn", Verb::Turn),
-    ("wait", Verb::Wait),
-    ("stop", Verb::Stop),
-    ("stiffness", Verb::Stiffness),
-    ("place", Verb::Place),
-    ("go", Verb::Go),
-    ("repeat", Verb::Repeat),
-    ("when", Verb::When),
-    ("end", Verb::End),
+pub(super) const VERBS: [(&str, Read); 18] = [
+    ("title", |script, line| line.text("the title").map(|(title, _)| title.clone_into(&mut script.script.title))),
+    ("language", |script, line| {
+        line.choice("a language", &LANGUAGES).map(|code| code.clone_into(&mut script.language))
+    }),
+    ("say", say),
+    ("music", |script, line| {
+        let (file, at) = line.text("the file")?;
+        script.sound(Step::Play, Clip::File(file.into()), at)
+    }),
+    ("movement", |script, line| {
+        let movement = line.choice("a movement", &Movement::NAMES)?;
+        let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
+        script.push(Step::Move { movement, tempo: tempo / 100.0 })
+    }),
+    ("exercise", exercise),
+    ("volume", |script, line| script.push(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0))),
+    ("light", |script, line| {
+        let lamp = line.choice("a light", &LAMPS)?;
+        script.push(Step::Light(lamp, line.choice("a colour", &COLOURS)?))
+    }),
+    ("walk", |script, line| {
+        let [forward, left] = line.choice("a direction", &DIRECTIONS)?;
+        let distance = line.measure("a distance in metres", 0.02..=0.5, "m")?;
+        script.push(Step::Walk([forward * distance, left * distance, 0.0]))
+    }),
+    ("turn", |script, line| {
+        let sign = line.choice("a side", &[("left", 1.0_f32), ("right", -1.0)])?;
+        let angle = line.number("an angle in degrees", 5.0..=90.0)?;
+        script.push(Step::Walk([0.0, 0.0, sign * angle.to_radians()]))
+    }),
+    ("wait", wait),
+    ("stop", |script, line| script.push(Step::Stop(line.choice("a task", &TASKS)?))),
+    ("stiffness", |script, line| {
+        script.push(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?))
+    }),
+    ("place", |script, line| {
+        let (name, at) = line.name("the name of the place")?;
+        script.place(name, at)
+    }),
+    ("go", |script, line| {
+        line.expect(&["to"])?;
+        let (name, at) = line.name("the name of a place")?;
+        script.go_to(name, at)
+    }),
+    ("repeat", |script, line| {
+        let times = line.count("a number of times", 2..=1000)?;
+        line.expect(&["times"])?;
+        script.repeat(times)
+    }),
+    ("when", |script, line| script.when(line.choice("a result of the exercise", &BRANCHES)?)),
+    ("end", |script, _| script.end()),
 ];
 
 /// Languages that `espeak-ng` speaks, by their codes in ISO 639-1.
@@ -90,18 +87,14 @@ const DIRECTIONS: [(&str, [f32; 2]); 4] =
     [("forward", [1.0, 0.0]), ("backward", [-1.0, 0.0]), ("left", [0.0, 1.0]), ("right", [0.0, -1.0])];
 
 const TASKS: [(&str, Tasks); 5] = [
-    ("movement", Tasks::of(Task::Movement)),
-    ("speech", Tasks::of(Task::Speech)),
-    ("music", Tasks::of(Task::Music)),
-    ("walk", Tasks::of(Task::Walk)),
+    ("movement", Tasks { movement: true, ..Tasks::NONE }),
+    ("speech", Tasks { speech: true, ..Tasks::NONE }),
+    ("music", Tasks { music: true, ..Tasks::NONE }),
+    ("walk", Tasks { walk: true, ..Tasks::NONE }),
     ("all", Tasks::ALL),
 ];
 
-const BUTTONS: [(&str, Signal); 3] = [
-    ("chest", Signal::Press(Button::Chest)),
-    ("left", Signal::Press(Button::Left)),
-    ("right", Signal::Press(Button::Right)),
-];
+const BUTTONS: [(&str, Signal); 3] = [("chest", Signal::Chest), ("left", Signal::Left), ("right", Signal::Right)];
 
 const TOUCHES: [(&str, Signal); 3] =
     [("head", Signal::Head), ("left_hand", Signal::LeftHand), ("right_hand", Signal::RightHand)];
@@ -111,106 +104,52 @@ const BRANCHES: [(&str, usize); 3] = [("done", 0), ("not_done", 1), ("nobody", 2
 /// Most time of a wait or of an exercise, s.
 const LONGEST: f32 = 3600.0;
 
-/// Parses a line; `None` if it is empty.
-pub(super) fn parse(number: usize, line: &str) -> Result<Option<Command>, Problem> {
+/// Reads a line, which may be empty.
+pub(super) fn read(script: &mut Builder, number: usize, line: &str) -> Result<(), Problem> {
     let mut line = Line::new(number, line)?;
     if line.is_done() {
-        return Ok(None);
+        return Ok(());
     }
-    let command = command(&mut line)?;
-    line.end()?;
-    Ok(Some(command))
+    line.choice("a command", &VERBS)?(script, &mut line)?;
+    line.end()
 }
 
-fn command(line: &mut Line<'_>) -> Result<Command, Problem> {
-    Ok(match line.choice("a command", &VERBS)? {
-        Verb::Title => Command::Title(line.text("the title")?.0.to_owned()),
-        Verb::Language => Command::Language(line.choice("a language", &LANGUAGES)?.to_owned()),
-        Verb::Say => say(line)?,
-        Verb::Music => line.text("the file").map(|(file, at)| Command::Play(Clip::File(file.into()), at))?,
-        Verb::Movement => {
-            let movement = line.choice("a movement", &Movement::NAMES)?;
-            let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
-            Command::Step(Step::Move { movement, tempo: tempo / 100.0 })
-        }
-        Verb::Exercise => exercise(line)?,
-        Verb::Volume => Command::Step(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0)),
-        Verb::Light => {
-            let lamp = line.choice("a light", &LAMPS)?;
-            Command::Step(Step::Light(lamp, line.choice("a colour", &COLOURS)?))
-        }
-        Verb::Walk => {
-            let [forward, left] = line.choice("a direction", &DIRECTIONS)?;
-            let distance = line.number("a distance in metres", 0.02..=0.5)?;
-            line.expect(&["m"])?;
-            Command::Step(Step::Walk([forward * distance, left * distance, 0.0]))
-        }
-        Verb::Turn => {
-            let sign = line.choice("a side", &[("left", 1.0_f32), ("right", -1.0)])?;
-            let angle = line.number("an angle in degrees", 5.0..=90.0)?;
-            Command::Step(Step::Walk([0.0, 0.0, sign * angle.to_radians()]))
-        }
-        Verb::Wait => wait(line)?,
-        Verb::Stop => Command::Step(Step::Stop(line.choice("a task", &TASKS)?)),
-        Verb::Stiffness => Command::Step(Step::Stiffness(line.choice("a stiffness", &[("on", true), ("off", false)])?)),
-        Verb::Place => line.name("the name of the place").map(|(name, at)| Command::Place(name.to_owned(), at))?,
-        Verb::Go => {
-            line.expect(&["to"])?;
-            line.name("the name of a place").map(|(name, at)| Command::GoTo(name.to_owned(), at))?
-        }
-        Verb::Repeat => {
-            let times = line.count("a number of times", 2..=1000)?;
-            line.expect(&["times"])?;
-            Command::Repeat(times)
-        }
-        Verb::When => Command::When(line.choice("a result of the exercise", &BRANCHES)?),
-        Verb::End => Command::End,
-    })
-}
-
-fn say(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn say(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     if line.has("file") {
         let (file, at) = line.text("the file")?;
-        return Ok(Command::Speak(Clip::File(file.into()), at));
+        return script.sound(Step::Speak, Clip::File(file.into()), at);
     }
     let (text, at) = line.text("the text")?;
-    let language = line.has("in").then(|| line.choice("a language", &LANGUAGES)).transpose()?;
-    Ok(Command::Speak(Clip::Text { text: text.to_owned(), language: language.unwrap_or_default().to_owned() }, at))
+    let own = line.has("in").then(|| line.choice("a language", &LANGUAGES)).transpose()?;
+    let language = own.unwrap_or(&script.language).to_owned();
+    script.sound(Step::Speak, Clip::Text { text: text.to_owned(), language }, at)
 }
 
-fn exercise(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn exercise(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     let movement = line.choice("a movement", &Movement::NAMES)?;
     line.expect(&["reps"])?;
     let repetitions = line.count("a number of repetitions", 1..=100)?;
-    let mut hold = 0.0;
-    if line.has("hold") {
-        hold = line.number("a time in seconds", 0.5..=60.0)?;
-        line.expect(&["s"])?;
-    }
+    let hold = if line.has("hold") { line.measure("a time in seconds", 0.5..=60.0, "s")? } else { 0.0 };
     let limit = at_most(line)?;
-    Ok(Command::Step(Step::Exercise { movement, repetitions, hold, limit, then: [0; 3] }))
+    script.push(Step::Exercise { movement, repetitions, hold, limit, then: [0; 3] })
 }
 
-fn wait(line: &mut Line<'_>) -> Result<Command, Problem> {
+fn wait(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
     let until = if line.has("press") {
         Until::Signal(line.choice("a button", &BUTTONS)?)
     } else if line.has("touch") {
         Until::Signal(line.choice("a place to touch", &TOUCHES)?)
     } else if line.next_is_number() {
-        let seconds = line.number("a time in seconds", 0.1..=LONGEST)?;
-        line.expect(&["s"])?;
-        return Ok(Command::Step(Step::Wait(Until::Time, seconds)));
+        return script.push(Step::Wait(Until::Time, line.measure("a time in seconds", 0.1..=LONGEST, "s")?));
     } else {
         let allowed = ["a time in seconds", "press", "touch", "movement", "speech", "music", "walk", "all"];
         Until::Ends(line.choice("what is waited for", &TASKS).map_err(|problem| problem.with_allowed(&allowed))?)
     };
-    Ok(Command::Step(Step::Wait(until, at_most(line)?)))
+    script.push(Step::Wait(until, at_most(line)?))
 }
 
 /// Reads the time limit, which each wait must have.
 fn at_most(line: &mut Line<'_>) -> Result<f32, Problem> {
     line.expect(&["at", "most"])?;
-    let seconds = line.number("a time in seconds", 0.1..=LONGEST)?;
-    line.expect(&["s"])?;
-    Ok(seconds)
+    line.measure("a time in seconds", 0.1..=LONGEST, "s")
 }

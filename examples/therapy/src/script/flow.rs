@@ -28,7 +28,7 @@ pub(super) fn check(script: &Script) -> Vec<Problem> {
     }
     let written = |index: &usize| !matches!(script.steps[*index], Step::GoTo(_) | Step::Again { .. });
     let lost = (0..reached.len()).filter(|index| !reached[*index]).find(written);
-    let lost = lost.map(|index| Problem::new((script.lines[index], 1), "this line is never reached", "", &[]));
+    let lost = lost.map(|index| Problem::at((script.lines[index], 1), "this line is never reached"));
     let circle = (0..script.steps.len()).filter(|index| reached[*index]).find(|index| returns(script, *index));
     let circle = circle.map(|index| {
         Problem::new((script.lines[index], 1), "this goes round for ever without a pause", "", &["a `wait` between"])

@@ -77,7 +77,7 @@ impl Script {
                 }
                 Ok(_) => return None,
             };
-            Some(Problem::new(*place, what, "", &[]))
+            Some(Problem::at(*place, what))
         };
         self.clips.iter().zip(&self.places).filter_map(check).collect()
     }

@@ -34,6 +34,11 @@ impl Problem {
         Self { line: at.0, column: at.1, what: what.into(), allowed, nearest }
     }
 
+    /// An error that no other word mends.
+    pub(super) fn at(at: (usize, usize), what: impl Into<String>) -> Self {
+        Self::new(at, what, "", &[])
+    }
+
     /// The same error with another list of what can stand there.
     pub(super) fn with_allowed(self, allowed: &[&str]) -> Self {
         Self { allowed: allowed.iter().map(ToString::to_string).collect(), ..self }
@@ -44,12 +49,10 @@ impl fmt::Display for Problem {
     /// `LINE:COLUMN: what is wrong; what is allowed`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}: {}", self.line, self.column, self.what)?;
-        if let Some(nearest) = &self.nearest {
-            write!(f, "; did you mean `{nearest}`?")?;
+        match &self.nearest {
+            Some(nearest) => write!(f, "; did you mean `{nearest}`? Allowed: {}", self.allowed.join(", ")),
+            None if !self.allowed.is_empty() => write!(f, ". Allowed: {}", self.allowed.join(", ")),
+            None => Ok(()),
         }
-        if !self.allowed.is_empty() {
-            write!(f, " Allowed: {}", self.allowed.join(", "))?;
-        }
-        Ok(())
     }
 }

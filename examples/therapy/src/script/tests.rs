@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::session::{Movement, Task, Tasks, Until};
+use crate::session::{Movement, Tasks, Until};
 
 fn steps(text: &str) -> Vec<Step> {
     Script::parse(text).unwrap_or_else(|problems| panic!("{problems:?}")).steps
@@ -35,7 +35,8 @@ fn loops_and_branches_become_numbers_of_steps() {
 fn walk_keeps_its_first_value_and_stop_names_its_task() {
     let text = "walk forward 0.2 m\nturn right 90\nstop music # not \"all\"";
     let turn = -core::f32::consts::FRAC_PI_2;
-    let wanted = [Step::Walk([0.2, 0.0, 0.0]), Step::Walk([0.0, 0.0, turn]), Step::Stop(Tasks::of(Task::Music))];
+    let wanted =
+        [Step::Walk([0.2, 0.0, 0.0]), Step::Walk([0.0, 0.0, turn]), Step::Stop(Tasks { music: true, ..Tasks::NONE })];
     assert_eq!(steps(text), wanted);
 }
 
@@ -48,7 +49,7 @@ const WRONG: [(&str, &str); 43] = [
     ("mov nod", "1:1: `mov` is not a command; did you mean `movement`?"),
     ("12", "1:1: 12 is not a command"),
     ("\"Hello\"", "1:1: \"Hello\" is not a command"),
-    ("say Hello", "1:5: `Hello` is not the text Allowed: a text in quotes"),
+    ("say Hello", "1:5: `Hello` is not the text. Allowed: a text in quotes"),
     ("say", "1:4: the text is missing"),
     ("say \"Hello", "1:5: the text has no closing quote"),
     ("say \"  \"", "1:5: the text is empty"),
@@ -56,19 +57,19 @@ const WRONG: [(&str, &str); 43] = [
     ("say \"Hello\" loud", "1:13: `loud` is not the end of the line"),
     ("say file nod", "1:10: `nod` is not the file"),
     ("language english", "1:10: `english` is not a language"),
-    ("music song.wav", "1:7: `song.wav` is not the file Allowed: a text in quotes"),
+    ("music song.wav", "1:7: `song.wav` is not the file. Allowed: a text in quotes"),
     ("movement arm_open", "1:10: `arm_open` is not a movement; did you mean `arms_open`? Allowed: arms_alternately"),
-    ("movement nod tempo 150", "1:20: 150 is not a tempo in percent Allowed: 20 to 100"),
+    ("movement nod tempo 150", "1:20: 150 is not a tempo in percent. Allowed: 20 to 100"),
     ("movement nod fast", "1:14: `fast` is not the end of the line"),
-    ("volume 160", "1:8: 160 is not a volume in percent Allowed: 0 to 100"),
+    ("volume 160", "1:8: 160 is not a volume in percent. Allowed: 0 to 100"),
     ("volume loud", "1:8: `loud` is not a volume in percent"),
     ("light eye green", "1:7: `eye` is not a light; did you mean `eyes`?"),
     ("light eyes gren", "1:12: `gren` is not a colour; did you mean `green`?"),
-    ("walk forward 2 m", "1:14: 2 is not a distance in metres Allowed: 0.02 to 0.5"),
+    ("walk forward 2 m", "1:14: 2 is not a distance in metres. Allowed: 0.02 to 0.5"),
     ("walk 0.2 m", "1:6: 0.2 is not a direction"),
     ("walk forward 0.2", "1:17: `m` is missing"),
     ("turn left 180", "1:11: 180 is not an angle in degrees"),
-    ("wait", "1:5: what is waited for is missing Allowed: a time in seconds, press"),
+    ("wait", "1:5: what is waited for is missing. Allowed: a time in seconds, press"),
     ("wait 0 s", "1:6: 0 is not a time in seconds"),
     ("wait 3", "1:7: `s` is missing"),
     ("wait music", "1:11: `at` is missing"),
@@ -77,7 +78,7 @@ const WRONG: [(&str, &str); 43] = [
     ("exercise nod at most 60 s", "1:14: `at` is not `reps`"),
     ("exercise nod reps 2.5 at most 60 s", "1:19: 2.5 is not a number of repetitions"),
     ("exercise nod reps 2", "1:20: `at` is missing"),
-    ("stop dancing", "1:6: `dancing` is not a task Allowed: movement, speech, music, walk, all"),
+    ("stop dancing", "1:6: `dancing` is not a task. Allowed: movement, speech, music, walk, all"),
     ("wait 1 s\ngo to halls\nplace hall\nwait 1 s", "2:7: there is no place `halls`; did you mean `hall`?"),
     ("place a\nwait 1 s\nplace a\nwait 1 s", "3:7: there is a place `a` already"),
     ("repeat 2 times\nplace a\nwait 1 s\nend", "2:1: a place cannot be between"),
@@ -100,6 +101,21 @@ fn each_wrong_script_has_its_error_at_its_place() {
     assert_eq!(lines, [1, 3, 4, 7, 9], "all errors are told");
     let lost = Script::parse("go to b\nwait 1 s\nplace b\nwait 1 s").expect_err("lost");
     assert_eq!(lost[0].to_string(), "2:1: this line is never reached");
+}
+
+#[test]
+fn documentation_names_each_command_and_its_first_session_is_right() {
+    let docs = include_str!("../../../../docs/therapy.md");
+    let rows = docs.lines().skip_while(|line| *line != "| command | what it does |").skip(2);
+    let rows: Vec<_> = rows.map_while(|line| line.strip_prefix("| ")?.split(" | ").next()).collect();
+    let named = rows.iter().flat_map(|row| row.split('`').skip(1).step_by(2)).map(|line| line.replace("NAME", "nod"));
+    let named: Vec<_> = named.collect();
+    let (_, problems) = build::build(&named.join("\n").replace("times", "times\nwait 1 s"));
+    assert_eq!(problems, [], "{named:?}");
+    let is_named = |verb| named.iter().any(|line| line.split(' ').next() == Some(verb));
+    assert!(command::VERBS.iter().all(|(verb, _)| is_named(verb)), "{named:?}");
+    let first = docs.split_once("```text\n").and_then(|(_, rest)| rest.split_once("```")).expect("a session").0;
+    assert_eq!(steps(first).len(), 9);
 }
 
 #[test]

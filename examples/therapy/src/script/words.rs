@@ -12,6 +12,7 @@ use winnow::{LocatingSlice, Result};
 use super::Problem;
 
 type Input<'a> = LocatingSlice<&'a str>;
+type Checked<T> = std::result::Result<T, Problem>;
 
 /// A word, a number or a text in quotes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +46,7 @@ pub(super) struct Line<'a> {
 
 impl<'a> Line<'a> {
     /// Splits a line without its comment. `number` is that of the line, from 1.
-    pub(super) fn new(number: usize, line: &'a str) -> std::result::Result<Self, Problem> {
+    pub(super) fn new(number: usize, line: &'a str) -> Checked<Self> {
         let text = without_comment(line);
         let mut input = LocatingSlice::new(text);
         let words = words(&mut input).unwrap_or_default();
@@ -54,7 +55,7 @@ impl<'a> Line<'a> {
         let Some(sign) = text[offset..].chars().next() else { return Ok(line) };
         let at = line.place(offset);
         if sign == '"' {
-            return Err(Problem::new(at, "the text has no closing quote `\"`", "", &[]));
+            return Err(Problem::at(at, "the text has no closing quote `\"`"));
         }
         Err(Problem::new(at, format!("`{sign}` cannot stand here"), "", &["a word", "a number", "a text in quotes"]))
     }
@@ -95,7 +96,7 @@ impl<'a> Line<'a> {
     }
 
     /// Reads one of these words.
-    pub(super) fn choice<T: Copy>(&mut self, wanted: &str, choices: &[(&str, T)]) -> std::result::Result<T, Problem> {
+    pub(super) fn choice<T: Copy>(&mut self, wanted: &str, choices: &[(&str, T)]) -> Checked<T> {
         let found = match self.first() {
             Some((_, Word::Name(name))) => choices.iter().find(|(word, _)| *word == name),
             _ => None,
@@ -118,7 +119,7 @@ impl<'a> Line<'a> {
     }
 
     /// Reads these words.
-    pub(super) fn expect(&mut self, wanted: &[&str]) -> std::result::Result<(), Problem> {
+    pub(super) fn expect(&mut self, wanted: &[&str]) -> Checked<()> {
         wanted.iter().try_for_each(|word| {
             let found = self.has(word);
             if found { Ok(()) } else { Err(self.wrong(&format!("`{word}`"), &[word])) }
@@ -126,7 +127,7 @@ impl<'a> Line<'a> {
     }
 
     /// Reads a name that the author chooses.
-    pub(super) fn name(&mut self, wanted: &str) -> std::result::Result<(&'a str, (usize, usize)), Problem> {
+    pub(super) fn name(&mut self, wanted: &str) -> Checked<(&'a str, (usize, usize))> {
         let at = self.next_place();
         let Some((_, Word::Name(name))) = self.first() else { return Err(self.wrong(wanted, &[])) };
         self.words.next();
@@ -134,20 +135,20 @@ impl<'a> Line<'a> {
     }
 
     /// Reads a text in quotes.
-    pub(super) fn text(&mut self, wanted: &str) -> std::result::Result<(&'a str, (usize, usize)), Problem> {
+    pub(super) fn text(&mut self, wanted: &str) -> Checked<(&'a str, (usize, usize))> {
         let at = self.next_place();
         let Some((_, Word::Text(text))) = self.first() else {
             return Err(self.wrong(wanted, &["a text in quotes"]));
         };
         if text.trim().is_empty() {
-            return Err(Problem::new(at, format!("{wanted} is empty"), "", &[]));
+            return Err(Problem::at(at, format!("{wanted} is empty")));
         }
         self.words.next();
         Ok((text, at))
     }
 
     /// Reads a number within a range.
-    pub(super) fn number(&mut self, wanted: &str, range: RangeInclusive<f32>) -> std::result::Result<f32, Problem> {
+    pub(super) fn number(&mut self, wanted: &str, range: RangeInclusive<f32>) -> Checked<f32> {
         let allowed = format!("{} to {}", range.start(), range.end());
         match self.first() {
             Some((_, Word::Number(number))) if range.contains(&number) => {
@@ -158,8 +159,14 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Reads a number within a range, with its unit.
+    pub(super) fn measure(&mut self, wanted: &str, range: RangeInclusive<f32>, unit: &str) -> Checked<f32> {
+        let number = self.number(wanted, range)?;
+        self.expect(&[unit]).map(|()| number)
+    }
+
     /// Reads a whole number within a range.
-    pub(super) fn count(&mut self, wanted: &str, range: RangeInclusive<u16>) -> std::result::Result<u16, Problem> {
+    pub(super) fn count(&mut self, wanted: &str, range: RangeInclusive<u16>) -> Checked<u16> {
         let at = self.next_place();
         let number = self.number(wanted, f32::from(*range.start())..=f32::from(*range.end()))?;
         if number.fract() == 0.0 {
@@ -169,7 +176,7 @@ impl<'a> Line<'a> {
     }
 
     /// Checks that all words are read.
-    pub(super) fn end(&self) -> std::result::Result<(), Problem> {
+    pub(super) fn end(&self) -> Checked<()> {
         if self.is_done() { Ok(()) } else { Err(self.wrong("the end of the line", &[])) }
     }
 }

@@ -6,4 +6,4 @@ mod step;
 
 pub use plan::{DEEPEST, MOST_CLIPS, MOST_STEPS, Plan};
 pub use player::Session;
-pub use step::{Button, Lamp, Movement, Signal, Step, Task, Tasks, Until};
+pub use step::{Lamp, Movement, Signal, Step, Tasks, Until};

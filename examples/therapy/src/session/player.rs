@@ -6,11 +6,10 @@ use bica::prelude::*;
 use bica_motion::robot::Light;
 
 use self::wish::{Wish, end, halt};
-use super::{Plan, Signal, Step, Task, Tasks, Until};
+use super::{Plan, Signal, Step, Until};
 use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
-use crate::session::Button;
 
 /// Steps without a wait that are done in one run.
 const AT_ONCE: usize = 16;
@@ -47,14 +46,7 @@ impl Session {
 
     /// Waits for the start.
     #[state(initial)]
-    fn ready(
-        &mut self,
-        _mover: &mut Mover,
-        _walk: &mut Walk,
-        _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
-    ) {
+    fn ready(&mut self, _mover: &mut Mover, _walk: &mut Walk, _sound: &mut Sound) {
         self.hear();
     }
 
@@ -67,8 +59,6 @@ impl Session {
         sound: &mut Sound,
         lights: &mut Lights,
         motors: &mut Motors,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
     ) {
         self.hear();
         for _ in 0..AT_ONCE {
@@ -92,15 +82,7 @@ impl Session {
 
     /// Waits as the step says.
     #[state]
-    fn waiting(
-        &mut self,
-        time: &Time,
-        _mover: &mut Mover,
-        _walk: &mut Walk,
-        _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
-    ) {
+    fn waiting(&mut self, time: &Time, _mover: &mut Mover, _walk: &mut Walk, _sound: &mut Sound) {
         self.hear();
         self.waited += time.dt();
     }
@@ -115,8 +97,6 @@ impl Session {
         pose: &PatientPose,
         _walk: &mut Walk,
         _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
     ) {
         self.hear();
         self.waited += time.dt();
@@ -136,60 +116,39 @@ impl Session {
 
     /// Rests with the arms down until somebody lets it go on.
     #[state]
-    fn paused(
-        &mut self,
-        _mover: &mut Mover,
-        _walk: &mut Walk,
-        _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
-    ) {
+    fn paused(&mut self) {
         self.hear();
     }
 
     /// Stands still until somebody expressly lets it go on.
     #[state]
-    fn stopped(
-        &mut self,
-        _mover: &mut Mover,
-        _walk: &mut Walk,
-        _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
-    ) {
+    fn stopped(&mut self) {
         self.hear();
     }
 
     /// The session is over.
     #[state]
-    fn finished(
-        &mut self,
-        _mover: &mut Mover,
-        _walk: &mut Walk,
-        _sound: &mut Sound,
-        _signals: &mut Signals,
-        _guard: &mut Guard,
-    ) {
+    fn finished(&mut self, _mover: &mut Mover, _walk: &mut Walk, _sound: &mut Sound) {
         self.hear();
     }
 
     /// A person stops the session: by the page, or by a bumper that the session does not wait for.
-    #[transition(ready | running | waiting | exercising | paused | finished -> stopped)]
+    #[transition(* -> stopped)]
     fn is_stopped(&self, signals: &Signals) -> bool {
-        let bumper = [Button::Left, Button::Right].map(Signal::Press).into_iter();
+        let bumper = [Signal::Left, Signal::Right].into_iter();
         let bumper = bumper.filter(|signal| self.awaited() != Some(*signal)).any(|signal| signals.begins(signal));
         self.heard == Some(Wish::Stop) || bumper
     }
 
     /// A trouble pauses the session; a fall stops it.
-    #[transition(ready | running | waiting | exercising | paused | finished -> stopped)]
+    #[transition(* -> stopped)]
     fn has_fallen(&self, guard: &Guard) -> bool {
         guard.trouble() == Some(Trouble::Fallen)
     }
 
     #[transition(running | waiting | exercising -> paused)]
     fn is_paused(&self, signals: &Signals, guard: &Guard) -> bool {
-        let chest = Signal::Press(Button::Chest);
+        let chest = Signal::Chest;
         let pressed = self.awaited() != Some(chest) && signals.begins(chest);
         self.heard == Some(Wish::Pause) || pressed || guard.trouble().is_some()
     }
@@ -202,12 +161,12 @@ impl Session {
 
     #[transition(ready -> running)]
     fn is_started(&self, signals: &Signals) -> bool {
-        self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Press(Button::Chest)))
+        self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Chest))
     }
 
     #[transition(paused -> running)]
     fn goes_on(&self, signals: &Signals, guard: &Guard) -> bool {
-        let wished = self.heard == Some(Wish::GoOn) || signals.begins(Signal::Press(Button::Chest));
+        let wished = self.heard == Some(Wish::GoOn) || signals.begins(Signal::Chest);
         wished && guard.trouble().is_none()
     }
 
@@ -236,15 +195,13 @@ impl Session {
     #[transition(waiting -> running)]
     fn has_waited(&self, mover: &Mover, walk: &Walk, sound: &Sound, signals: &Signals) -> bool {
         let Some(Step::Wait(until, limit)) = self.plan.step() else { return true };
-        let ends = |tasks: Tasks| {
-            let sounds = [(Task::Speech, sound.speaks()), (Task::Music, sound.plays())];
-            let moves = [(Task::Movement, mover.is_running()), (Task::Walk, walk.is_walking())];
-            sounds.into_iter().chain(moves).all(|(task, runs)| !(runs && tasks.has(task)))
-        };
         self.waited >= limit
             || match until {
                 Until::Time => false,
-                Until::Ends(tasks) => ends(tasks),
+                Until::Ends(tasks) => {
+                    let sounds = tasks.speech && sound.speaks() || tasks.music && sound.plays();
+                    !(sounds || tasks.movement && mover.is_running() || tasks.walk && walk.is_walking())
+                }
                 Until::Signal(signal) => signals.begins(signal),
             }
     }

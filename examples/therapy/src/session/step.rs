@@ -68,12 +68,16 @@ pub enum Until {
     Signal(Signal),
 }
 
-/// A press or a touch.
+/// What can be pressed or touched.
 #[message]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ParamEnum)]
 pub enum Signal {
-    /// A button.
-    Press(Button),
+    /// The button in the chest.
+    Chest,
+    /// The bumper of the left foot.
+    Left,
+    /// The bumper of the right foot.
+    Right,
     /// The sensors of the head.
     Head,
     /// The sensors of the left hand.
@@ -82,16 +86,9 @@ pub enum Signal {
     RightHand,
 }
 
-/// A button.
-#[message]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Button {
-    /// In the chest.
-    Chest,
-    /// Bumper of the left foot.
-    Left,
-    /// Bumper of the right foot.
-    Right,
+impl Signal {
+    /// Number of signals.
+    pub const COUNT: usize = 6;
 }
 
 /// Lights.
@@ -106,39 +103,26 @@ pub enum Lamp {
     Chest,
 }
 
-/// What runs beside the steps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Task {
-    /// A movement.
-    Movement,
-    /// Speech.
-    Speech,
-    /// Music.
-    Music,
-    /// Walking.
-    Walk,
-}
-
-/// A set of tasks.
+/// A set of what runs beside the steps.
 #[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tasks(u8);
+#[expect(clippy::struct_excessive_bools, reason = "each is in the set or not")]
+pub struct Tasks {
+    /// The movement.
+    pub movement: bool,
+    /// The speech.
+    pub speech: bool,
+    /// The music.
+    pub music: bool,
+    /// The walk.
+    pub walk: bool,
+}
 
 impl Tasks {
+    /// No task.
+    pub const NONE: Self = Self { movement: false, speech: false, music: false, walk: false };
     /// All tasks.
-    pub const ALL: Self = Self(0b1111);
-
-    /// One task.
-    #[must_use]
-    pub const fn of(task: Task) -> Self {
-        Self(1 << task as u8)
-    }
-
-    /// Whether a task is in the set.
-    #[must_use]
-    pub const fn has(self, task: Task) -> bool {
-        self.0 & 1 << task as u8 != 0
-    }
+    pub const ALL: Self = Self { movement: true, speech: true, music: true, walk: true };
 }
 
 /// One of the seven movements of physiotherapy.

@@ -77,6 +77,9 @@ export function start(element) {
 const arrangement = () => JSON.stringify([api.groups.map(({ panels }) => panels.map(({ id, params }) => [id, params ?? {}])), watches.peek()]);
 let presetArrangement = null;
 
+/** Whether the layout is for people who are not engineers: the page then leaves sessions, costs and worlds to its panel. */
+export const isPlain = () => Boolean(PRESETS[layoutName.value]?.plain);
+
 /** Whether the layout is the preset that was applied last, but for sizes. */
 export const isPreset = () => Boolean(PRESETS[layoutName.peek()]) && arrangement() === presetArrangement;
 

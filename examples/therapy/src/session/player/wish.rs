@@ -5,7 +5,7 @@ use bica_motion::robot::Light;
 use super::Session;
 use crate::body::{Lights, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
-use crate::session::{Lamp, Signal, Step, Task, Tasks, Until};
+use crate::session::{Lamp, Signal, Step, Tasks, Until};
 
 /// Time without a skeleton after which nobody is there, s.
 const NOBODY: f32 = 15.0;
@@ -54,10 +54,10 @@ impl Session {
 /// Ends tasks.
 pub(super) fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
     sound.stop(tasks);
-    if tasks.has(Task::Movement) {
+    if tasks.movement {
         mover.freeze();
     }
-    if tasks.has(Task::Walk) {
+    if tasks.walk {
         walk.halt();
     }
 }

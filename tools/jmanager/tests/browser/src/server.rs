@@ -38,6 +38,15 @@ impl Server {
         Self::start_program(&program("examples").join(name), name, &["monitor"])
     }
 
+    /// The same with another program of the repository.
+    ///
+    /// # Panics
+    /// If the program is not built or does not start.
+    #[must_use]
+    pub fn start_other(name: &str, arguments: &[&str]) -> Self {
+        Self::start_program(&program(name), name, arguments)
+    }
+
     fn start_program(program: &Path, name: &str, arguments: &[&str]) -> Self {
         let folder = target().join(format!("browser/run/{name}-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the server");

@@ -14,10 +14,18 @@ return controls.filter(small).map((one) => `${one.ariaLabel || one.textContent |
 ";
 
 /// What axe finds of the two upper levels.
-const AXE: &str = r"
+pub(crate) const AXE: &str = r"
 return axe.run(document, { resultTypes: ['violations'] }).then(({ violations }) => violations.filter(({ impact }) => impact === 'critical' || impact === 'serious')
   .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 4).map(({ target, any }) => `${target} ${any[0]?.message ?? ''}`).join('; ')}`));
 ";
+
+/// Loads axe into the page.
+pub(crate) async fn load_axe(page: &Page) {
+    let file = target().join("axe/node_modules/axe-core/axe.min.js");
+    let axe = std::fs::read_to_string(&file)
+        .unwrap_or_else(|error| panic!("{}: {error}; `cargo xtask browser` installs it", file.display()));
+    page.run(&format!("{axe}; window.axe = axe;"), vec![]).await;
+}
 
 async fn in_each_layout(page: &Page, check: &str) {
     for theme in ["dark", "light"] {
@@ -38,10 +46,7 @@ async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
     let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
     let server = Server::start("access", &["--source", sources]);
     let page = open_in(&server, SMALL).await;
-    let file = target().join("axe/node_modules/axe-core/axe.min.js");
-    let axe = std::fs::read_to_string(&file)
-        .unwrap_or_else(|error| panic!("{}: {error}; `cargo xtask browser` installs it", file.display()));
-    page.run(&format!("{axe}; window.axe = axe;"), vec![]).await;
+    load_axe(&page).await;
     in_each_layout(&page, TARGETS).await;
     in_each_layout(&page, AXE).await;
     page.close().await;

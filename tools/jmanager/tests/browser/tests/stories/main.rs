@@ -21,6 +21,7 @@ mod rolling;
 mod running;
 mod space;
 mod spans;
+mod therapy;
 mod uses;
 mod watching;
 

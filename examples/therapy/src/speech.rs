@@ -1,0 +1,152 @@
+//! Speech by `espeak-ng`, and sound on the device of this computer by `paplay`. Both are optional.
+
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use bica_app::Failure;
+
+use crate::body::Sounding;
+use crate::script::{Clip, Script};
+
+/// Words a minute: slow speech, our choice. The program's own choice is 175.
+const SPEED: &str = "130";
+/// Volume of `paplay` that changes nothing.
+const FULL: f32 = 65_536.0;
+
+/// Replaces each text of a session by a file in WAV format, which it makes in a folder unless the folder has it already.
+///
+/// # Errors
+/// If the folder cannot be made, or `program`, as `espeak-ng`, cannot be started or does not speak a text. The texts that are left stay
+/// texts.
+pub fn speak(script: &mut Script, folder: &Path, program: &str) -> Result<(), Failure> {
+    let failed = |error| Failure::of_path("create", folder, &error, "give a folder that can be written");
+    fs::create_dir_all(folder).map_err(failed)?;
+    for clip in &mut script.clips {
+        let Clip::Text { text, language } = clip else { continue };
+        let mut hash = DefaultHasher::new();
+        (&text, SPEED).hash(&mut hash);
+        let file = folder.join(format!("{language}-{:016x}.wav", hash.finish()));
+        if !file.exists() {
+            let mut command = Command::new(program);
+            command.args(["-v", language, "-s", SPEED, "-w"]).arg(&file).arg("--").arg(text).stdin(Stdio::null());
+            let failed =
+                |why: &str| Failure::new(format!("`{program}` cannot speak: {why}"), "`apt install espeak-ng`");
+            let made = command.output().map_err(|error| failed(&error.to_string()))?;
+            if !made.status.success() || !file.exists() {
+                return Err(failed(String::from_utf8_lossy(&made.stderr).trim()));
+            }
+        }
+        // A path that does not depend on the folder of the session.
+        *clip = Clip::File(fs::canonicalize(&file).unwrap_or(file));
+    }
+    Ok(())
+}
+
+/// Plays the clips of a session.
+#[derive(Debug)]
+pub struct Player {
+    program: String,
+    /// The file of each clip; `None` of a text.
+    files: Vec<Option<PathBuf>>,
+    /// What sounds: clips of speech and of music, and the programs that play them.
+    channels: [(Option<u16>, Option<Child>); 2],
+}
+
+impl Player {
+    /// A player of the clips of a session, whose files are relative to a folder. `program` is called as `paplay` is.
+    #[must_use]
+    pub fn new(script: &Script, folder: &Path, program: &str) -> Self {
+        let file = |clip: &Clip| if let Clip::File(file) = clip { Some(folder.join(file)) } else { None };
+        Self {
+            program: program.to_owned(),
+            files: script.clips.iter().map(file).collect(),
+            channels: Default::default(),
+        }
+    }
+
+    /// Begins and ends what changes. A new volume holds from the next clip on.
+    ///
+    /// # Errors
+    /// If the program cannot be started.
+    pub fn play(&mut self, sound: Sounding) -> io::Result<()> {
+        for ((before, child), clip) in self.channels.iter_mut().zip([sound.speech, sound.music]) {
+            if std::mem::replace(before, clip) == clip {
+                continue;
+            }
+            end(child);
+            if let Some(Some(file)) = clip.and_then(|clip| self.files.get(usize::from(clip))) {
+                let volume = format!("--volume={:.0}", FULL * sound.volume);
+                *child = Some(Command::new(&self.program).arg(volume).arg(file).stderr(Stdio::null()).spawn()?);
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Player {
+    fn drop(&mut self) {
+        self.channels.iter_mut().for_each(|(_, child)| end(child));
+    }
+}
+
+/// Ends a program that plays.
+fn end(child: &mut Option<Child>) {
+    if let Some(mut child) = child.take() {
+        let _ = child.kill();
+        let _ = child.wait();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::Order;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("therapy-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        folder
+    }
+
+    #[test]
+    fn texts_are_spoken_in_their_language_or_stay_texts_without_the_program() {
+        let mut script =
+            Script::parse("say \"- Hello.\"\nsay \"Guten Morgen, wie geht es?\" in de").expect("a right script");
+        let (folder, silent) = (folder("speech"), script.clone());
+        assert!(speak(&mut script, &folder, "no-such-program").is_err() && script == silent);
+        let spoken = speak(&mut script, &folder, "espeak-ng");
+        let orders = script.orders(Path::new("."));
+        fs::remove_dir_all(folder).expect("the folder");
+        if let Err(failure) = spoken {
+            println!("skipped: {failure:?}");
+            return;
+        }
+        assert!(matches!(&script.clips[1], Clip::File(file) if file.to_string_lossy().contains("/de-")));
+        let [Order::Clip(hello), Order::Clip(morning), ..] = orders[..] else { panic!("{orders:?}") };
+        assert!(hello > 0.5 && morning > hello + 0.5, "{hello} {morning}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_clip_is_played_once_and_ends_at_a_stop() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = folder("player");
+        let program = folder.join("play");
+        fs::write(&program, "#!/bin/sh\necho \"$@\" >> \"$0.log\"\nexec sleep 600\n").expect("a program");
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
+        let script = Script::parse("music \"a.wav\"").expect("a right script");
+        let mut player = Player::new(&script, &folder, program.to_str().expect("a path of UTF-8"));
+        let music = Sounding { music: Some(0), volume: 0.5, ..Sounding::default() };
+        (0..3).for_each(|_| player.play(music).expect("it plays"));
+        let log = std::iter::repeat_with(|| fs::read_to_string(folder.join("play.log")).unwrap_or_default());
+        let log = log.inspect(|_| std::thread::yield_now()).find(|log| log.ends_with('\n')).expect("a line");
+        assert_eq!(log, format!("--volume=32768 {}\n", folder.join("a.wav").display()));
+        let child = player.channels[1].1.as_ref().expect("a program").id();
+        player.play(Sounding::default()).expect("it ends");
+        assert!(!Path::new(&format!("/proc/{child}")).exists() && player.channels[1].1.is_none());
+        fs::remove_dir_all(folder).expect("the folder");
+    }
+}
