@@ -1,0 +1,213 @@
+//! Numbers and rows of tables of constants.
+
+use super::plan::{Context, list};
+use super::request::{NewNumber, Refusal};
+use super::splice::Splice;
+use crate::model::{Row, Span, Table};
+
+/// Most decimals that are written.
+const DECIMALS: usize = 6;
+
+fn find<'a>(context: &Context<'a>, key: &str) -> Result<&'a Table, Refusal> {
+    let tables = &context.model.tables;
+    tables.iter().find(|table| table.key == key).ok_or_else(|| {
+        let known = list(tables.iter().map(|table| &*table.key));
+        Refusal::new(format!("no table `{key}` is in this file: there is {known}"))
+    })
+}
+
+fn row<'a>(table: &'a Table, index: usize) -> Result<&'a Row, Refusal> {
+    let number = table.rows.len();
+    let none = || Refusal::at(table.name.span, format!("`{}` has {number} rows: there is no row {index}", table.key));
+    table.rows.get(index).ok_or_else(none)
+}
+
+/// Sets numbers.
+pub(super) fn set(context: &Context<'_>, key: &str, numbers: &[NewNumber]) -> Result<Vec<Splice>, Refusal> {
+    let table = find(context, key)?;
+    let mut splices = Vec::new();
+    for NewNumber { row: index, cell, value } in numbers {
+        let row = row(table, *index)?;
+        let is_finite = value.is_none_or(f64::is_finite);
+        match (row.cell(cell), value) {
+            _ if !is_finite => return Err(Refusal::at(row.span, "a number must be finite")),
+            (Some(old), Some(value)) if old.value.is_some() => {
+                let written = number(old.span.of(context.text), *value);
+                splices.extend((old.value != Some(*value)).then(|| Splice::new(old.span, written)));
+            }
+            (Some(old), Some(_)) => {
+                let name = old.span.of(context.text);
+                return Err(Refusal::at(old.span, format!("`{name}` is not a number: change its constant")));
+            }
+            (Some(_), None) if row.pairs.is_some() => splices.push(without(context.text, row, cell)),
+            (None, Some(value)) if row.pairs.is_some() => splices.push(with(context.text, row, cell, *value)?),
+            (None, None) if row.pairs.is_some() => {}
+            _ => {
+                let known = list(row.cells.iter().map(|cell| &*cell.name));
+                return Err(Refusal::at(row.span, format!("row {index} has no number `{cell}`: there is {known}")));
+            }
+        }
+    }
+    Ok(splices)
+}
+
+/// A number as it is written in the place of another one: whole if that is, and with at least as many decimals.
+fn number(old: &str, value: f64) -> String {
+    let Some((_, fraction)) = old.split_once('.') else { return format!("{}", value.round() as i64) };
+    let scale = 10_f64.powi(DECIMALS as i32);
+    // The sum turns -0 into 0.
+    let value = (value * scale).round() / scale + 0.0;
+    let shortest = format!("{value}");
+    let (whole, digits) = shortest.split_once('.').unwrap_or((&shortest, ""));
+    let places = fraction.chars().filter(char::is_ascii_digit).count();
+    let mut digits = format!("{digits:0<places$}");
+    if fraction.contains('_') {
+        let groups: Vec<&str> =
+            (0..digits.len()).step_by(3).map(|at| &digits[at..(at + 3).min(digits.len())]).collect();
+        digits = groups.join("_");
+    }
+    format!("{whole}.{digits}")
+}
+
+/// Adds a pair at the end of its row.
+fn with(text: &str, row: &Row, name: &str, value: f64) -> Result<Splice, Refusal> {
+    if syn::parse_str::<syn::Ident>(name).is_err() {
+        return Err(Refusal::at(row.span, format!("`{}` is not a name", name.escape_debug())));
+    }
+    let within = row.pairs.unwrap_or(row.span);
+    let pair = format!("({name}, {})", number("0.0", value));
+    let written = within.of(text).trim_end();
+    let comma = if written.is_empty() {
+        ""
+    } else if written.ends_with(',') {
+        " "
+    } else {
+        ", "
+    };
+    Ok(Splice::insert(within.start + written.len(), format!("{comma}{pair}")))
+}
+
+/// Removes a pair with the comma before or after it.
+fn without(text: &str, row: &Row, name: &str) -> Splice {
+    let within = row.pairs.unwrap_or(row.span);
+    let index = row.cells.iter().position(|cell| cell.name == name).unwrap_or_default();
+    // A pair begins at the last parenthesis before its number, and ends at the next one after it.
+    let begin = |index: usize| {
+        let end = row.cells[index].span.start;
+        text[within.start..end].rfind('(').map_or(end, |at| within.start + at)
+    };
+    let end = |index: usize| {
+        let start = row.cells[index].span.end;
+        text[start..within.end].find(')').map_or(start, |at| start + at + 1)
+    };
+    let span = match (row.cells.len() > index + 1, index) {
+        (true, _) => Span::new(begin(index), begin(index + 1)),
+        (false, 0) => within,
+        (false, _) => Span::new(end(index - 1), end(index)),
+    };
+    Splice::remove(span)
+}
+
+/// Inserts a row.
+pub(super) fn insert(
+    context: &Context<'_>,
+    key: &str,
+    before: usize,
+    copy: Option<usize>,
+    code: &str,
+) -> Result<Vec<Splice>, Refusal> {
+    let (table, text) = (find(context, key)?, context.text);
+    let code = match copy {
+        Some(copy) => row(table, copy)?.span.of(text),
+        None => code.trim(),
+    };
+    if syn::parse_str::<syn::Expr>(code).is_err() {
+        return Err(Refusal::new(format!("`{}` is not an expression: it cannot be a row", code.escape_debug())));
+    }
+    let array = array(table)?;
+    let mut splices = length(context, table, table.rows.len() + 1)?;
+    let rows = &table.rows;
+    splices.push(match (rows.get(before), rows.last()) {
+        (Some(next), _) => Splice::insert(next.span.start, format!("{code},{}", above(text, array, next))),
+        (None, Some(last)) => {
+            let after = Span::new(last.span.end, array.end);
+            let gap = above(text, array, last);
+            if has_comma(text, after) {
+                let at = after.start + after.of(text).trim_end().len();
+                Splice::insert(at, format!("{gap}{code},"))
+            } else {
+                Splice::insert(after.start, format!(",{gap}{code}"))
+            }
+        }
+        (None, None) => Splice::insert(array.start, code),
+    });
+    Ok(splices)
+}
+
+/// Deletes a row.
+pub(super) fn delete(context: &Context<'_>, key: &str, index: usize) -> Result<Vec<Splice>, Refusal> {
+    let (table, text) = (find(context, key)?, context.text);
+    let (array, own) = (array(table)?, row(table, index)?.span);
+    let mut splices = length(context, table, table.rows.len() - 1)?;
+    let comma = |span: Span| span.start + span.of(text).find(',').map_or(0, |at| at + 1);
+    splices.push(Splice::remove(match (table.rows.get(index + 1), index.checked_sub(1)) {
+        (Some(next), _) => {
+            let between = Span::new(own.end, next.span.start);
+            let is_plain = between.of(text).trim() == ",";
+            Span::new(own.start, if is_plain { next.span.start } else { comma(between) })
+        }
+        (None, before) => {
+            let after = Span::new(own.end, array.end);
+            let has_comma = has_comma(text, after);
+            let end = if has_comma { comma(after) } else { own.end };
+            let gap = Span::new(array.start, own.start);
+            let kept = gap.start + gap.of(text).trim_end().len();
+            match before.map(|before| table.rows[before].span.end) {
+                Some(last) if !has_comma => Span::new(last, end),
+                _ => Span::new(kept, end),
+            }
+        }
+    }));
+    Ok(splices)
+}
+
+fn array(table: &Table) -> Result<Span, Refusal> {
+    let none = || Refusal::at(table.name.span, format!("`{}` is one row: it cannot have more or less", table.key));
+    table.array.ok_or_else(none)
+}
+
+/// The new length in the type of the constant.
+fn length(context: &Context<'_>, table: &Table, rows: usize) -> Result<Vec<Splice>, Refusal> {
+    let Some(span) = table.length else { return Ok(Vec::new()) };
+    let written = span.of(context.text);
+    if written.parse::<usize>().is_err() {
+        let what = format!("the length of `{}` is `{written}`: write a number, or change it there first", table.key);
+        return Err(Refusal::at(span, what));
+    }
+    Ok(vec![Splice::new(span, rows.to_string())])
+}
+
+/// What separates a row from the one before: its line break and indentation, or a space.
+fn above<'a>(text: &'a str, array: Span, row: &Row) -> &'a str {
+    let before = Span::new(array.start, row.span.start).of(text);
+    let gap = &before[before.trim_end().len()..];
+    if gap.contains('\n') { gap } else { " " }
+}
+
+/// Whether a comma follows a row before a comment.
+fn has_comma(text: &str, after: Span) -> bool {
+    after.of(text).trim_start().starts_with(',')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn a_number_keeps_the_form_of_the_one_before() {
+        let written =
+            [("36", 40.4), ("0.40", 0.5), ("0.4", -0.0), ("6.990_085", 7.5), ("-1.0", -0.123_456_78), ("2.", 3.0)];
+        let written = written.map(|(old, value)| number(old, value));
+        assert_eq!(written, ["40", "0.50", "0.0", "7.500_000", "-0.123457", "3."]);
+    }
+}
