@@ -19,7 +19,8 @@ pub trait Extension: Send + Sync {
     fn name(&self) -> &str;
 
     /// Text of an ES module. Its default export is `{panels, presets}`: panels by name, as in `page/lib/panels.js`, and layouts by name, as
-    /// in `page/lib/presets.js`; one with `first` is that of a first visit. It is loaded from the folder `extensions` beside `lib`.
+    /// in `page/lib/presets.js`; one with `first` is that of a first visit. `lastPresets` are layouts after all others. It is loaded from
+    /// the folder `extensions` beside `lib`.
     fn module(&self) -> &str;
 
     /// Whether pages that may only watch may send this message.
