@@ -112,6 +112,14 @@ impl Channel {
     }
 }
 
+impl Channel {
+    /// A number that no joint has directly.
+    fn plain(own: usize, cell: String, name: &str, unit: &'static str, [min, max, step, rest]: [f32; 4]) -> Self {
+        let (name, mirror) = (name.to_owned(), (own, false));
+        Self { cell, name, unit, min, max, step, rest, mirror, joints: Vec::new(), moves: Vec::new() }
+    }
+}
+
 impl Form {
     fn new<M: MujocoModel>(name: &'static str, ty: &'static str, within: &'static str) -> Self {
         Self {
@@ -219,11 +227,10 @@ impl Form {
     }
 
     fn keyframe<M: MujocoModel>(name: &'static str, within: &'static str) -> Self {
-        Self {
-            time: Some(("seconds", 1.0)),
-            channels: Self::symmetric::<M>("posture/"),
-            ..Self::new::<M>(name, "Keyframe", within)
-        }
+        let mut channels = Self::symmetric::<M>("posture/");
+        let own = channels.len();
+        channels.push(Channel::plain(own, "stiffness".to_owned(), "stiffness", "", [0.0, 1.0, 0.05, 1.0]));
+        Self { time: Some(("seconds", 1.0)), channels, ..Self::new::<M>(name, "Keyframe", within) }
     }
 
     fn kick() -> Self {
@@ -242,20 +249,9 @@ impl Form {
             (-0.5, 0.5),
         ];
         let channel = |own: usize| {
-            let (min, max) = ranges[own];
-            let is_place = own < 6;
-            Channel {
-                cell: format!("{}.{}", 1 + own / 3, own % 3),
-                name: names[own].to_owned(),
-                unit: if is_place { "m" } else { "rad" },
-                min,
-                max,
-                step: if is_place { 0.001 } else { 0.01 },
-                rest: rest[own],
-                mirror: (own, false),
-                joints: Vec::new(),
-                moves: Vec::new(),
-            }
+            let ((min, max), cell) = (ranges[own], format!("{}.{}", 1 + own / 3, own % 3));
+            let (unit, step) = if own < 6 { ("m", 0.001) } else { ("rad", 0.01) };
+            Channel::plain(own, cell, names[own], unit, [min, max, step, rest[own]])
         };
         Self {
             time: Some(("0", 1.0)),
@@ -309,5 +305,70 @@ pub(super) fn kick_kind(key: &str) -> Option<KickKind> {
         "DIAGONAL" => Some(KickKind::Diagonal),
         "LATERAL" => Some(KickKind::Lateral),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use bica_vicode::model::{Row, Table};
+
+    use super::*;
+
+    fn tables(file: &str) -> Vec<Table> {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
+        bica_vicode::read(&std::fs::read_to_string(path).expect(file)).tables
+    }
+
+    /// The form of a table, and the numbers of a row.
+    fn form<'a>(forms: &'a [Form], file: &str, table: &Table) -> Option<&'a Form> {
+        forms.iter().find(|form| form.ty == table.ty && file.contains(form.within))
+    }
+
+    fn cells(row: &Row) -> BTreeMap<String, f32> {
+        row.cells.iter().filter_map(|cell| Some((cell.name.clone(), cell.value? as f32))).collect()
+    }
+
+    #[test]
+    fn each_row_of_a_get_up_and_of_a_kick_has_every_number_of_its_form() {
+        let forms = Form::all();
+        for (file, count) in [("getup.rs", 5), ("kick_dynamic.rs", 3), ("kick_kinematic.rs", 3)] {
+            let file = format!("bica-motion/src/model/nao/{file}");
+            let tables = tables(&file);
+            let known: Vec<_> = tables.iter().filter_map(|table| Some((table, form(&forms, &file, table)?))).collect();
+            assert_eq!(known.len(), count, "{file}");
+            for (table, form) in known {
+                for row in &table.rows {
+                    let time = form.time.map(|(cell, _)| cell).into_iter();
+                    let missing =
+                        time.chain(form.channels.iter().map(|one| &*one.cell)).find(|cell| row.cell(cell).is_none());
+                    assert_eq!(missing, None, "{file} {}", table.key);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_of_a_source_are_the_postures_of_the_compiled_robot() {
+        let forms = Form::all();
+        let check = |file: &str, name: &str, expected: &Joints| {
+            let table = tables(file).into_iter().find(|table| table.key == name).expect(name);
+            let mut row = cells(&table.rows[0]);
+            // The arms of the T1 are a constant of their own.
+            row.retain(|cell, _| cell.contains('.'));
+            let found = form(&forms, file, &table).expect(name).posture_of(&row);
+            let far = Joint::ALL.into_iter().find(|joint| (found[*joint] - expected[*joint]).abs() > 1e-5);
+            assert_eq!(far, None, "{file} {name}");
+        };
+        check("bica-motion/src/model/nao/postures.rs", "STAND", &Nao::STAND);
+        check("bica-motion/src/model/nao/postures.rs", "SIT", &Nao::SIT);
+        check("bica-motion/src/model/t1.rs", "SIT", &T1::SIT);
+        check("bica-motion/src/model/k1.rs", "SIT", &K1::SIT);
+        let kick = forms.iter().find(|form| form.kicks).expect("kicks");
+        let front = &tables("bica-motion/src/model/nao/kick_dynamic.rs")[0];
+        for (row, frame) in front.rows.iter().zip(Nao::DYNAMIC_PROFILE.kicks.front.frames) {
+            assert_eq!(kick.kick_pose(&cells(row)), frame.pose);
+        }
     }
 }

@@ -146,8 +146,8 @@ fn check(keys: &[Row]) -> Result<(), Failed> {
     if keys.is_empty() || keys.len() > MAX_KEYS {
         return Err(Failed::new(format!("{} key postures: at least 1, at most {MAX_KEYS}", keys.len()), help));
     }
-    let wrong = |key: &&Row| !(key.seconds > 0.0) || key.cells.values().any(|value| !value.is_finite());
-    if keys.iter().any(|key| wrong(&key)) {
+    let is_right = |key: &Row| key.seconds > 0.0 && key.cells.values().all(|value| value.is_finite());
+    if !keys.iter().all(is_right) {
         return Err(Failed::new("a duration is not positive, or a number is not finite", "correct it first"));
     }
     let seconds: f32 = keys.iter().map(|key| key.seconds).sum();

@@ -66,12 +66,13 @@ function Kick({ kick: [now, before] }) {
     <span>ball ${way.toFixed(2)} m (median), ${gain >= 0 ? '+' : ''}${gain.toFixed(0)} % of the program's ${known.toFixed(2)} m with ${before.falls} falls · direction ${median(now.errors).toFixed(0)}° off</span>`;
 }
 
-function Runs({ runs }) {
+function Runs({ runs, mujoco }) {
   const bad = runs.filter(({ fell, stands }) => fell !== null || !stands);
-  const loads = runs[0].load.filter(([, load]) => load > 0).sort((a, b) => b[1] - a[1]).slice(0, 3);
+  // In the built-in world nothing has weight.
+  const loads = (mujoco ? runs[0].load : []).filter(([, load]) => load > 0).sort((a, b) => b[1] - a[1]).slice(0, 3);
   const first = bad[0]?.fell;
   return html`<b class=${bad.length === 0 ? 'fine' : 'bad'}>${runs.length === 1 ? (bad.length === 0 ? 'stands' : first ? `fell at ${first.toFixed(2)} s` : 'lies at the end') : `${bad.length} of ${runs.length} fell or lie`}</b>
-    ${loads.length > 0 && html`<span>load: ${loads.map(([joint, load]) => `${joint} ${(load * 100).toFixed(0)} %`).join(', ')} of the continuous current</span>`}`;
+    ${loads.length > 0 && html` <span>load: ${loads.map(([joint, load]) => `${joint} ${(load * 100).toFixed(0)} %`).join(', ')} of the continuous current</span>`}`;
 }
 
 export function Trial() {
@@ -86,6 +87,6 @@ export function Trial() {
     <select aria-label="Begins" onChange=${(event) => { start.value = event.target.value; }}>${[['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']].map(([value, name]) => html`<option value=${value} selected=${value === (start.value ?? usual)}>${name}</option>`)}</select>`}
     <button class="primary" disabled=${running.value > 0 || !keys.value?.length} onClick=${() => go(1)}>Try</button>
     <button disabled=${running.value > 0 || !keys.value?.length} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
-    <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.kick ? html`<${Kick} kick=${last.kick} />` : html`<${Runs} runs=${last.runs} />`}
+    <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.kick ? html`<${Kick} kick=${last.kick} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
       ${!isCurrent.value && html` <span class="warn">of an earlier version: try again</span>`}`}</span></div>`;
 }

@@ -16,7 +16,7 @@ fn find<'a>(context: &Context<'a>, key: &str) -> Result<&'a Table, Refusal> {
     })
 }
 
-fn row<'a>(table: &'a Table, index: usize) -> Result<&'a Row, Refusal> {
+fn row(table: &Table, index: usize) -> Result<&Row, Refusal> {
     let number = table.rows.len();
     let none = || Refusal::at(table.name.span, format!("`{}` has {number} rows: there is no row {index}", table.key));
     table.rows.get(index).ok_or_else(none)
@@ -26,11 +26,25 @@ fn row<'a>(table: &'a Table, index: usize) -> Result<&'a Row, Refusal> {
 pub(super) fn set(context: &Context<'_>, key: &str, numbers: &[NewNumber]) -> Result<Vec<Splice>, Refusal> {
     let table = find(context, key)?;
     let mut splices = Vec::new();
-    for NewNumber { row: index, cell, value } in numbers {
+    let is_other = |one: &&NewNumber| {
+        let pairs = table.rows.get(one.row).filter(|row| row.pairs.is_some());
+        pairs.is_some_and(|row| row.cell(&one.cell).is_none() == one.value.is_some())
+    };
+    let mut other: Vec<usize> = numbers.iter().filter(is_other).map(|one| one.row).collect();
+    other.sort_unstable();
+    // A row that gets or loses several pairs is written anew.
+    let anew = |row: usize| other.iter().filter(|one| **one == row).count() > 1;
+    let mut rows: Vec<usize> = other.iter().copied().filter(|row| anew(*row)).collect();
+    rows.dedup();
+    for index in rows {
+        let numbers: Vec<&NewNumber> = numbers.iter().filter(|one| one.row == index).collect();
+        splices.push(pairs(context.text, &table.rows[index], &numbers)?);
+    }
+    for NewNumber { row: index, cell, value } in numbers.iter().filter(|one| !anew(one.row)) {
         let row = row(table, *index)?;
         let is_finite = value.is_none_or(f64::is_finite);
         match (row.cell(cell), value) {
-            _ if !is_finite => return Err(Refusal::at(row.span, "a number must be finite")),
+            _ if !is_finite => return Err(infinite(row)),
             (Some(old), Some(value)) if old.value.is_some() => {
                 let written = number(old.span.of(context.text), *value);
                 splices.extend((old.value != Some(*value)).then(|| Splice::new(old.span, written)));
@@ -69,13 +83,46 @@ fn number(old: &str, value: f64) -> String {
     format!("{whole}.{digits}")
 }
 
+/// Writes the pairs of a row: those that stay in their order, then the new ones.
+fn pairs(text: &str, row: &Row, numbers: &[&NewNumber]) -> Result<Splice, Refusal> {
+    let of = |name: &str| numbers.iter().find(|one| one.cell == name).map(|one| one.value);
+    let mut all = Vec::new();
+    for (index, cell) in row.cells.iter().enumerate() {
+        let old = cell.span.of(text);
+        let value = of(&cell.name).unwrap_or(cell.value);
+        let Some(value) = value else { continue };
+        let value = if cell.value == Some(value) { old.to_owned() } else { number(old, value) };
+        let name = Span::new(begin(text, row, index), cell.span.start).of(text);
+        all.push(format!("{name}{value})"));
+    }
+    for one in numbers.iter().filter(|one| row.cell(&one.cell).is_none()) {
+        if let Some(value) = one.value {
+            all.push(pair(row, &one.cell, value)?);
+        }
+    }
+    Ok(Splice::new(row.pairs.unwrap_or(row.span), all.join(", ")))
+}
+
+fn pair(row: &Row, name: &str, value: f64) -> Result<String, Refusal> {
+    let wrong = |_| Refusal::at(row.span, format!("`{}` is not a name", name.escape_debug()));
+    syn::parse_str::<syn::Ident>(name).map_err(wrong)?;
+    if value.is_finite() { Ok(format!("({name}, {})", number("0.0", value))) } else { Err(infinite(row)) }
+}
+
+fn infinite(row: &Row) -> Refusal {
+    Refusal::at(row.span, "a number must be finite")
+}
+
+/// Begin of a pair: the last parenthesis before its number.
+fn begin(text: &str, row: &Row, index: usize) -> usize {
+    let (start, end) = (row.pairs.unwrap_or(row.span).start, row.cells[index].span.start);
+    text[start..end].rfind('(').map_or(end, |at| start + at)
+}
+
 /// Adds a pair at the end of its row.
 fn with(text: &str, row: &Row, name: &str, value: f64) -> Result<Splice, Refusal> {
-    if syn::parse_str::<syn::Ident>(name).is_err() {
-        return Err(Refusal::at(row.span, format!("`{}` is not a name", name.escape_debug())));
-    }
     let within = row.pairs.unwrap_or(row.span);
-    let pair = format!("({name}, {})", number("0.0", value));
+    let pair = pair(row, name, value)?;
     let written = within.of(text).trim_end();
     let comma = if written.is_empty() {
         ""
@@ -91,17 +138,13 @@ fn with(text: &str, row: &Row, name: &str, value: f64) -> Result<Splice, Refusal
 fn without(text: &str, row: &Row, name: &str) -> Splice {
     let within = row.pairs.unwrap_or(row.span);
     let index = row.cells.iter().position(|cell| cell.name == name).unwrap_or_default();
-    // A pair begins at the last parenthesis before its number, and ends at the next one after it.
-    let begin = |index: usize| {
-        let end = row.cells[index].span.start;
-        text[within.start..end].rfind('(').map_or(end, |at| within.start + at)
-    };
+    // A pair ends at the next parenthesis after its number.
     let end = |index: usize| {
         let start = row.cells[index].span.end;
         text[start..within.end].find(')').map_or(start, |at| start + at + 1)
     };
     let span = match (row.cells.len() > index + 1, index) {
-        (true, _) => Span::new(begin(index), begin(index + 1)),
+        (true, _) => Span::new(begin(text, row, index), begin(text, row, index + 1)),
         (false, 0) => within,
         (false, _) => Span::new(end(index - 1), end(index)),
     };

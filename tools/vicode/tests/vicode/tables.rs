@@ -94,6 +94,12 @@ fn only_the_named_bytes_change() {
             ", 1.0)]",
             ", 1.0), (Arm, 2.0)]",
         ),
+        (
+            r#""set_numbers", "table": "Nod", "numbers": [{"row": 0, "cell": "HeadPitch"}, {"row": 0, "cell": "HeadYaw", "value": 2},
+                {"row": 0, "cell": "Arm", "value": 3}, {"row": 1, "cell": "Arm", "value": 4}, {"row": 1, "cell": "Leg", "value": 5}]"#,
+            "(HeadPitch, -37.0), (HeadYaw, 1.0)], &[ /* rest */ ]",
+            "(HeadYaw, 2.0), (Arm, 3.0)], &[(Arm, 4.0), (Leg, 5.0)]",
+        ),
         (r#""insert_row", "table": "Wave", "before": 0, "code": "&[]""#, "Wave => &[]", "Wave => &[&[]]"),
         (r#""insert_row", "table": "Nod", "before": 0, "copy": 1"#, "&[&[(Head", "&[&[ /* rest */ ], &[(Head"),
         (r#""delete_row", "table": "Nod", "row": 1"#, ", &[ /* rest */ ]", ""),
