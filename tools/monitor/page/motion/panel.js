@@ -46,7 +46,7 @@ function Channel({ own, index }) {
   const digits = own.step >= 1 ? 0 : own.step >= 0.1 ? 1 : 3;
   return html`<li class=${`channel ${index === channel.value ? 'on' : ''} ${written[index] ? '' : 'rest'}`} onFocusIn=${() => { channel.value = index; }}>
     <label for=${`channel-${index}`} onClick=${() => { channel.value = index; }}><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${own.name}</label>
-    <input id=${`channel-${index}`} type="range" min=${own.min} max=${own.max} step=${own.step} value=${value} disabled=${Boolean(held.value)} onInput=${drag} onChange=${drop} />
+    <input id=${`channel-${index}`} aria-label=${own.name} type="range" min=${own.min} max=${own.max} step=${own.step} value=${value} disabled=${Boolean(held.value)} onInput=${drag} onChange=${drop} />
     <${Field} value=${value.toFixed(digits)} label=${`${own.name} in ${own.unit}`} width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (text.trim() !== '' && Number.isFinite(Number(text))) setValue(row.value, index, Number(text)); }} /><span class="dim">${own.unit}</span>
     ${beyond ? html`<span class="warn" title="The motor stops there">limit ${beyond[2].toFixed(0)}°</span>` : fast ? html`<span class="warn" title="Faster than the motor: the joint arrives late">${fast[1].toFixed(0)} of ${fast[2].toFixed(0)} °/s</span>` : html`<span></span>`}
   </li>`;

@@ -44,7 +44,7 @@ impl Sources {
         let server = Server::start(name, &["--source", &self.0.display().to_string()]);
         let page = Page::open(&server, WIDE).await;
         page.find("button", "FaceBall", "Activation tree").await;
-        page.press("7").await;
+        page.run("location.hash = '#layout=motions'", vec![]).await;
         page.find("button", "WAVE", "").await;
         (server, page)
     }
