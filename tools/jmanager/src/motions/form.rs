@@ -46,7 +46,11 @@ pub(super) struct Form {
     #[serde(skip)]
     pub(super) robot: Robot,
     /// Whether the rows are poses of a kick.
+    #[serde(skip)]
     pub(super) kicks: bool,
+    /// The only world and beginning of its trials.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    only: Option<&'static str>,
 }
 
 /// Durations by speed: the joint with the longest way moves at most this fast.
@@ -135,6 +139,7 @@ impl Form {
             sequences: BTreeMap::new(),
             robot: Robot::of::<M>(),
             kicks: false,
+            only: None,
         }
     }
 
@@ -258,6 +263,7 @@ impl Form {
             channels: (0..9).map(channel).collect(),
             row: Some("KickFrame::new(0.4, [0.0, 0.0, 0.225], [0.0, 0.05, 0.0], [0.0, 0.0, 0.0])".to_owned()),
             kicks: true,
+            only: Some("MuJoCo, left foot, ball in front"),
             ..Self::new::<Nao>("kick of the NAO", "KickFrame", "nao/kick")
         }
     }

@@ -38,8 +38,7 @@ enum Message {
     Forms {},
     /// Each key posture in space, and what of the motion to it is beyond the motors: list of `{"shape", "limits", "joints"}`.
     Shapes { form: String, keys: Vec<Row> },
-    /// Plays a motion in a simulated body: `{"runs": list, "joints": names}`; a kick: `{"kick": [with these poses, with those of this
-    /// program]}`.
+    /// Plays a motion in a simulated body: `{"runs": list, "joints": names}`; a kick: `{"verdict": {"good", "title", "text"}}`.
     Try {
         form: String,
         /// Key of the motion in its source.
@@ -123,7 +122,7 @@ impl Extension for Motions {
                     let kind = kick_kind(&motion).ok_or_else(|| Failed::new(what, "try one of these"))?;
                     let frame = |key: &Row| KickFrame { duration: key.seconds, pose: form.kick_pose(&key.cells) };
                     let frames = keys.iter().map(frame).collect();
-                    return asked.later(Box::new(move || Ok(json!({ "kick": tried(kind, frames, runs)? }))));
+                    return asked.later(Box::new(move || Ok(json!({ "verdict": tried(kind, frames, runs)? }))));
                 }
                 let key = |key: &Row| Key {
                     seconds: key.seconds,

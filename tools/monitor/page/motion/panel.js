@@ -85,7 +85,7 @@ function Tools() {
     <button disabled=${disabled} title="Exchange left and right in this keyframe" onClick=${() => mirror([row.value])}>Mirror</button>
     <button disabled=${disabled} title="Exchange left and right in the whole motion" onClick=${() => mirror(keys.value.map((_, at) => at))}>Mirror all</button>
     ${own.time && html`<label class="join" title="All durations">Time <${Field} value="100" label="Scale of all durations in %" width="number" disabled=${disabled} onCommit=${scale} /> %</label>`}
-    <button disabled=${disabled || !place || own.kicks} title="Angles that the robot of the session has measured, at the cursor or now" onClick=${takes}>Take from the robot${cursor.value === null ? '' : ' at the cursor'}</button>`;
+    <button disabled=${disabled || !place || own.channels.every(({ moves }) => moves.length === 0)} title="Angles that the robot of the session has measured, at the cursor or now" onClick=${takes}>Take from the robot${cursor.value === null ? '' : ' at the cursor'}</button>`;
 }
 
 function stateOf(own) {

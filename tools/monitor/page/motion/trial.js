@@ -5,7 +5,7 @@ import { notify } from '../lib/store.js';
 import { chosen, form, keys, sent, tell } from './model.js';
 import { model } from '../vicode/sources.js';
 
-/** The last trial: {runs, joints, first, text} or {kick, text}; `text` is that of the keyframes that were tried. */
+/** The last trial: {runs, joints, first, text} or {verdict, text}; `text` is that of the keyframes that were tried. */
 export const result = signal(null);
 /** Number of runs that are being computed; 0 if none. */
 const running = signal(0);
@@ -57,14 +57,7 @@ async function attempt(mujoco, runs, start) {
   }
 }
 
-const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
-
-function Kick({ kick: [now, before] }) {
-  const [way, known] = [median(now.ways), median(before.ways)];
-  const gain = (way / known - 1) * 100;
-  return html`<b class=${now.falls === 0 ? 'fine' : 'bad'}>${now.falls} of ${now.ways.length} fell</b>
-    <span>ball ${way.toFixed(2)} m (median), ${gain >= 0 ? '+' : ''}${gain.toFixed(0)} % of the program's ${known.toFixed(2)} m with ${before.falls} falls · direction ${median(now.errors).toFixed(0)}° off</span>`;
-}
+const Verdict = ({ good, title, text }) => html`<b class=${good ? 'fine' : 'bad'}>${title}</b> <span>${text}</span>`;
 
 function Runs({ runs, mujoco }) {
   const bad = runs.filter(({ fell, stands }) => fell !== null || !stands);
@@ -79,14 +72,13 @@ export function Trial() {
   const [mujoco, start] = [useSignal(false), useSignal(null)];
   const own = form.value;
   const [usual] = own.sequences[chosen.value.key] ?? ['stand'];
-  const isKick = own.kicks;
-  const go = (runs) => attempt(mujoco.value || isKick, runs, start.value ?? usual);
+  const go = (runs) => attempt(mujoco.value, runs, start.value ?? usual);
   const last = result.value?.motion === JSON.stringify(chosen.value) ? result.value : null;
   return html`<div class="trial" role="group" aria-label="Trial">
-    ${isKick ? html`<span class="dim">MuJoCo, left foot, ball in front</span>` : html`<select aria-label="World" onChange=${(event) => { mujoco.value = event.target.value === 'mujoco'; }}><option value="built-in">built-in world</option><option value="mujoco" selected=${mujoco.value}>MuJoCo</option></select>
+    ${own.only ? html`<span class="dim">${own.only}</span>` : html`<select aria-label="World" onChange=${(event) => { mujoco.value = event.target.value === 'mujoco'; }}><option value="built-in">built-in world</option><option value="mujoco" selected=${mujoco.value}>MuJoCo</option></select>
     <select aria-label="Begins" onChange=${(event) => { start.value = event.target.value; }}>${[['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']].map(([value, name]) => html`<option value=${value} selected=${value === (start.value ?? usual)}>${name}</option>`)}</select>`}
     <button class="primary" disabled=${running.value > 0 || !keys.value?.length} onClick=${() => go(1)}>Try</button>
     <button disabled=${running.value > 0 || !keys.value?.length} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
-    <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.kick ? html`<${Kick} kick=${last.kick} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
+    <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.verdict ? html`<${Verdict} ...${last.verdict} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
       ${!isCurrent.value && html` <span class="warn">of an earlier version: try again</span>`}`}</span></div>`;
 }

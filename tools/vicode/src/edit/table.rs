@@ -170,6 +170,13 @@ pub(super) fn insert(
     let array = array(table)?;
     let mut splices = length(context, table, table.rows.len() + 1)?;
     let rows = &table.rows;
+    if let Some(indent) = too_long(context, array, code) {
+        let mut all: Vec<&str> = rows.iter().map(|row| row.span.of(text)).collect();
+        all.insert(before.min(rows.len()), code);
+        let lines: String = all.iter().map(|row| format!("\n{indent}    {row},")).collect();
+        splices.push(Splice::new(array, format!("{lines}\n{indent}")));
+        return Ok(splices);
+    }
     splices.push(match (rows.get(before), rows.last()) {
         (Some(next), _) => Splice::insert(next.span.start, format!("{code},{}", above(text, array, next))),
         (None, Some(last)) => {
@@ -185,6 +192,15 @@ pub(super) fn insert(
         (None, None) => Splice::insert(array.start, code),
     });
     Ok(splices)
+}
+
+/// Indentation of the line of an array on one line, if that would be too long with another row, and has no comment.
+fn too_long<'a>(context: &Context<'a>, array: Span, code: &str) -> Option<&'a str> {
+    let (text, written) = (context.text, array.of(context.text));
+    let begin = text[..array.start].rfind('\n').map_or(0, |at| at + 1);
+    let line = text[begin..].lines().next().unwrap_or_default();
+    let is_long = !written.contains(['\n', '/']) && line.len() + code.len() + ", ".len() > context.width;
+    is_long.then(|| &line[..line.len() - line.trim_start().len()])
 }
 
 /// Deletes a row.

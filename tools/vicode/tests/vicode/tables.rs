@@ -65,11 +65,17 @@ fn each_motion_of_the_repository_is_written_back_byte_for_byte() {
             if table.array.is_none() {
                 continue;
             }
+            let is_flat = table.array.is_some_and(|array| !array.of(&text).contains('\n'));
             for before in 0..=table.rows.len() {
                 let (table, copy) = (key.clone(), Some(before.saturating_sub(1)));
                 let insert = Edit::InsertRow { table: table.clone(), before, copy, code: String::new() };
                 document.apply(&[insert]).unwrap_or_else(|refusal| panic!("{path} {key}: {refusal}"));
-                assert_ne!(document.text(), text, "{path} {key}");
+                if is_flat && document.text().lines().count() > text.lines().count() {
+                    // The line of the array became too long, so each row has a line now.
+                    document.undo();
+                    assert_eq!(document.text(), text, "{path} {key}: row {before}");
+                    continue;
+                }
                 document.apply(&[Edit::DeleteRow { table, row: before }]).expect("a row that was inserted");
                 assert_eq!(document.text(), text, "{path} {key}: row {before}");
             }
@@ -81,7 +87,8 @@ fn each_motion_of_the_repository_is_written_back_byte_for_byte() {
 const KEYS: &str = "const fn keys(of: Movement) -> &'static [Key] {\n    match of {\n        Movement::Wave => &[],\n        \
     Movement::Nod => &[&[(HeadPitch, -37.0), (HeadYaw, 1.0)], &[ /* rest */ ]],\n    }\n}\n\
     const LONG: [Frame; 2] = [\n    Frame::new(1, [2]), // one\n    // two\n    Frame::new(3, [4]) // three\n];\n\
-    const SHORT: [Frame; N] = [Frame { seconds: 1.0, posture: STAND }];\nconst ONE: Frame = Frame { seconds: 1.0, posture: STAND };\n";
+    const SHORT: [Frame; N] = [Frame { seconds: 1.0, posture: STAND }];\nconst ONE: Frame = Frame { seconds: 1.0, posture: STAND };\n\
+    const SHORTER: [Frame; 2] = [Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]), Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9])];\n";
 
 #[test]
 fn only_the_named_bytes_change() {
@@ -102,6 +109,16 @@ fn only_the_named_bytes_change() {
         ),
         (r#""insert_row", "table": "Wave", "before": 0, "code": "&[]""#, "Wave => &[]", "Wave => &[&[]]"),
         (r#""insert_row", "table": "Nod", "before": 0, "copy": 1"#, "&[&[(Head", "&[&[ /* rest */ ], &[(Head"),
+        (
+            r#""insert_row", "table": "Nod", "before": 1, "code": "&[(A, 1.0), (B, 2.0), (C, 3.0)]""#,
+            "&[ /* rest */ ]",
+            "&[(A, 1.0), (B, 2.0), (C, 3.0)], &[ /* rest */ ]",
+        ),
+        (
+            r#""insert_row", "table": "SHORTER", "before": 9, "copy": 0"#,
+            "2] = [Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]), Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9])]",
+            "3] = [\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n]",
+        ),
         (r#""delete_row", "table": "Nod", "row": 1"#, ", &[ /* rest */ ]", ""),
         (r#""delete_row", "table": "LONG", "row": 0"#, "2] = [\n    Frame::new(1, [2]), //", "1] = [\n     //"),
         (
