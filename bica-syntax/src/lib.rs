@@ -9,6 +9,7 @@ mod number;
 pub mod params;
 pub mod plain_item;
 pub mod report;
+pub mod table;
 pub mod text;
 pub mod tree;
 mod types;

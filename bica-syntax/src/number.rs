@@ -51,6 +51,13 @@ pub(crate) fn whole(value: &Expr) -> Option<i128> {
     Some(if number.negative { -digits } else { digits })
 }
 
+/// The value of a literal of a number, also of a negative one.
+pub(crate) fn value(value: &Expr) -> Option<f64> {
+    let number = literal(value)?;
+    let digits: f64 = number.digits.parse().ok()?;
+    Some(if number.negative { -digits } else { digits })
+}
+
 /// Whether the value is a literal of a number.
 pub(crate) fn is_literal(value: &Expr) -> bool {
     literal(value).is_some()

@@ -32,7 +32,8 @@ impl KickPose {
     }
 
     /// Leg angles, left first, of this pose with the given kicking foot.
-    pub(super) fn legs<M: RobotModel>(&self, kicking: Side, gait: &Parameters) -> [LegAngles; 2] {
+    #[must_use]
+    pub fn legs<M: RobotModel>(&self, kicking: Side, gait: &Parameters) -> [LegAngles; 2] {
         let side = kicking.sign();
         let on = |place: Vec3| Vec3::new(place.x, side * place.y, place.z);
         let torso = at(on(self.hips)) * Affine3A::from_rotation_z(0.5 * side * self.yaw);

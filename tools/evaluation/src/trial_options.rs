@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 #[cfg(feature = "mujoco")]
-pub use crate::trial::run;
+pub use crate::trial::{KickResult, kick_ball, run};
 
 /// Trials, number of runs, and physics.
 #[derive(Clone, Debug, Args)]

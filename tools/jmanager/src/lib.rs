@@ -3,6 +3,7 @@
 mod cli;
 mod colours;
 mod images;
+mod motions;
 mod run;
 mod world;
 
@@ -48,6 +49,6 @@ pub fn program(options: SoccerOptions) -> Program {
         worlds: worlds.collect(),
         rerun: Some(Box::new(|recording, set, out, progress| rerun(recording, set, out, progress).map(drop))),
         images: images.clone().map(|folder| Box::new(images::LabelledImages(folder)) as Box<dyn ImageFiles>),
-        extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel)],
+        extensions: vec![Box::new(tuner), Box::new(colours::boundary::Panel), Box::new(motions::Motions::new())],
     }
 }

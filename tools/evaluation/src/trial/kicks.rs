@@ -2,11 +2,12 @@
 
 use bica_app::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
-use bica_motion::model::RobotModel;
+use bica_motion::model::{Profile, RobotModel};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
 use bica_player::Model;
+use bica_sim::mujoco::Physics;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -36,7 +37,7 @@ fn dribble_row(series: &Series, foot: Side) -> Result<Row, Failure> {
 }
 
 fn row(series: &Series, kick: Kick) -> Result<Row, Failure> {
-    let runs = series.each(|seed| play(series, seed, kick))?;
+    let runs = series.each(|seed| kick_ball(&series.physics, seed, kick, Model::DYNAMIC_PROFILE))?;
     let (kind, least) = match kick.kind {
         KickKind::Front => ("front", 2.0),
         KickKind::Diagonal => ("diagonal", 1.2),
@@ -66,21 +67,29 @@ fn summarize(series: &Series, name: String, runs: &[KickResult], least: f32) -> 
     }
 }
 
-struct KickResult {
-    way: f32,
-    /// Degrees.
-    off: f32,
-    stands: bool,
+/// What became of a kick.
+#[derive(Clone, Copy, Debug)]
+pub struct KickResult {
+    /// Distance of the ball, m.
+    pub way: f32,
+    /// Error of its direction, degrees.
+    pub off: f32,
+    /// Whether the robot still stands.
+    pub stands: bool,
 }
 
-fn play(series: &Series, seed: u64, kick: Kick) -> Result<KickResult, Failure> {
-    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
+/// Kicks a ball, whose place has an error that the seed decides, in the way of a profile.
+///
+/// # Errors
+/// If the physics is invalid.
+pub fn kick_ball(physics: &Physics, seed: u64, kick: Kick, profile: &'static Profile) -> Result<KickResult, Failure> {
+    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), physics)?;
     let mut rng = Rng::new(seed);
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
-    let ball = start.place(kick.ball(&Model::DYNAMIC_PROFILE.kicks) + Vec2::new(beside(), beside()));
+    let ball = start.place(kick.ball(&profile.kicks) + Vec2::new(beside(), beside()));
     walker.world.set_ball(ball);
-    let mut motion = KickMotion::<Model>::new(kick, Model::DYNAMIC_PROFILE);
+    let mut motion = KickMotion::<Model>::new(kick, profile);
     while !motion.is_done() {
         let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
         walker.act(&limbs);

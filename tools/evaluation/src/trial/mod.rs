@@ -20,6 +20,7 @@ use clap::ValueEnum;
 
 use bica_motion::model::{K1, Nao, T1};
 use course::Course;
+pub use kicks::{KickResult, kick_ball};
 use series::Series;
 use table::Table;
 

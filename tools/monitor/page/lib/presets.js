@@ -86,4 +86,5 @@ export const PRESETS = {
       ['log', within('inspector')],
     ]),
   },
+  ...Object.assign({}, ...EXTENSIONS.map(({ lastPresets }) => lastPresets ?? {})),
 };

@@ -20,7 +20,7 @@ pub trait Extension: Send + Sync {
 
     /// Text of an ES module. Its default export is `{panels, presets}`: panels by name, as in `page/lib/panels.js`, and layouts by name, as
     /// in `page/lib/presets.js`; one with `first` is that of a first visit, and one with `plain` has a bar for people who are not
-    /// engineers. It is loaded from the folder `extensions` beside `lib`.
+    /// engineers. `lastPresets` are layouts after all others. It is loaded from the folder `extensions` beside `lib`.
     fn module(&self) -> &str;
 
     /// Whether pages that may only watch may send this message.

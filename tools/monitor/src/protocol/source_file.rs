@@ -119,6 +119,17 @@ pub struct SourceComponent {
     pub machine: bool,
 }
 
+/// A table of constants of a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SourceTable {
+    /// File.
+    pub file: String,
+    /// Address in the file, as edits take it.
+    pub key: String,
+    /// Type of a row.
+    pub ty: String,
+}
+
 /// A use of a function.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SourceUse {

@@ -12,6 +12,11 @@ use serde::{Deserialize, Serialize};
 pub enum SourceRequest {
     /// Lists the files with components or trees. [list of [`SourceFile`](super::SourceFile)]
     Sources {},
+    /// Lists the tables of constants with rows of certain types. [list of [`SourceTable`](super::SourceTable)]
+    Tables {
+        /// Types of rows, without paths.
+        types: Vec<String>,
+    },
     /// Opens a file. The page gets its messages from now on, first a [`ToPage::Source`](super::ToPage::Source).
     OpenFile {
         /// File.

@@ -130,6 +130,7 @@ impl Editor {
         let files = &self.files;
         match request {
             SourceRequest::Sources {} => return Ok(json!(files.sources())),
+            SourceRequest::Tables { types } => return Ok(json!(files.tables(&types))),
             SourceRequest::OpenFile { file } => return files.show(page, &file).map(|()| Value::Null),
             SourceRequest::CloseFile { file } => {
                 files.hide(page, &file);

@@ -10,7 +10,7 @@ use super::files::{Files, failed, no_component};
 use super::limits;
 use super::stamp::Stamp;
 use crate::pages::lock;
-use crate::protocol::{Failed, SourceComponent, SourceFile, SourceUse};
+use crate::protocol::{Failed, SourceComponent, SourceFile, SourceTable, SourceUse};
 
 /// Largest number of Rust files that are read.
 const MAX_SOURCES: usize = 10_000;
@@ -83,6 +83,20 @@ impl Files {
         let trees = trees(&text).into_iter().map(|tree| tree.name).collect::<Vec<_>>();
         let components = if text.contains("component") { components(&read(&text)) } else { Vec::new() };
         (!components.is_empty() || !trees.is_empty()).then_some(SourceFile { file, components, trees, problem: None })
+    }
+
+    /// Tables of constants with rows of certain types. Files that cannot be read are left out.
+    pub(super) fn tables(&self, types: &[String]) -> Vec<SourceTable> {
+        let mut list = Vec::new();
+        for (file, _) in self.all() {
+            let Ok(text) = self.text(&file) else { continue };
+            if !types.iter().any(|ty| text.contains(&**ty)) {
+                continue;
+            }
+            let tables = read(&text).tables.into_iter().filter(|table| types.contains(&table.ty));
+            list.extend(tables.map(|table| SourceTable { file: file.clone(), key: table.key, ty: table.ty }));
+        }
+        list
     }
 
     /// Uses of a function in other files. Those of a private function that cannot be decided are left out.

@@ -16,11 +16,12 @@ mod rename;
 mod request;
 mod splice;
 mod style;
+mod table;
 mod types;
 mod uses;
 
 pub use self::create::{blank, declare, enlist, module_of};
 pub use self::plan::plan;
-pub use self::request::{Edit, Refusal};
+pub use self::request::{Edit, NewNumber, Refusal};
 pub use self::splice::{Splice, applied, inverse, ordered};
 pub use self::uses::{Target, Use, uses};

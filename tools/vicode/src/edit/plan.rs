@@ -3,7 +3,7 @@
 use super::request::{Edit, Refusal};
 use super::splice::{Splice, applied, ordered};
 use super::style::Style;
-use super::{children, delete, docs, functions, imports, machine, options, rename};
+use super::{children, delete, docs, functions, imports, machine, options, rename, table};
 use crate::model::{Arrow, Component, Function, Model, Reporter, Transition};
 use crate::read::read;
 
@@ -148,6 +148,9 @@ fn splices(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
         Edit::AddChild { .. } | Edit::RemoveChild { .. } | Edit::SetChildKind { .. } => children::change(context, edit),
         Edit::AddImport { import, name } => imports::name(context, import, name),
         Edit::SetDefault { parameters, parameter, value } => options::default(context, parameters, parameter, value),
+        Edit::SetNumbers { table, numbers } => table::set(context, table, numbers),
+        Edit::InsertRow { table, before, copy, code } => table::insert(context, table, *before, *copy, code),
+        Edit::DeleteRow { table, row } => table::delete(context, table, *row),
         Edit::Replace { span, text } => Ok(vec![Splice::new(*span, text)]),
     }
 }

@@ -118,8 +118,32 @@ pub enum Edit {
     AddImport { import: String, name: String },
     /// Sets the default of a parameter of the struct `parameters`.
     SetDefault { parameters: String, parameter: String, value: String },
+    /// Sets numbers of a table of constants.
+    SetNumbers { table: String, numbers: Vec<NewNumber> },
+    /// Inserts a row before the row `before`, counted from 0, or at the end: a copy of the row `copy`, else the code `code`.
+    InsertRow {
+        table: String,
+        before: usize,
+        copy: Option<usize>,
+        #[serde(default)]
+        code: String,
+    },
+    /// Deletes a row, counted from 0.
+    DeleteRow { table: String, row: usize },
     /// Replaces a part of the text: typing.
     Replace { span: Span, text: String },
+}
+
+/// A number that a table of constants gets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NewNumber {
+    /// Row, counted from 0.
+    pub row: usize,
+    /// Name of the cell. In a row of pairs a new name adds a pair.
+    pub cell: String,
+    /// The number; without one its pair is removed.
+    pub value: Option<f64>,
 }
 
 /// Why an edit is not possible.

@@ -8,6 +8,7 @@ mod function;
 mod graph;
 mod params;
 mod span;
+mod table;
 
 use serde::Serialize;
 
@@ -19,6 +20,7 @@ pub(crate) use self::graph::own_links;
 pub use self::graph::{Edge, Graph, Link};
 pub use self::params::{Key, Parameter, ParameterGroup};
 pub use self::span::{Name, Span};
+pub use self::table::{Cell, Row, Table};
 
 /// A file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -27,6 +29,9 @@ pub struct Model {
     pub components: Vec<Component>,
     /// Structs with `#[derive(Params)]`, in the order of the text.
     pub parameters: Vec<ParameterGroup>,
+    /// Constants that are tables of numbers, in the order of the text.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<Table>,
     /// What is wrong, in the order of the text.
     pub problems: Vec<Problem>,
 }

@@ -9,6 +9,7 @@ mod nesting;
 mod outline;
 mod params;
 mod source;
+mod tables;
 mod trees;
 
 use std::collections::BTreeMap;
@@ -43,6 +44,7 @@ pub fn read(text: &str) -> Model {
         }
     }
     keyed(&mut model.components);
+    model.tables = tables::tables(&source);
     model.problems.clone_from(&source.problems);
     check::check(&outline, &model.components, &mut model.problems);
     model.problems.sort();

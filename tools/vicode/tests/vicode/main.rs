@@ -19,5 +19,6 @@ mod random;
 mod reading;
 mod renaming;
 mod sources;
+mod tables;
 mod tried;
 mod trying;

@@ -12,6 +12,7 @@ mod geometry;
 mod glance;
 mod looks;
 mod moments;
+mod motions;
 mod operating;
 mod panels;
 mod pictures;

@@ -1,0 +1,77 @@
+//! Kicks in MuJoCo: with the poses under edit, and with those of this program.
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+use bica_evaluation::trial_options::{KickResult, kick_ball};
+use bica_motion::kick::{Kick, KickKind};
+use bica_motion::model::{KickFrame, Kicks, Nao, Profile, RobotModel as _, Technique};
+use bica_motion::side::Side;
+use bica_wire::model::Invalid;
+use serde::Serialize;
+
+/// What became of several kicks.
+#[derive(Clone, Debug)]
+struct Outcome {
+    /// Median distance of the ball, m.
+    way: f32,
+    /// Median error of its direction, degrees.
+    off: f32,
+    /// Number of runs in which the robot fell.
+    falls: usize,
+}
+
+/// What a person is told of a trial.
+#[derive(Debug, Serialize)]
+pub(super) struct Verdict {
+    good: bool,
+    title: String,
+    text: String,
+}
+
+/// Results of the kicks of this program, by kind and number of runs: equal runs have equal results.
+static KNOWN: Mutex<BTreeMap<(u8, u32), Outcome>> = Mutex::new(BTreeMap::new());
+
+/// Tries poses of a kick with the left foot, and compares them with those of this program in the same runs.
+pub(super) fn tried(kind: KickKind, frames: Vec<KickFrame>, runs: u32) -> Result<Verdict, Invalid> {
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = known().get(&(kind as u8, runs)).cloned();
+    let own = found.map_or_else(|| kicked(kind, Nao::DYNAMIC_PROFILE, runs), Ok)?;
+    known().insert((kind as u8, runs), own.clone());
+    let Outcome { way, off, falls } = kicked(kind, changed(kind, frames), runs)?;
+    let gain = 100.0 * (way / own.way - 1.0);
+    let text = format!(
+        "ball {way:.2} m (median), {gain:+.0} % of the {:.2} m of this program, which fell {} times; direction {off:.0}° off",
+        own.way, own.falls
+    );
+    Ok(Verdict { good: falls == 0, title: format!("{falls} of {runs} fell"), text })
+}
+
+fn kicked(kind: KickKind, profile: &'static Profile, runs: u32) -> Result<Outcome, Invalid> {
+    let run = |seed: u64| {
+        let physics = super::play::physics::<Nao>(seed, &mut super::play::Draw(seed));
+        kick_ball(&physics, seed, Kick { kind, foot: Side::Left }, profile)
+    };
+    let failed = |failure| Invalid::new(format!("the kick cannot be tried: {failure:?}"), "install MuJoCo anew");
+    let found: Vec<_> = (0..u64::from(runs)).map(run).collect::<Result<_, _>>().map_err(failed)?;
+    let median = |of: fn(&KickResult) -> f32| {
+        let mut values: Vec<f32> = found.iter().map(of).collect();
+        values.sort_by(f32::total_cmp);
+        values[values.len() / 2]
+    };
+    let falls = found.iter().filter(|run| !run.stands).count();
+    Ok(Outcome { way: median(|run| run.way), off: median(|run| run.off), falls })
+}
+
+/// The profile with other poses of one kick. A motion borrows its profile for ever, so each trial keeps about 1 kB.
+fn changed(kind: KickKind, frames: Vec<KickFrame>) -> &'static Profile {
+    let Profile { kicks, .. } = *Nao::DYNAMIC_PROFILE;
+    let frames: &'static [KickFrame] = frames.leak();
+    let with = |technique: Technique| Technique { frames, ..technique };
+    let kicks = match kind {
+        KickKind::Front => Kicks { front: with(kicks.front), ..kicks },
+        KickKind::Diagonal => Kicks { diagonal: with(kicks.diagonal), ..kicks },
+        KickKind::Lateral => Kicks { lateral: with(kicks.lateral), ..kicks },
+    };
+    Box::leak(Box::new(Profile { kicks, ..*Nao::DYNAMIC_PROFILE }))
+}

@@ -1,0 +1,160 @@
+//! The motion editor's knowledge of humanoids: how rows in sources are postures, what a posture is in space, and what becomes of
+//! a motion in a simulated body.
+
+mod form;
+#[cfg(feature = "mujoco")]
+mod kick;
+mod play;
+mod robot;
+
+use std::collections::BTreeMap;
+
+use bica_monitor::program::{Asked, Extension, Reply};
+use bica_monitor::protocol::Failed;
+use bica_motion::joints::Joint;
+#[cfg(not(feature = "mujoco"))]
+use bica_motion::kick::KickKind;
+use bica_motion::model::KickFrame;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use form::{Form, Start, kick_kind};
+#[cfg(feature = "mujoco")]
+use kick::tried;
+use play::{Key, Play};
+
+/// Largest number of key postures of a request.
+const MAX_KEYS: usize = 500;
+/// Largest duration of a motion that is tried, s.
+const MAX_SECONDS: f32 = 120.0;
+/// Largest number of runs of a trial.
+const MAX_RUNS: u32 = 100;
+
+/// What the panel asks for.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum Message {
+    /// All forms.
+    Forms {},
+    /// Each key posture in space, and what of the motion to it is beyond the motors: list of `{"shape", "limits", "joints"}`.
+    Shapes { form: String, keys: Vec<Row> },
+    /// Plays a motion in a simulated body: `{"runs": list, "joints": names}`; a kick: `{"verdict": {"good", "title", "text"}}`.
+    Try {
+        form: String,
+        /// Key of the motion in its source.
+        motion: String,
+        keys: Vec<Row>,
+        start: Start,
+        mujoco: bool,
+        runs: u32,
+    },
+}
+
+/// A row of a motion.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Row {
+    /// Duration of the motion to its posture, s.
+    seconds: f32,
+    /// Numbers by the names of their cells.
+    cells: BTreeMap<String, f32>,
+}
+
+/// The extension.
+pub(super) struct Motions {
+    forms: Vec<Form>,
+}
+
+impl Motions {
+    pub(super) fn new() -> Self {
+        Self { forms: Form::all() }
+    }
+
+    fn form(&self, name: &str) -> Result<&Form, Failed> {
+        let none = || Failed::new(format!("there is no form `{}`", name.escape_debug()), "reload the page");
+        self.forms.iter().find(|form| form.name() == name).ok_or_else(none)
+    }
+
+    fn shapes(&self, form: &str, keys: &[Row]) -> Result<Value, Failed> {
+        let form = self.form(form)?;
+        let mut from = form.robot.stand;
+        let shapes = keys.iter().map(|key| {
+            let to = form.posture_of(&key.cells);
+            let peak = if form.linear { 1.0 } else { 1.5 };
+            let limits = (form.robot.limits)(&from, &to, peak / key.seconds);
+            from = to;
+            json!({ "shape": (form.robot.shape)(&to), "limits": limits, "joints": to.0 })
+        });
+        Ok(shapes.collect())
+    }
+}
+
+impl Extension for Motions {
+    fn name(&self) -> &'static str {
+        "motions"
+    }
+
+    fn module(&self) -> &'static str {
+        include_str!("../../panels/motions.js")
+    }
+
+    fn only_reads(&self, message: &Value) -> bool {
+        message["type"] != "try"
+    }
+
+    fn handle(&self, asked: &dyn Asked, message: Value) -> Result<Reply, Failed> {
+        let message =
+            serde_json::from_value(message).map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
+        match message {
+            Message::Forms {} => Ok(Reply::Done(json!(self.forms))),
+            Message::Shapes { form, keys } => {
+                check(&keys)?;
+                self.shapes(&form, &keys).map(Reply::Done)
+            }
+            Message::Try { form, motion, keys, start, mujoco, runs } => {
+                check(&keys)?;
+                if !(1..=MAX_RUNS).contains(&runs) {
+                    return Err(Failed::new(format!("{runs} runs"), format!("choose 1 to {MAX_RUNS}")));
+                }
+                let form = self.form(&form)?;
+                if form.kicks {
+                    let what = format!("`{}` is none of the kicks FRONT, DIAGONAL, LATERAL", motion.escape_debug());
+                    let kind = kick_kind(&motion).ok_or_else(|| Failed::new(what, "try one of these"))?;
+                    let frame = |key: &Row| KickFrame { duration: key.seconds, pose: form.kick_pose(&key.cells) };
+                    let frames = keys.iter().map(frame).collect();
+                    return asked.later(Box::new(move || Ok(json!({ "verdict": tried(kind, frames, runs)? }))));
+                }
+                let key = |key: &Row| Key {
+                    seconds: key.seconds,
+                    posture: form.posture_of(&key.cells),
+                    stiffness: key.cells.get("stiffness").copied().unwrap_or(1.0).clamp(0.0, 1.0),
+                };
+                let (linear, stretches) = (form.linear, form.stretches);
+                let play = Play { keys: keys.iter().map(key).collect(), linear, stretches, start, mujoco, runs };
+                let robot = form.robot;
+                asked.later(Box::new(move || {
+                    Ok(json!({ "runs": (robot.play)(&play)?, "joints": Joint::ALL.map(|joint| format!("{joint:?}")) }))
+                }))
+            }
+        }
+    }
+}
+
+fn check(keys: &[Row]) -> Result<(), Failed> {
+    let help = "divide the motion, or make it shorter";
+    if keys.is_empty() || keys.len() > MAX_KEYS {
+        return Err(Failed::new(format!("{} key postures: at least 1, at most {MAX_KEYS}", keys.len()), help));
+    }
+    let is_right = |key: &Row| key.seconds > 0.0 && key.cells.values().all(|value| value.is_finite());
+    if !keys.iter().all(is_right) {
+        return Err(Failed::new("a duration is not positive, or a number is not finite", "correct it first"));
+    }
+    let seconds: f32 = keys.iter().map(|key| key.seconds).sum();
+    let long = || Failed::new(format!("{seconds:.0} s: at most {MAX_SECONDS:.0} s are possible"), help);
+    if seconds > MAX_SECONDS { Err(long()) } else { Ok(()) }
+}
+
+#[cfg(not(feature = "mujoco"))]
+fn tried(_: KickKind, _: Vec<KickFrame>, _: u32) -> Result<Value, Failed> {
+    Err(play::without_mujoco().into())
+}

@@ -1,0 +1,128 @@
+//! Stories of the motion editor: keyframes are made, changed and tried, and the source has them.
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use jmanager_browser::{Page, Server, target};
+
+const WIDE: (u32, u32) = (1600, 1000);
+const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
+    /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
+
+/// Sources with motions, in a folder of their own that is removed at the end.
+struct Sources(PathBuf);
+
+impl Sources {
+    fn new(name: &str) -> Self {
+        let folder = target().join(format!("browser/run/motions-{name}-{}", std::process::id()));
+        fs::create_dir_all(folder.join("nao")).expect("a folder");
+        fs::write(folder.join("wave.rs"), WAVE).expect("a file");
+        let models = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../bica-motion/src/model/nao");
+        for file in ["getup.rs", "kick_dynamic.rs"] {
+            fs::copy(format!("{models}/{file}"), folder.join("nao").join(file)).expect("a motion of the repository");
+        }
+        Self(folder)
+    }
+
+    fn read(&self, file: &str) -> String {
+        fs::read_to_string(self.0.join(file)).unwrap_or_default()
+    }
+
+    async fn has(&self, page: &Page, file: &str, part: &str) {
+        for _ in 0..300 {
+            if self.read(file).contains(part) {
+                return;
+            }
+            tokio::time::sleep(Duration::from_millis(100)).await;
+        }
+        page.screenshot("failed").await;
+        panic!("{file} has not `{part}`:\n{}\nthe page shows: {}", self.read(file), page.text().await);
+    }
+
+    async fn open(&self, name: &str) -> (Server, Page) {
+        let server = Server::start(name, &["--source", &self.0.display().to_string()]);
+        let page = Page::open(&server, WIDE).await;
+        page.find("button", "FaceBall", "Activation tree").await;
+        page.run("location.hash = '#layout=motions'", vec![]).await;
+        page.find("button", "WAVE", "").await;
+        (server, page)
+    }
+}
+
+impl Drop for Sources {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[tokio::test]
+async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
+    let sources = Sources::new("wave");
+    let (_server, page) = sources.open("motions-wave").await;
+    page.click("button", "WAVE", "").await;
+    page.reads("This motion has no keyframe").await;
+    page.click("button", "Insert", "").await;
+    page.reads("Keyframe 1 of 1").await;
+    page.find("slider", "RShoulderPitch", "").await.set("-60").await;
+    sources.has(&page, "wave.rs", "&[&[(RShoulderPitch, -60.0)]]").await;
+    page.find("slider", "RElbowRoll", "").await.set("80").await;
+    page.click("button", "Insert", "").await;
+    page.reads("Keyframe 2 of 2").await;
+    page.find("slider", "RElbowRoll", "").await.set("20").await;
+    let both = "&[&[(RShoulderPitch, -60.0), (RElbowRoll, 80.0)], &[(RShoulderPitch, -60.0), (RElbowRoll, 20.0)]]";
+    sources.has(&page, "wave.rs", both).await;
+    page.reads("within the edge of the soles").await;
+
+    page.click("button", "Try", "").await;
+    page.until("the robot stands", "return document.querySelector('.trial .fine')?.textContent === 'stands'").await;
+    page.screenshot("motion-wave").await;
+
+    page.click("button", "Mirror all", "").await;
+    sources.has(&page, "wave.rs", "(LShoulderPitch, -60.0), (LElbowRoll, -20.0)").await;
+    page.reads("of an earlier version").await;
+    page.click("button", "Undo", "").await;
+    sources.has(&page, "wave.rs", both).await;
+
+    // The posture of the robot that plays in the world.
+    page.click("button", "Take from the robot", "").await;
+    sources.has(&page, "wave.rs", "HipPitch").await;
+    page.click("button", "Undo", "").await;
+    sources.has(&page, "wave.rs", both).await;
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_motion_of_the_repository_is_changed_beside_another_editor() {
+    let sources = Sources::new("changed");
+    let (_server, page) = sources.open("motions-changed").await;
+    let before = sources.read("nao/kick_dynamic.rs");
+    page.click("button", "FRONT", "").await;
+    page.reads("Keyframe 1 of 7").await;
+    for _ in 0..3 {
+        page.click("button", "Next keyframe", "").await;
+    }
+    page.find("textbox", "foot x in m", "").await.focus().await;
+    page.find("textbox", "foot x in m", "").await.set("0.150").await;
+    page.press("\u{e007}").await;
+    let changed = before.replacen("[0.135, 0.056, 0.022]", "[0.150, 0.056, 0.022]", 1);
+    sources.has(&page, "nao/kick_dynamic.rs", "0.150, 0.056").await;
+    assert_eq!(sources.read("nao/kick_dynamic.rs"), changed, "no other byte has changed");
+
+    // Another editor changes the end of the motion at the same time.
+    let outside = changed.replacen("new(0.35, [0.012, -0.042", "new(0.40, [0.012, -0.042", 1);
+    fs::write(sources.0.join("nao/kick_dynamic.rs"), &outside).expect("a file");
+    page.reads("was edited outside").await;
+    page.find("textbox", "Scale of all durations in %", "").await.focus().await;
+    page.find("textbox", "Scale of all durations in %", "").await.set("200").await;
+    page.press("\u{e007}").await;
+    sources.has(&page, "nao/kick_dynamic.rs", "new(0.80, [0.012, -0.042").await;
+
+    page.click("button", "Delete", "").await;
+    sources.has(&page, "nao/kick_dynamic.rs", "FRONT: [KickFrame; 6]").await;
+    page.click("button", "Undo", "").await;
+    page.click("button", "Undo", "").await;
+    sources.has(&page, "nao/kick_dynamic.rs", "new(0.40, [0.012, -0.042").await;
+    assert_eq!(sources.read("nao/kick_dynamic.rs"), outside);
+    page.close().await;
+}

@@ -1,0 +1,58 @@
+//! Constants that are tables of numbers.
+
+use serde::Serialize;
+
+use super::{Docs, Name, Span};
+
+/// A constant whose value is a table of numbers, such as the keyframes of a motion.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Table {
+    /// Address in the file: the name, with `#2` after it for the second one of that name.
+    pub key: String,
+    /// Name of the constant, or of the variant for which a `match` returns the table.
+    pub name: Name,
+    /// Type of a row, without its path.
+    pub ty: String,
+    /// Place of the whole item.
+    pub span: Span,
+    /// Doc comment.
+    pub docs: Docs,
+    /// Place between the brackets of the rows; none if the table is one row that is no element of an array.
+    pub array: Option<Span>,
+    /// Place of the length of the array in the type; none for a slice.
+    pub length: Option<Span>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+/// A row of a table.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Row {
+    /// Place.
+    pub span: Span,
+    /// Place between the brackets of a row that is a list of pairs of a name and a number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs: Option<Span>,
+    /// What is written in it.
+    pub cells: Vec<Cell>,
+}
+
+/// A number in a row, or the name of a constant.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Cell {
+    /// Names of fields, and positions of arguments and elements from 0, with dots between; in a list of pairs the name of the pair.
+    pub name: String,
+    /// Place.
+    pub span: Span,
+    /// The number; none for the name of a constant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<f64>,
+}
+
+impl Row {
+    /// The cell of that name.
+    #[must_use]
+    pub fn cell(&self, name: &str) -> Option<&Cell> {
+        self.cells.iter().find(|cell| cell.name == name)
+    }
+}
