@@ -70,7 +70,7 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     page.click("button", "Insert", "").await;
     page.reads("Keyframe 2 of 2").await;
     page.find("slider", "RElbowRoll", "").await.set("20").await;
-    let both = "&[&[(RShoulderPitch, -60.0), (RElbowRoll, 80.0)], &[(RShoulderPitch, -60.0), (RElbowRoll, 20.0)]]";
+    let both = "[\n    &[(RShoulderPitch, -60.0), (RElbowRoll, 80.0)],\n    &[(RShoulderPitch, -60.0), (RElbowRoll, 20.0)],\n]";
     sources.has(&page, "wave.rs", both).await;
     page.reads("within the edge of the soles").await;
 
