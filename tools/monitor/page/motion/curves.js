@@ -56,6 +56,7 @@ export function Curves({ visible }) {
     context.textAlign = 'left';
     context.fillText(unit, 4, 11);
     context.textAlign = 'center';
+    let last = -Infinity;
     times.forEach((time, index) => {
       const limits = shapes.value[index]?.limits;
       const isWrong = limits && (limits.beyond.length > 0 || limits.fast.length > 0);
@@ -64,7 +65,10 @@ export function Curves({ visible }) {
       line(context, x(time), TOP, x(time), height - BOTTOM);
       context.fillStyle = css(index === row.value ? '--control' : isWrong ? '--warn' : '--dim');
       context.fillText(isWrong ? `${index + 1} !` : index + 1, x(time), TOP - 6);
-      if (index % Math.ceil(times.length / 12) === 0 || index === times.length - 1) context.fillText(`${time.toFixed(2)} s`, Math.min(x(time), width - 22), height - 6);
+      const place = Math.min(x(time), width - 22);
+      if (place - last < 46) return;
+      context.fillText(`${time.toFixed(2)} s`, place, height - 6);
+      last = place;
     });
     for (const index of shown) {
       context.strokeStyle = curveColour(index);

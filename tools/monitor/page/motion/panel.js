@@ -57,12 +57,15 @@ function Numbers() {
   const own = form.value;
   const list = onlyMoved.value ? moved() : own.channels.map((_, index) => index);
   const key = keys.value[row.value];
-  const least = shapes.value[row.value]?.limits.least ?? 0;
+  const { least = 0, beyond = [], fast = [] } = shapes.value[row.value]?.limits ?? {};
+  // Joints that no number moves directly.
+  const indirect = [...beyond, ...fast].map(([joint]) => joint).filter((joint) => !own.channels.some(({ moves }) => moves.includes(joint)));
   return html`<section class="numbers" aria-label="Keyframe">
     <p class="keyframe"><b>Keyframe ${row.value + 1} of ${keys.value.length}</b>
       <button aria-label="Previous keyframe" disabled=${row.value === 0} onClick=${() => { row.value -= 1; }}>‹</button><button aria-label="Next keyframe" disabled=${row.value >= keys.value.length - 1} onClick=${() => { row.value += 1; }}>›</button>
       ${own.time ? html`<label>takes <${Field} value=${key.seconds.toFixed(2)} label="Duration in s" width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (Number(text) > 0) setSeconds([[row.value, Number(text)]]); }} /> s</label>` : html`<span class="dim">takes ${key.seconds.toFixed(2)} s by its way</span>`}
       ${least > key.seconds + 0.005 && html`<span class="warn">${own.stretches ? 'is played in' : 'the motors need'} ${least.toFixed(2)} s</span>`}
+      ${indirect.length > 0 && html`<span class="warn" title="Faster than their motors, or beyond their ranges">! ${[...new Set(indirect)].join(', ')}</span>`}
       <label><input type="checkbox" checked=${onlyMoved.value} onChange=${(event) => { onlyMoved.value = event.target.checked; }} /> only what moves</label></p>
     <ul>${list.map((index) => html`<${Channel} key=${index} own=${own.channels[index]} index=${index} />`)}</ul></section>`;
 }

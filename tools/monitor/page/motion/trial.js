@@ -75,8 +75,8 @@ export function Trial() {
   const go = (runs) => attempt(mujoco.value, runs, start.value ?? usual);
   const last = result.value?.motion === JSON.stringify(chosen.value) ? result.value : null;
   return html`<div class="trial" role="group" aria-label="Trial">
-    ${own.only ? html`<span class="dim">${own.only}</span>` : html`<select aria-label="World" onChange=${(event) => { mujoco.value = event.target.value === 'mujoco'; }}><option value="built-in">built-in world</option><option value="mujoco" selected=${mujoco.value}>MuJoCo</option></select>
-    <select aria-label="Begins" onChange=${(event) => { start.value = event.target.value; }}>${[['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']].map(([value, name]) => html`<option value=${value} selected=${value === (start.value ?? usual)}>${name}</option>`)}</select>`}
+    ${own.only ? html`<span class="dim">${own.only}</span>` : html`<select aria-label="World of the trial" onChange=${(event) => { mujoco.value = event.target.value === 'mujoco'; }}><option value="built-in">built-in world</option><option value="mujoco" selected=${mujoco.value}>MuJoCo</option></select>
+    <select aria-label="Beginning of the trial" onChange=${(event) => { start.value = event.target.value; }}>${[['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']].map(([value, name]) => html`<option value=${value} selected=${value === (start.value ?? usual)}>${name}</option>`)}</select>`}
     <button class="primary" disabled=${running.value > 0 || !keys.value?.length} onClick=${() => go(1)}>Try</button>
     <button disabled=${running.value > 0 || !keys.value?.length} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
     <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.verdict ? html`<${Verdict} ...${last.verdict} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
