@@ -114,7 +114,7 @@ function Compare() {
   };
   const { equal, copies, cycle, field, text, time_us: first, decisions = [] } = result.value ?? {};
   return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${title !== '' || busy.value} title=${title} onClick=${compare}>${busy.value ? 'Comparing…' : 'Compare'}</button></div>
-    ${unread && html`<p class="dim">${title}.</p>`}
+    <p class="dim">${title || 'States the first difference, and the decisions that differ'}.</p>
     ${result.value && (equal ? html`<p class="yes">${copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${cycle}: ${field}. ${text} <button class="small" onClick=${() => go(first)}>Show both</button></p>
       ${decisions.length > 0 && html`<table class="stats" aria-label="Decisions that differ"><thead><tr><th>Time</th><th>Component</th><th>${recordings.find(({ id }) => id === one).info.value.name}</th><th>${recordings.find(({ id }) => id === other).info.value.name}</th></tr></thead>
         <tbody>${decisions.slice(0, DECISIONS).map(({ t_ms: at, component, recorded, repeated }) => html`<tr><td><button class="time" aria-label=${`Show both at ${time(at * 1000)}`} onClick=${() => go(at * 1000 + 999)}>${time(at * 1000)}</button></td><td>${component}</td><td>${recorded}</td><td>${repeated}</td></tr>`)}</tbody></table>`}`)}</section>`;

