@@ -9,7 +9,7 @@ import { PANELS } from './lib/panels.js';
 import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
 import * as store from './lib/store.js';
-import { theme, toggleTheme } from './lib/theme.js';
+import { besideColour, theme, toggleTheme } from './lib/theme.js';
 import { Menu } from './lib/ui.js';
 import { Layouts, useSaved } from './layouts.js';
 import { helpShown } from './help.js';
@@ -26,11 +26,20 @@ function Sessions() {
       return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
         <button aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
           <i class=${`state ${info.result && info.connection === 'ended' ? '' : info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
+        ${!chosen && html`<${Beside} ...${{ one, name: info.name }} />`}
         ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
       </span>`;
     })}
     <${Add} />
   </div>`;
+}
+
+/** Shows a session on the map, the timeline and the plots of the chosen one. */
+function Beside({ one, name }) {
+  const companion = store.companions.value.find(({ of }) => of === one);
+  const title = companion ? `Show ${name} no more beside the chosen session` : `Show ${name} beside the chosen session`;
+  return html`<button class="beside" aria-label=${title} title=${`${title}: on one map, timeline and plot`} aria-pressed=${Boolean(companion)} disabled=${!one.description.value}
+    ref=${(button) => { if (button) button.style.color = companion ? besideColour(companion.place) : ''; }} onClick=${() => store.putBeside(one.id)}>◫</button>`;
 }
 
 function Add() {

@@ -35,7 +35,7 @@ pub mod trial;
 pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep};
 pub use self::edit::{
     Edit, NewNumber, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan,
-    uses,
+    reads, uses,
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
 pub use self::fix::{Fix, fixes};

@@ -34,6 +34,13 @@ fn a_tuned_value_is_written_as_the_default_of_its_source() {
         "{saved}"
     );
     assert_eq!(sources.read("face_ball.rs"), face_ball.replace("default = 0.7,", "default = 1.0,"));
+    // Where it is declared and read, as the text is now.
+    let uses = view.request(Request::ParamUses { component: gain.0, param: gain.1 }).unwrap();
+    let lines = uses.as_array().unwrap().iter().map(|one| (one["file"].clone(), one["text"].clone()));
+    let text = sources.read("face_ball.rs");
+    let expected = text.lines().filter(|line| line.contains(".gain") || line.trim() == "pub gain: f32,");
+    let expected = expected.map(|line| (Value::from("face_ball.rs"), Value::from(line.trim())));
+    assert_eq!(lines.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
     // A variant keeps the path of its enum.
     let body = find(&description, "RobotProfile", "params", "profile");
     save(body).unwrap();

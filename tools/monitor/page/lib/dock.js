@@ -108,6 +108,12 @@ export function openComponent(name, own = false) {
   else open('component', undefined, name);
 }
 
+/** Shows drawing and code, which need room: in their layout, if they are not shown yet. */
+export function openSources() {
+  if (opened.value.has('vicode')) open('vicode');
+  else preset('designer');
+}
+
 export const closeActive = () => api.activePanel?.api.close();
 export const maximize = () => {
   if (api.hasMaximizedGroup()) api.exitMaximizedGroup();
@@ -116,6 +122,9 @@ export const maximize = () => {
 
 /** The element and the title of the active panel; null if there is none. */
 export const active = () => (api.activePanel ? { element: api.activePanel.view.content.element, title: api.activePanel.title } : null);
+
+/** The same of all panels that are visible. */
+export const visiblePanels = () => api.panels.filter((panel) => panel.api.isVisible).map((panel) => ({ element: panel.view.content.element, title: panel.title }));
 
 /** Moves the focus to the next panel in order. */
 export function focusNext(by) {
@@ -178,10 +187,11 @@ export function preset(name) {
   return undefined;
 }
 
-/** An address of this page: of a session, a moment, µs, and a layout, if they are given. */
-export function address({ session, time = null, layout: shown }) {
+/** An address of this page: of a session, others beside it, a moment, µs, and a layout, if they are given. */
+export function address({ session, beside = [], time = null, layout: shown }) {
   const parts = new URLSearchParams();
   if (session) parts.set('session', session);
+  for (const name of beside) parts.append('beside', name);
   if (time !== null) parts.set('t', (time / 1e6).toFixed(3));
   if (shown) parts.set('layout', shown);
   return `${location.pathname}${parts.size > 0 ? `#${parts}` : ''}`;

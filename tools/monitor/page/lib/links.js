@@ -1,10 +1,10 @@
-// Links to a moment with a layout: #session=NAME&t=SECONDS&layout=LAYOUT, and the same in a file. The address itself has no layout: after a
+// Links to a moment with a layout: #session=NAME&beside=NAME&t=SECONDS&layout=LAYOUT, and the same in a file. The address itself has no layout: after a
 // reload it would undo changes. A layout is a preset's name, or, after `~`, compressed data.
 
 import { effect, signal } from './dom.js';
 import * as dock from './dock.js';
 import { PRESETS } from './presets.js';
-import { cursor, hello, notify, seek, session, sessions, show } from './store.js';
+import { companions, cursor, hello, notify, putBeside, seek, session, sessions, show } from './store.js';
 
 /** Largest layout in a link, characters. */
 const LARGEST = 200e3;
@@ -43,22 +43,25 @@ async function applyShared(text) {
 
 export const parametersOf = ({ hash }) => Object.fromEntries(new URLSearchParams(hash.slice(1)));
 
-/** Shows a session by its name, null for the shown one, and a time, µs, as soon as they are known. */
-export function goTo(name, time) {
-  if (name || time !== null) pending.value = { name, time };
+/** Shows a session by its name, null for the shown one, others beside it, and a time, µs, as soon as they are known. */
+export function goTo(name, time, beside = []) {
+  if (name || time !== null) pending.value = { name, time, beside };
 }
 
 /** Follows a link. The address may have been written again since its event. */
 export function follow(event) {
-  const { session: name, t, layout } = parametersOf(event ? new URL(event.newURL) : location);
+  const url = event ? new URL(event.newURL) : location;
+  const { session: name, t, layout } = parametersOf(url);
   const seconds = Number.parseFloat(t);
-  goTo(name, Number.isFinite(seconds) ? seconds * 1e6 : null);
+  goTo(name, Number.isFinite(seconds) ? seconds * 1e6 : null, new URLSearchParams(url.hash.slice(1)).getAll('beside'));
   // The dock begins with the preset of the first address.
   if (layout && (event || !PRESETS[layout])) setTimeout(() => applyShared(layout));
 }
 
+const besides = () => companions.value.map(({ of }) => of.info.value.name);
+
 /** What a link or a file contains besides the layout. */
-const moment = () => ({ session: session.value?.info.value.name, time: cursor.value ?? session.value?.moment.value?.time_us ?? 0 });
+const moment = () => ({ session: session.value?.info.value.name, beside: besides(), time: cursor.value ?? session.value?.moment.value?.time_us ?? 0 });
 
 export async function copyLink() {
   const layout = dock.isPreset() ? dock.layoutName.value : await packed(dock.layout());
@@ -76,14 +79,14 @@ export const shared = () => ({ ...dock.layout(), moment: moment() });
 
 export function applyFile(data, name) {
   if (!dock.applyLayout(data, name)) return false;
-  const { session: of, time } = data.moment ?? {};
-  if (typeof of === 'string' && Number.isFinite(time)) goTo(of, time);
+  const { session: of, beside, time } = data.moment ?? {};
+  if (typeof of === 'string' && Number.isFinite(time)) goTo(of, time, Array.isArray(beside) ? beside : []);
   return true;
 }
 
 effect(() => {
   if (!pending.value || !hello.value) return;
-  const { name, time } = pending.value;
+  const { name, time, beside } = pending.value;
   const all = [...sessions.value.values()];
   const one = name ? all.find((each) => each.info.value.name === name) : session.value;
   if (name && !one) {
@@ -96,6 +99,7 @@ effect(() => {
   // The cursor must not become a dependency of this effect.
   setTimeout(() => {
     show(one.id);
+    for (const other of all) if (beside.includes(other.info.value.name)) putBeside(other.id, true);
     if (time !== null) seek(time);
   });
 });
@@ -104,7 +108,7 @@ effect(() => {
 export function writeAddress() {
   const at = cursor.value;
   const name = session.value?.info.value.name;
-  const several = sessions.value.size > 1;
+  const [several, beside] = [sessions.value.size > 1, besides()];
   clearTimeout(writing);
-  writing = setTimeout(() => history.replaceState(null, '', dock.address({ session: several || at !== null ? name : null, time: at })), 400);
+  writing = setTimeout(() => history.replaceState(null, '', dock.address({ session: several || at !== null ? name : null, beside, time: at })), 400);
 }

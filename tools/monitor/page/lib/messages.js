@@ -3,7 +3,7 @@
 import { batch } from './dom.js';
 import { listen, request } from './connection.js';
 import { Session } from './session.js';
-import { begin, classified, current, cursor, hello, isAsked, isNewest, leaving, notify, range, seek, session, sessions, show, watchAnew, whole } from './store.js';
+import { begin, classified, current, cursor, hello, isAsked, isNewest, isShown, leaving, notify, range, seek, session, sessions, show, watchAnew, whole } from './store.js';
 
 const PROTOCOL = 1;
 
@@ -81,7 +81,7 @@ const HANDLERS = {
   described(message, of) {
     of.describe(message.description, message.kinds);
     readLines(of);
-    if (of !== session.value) return;
+    if (!isShown(of)) return;
     watchAnew();
     begin(of);
   },

@@ -9,6 +9,7 @@ import { GroundMap, hasMap } from '../panels/map.js';
 import { Plot } from '../panels/plot.js';
 import { Latency } from '../panels/latency.js';
 import { Log } from '../panels/log.js';
+import { Table } from '../panels/table.js';
 import { Watches } from '../panels/watches.js';
 import { Drive, canDrive } from '../panels/drive.js';
 import { Recordings } from '../panels/recordings.js';
@@ -25,6 +26,7 @@ export const PANELS = {
   camera: { title: 'Camera', view: Camera, offered: (shown) => shown.info.value.can.images },
   map: { title: 'Map', view: GroundMap, offered: hasMap },
   plot: { title: 'Plot', view: Plot, many: true },
+  table: { title: 'Table', view: Table, many: true },
   latency: { title: 'Latency', view: Latency, offered: (shown) => shown.info.value.can.costs },
   log: { title: 'Log', view: Log },
   watches: { title: 'Watches', view: Watches },

@@ -33,6 +33,14 @@ effect(() => {
   untracked(() => { span.value = null; });
 });
 
+/** The note of a span as text; and the span and the text of a note that has one. */
+export const noteOf = ([begin, end], text) => `${(begin / 1e6).toFixed(2)}–${(end / 1e6).toFixed(2)} s: ${text}`;
+
+export function spanOf(note) {
+  const [, begin, end, text] = note.match(/^(\d+\.\d+)–(\d+\.\d+) s: (.*)$/s) ?? [];
+  return text === undefined ? null : { begin: begin * 1e6, end: end * 1e6, text };
+}
+
 /** What is measured of the samples of a span, Map from time to number or null: a value holds until the next one. */
 export function statistics(samples, [begin, end]) {
   const known = [...samples].filter(([time, value]) => value !== null && time <= end);

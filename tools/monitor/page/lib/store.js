@@ -1,6 +1,6 @@
 // The store: all that panels know. Messages of the server, in messages.js, change it; panels read its signals and call its actions.
 
-import { batch, computed, signal } from './dom.js';
+import { batch, computed, effect, signal, untracked } from './dom.js';
 import { link, request } from './connection.js';
 
 /** The server's first message. */
@@ -11,6 +11,10 @@ export const sessions = signal(new Map());
 export const current = signal(null);
 /** The session that the panels show; null if there is none. */
 export const session = computed(() => sessions.value.get(current.value) ?? null);
+/** Sessions that are shown beside the chosen one: from the identifier to what is added to a time of the chosen one, µs. */
+const beside = signal(new Map());
+/** The same with their trees: [{of, shift, place}]; `place` chooses the colour. */
+export const companions = computed(() => [...beside.value].map(([id, shift], place) => ({ of: sessions.value.get(id), shift, place })).filter(({ of }) => of && of !== session.value && of.description.value));
 /** Time that all panels show, µs; null: the newest. */
 export const cursor = signal(null);
 /** Length of the visible interval of timeline and plots, µs, and its end; null: it ends at the newest time. One that grows has all of a short run. */
@@ -127,8 +131,9 @@ export const redoParams = () => move(redo, undo, 'after', 'the change was made a
 const wishes = new Set();
 let watchTimer = null;
 
-/** Registers what a panel watches: {info: [[component, index]], conditions, images, costs, truth}. Returns how to end it. */
-export function watch(wish) {
+/** Registers what a panel watches: {info: [[component, index]], conditions, images, costs, truth}, `of` the chosen session or another one. Returns how to end it. */
+export function watch(wanted, of = null) {
+  const wish = { ...wanted, of };
   wishes.add(wish);
   watchSoon();
   return () => {
@@ -139,9 +144,11 @@ export function watch(wish) {
 
 const watchSoon = () => { watchTimer ??= setTimeout(sendWatch, 30); };
 
-function wishedInfo() {
+const wishesOf = (of) => [...wishes].filter((wish) => (wish.of ?? session.value) === of);
+
+function wishedInfo(of) {
   const every = new Map();
-  for (const wish of wishes) {
+  for (const wish of wishesOf(of)) {
     for (const [component, info, rate = 3] of wish.info ?? []) {
       const key = `${component}.${info}`;
       every.set(key, { component, info, every: Math.min(rate, every.get(key)?.every ?? rate) });
@@ -150,39 +157,45 @@ function wishedInfo() {
   return [...every.values()];
 }
 
-let lastWatch = '';
+/** What was sent last, by session. */
+const sent = new Map();
 /** Sends what is watched also if it is the same: the server, or the session, is another one. */
 export function watchAnew() {
-  lastWatch = '';
+  sent.clear();
   watchSoon();
+}
+
+/** What is watched of a session; nothing of one that is not shown. */
+function watched(of) {
+  const all = wishesOf(of);
+  return {
+    info: wishedInfo(of),
+    conditions: [...new Set(all.flatMap((wish) => wish.conditions ?? []))],
+    images: all.some((wish) => wish.images) ? { max_hz: 30 } : null,
+    costs: all.some((wish) => wish.costs),
+    truth: all.some((wish) => wish.truth),
+  };
 }
 
 function sendWatch() {
   watchTimer = null;
-  const shown = session.value;
-  if (!shown?.description.value || link.value !== 'open') return;
-  const all = [...wishes];
-  const message = {
-    session: shown.id,
-    watch: {
-      info: wishedInfo(),
-      conditions: [...new Set(all.flatMap((wish) => wish.conditions ?? []))],
-      images: all.some((wish) => wish.images) ? { max_hz: 30 } : null,
-      costs: all.some((wish) => wish.costs),
-      truth: all.some((wish) => wish.truth),
-    },
-  };
-  const text = JSON.stringify(message);
-  if (text === lastWatch) return;
-  lastWatch = text;
-  ask('watch', message);
-  if (cursor.value !== null) seekSoon();
+  if (link.value !== 'open') return;
+  let isNew = false;
+  for (const of of sessions.value.values()) {
+    const text = JSON.stringify(watched(of));
+    if (!of.description.value || (!isShown(of) && !sent.has(of.id)) || sent.get(of.id) === text) continue;
+    sent.set(of.id, text);
+    ask('watch', { session: of.id, watch: JSON.parse(text) });
+    isNew = true;
+  }
+  if (isNew) seekSoon();
 }
 
 // ---- the cursor
 
+const newestOf = (of) => Math.max(of?.live.value?.time_us ?? 0, of?.info.value.until_us ?? 0);
 /** Newest time of the session, µs. */
-export const newest = computed(() => Math.max(session.value?.live.value?.time_us ?? 0, session.value?.info.value.until_us ?? 0));
+export const newest = computed(() => newestOf(session.value));
 
 /** Lengths of an interval that grows, µs; a longer run has the last one, up to its newest time. */
 const ROUND = [5e6, 10e6, 20e6, 30e6, 60e6];
@@ -219,40 +232,51 @@ export function seek(time) {
   });
   if (at === null) {
     playing.value = false;
-    batch(() => shown.showNewest());
-  } else seekSoon();
+    batch(() => shownSessions().forEach((of) => of.showNewest()));
+  }
+  seekSoon();
 }
 
 /** Identifier of the request whose image is shown. */
 let asked = 0;
 export const isAsked = (id) => id === asked;
 
-/** Asks for the state at the cursor. While an answer is pending, only the last request is kept. */
+/** The shown sessions of which a moment of the past is shown, with its time: beside the newest of a robot a recording stands at its time. */
+function moments() {
+  const all = [{ of: session.value, shift: 0 }, ...companions.value].filter(({ of }) => of && (cursor.value !== null || (of !== session.value && of.info.value.kind === 'recording')));
+  const within = (of, time) => Math.round(Math.min(Math.max(time, of.info.value.from_us), newestOf(of)));
+  return all.map(({ of, shift }) => [of, of === session.value ? cursor.value : within(of, (cursor.value ?? newest.value) + shift)]);
+}
+
+/** Asks for the states at the cursor. While an answer is pending, only the last request is kept. */
 async function seekSoon() {
-  if (seeking) {
-    seekAgain = true;
-    return;
-  }
-  const shown = session.value;
-  const at = cursor.value;
-  if (!shown || at === null) return;
+  seekAgain = seeking;
+  const all = moments();
+  if (seeking || all.length === 0) return;
   seeking = true;
+  await Promise.all(all.map(([of, at]) => showAt(of, at)));
+  seeking = false;
+  if (seekAgain) seekSoon();
+}
+
+async function showAt(of, at) {
   try {
-    const info = wishedInfo().map((wish) => [wish.component, wish.info]);
-    const image = [...wishes].some((wish) => wish.images);
-    const answer = request('at', { session: shown.id, time_us: at, info, image });
-    asked = answer.id;
+    const info = wishedInfo(of).map((wish) => [wish.component, wish.info]);
+    const image = wishesOf(of).some((wish) => wish.images);
+    const answer = request('at', { session: of.id, time_us: at, info, image });
+    if (of === session.value) asked = answer.id;
     const moment = await answer;
-    if (cursor.value !== null && shown === session.value) batch(() => shown.showMoment(moment, info, image));
+    if (moments().some(([one]) => one === of)) batch(() => of.showMoment(moment, info, image));
   } catch (error) {
     if (!seekAgain) notify('error', error.text ?? String(error), error.help ?? '');
   }
-  seeking = false;
-  if (seekAgain) {
-    seekAgain = false;
-    seekSoon();
-  }
 }
+
+// A recording beside a robot moves with it.
+effect(() => {
+  void [newest.value, companions.value, cursor.value];
+  if (cursor.value === null) untracked(seekSoon);
+});
 
 /** Moves the cursor by a duration; a step forward from the newest time does nothing. */
 export function step(us) {
@@ -296,7 +320,12 @@ export function show(id) {
     [before.left, before.begun] = [cursor.value, false];
     before.showNewest();
   }
+  const shift = beside.value.get(id);
+  const others = [...beside.value].filter(([other]) => other !== id).map(([other, more]) => [other, more - shift]);
   batch(() => {
+    // Of two sessions side by side the other one is chosen; else nothing stays beside.
+    if (shift !== undefined && next.info.value.kind === 'recording') next.left = (cursor.value ?? newest.value) + shift;
+    beside.value = new Map(shift === undefined ? [] : [[before.id, -shift], ...others]);
     current.value = id;
     cursor.value = null;
     playing.value = false;
@@ -307,8 +336,28 @@ export function show(id) {
   if (next) begin(next);
 }
 
+const shownSessions = () => [session.value, ...companions.value.map(({ of }) => of)];
+/** Whether a session is chosen, or shown beside the chosen one. */
+export const isShown = (of) => of === session.value || beside.value.has(of.id);
 /** Whether the newest of a session is shown, and not its past. */
-export const isNewest = (of) => cursor.value === null || of !== session.value;
+export const isNewest = (of) => cursor.value === null || !isShown(of);
+
+/** What is added to the time of a session for that of another one: two that go on have one present, others one beginning. */
+function shiftTo(one, other) {
+  const isRecorded = [one, other].some(({ info }) => info.value.kind === 'recording');
+  return isRecorded ? other.info.value.from_us - one.info.value.from_us : newestOf(other) - newestOf(one);
+}
+
+/** Shows a session beside the chosen one, or not any more. */
+export function putBeside(id, on = !beside.value.has(id)) {
+  const [next, of] = [new Map(beside.value), sessions.value.get(id)];
+  if (on && of && of !== session.value) next.set(id, shiftTo(session.value, of));
+  else next.delete(id);
+  beside.value = next;
+  if (of) of.showNewest();
+  watchSoon();
+  seekSoon();
+}
 
 /** Frames that answer a request, by its identifier. */
 export const classified = signal(null);

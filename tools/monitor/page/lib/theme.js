@@ -33,4 +33,7 @@ export const kindColour = (kind) => css(KINDS[kind] ?? '--dim');
 /** Distinct colours of curves. */
 export const curveColour = (index) => css(`--curve${index % 8}`);
 
+/** Colour of a session that is shown beside the chosen one. */
+export const besideColour = (place) => css(`--curve${[5, 4, 7, 3][place % 4]}`);
+
 applyTheme(theme.value);

@@ -10,7 +10,7 @@ export const Empty = ({ what, help }) => html`<div class="empty" role="status"><
 export const Bar = ({ children, label }) => html`<div class="bar" role="toolbar" aria-label=${label}>${children}</div>`;
 
 export const Toggle = ({ on, label, title, onChange, colour, disabled }) => html`
-  <button class=${`toggle ${on ? 'on' : ''}`} role="switch" aria-checked=${on} title=${title} disabled=${disabled}
+  <button type="button" class=${`toggle ${on ? 'on' : ''}`} role="switch" aria-checked=${on} title=${title} disabled=${disabled}
     onClick=${() => onChange(!on)}>${colour && html`<i class="dot" ref=${(dot) => dot && (dot.style.background = colour)}></i>`}${label}</button>`;
 
 /** A text field that commits its value on Enter, or when it loses the focus. */

@@ -2,7 +2,7 @@
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { duration, number, time } from '../lib/format.js';
-import { open as openPanel, openComponent, opened, preset } from '../lib/dock.js';
+import { openComponent, openSources } from '../lib/dock.js';
 import { command, cursor, hello, selected, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 import { InformationList } from './component/information.js';
@@ -42,9 +42,7 @@ export function ComponentTab({ visible, params, retitle }) {
 
 async function edit(name) {
   if (!(await openByName(name))) return;
-  // Drawing and code need room: the layout for them, if it is not shown yet.
-  if (opened.value.has('vicode')) openPanel('vicode');
-  else preset('designer');
+  openSources();
 }
 
 function Head({ shown, component, index, own }) {

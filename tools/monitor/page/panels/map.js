@@ -3,21 +3,20 @@
 import { html, useEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
 import { Canvas } from '../lib/canvas.js';
 import { number, words } from '../lib/format.js';
-import { IDENTITY, applied, colourOf, flat, headingOf, inverse, located, matrixOf, times, visuals } from '../lib/frames.js';
-import { drawPart, partsOf, pointsOf } from '../lib/shapes.js';
-import { cursor, session, watch } from '../lib/store.js';
-import { css, curveColour } from '../lib/theme.js';
+import { IDENTITY, applied, colourOf, headingOf, inverse, matrixOf, times, visuals } from '../lib/frames.js';
+import { drawPart, pointsOf } from '../lib/shapes.js';
+import { companions, cursor, session, watch } from '../lib/store.js';
+import { besideColour, css, curveColour } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
 import { ActionsMenu, onGround, useActions } from './actions.js';
+import { keyOf, layersOf, sourceOf, toViewBeside, toViewOf, useTracks } from './map/layers.js';
 import { drawLegend } from './map/legend.js';
 import { useDrag } from './map/place.js';
-import { Space, calibrations, framesOf, toViewOf, viewsOf } from './map/space.js';
+import { Space, calibrations, framesOf, viewsOf } from './map/space.js';
 
 const TRAIL = 400;
 /** Distance around everything that is drawn, m, without a scenery. */
 const MARGIN = 1;
-const DASHED = [3, 3];
-const HALO = '#ffffffa0';
 
 /** Whether the map has something to draw. */
 export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.info.value.can.truth || shown.scenery.value.length > 0 || visuals(shown.description.value, false).length > 0);
@@ -25,7 +24,10 @@ export const hasMap = (shown) => Boolean(shown?.description.value) && (shown.inf
 export function GroundMap({ visible, params, remember }) {
   const shown = session.value;
   const description = shown?.description.value;
-  const outputs = useMemo(() => visuals(description, false), [description]);
+  const own = useMemo(() => description && { ...sourceOf(shown), shift: 0 }, [shown, description]);
+  const others = useMemo(() => companions.value.map(({ of, shift, place }) => ({ ...sourceOf(of), shift, beside: place })), [companions.value]);
+  const sources = useMemo(() => (own ? [own, ...others] : []), [own, others]);
+  const tracks = useTracks(sources, visible);
   const cameras = useMemo(() => calibrations(description), [description]);
   const deep = useSignal(params.deep ?? false);
   const truthShown = useSignal(true);
@@ -47,53 +49,54 @@ export function GroundMap({ visible, params, remember }) {
   const { handlers: opens, menu } = useActions({ shown, list, at });
   const { dragged, handlers } = useDrag({ shown, mapOf: (element) => mapIn(element.clientWidth, element.clientHeight), visible: truthShown.value && isFixed });
   useEffect(() => {
-    if (!visible.value || !description) return undefined;
-    return watch({ truth: shown.info.value.can.truth, info: [...outputs, ...(deep.value ? cameras : [])].map(({ component, index }) => [component, index, 3]) });
-  }, [visible.value, shown, description, deep.value]);
+    if (!visible.value || !own) return undefined;
+    const ends = sources.map((source) => watch({
+      truth: source.shown.info.value.can.truth, info: [...source.outputs, ...(deep.value && source === own ? cameras : [])].map(({ component, index }) => [component, index, 3]),
+    }, source === own ? null : source.shown));
+    return () => ends.forEach((end) => end());
+  }, [visible.value, sources, deep.value]);
 
   if (!description) return html`<${Empty} what="No map yet" help="Open a world, a robot or a recording." />`;
   if (!hasMap(shown)) return html`<${Empty} what="This tree has nothing that a map can draw" help="Return a type of bica::visual from an output, and name its frame: #[info(frame = &quot;robot&quot;)]." />`;
-  const read = ({ component, index }) => shown.info_of(component, index).now.value?.value;
-  const truth = () => shown.truth.value?.truth ?? [];
-  const place = located(outputs, read, truth());
+  const { outputs, main, read, truth } = own;
+  const place = own.place();
   const frames = [...new Set([...shown.scenery.value, ...truth(), ...outputs.map(({ info }) => info)].flatMap(({ frame, child }) => (child ? [frame, child] : [frame])))];
-  const main = busiest(outputs);
   const colour = (component) => curveColour(colourOf(description, component));
   const root = place(shown.scenery.value[0]?.frame ?? truth()[0]?.frame ?? main).root;
   const view = frames.includes(fixed.value) ? fixed.value : root;
   /** What a point of the view is in the frame of an argument; nothing in a frame that has no place in the view. */
   geometry.current = (point) => (of) => {
-    const now = located(outputs, read, truth());
-    const { matrix, root: own } = now(of.frame);
+    const now = own.place();
+    const { matrix, root: top } = now(of.frame);
     const [x, y] = applied(times(inverse(matrix), now(view).matrix), point);
-    return own === now(view).root ? { x, y }[of.axis] : undefined;
+    return top === now(view).root ? { x, y }[of.axis] : undefined;
   };
   /** Where the item is that an action moves. */
   const here = ({ axis, frame }, { moves }) => truth().find((item) => item.name === moves && item.frame === frame)?.value?.[axis];
   const reads = () => {
-    void [shown.truth.value, shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value];
-    [...outputs, ...cameras].forEach((output) => read(output));
+    void [shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value, tracks.value];
+    cameras.forEach((output) => read(output));
+    for (const { shown: of, outputs: all, read: readOf, truth: stated } of sources) void [of.moment.value, stated(), all.map((output) => readOf(output))];
   };
-  /** What is drawn, the lowest first: {parts, matrix, style, trail}; nothing of a frame that has no place in the view. */
+  /** What is drawn: of other sessions, `others`, all in one colour. */
   const layers = () => {
-    const now = located(outputs, read, truth());
+    const now = own.place();
+    const shows = { seen, hidden: hidden.value, sceneryShown: sceneryShown.value, truthShown: truthShown.value };
     const toView = toViewOf(now, view);
-    const layer = (frame, shape, value, style, key) => {
-      const matrix = toView(frame);
-      const parts = matrix ? flat(value).flatMap((one) => partsOf(shape, one)) : [];
-      return { parts, matrix, style, trail: key && seen.trails(key) };
+    const track = ({ key, pose }, toFrame, colour) => {
+      const [points, matrix] = [tracks.value.get(key), pose && toFrame(pose.info.frame)];
+      return points?.length > 1 && matrix ? [{ parts: [{ line: points }], matrix, style: { colour, faint: true } }] : [];
     };
-    // Of the true places of frames only that of the robot is drawn.
-    const states = (plain) => ({ name, frame, shape, value, child, colour, line_width: width }) => (child && child !== main ? [] : [layer(frame, shape, value,
-      colour ? { colour, width, fill: width === undefined } : { ...plain, width }, shape === 'Pose2' && name)]);
-    const scenery = sceneryShown.value ? shown.scenery.value.flatMap(states({ colour: css('--dim'), fill: true })) : [];
-    const found = outputs.map(({ component, info, index }, number) => layer(info.frame, info.shape, hidden.value.has(number) ? null : read({ component, index }),
-      { colour: colour(component), halo: HALO, faint: !shown.moment.value?.components?.[component]?.[0] }, info.child === main && info.child));
-    return { toView, scenery, found, stated: truthShown.value ? truth().flatMap(states({ colour: css('--truth'), halo: css('--panel'), dash: DASHED })) : [] };
+    const drawn = others.map((source) => {
+      const toFrame = toViewBeside(source, now, view);
+      const { found, stated } = layersOf(source, toFrame, { ...shows, beside: source.beside });
+      return [...track(source, toFrame, besideColour(source.beside)), ...found, ...stated];
+    });
+    return { toView, ...layersOf(own, toView, shows), others: [...track(own, toView, own.pose ? colour(own.pose.component) : ''), ...drawn.flat()] };
   };
   const draw = (context, width, height) => {
-    const { scenery, found, stated } = layers();
-    const all = [...scenery, ...found, ...stated];
+    const { scenery, found, stated, others: beside } = layers();
+    const all = [...scenery, ...beside, ...found, ...stated];
     seen.bounds = scenery.length > 0 ? extent(scenery, null, 0) : extent(all, seen.bounds, MARGIN);
     const map = mapIn(width, height);
     for (const trail of trails(all)) for (const part of trail.parts) drawPart(context, map, part, IDENTITY, trail.style);
@@ -104,13 +107,14 @@ export function GroundMap({ visible, params, remember }) {
   const legend = (context, width, height, found, stated) => {
     const drawn = new Map(outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
     if (stated.length > 0) drawn.set('truth (dashed)', css('--truth'));
+    for (const { shown: of, beside } of others) drawn.set(of.info.value.name, besideColour(beside));
     drawLegend(context, width, height, [...drawn]);
   };
   /** The trails of layers that have one, at the newest time, as layers. */
   const trails = (all) => (cursor.value === null ? all.flatMap(trailOf) : []);
   const content = () => {
-    const { toView, scenery, found, stated } = layers();
-    const all = [...scenery, ...found, ...stated];
+    const { toView, scenery, found, stated, others: beside } = layers();
+    const all = [...scenery, ...beside, ...found, ...stated];
     // A place of a frame in space is drawn as its axes.
     const isFrame = (one) => outputs[found.indexOf(one)]?.info.shape === 'Pose3';
     return {
@@ -129,13 +133,13 @@ export function GroundMap({ visible, params, remember }) {
     hidden.value = next;
   };
   return html`<${Bar} label="Map">
-      <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth() }} /></span><span class="grow"></span>
+      <span class="dim place"><${Where} ...${{ place, frame: main, root, truth: truth(), others }} /></span><span class="grow"></span>
       ${shown.info.value.can.truth && html`<${Toggle} on=${truthShown.value} label="Truth" title="The simulator's state, dashed. The robot never gets it." colour=${css('--truth')} onChange=${(on) => { truthShown.value = on; }} />`}
       <${Toggle} on=${deep.value} label="3D" title="Show the map in three dimensions" onChange=${show} />
       <${ActionsMenu} ...${{ shown, list, known: here }} />
       <${Menu} label="Layers" title="What the map shows">
         <label>Fixed frame <select aria-label="Fixed frame" onChange=${(event) => { fixed.value = event.target.value; }}>${frames.map((frame) => html`<option selected=${frame === view}>${frame}</option>`)}</select></label>
-        ${outputs.map(({ component, name, info }, number) => html`<${Toggle} on=${!hidden.value.has(number)} label=${`${name} · ${words(info.name)}`} title=${`${info.doc} Frame: ${info.frame}.`} colour=${colour(component)} onChange=${() => toggle(number)} />`)}
+        ${outputs.map((output) => html`<${Toggle} on=${!hidden.value.has(keyOf(output))} label=${`${output.name} · ${words(output.info.name)}`} title=${`${output.info.doc} Frame: ${output.info.frame}.`} colour=${colour(output.component)} onChange=${() => toggle(keyOf(output))} />`)}
         ${shown.scenery.value.length > 0 && html`<${Toggle} on=${sceneryShown.value} label="Scenery" title="What does not move in the world" onChange=${(on) => { sceneryShown.value = on; }} />`}
         <${Toggle} on=${turned.value} label="Turned by 180°" title="Turn the map by 180°" onChange=${(on) => { turned.value = on; }} />
         <button class="item" onClick=${seen.clear}>Clear the trails</button><//>
@@ -145,31 +149,25 @@ export function GroundMap({ visible, params, remember }) {
       : html`<${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Map of the ground" ...${{ ...handlers, ...opens }} />`}${menu}</div>`;
 }
 
-/** The frame in which most outputs are given: the robot's. */
-function busiest(outputs) {
-  const count = (frame) => outputs.filter(({ info }) => info.frame === frame).length;
-  return outputs.reduce((best, { info }) => (best === undefined || count(info.frame) > count(best) ? info.frame : best), undefined);
-}
-
-function Where({ place, frame, root, truth }) {
+function Where({ place, frame, root, truth, others }) {
   if (frame === undefined) return '';
   const { matrix, root: own, notes } = place(frame);
   if (own !== root) return `${frame} has no place in ${root}`;
   if (frame === root) return frame;
-  const away = distanceTo(truth.find(({ child }) => child === frame), place, matrix, root);
-  return [`${frame} in ${root} · ${number(matrix[3])}, ${number(matrix[7])} m · ${degrees(headingOf(matrix))}°`, ...away, ...notes].join(' · ');
+  const stated = truth.find(({ child }) => child === frame);
+  const above = stated?.value && place(stated.frame);
+  const away = above?.root === root ? [`${apart(times(above.matrix, matrixOf(stated.value)), matrix)} from the truth`] : [];
+  const between = others.flatMap((other) => {
+    const { matrix: there, root: top } = other.place()(frame);
+    return top === root ? [`${apart(there, matrix)} from ${other.shown.info.value.name}`] : [];
+  });
+  return [`${frame} in ${root} · ${number(matrix[3])}, ${number(matrix[7])} m · ${degrees(headingOf(matrix))}°`, ...between, ...away, ...notes].join(' · ');
 }
 
-const degrees = (angle) => ((angle * 180) / Math.PI).toFixed(0);
+const degrees = (angle) => Math.round((angle * 180) / Math.PI) + 0;
 
-/** How far a place is from the true one, as a list with a text; empty if that is unknown. */
-function distanceTo(stated, place, matrix, root) {
-  const above = stated && place(stated.frame);
-  if (!above || above.root !== root || !stated.value) return [];
-  const truth = times(above.matrix, matrixOf(stated.value));
-  const turn = headingOf(times(inverse(truth), matrix));
-  return [`${number(Math.hypot(matrix[3] - truth[3], matrix[7] - truth[7]))} m, ${degrees(Math.abs(turn))}° from the truth`];
-}
+/** How far one place is from another one, as a text. */
+const apart = (one, other) => `${number(Math.hypot(one[3] - other[3], one[7] - other[7]))} m, ${degrees(Math.abs(headingOf(times(inverse(one), other))))}°`;
 
 /** The extent of what is drawn, and of `known`: [left, bottom, right, top], m. */
 function extent(layers, known, margin) {

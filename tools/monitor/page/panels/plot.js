@@ -2,23 +2,23 @@
 
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
-import { request } from '../lib/connection.js';
-import { resolve, resolved, samples, valueNow } from '../lib/curves.js';
+import { resolved, valueNow } from '../lib/curves.js';
 import { number, numbers, text, time, valueAt } from '../lib/format.js';
 import { line } from '../lib/canvas.js';
 import { on } from '../lib/listen.js';
 import { marks, shownTime, showRange } from '../lib/axis.js';
-import { cursor, newest, notify, range, seek, session, visibleRange, watch } from '../lib/store.js';
-import { css, curveColour, theme } from '../lib/theme.js';
+import { curvesOf, isCurve, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
+import { cursor, newest, range, seek, session, visibleRange } from '../lib/store.js';
+import { besideColour, css, curveColour, theme } from '../lib/theme.js';
 import { choose, span, statistics } from '../lib/span.js';
 import { Bar, Empty, download } from '../lib/ui.js';
 import { open } from '../lib/dock.js';
 import { draft, findings, threshold, watches } from '../lib/watches.js';
 
-/** Samples that are read of the time before a curve was added. */
-const POINTS = 3000;
 /** Shortest time between two drawings of a live plot, ms. */
 const FRAME_MS = 30;
+/** Lines of other sessions. */
+const DASHES = [[6, 4], [2, 3], [9, 3, 2, 3], [12, 6]];
 
 export function Plot({ visible, params, remember }) {
   const names = useSignal(params.curves ?? []);
@@ -26,26 +26,22 @@ export function Plot({ visible, params, remember }) {
   const description = shown?.description.value;
   const typed = useSignal('');
   const over = useSignal(false);
-  const curves = names.value.map((name) => resolved(shown, name)).filter(Boolean);
+  // Those of other sessions are dashed.
+  const { own, beside, key } = curvesOf(shown, names.value);
+  const curves = [...own, ...beside];
   const set = (list) => {
     names.value = list;
     remember({ curves: list });
   };
   const add = (name) => {
-    try {
-      resolve(shown, name);
-      if (!names.value.includes(name)) set([...names.value, name]);
-    } catch ({ message }) {
-      notify('error', message, 'write Component.information, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
-    }
+    if (isCurve(shown, name) && !names.value.includes(name)) set([...names.value, name]);
   };
   // A struct becomes one curve for each of its numbers, as soon as a value of it is known.
   useEffect(() => effect(() => {
-    const all = curves.flatMap((curve) => expand(shown, curve));
-    if (all.length > curves.length) setTimeout(() => set([...new Set(all)]));
+    const all = own.flatMap((curve) => expand(shown, curve));
+    if (all.length > own.length) setTimeout(() => set([...new Set(all)]));
   }), [shown, description, names.value.join()]);
-  useEffect(() => (visible.value && curves.length > 0 ? watch({ info: curves.flatMap(({ inputs }) => inputs.map(({ place }) => [...place, 2])) }) : undefined), [visible.value, shown, description, names.value.join()]);
-  useHistory(shown, description, curves, visible);
+  useCurves(curves, shown, visible, key);
 
   if (!description) return html`<${Empty} what="Nothing to plot yet" help="Open a world, a robot or a recording." />`;
   const drop = (event) => {
@@ -64,14 +60,14 @@ export function Plot({ visible, params, remember }) {
     <${Bar} label="Plot">
       <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
       <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
-      <button disabled=${curves.length === 0} onClick=${() => csv(shown, curves)}>CSV</button>
+      <button disabled=${curves.length === 0} onClick=${() => csv(curves)}>CSV</button>
       ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
-      <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
+      <div class="legend" role="list" aria-label="Curves">${names.value.map((name, index) => html`<${Curve} key=${name} ...${{ name, index, shown, beside: beside.filter((one) => one.name === name), remove: () => set(names.value.filter((one) => one !== name)) }} />`)}</div>
     <//>
     ${curves.length === 0
       ? html`<${Empty} what=${names.value.length > 0 ? 'This tree has none of these curves' : 'No curve yet'} help="Drag an output from a component tab onto this panel, or choose one above." />`
-      : html`<${Chart} key=${curves.map(({ name }) => name).join() + theme.value} ...${{ shown, curves, visible }} />`}
-    ${span.value && curves.length > 0 && html`<${Statistics} ...${{ shown, curves, visible }} />`}
+      : html`<${Chart} key=${key + theme.value} ...${{ curves, visible }} />`}
+    ${span.value && curves.length > 0 && html`<${Statistics} ...${{ curves, visible }} />`}
   </div>`;
 }
 
@@ -85,7 +81,7 @@ function expand(shown, { name, place, path }) {
   return parts.length > 0 ? parts.slice(0, 6).map(([one]) => name + one) : [name];
 }
 
-function Curve({ name, index, shown, remove }) {
+function Curve({ name, index, shown, beside, remove }) {
   const curve = resolved(shown, name);
   const now = curve?.place ? shown.info_of(...curve.place).now.value?.value : null;
   const watch = () => {
@@ -93,46 +89,17 @@ function Curve({ name, index, shown, remove }) {
     open('watches');
   };
   return html`<span class="curve" role="listitem"><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}
-    <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span><button aria-label=${`Watch ${name}`} title="Watch this curve" onClick=${watch}>▲</button><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
-}
-
-/** Reads the samples before the curve was added, and those of another interval of the past. */
-function useHistory(shown, description, curves, visible) {
-  const key = curves.map(({ name }) => name).join();
-  useEffect(() => {
-    if (!shown || !description || curves.length === 0) return undefined;
-    let timer = null;
-    const read = async () => {
-      const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at)));
-      for (const { place } of curves.flatMap(({ inputs }) => inputs)) {
-        const information = shown.info_of(...place);
-        if (information.times.length > 0 && information.times[0] <= from) continue;
-        try {
-          information.prepend(await request('series', { session: shown.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
-        } catch {
-          // A recording may lack it; live samples are sent in any case.
-        }
-      }
-    };
-    const stop = effect(() => {
-      void [range.value, visible.value];
-      clearTimeout(timer);
-      timer = setTimeout(read, 150);
-    });
-    return () => {
-      stop();
-      clearTimeout(timer);
-    };
-  }, [shown, description, key]);
+    <b>${curve ? number(valueNow(shown, curve) ?? (curve.place ? text(valueAt(now, curve.path)) : null)) : '–'}</b> <span class="unit">${curve?.unit?.includes(',') ? '' : curve?.unit ?? ''}</span>
+    ${beside.map((other) => html`<b title=${other.of.info.value.name} ref=${(one) => { if (one) one.style.color = besideColour(other.beside); }}>${number(valueNow(other.of, other))}</b>`)}<button aria-label=${`Watch ${name}`} title="Watch this curve" onClick=${watch}>▲</button><button aria-label=${`Remove ${name}`} onClick=${remove}>×</button></span>`;
 }
 
 /** Times, s, and values of curves in an interval, with some more at both ends. */
-function dataOf(shown, curves, [from, until], margin = 1e6) {
+function dataOf(curves, [from, until], margin = 1e6) {
   const times = new Set();
-  const columns = curves.map((curve) => samples(shown, curve, [from - margin, until + margin]));
+  const columns = curves.map((curve) => samplesAt(curve, [from - margin, until + margin]));
   for (const column of columns) for (const at of column.keys()) times.add(at);
   // No curve is drawn through a time in which nothing was received.
-  for (const [begin, end] of shown.info.value.gaps) {
+  for (const [begin, end] of curves[0].of.info.value.gaps) {
     if (end < from || begin > until) continue;
     times.add((begin + end) / 2);
     for (const column of columns) column.set((begin + end) / 2, null);
@@ -141,7 +108,7 @@ function dataOf(shown, curves, [from, until], margin = 1e6) {
   return [Array.from(sorted, (at) => at / 1e6), ...columns.map((column) => Array.from(sorted, (at) => (column.has(at) ? column.get(at) : undefined)))];
 }
 
-function Chart({ shown, curves, visible }) {
+function Chart({ curves, visible }) {
   const box = useRef(null);
   useEffect(() => {
     const chart = new uPlot(options(box.current, curves), [[]], box.current);
@@ -156,13 +123,13 @@ function Chart({ shown, curves, visible }) {
       last = now;
       const interval = visibleRange.peek();
       chart.batch(() => {
-        chart.setData(dataOf(shown, curves, interval), false);
+        chart.setData(dataOf(curves, interval), false);
         chart.setScale('x', { min: interval[0] / 1e6, max: interval[1] / 1e6 });
       });
     };
     const schedule = () => { frame ||= requestAnimationFrame(paint); };
     const stop = effect(() => {
-      for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
+      readVersions(curves);
       void [visibleRange.value, cursor.value, visible.value, findings.value, span.value];
       schedule();
     });
@@ -188,8 +155,8 @@ function options(box, curves) {
   const scaleOf = ({ unit }) => (unit === curves[0].unit ? 'y' : 'right');
   const range = (chart, low, high) => (low === null ? [0, 1] : padded(low, high));
   const axis = (scale, more) => {
-    const own = curves.map((curve, index) => ({ curve, index })).filter(({ curve }) => scaleOf(curve) === scale);
-    const colour = own.length === 1 ? curveColour(own[0].index) : css('--dim');
+    const own = curves.filter((curve) => curve.beside === undefined && scaleOf(curve) === scale);
+    const colour = own.length === 1 ? curveColour(own[0].colour) : css('--dim');
     return { scale, stroke: colour, grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)), ...more };
   };
   // A drag with Shift chooses a span.
@@ -200,7 +167,7 @@ function options(box, curves) {
     height: Math.max(box.clientHeight, 50),
     legend: { show: false },
     scales: { x: { time: false, auto: false }, y: { range }, ...(hasRight && { right: { range } }) },
-    series: [{}, ...curves.map((curve, index) => ({ label: curve.name, scale: scaleOf(curve), stroke: curveColour(index), width: 1.5, spanGaps: true, points: { show: false } }))],
+    series: [{}, ...curves.map((curve) => ({ label: curve.name, scale: scaleOf(curve), stroke: curveColour(curve.colour), dash: DASHES[curve.beside % DASHES.length], width: 1.5, spanGaps: true, points: { show: false } }))],
     axes: [
       { stroke: css('--dim'), grid, ticks: grid, font, size: 26, splits: (chart) => marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width).times.map((at) => at / 1e6), values: (chart, splits) => {
         const { digits } = marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width);
@@ -246,12 +213,12 @@ function drawSpan({ ctx, bbox, valToPos }) {
 }
 
 /** What is measured of the curves in the span. */
-function Statistics({ shown, curves, visible }) {
+function Statistics({ curves, visible }) {
   if (!visible.value) return null;
-  for (const { place } of curves.flatMap(({ inputs }) => inputs)) void shown.info_of(...place).version.value;
-  const rows = curves.map((curve) => [curve.name, statistics(samples(shown, curve, [0, span.value[1]]), span.value)]);
+  readVersions(curves);
+  const rows = curves.map((curve) => [curve, statistics(samplesAt(curve, [0, span.value[1]]), span.value)]);
   return html`<table class="stats" aria-label="Statistics of the span"><thead><tr><th>${time(span.value[0])} – ${time(span.value[1])}</th>${['least', 'largest', 'mean', 'deviation', 'change'].map((name) => html`<th class="n">${name}</th>`)}</tr></thead>
-    <tbody>${rows.map(([name, found], index) => html`<tr><td><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${name}</td>${['min', 'max', 'mean', 'deviation', 'change'].map((part) => html`<td class="n">${found ? number(found[part]) : '–'}</td>`)}</tr>`)}</tbody></table>`;
+    <tbody>${rows.map(([curve, found]) => html`<tr><td><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(curve.colour); }}></i>${titleOf(curve)}</td>${['min', 'max', 'mean', 'deviation', 'change'].map((part) => html`<td class="n">${found ? number(found[part]) : '–'}</td>`)}</tr>`)}</tbody></table>`;
 }
 
 /** The limits of watches of these curves, the times in which they hold, and the moments at which they fired. */
@@ -293,7 +260,7 @@ function drawValues(chart, curves) {
   if (idx === null || idx === undefined || left < 0) return;
   const { ctx, bbox } = chart;
   const scale = devicePixelRatio;
-  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${curve.place ? curve.name.split('.').slice(1).join('.') : curve.name} ${number(nearest(chart.data[index + 1], idx))}`)];
+  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${titleOf({ ...curve, name: curve.place ? curve.name.split('.').slice(1).join('.') : curve.name })} ${number(nearest(chart.data[index + 1], idx))}`)];
   ctx.save();
   ctx.font = `${11 * scale}px ${css('--font')}`;
   const width = Math.max(...lines.map((line) => ctx.measureText(line).width)) + 16 * scale;
@@ -303,7 +270,7 @@ function drawValues(chart, curves) {
   ctx.textAlign = 'left';
   ctx.textBaseline = 'top';
   lines.forEach((line, index) => {
-    ctx.fillStyle = index === 0 ? css('--dim') : curveColour(index - 1);
+    ctx.fillStyle = index === 0 ? css('--dim') : curveColour(curves[index - 1].colour);
     ctx.fillText(line, x + 8 * scale, bbox.top + (8 + index * 16) * scale);
   });
   ctx.restore();
@@ -315,9 +282,9 @@ function nearest(column, index) {
   return null;
 }
 
-function csv(shown, curves) {
-  const [times, ...columns] = dataOf(shown, curves, span.value ?? [-Infinity, Infinity], 0);
-  const lines = [['time_s', ...curves.map(({ name, unit }) => `${name}${unit ? ` (${unit.replaceAll(',', ';')})` : ''}`)].join(',')];
+function csv(curves) {
+  const [times, ...columns] = dataOf(curves, span.value ?? [-Infinity, Infinity], 0);
+  const lines = [['time_s', ...curves.map((curve) => [titleOf(curve), curve.unit]).map(([name, unit]) => `${name.replaceAll(',', ';')}${unit ? ` (${unit.replaceAll(',', ';')})` : ''}`)].join(',')];
   times.forEach((at, row) => lines.push([at, ...columns.map((column) => column[row] ?? '')].join(',')));
   download('plot.csv', new Blob([lines.join('\n')], { type: 'text/csv' }));
 }

@@ -3,7 +3,7 @@
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { bytes, duration, time } from '../lib/format.js';
 import { playOrPause } from '../lib/playback.js';
-import { act, ask, playing, seek, session, sessions, show } from '../lib/store.js';
+import { act, ask, playing, putBeside, seek, session, sessions, show } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const stamp = () => new Date().toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');
@@ -15,7 +15,9 @@ export function Recordings({ visible }) {
     if (visible.value) read();
   }, [visible.value]);
   const shown = session.value;
-  return html`<article class="tab">
+  const several = [...sessions.value.values()].filter((one) => one.info.value.kind === 'recording').length > 1;
+  // Above what changes while a run goes on: a button that moves is not pressed.
+  return html`<article class="tab">${several && html`<${Compare} />`}
     ${shown && html`<${Current} ...${{ shown, read }} />`}
     <section aria-label="Recordings"><h3>Kept recordings <button class="small" onClick=${read}>Refresh</button></h3>
       ${list.value === null ? html`<p class="dim">Reading the folder…</p>` : list.value.length === 0
@@ -23,7 +25,7 @@ export function Recordings({ visible }) {
         : html`<ul class="recordings">${list.value.map((one) => html`<li><button class="name" onClick=${() => open(one.name)} title="Open in a new session">${one.name}</button>
           <span class="dim">${one.seconds ? `${duration(one.seconds * 1e6)} · ` : ''}${bytes(one.bytes)}</span></li>`)}</ul>`}
     </section>
-    <${Compare} />
+    ${!several && html`<${Compare} />`}
   </article>`;
 }
 
@@ -83,22 +85,37 @@ function Replay({ shown, info }) {
   </section>`;
 }
 
+/** Decisions that are listed. */
+const DECISIONS = 200;
+
 function Compare() {
   const recordings = [...sessions.value.values()].filter((one) => one.info.value.kind === 'recording');
   const chosen = useSignal([null, null]);
   const result = useSignal(null);
+  const busy = useSignal(false);
   if (recordings.length < 2) return html`<section aria-label="Compare"><h3>Compare</h3><p class="dim">Open two recordings to find the first difference between them.</p></section>`;
   const ids = recordings.map(({ id }) => id);
-  const one = ids.includes(chosen.value[0]) ? chosen.value[0] : ids[0];
-  const other = ids.includes(chosen.value[1]) ? chosen.value[1] : ids.find((id) => id !== one);
-  const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { chosen.value = chosen.value.with(at, Number(event.target.value)); }}>
+  // The two that were opened last, unless others are chosen.
+  const [one, other] = ids.slice(-2).map((id, at) => (ids.includes(chosen.value[at]) ? chosen.value[at] : id));
+  const unread = recordings.find(({ id, info }) => (id === one || id === other) && info.value.connection === 'connecting');
+  const title = one === other ? 'Choose two recordings' : unread ? `${unread.info.value.name} is still being read or run again` : '';
+  const pick = (at, label) => html`<select aria-label=${label} onChange=${(event) => { [chosen.value, result.value] = [[one, other].with(at, Number(event.target.value)), null]; }}>
     ${recordings.map((of) => html`<option value=${of.id} selected=${of.id === [one, other][at]}>${of.info.value.name}</option>`)}</select>`;
-  const compare = async () => { result.value = (await ask('compare', { session: one, other })) ?? null; };
-  const go = () => {
-    show(one);
-    setTimeout(() => seek(result.value.time_us));
+  const compare = async () => {
+    busy.value = true;
+    result.value = (await ask('compare', { session: one, other })) ?? null;
+    busy.value = false;
   };
-  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${one === other} title=${one === other ? 'Choose two recordings' : ''} onClick=${compare}>Compare</button></div>
-    ${result.value && (result.value.equal ? html`<p class="yes">${result.value.copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${result.value.cycle}: ${result.value.field}. ${result.value.text} <button class="small" onClick=${go}>Show</button></p>`)}</section>`;
+  /** Shows both at a time of the first. */
+  const go = (time_us) => {
+    show(one);
+    putBeside(other, true);
+    seek(time_us);
+  };
+  const { equal, copies, cycle, field, text, time_us: first, decisions = [] } = result.value ?? {};
+  return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${title !== '' || busy.value} title=${title} onClick=${compare}>${busy.value ? 'Comparing…' : 'Compare'}</button></div>
+    <p class="dim">${title || 'States the first difference, and the decisions that differ'}.</p>
+    ${result.value && (equal ? html`<p class="yes">${copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${cycle}: ${field}. ${text} <button class="small" onClick=${() => go(first)}>Show both</button></p>
+      ${decisions.length > 0 && html`<table class="stats" aria-label="Decisions that differ"><thead><tr><th>Time</th><th>Component</th><th>${recordings.find(({ id }) => id === one).info.value.name}</th><th>${recordings.find(({ id }) => id === other).info.value.name}</th></tr></thead>
+        <tbody>${decisions.slice(0, DECISIONS).map(({ t_ms: at, component, recorded, repeated }) => html`<tr><td><button class="time" aria-label=${`Show both at ${time(at * 1000)}`} onClick=${() => go(at * 1000 + 999)}>${time(at * 1000)}</button></td><td>${component}</td><td>${recorded}</td><td>${repeated}</td></tr>`)}</tbody></table>`}`)}</section>`;
 }
-

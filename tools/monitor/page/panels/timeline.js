@@ -5,7 +5,7 @@ import { request } from '../lib/connection.js';
 import { Canvas } from '../lib/canvas.js';
 import { openComponent } from '../lib/dock.js';
 import { pan, showRange, showWhole, shownTime, toTransition, zoomAt } from '../lib/axis.js';
-import { act, cursor, hovered, range, seek, session, visibleRange } from '../lib/store.js';
+import { act, companions, cursor, cycle_us, hovered, range, seek, session, visibleRange } from '../lib/store.js';
 import { choose, span } from '../lib/span.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { findings, watches } from '../lib/watches.js';
@@ -22,22 +22,27 @@ export function Timeline({ visible }) {
   const filter = useSignal('');
   const note = useSignal('');
   const rows = useSignal([]);
+  const others = useSignal([]);
+  const differing = useSignal(false);
   const pointer = useSignal(null);
   const selection = useSignal(null);
   const scroll = useSignal(0);
   const place = useRef(null);
   const press = useRef(null);
-  useReading(shown, rows, visible, place);
+  useReading(shown, rows, others, visible, place);
 
   if (!description) return html`<${Empty} what="Nothing has happened yet" help="Rows appear when a robot, a world or a recording is connected." />`;
-  const listed = () => list(rows.value, description, all.value, filter.value);
+  const listed = () => {
+    const own = list(rows.value, description, all.value || others.value.length > 0, filter.value);
+    return others.value.length === 0 ? own : sideBySide(own, others.value, { all: all.value || filter.value.trim() !== '', differing: differing.value });
+  };
   const reads = () => {
-    void [rows.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value, watches.value, findings.value, span.value];
+    void [rows.value, others.value, differing.value, visibleRange.value, cursor.value, all.value, filter.value, pointer.value, selection.value, scroll.value, shown.linesVersion.value, shown.info.value.gaps, hovered.value, watches.value, findings.value, span.value];
   };
   const draw = (context, width, height) => {
     drawTimeline(context, viewOf(width, height, listed(), scroll.value), { shown, pointer: pointer.value, selection: selection.value });
   };
-  const handlers = pointers({ place, press, pointer, selection, scroll, listed, description });
+  const handlers = pointers({ place, press, pointer, selection, scroll, listed });
   const addNote = async (event) => {
     event.preventDefault();
     const text = note.value.trim();
@@ -47,6 +52,7 @@ export function Timeline({ visible }) {
   return html`<${Bar} label="Timeline">
       <input type="search" placeholder="Rows" aria-label="Filter rows" value=${filter.value} onInput=${(event) => { filter.value = event.target.value; }} />
       <${Toggle} on=${all.value} label="All rows" title="Show components that were never active in this interval, too" onChange=${(on) => { all.value = on; }} />
+      ${companions.value.length > 0 && html`<${Toggle} on=${differing.value} label="Different" title="Show only components that the sessions activate differently" onChange=${(on) => { differing.value = on; }} />`}
       <button aria-label="Zoom in on time" onClick=${() => zoomAt(shownTime.value, 0.5)}>+</button><button aria-label="Zoom out of time" onClick=${() => zoomAt(shownTime.value, 2)}>−</button>
       ${[[2e6, '2 s'], [20e6, '20 s'], [120e6, '2 min']].map(([span, text]) => html`<button class=${range.value.span === span && !range.value.grows ? 'on' : ''} onClick=${() => { range.value = { span, end: range.value.end }; }}>${text}</button>`)}
       <button class=${range.value.grows && range.value.end === null ? 'on' : ''} onClick=${showWhole}>Whole</button>
@@ -62,7 +68,7 @@ export function Timeline({ visible }) {
 }
 
 /** Reads the rows of the visible interval: at once when another one is shown, else twice a second. */
-function useReading(shown, rows, visible, place) {
+function useReading(shown, rows, others, visible, place) {
   useEffect(() => {
     if (!shown) return undefined;
     let [busy, again, stopped, lastEnd] = [false, false, false, null];
@@ -75,8 +81,10 @@ function useReading(shown, rows, visible, place) {
       const [from, until] = visibleRange.peek().map((time) => Math.max(0, Math.round(time)));
       const width = Math.max((place.current?.clientWidth ?? 1000) - LABELS, 100);
       try {
-        const answer = await request('timeline', { session: shown.id, from_us: from, until_us: until, resolution_us: Math.round((until - from) / width) });
-        if (!stopped) rows.value = answer;
+        const rowsOf = (of, shift) => request('timeline', { session: of.id, from_us: Math.max(0, Math.round(from + shift)), until_us: Math.max(0, Math.round(until + shift)), resolution_us: Math.round((until - from) / width) });
+        const beside = companions.peek();
+        const [answer, ...more] = await Promise.all([rowsOf(shown, 0), ...beside.map(({ of, shift }) => rowsOf(of, shift))]);
+        if (!stopped) [rows.value, others.value] = [answer, beside.map((one, index) => ({ ...one, rows: more[index] }))];
       } catch {
         // The next reading follows.
       }
@@ -89,7 +97,7 @@ function useReading(shown, rows, visible, place) {
     const stop = effect(() => {
       const { span, end } = range.value;
       void shown.description.value;
-      const key = `${span} ${end} ${visible.value}`;
+      const key = `${span} ${end} ${visible.value} ${companions.value.map(({ of, shift }) => `${of.id}+${shift}`)}`;
       if (key !== lastEnd || end === null) {
         lastEnd = key;
         setTimeout(read);
@@ -108,12 +116,29 @@ function list(rows, description, all, filter) {
   const known = new Map(rows.map((row) => [row.component, row]));
   const text = filter.trim().toLowerCase();
   return description.components
-    .map((component, index) => ({ component, index, bars: known.get(index)?.bars ?? [], overruns: known.get(index)?.overruns ?? [] }))
+    .map((component, index) => ({ component, index, own: index, bars: known.get(index)?.bars ?? [], overruns: known.get(index)?.overruns ?? [] }))
     .filter(({ component, bars }) => (all || text !== '' || bars.length > 0) && component.name.toLowerCase().includes(text));
 }
 
+/** Puts the rows of other sessions below those of the same components, at the times of the chosen session. */
+function sideBySide(own, others, { all, differing }) {
+  const beside = (line) => others.flatMap(({ of, shift, place, rows }) => {
+    const index = of.find(line.component.name);
+    const bars = rows.find((row) => row.component === index)?.bars ?? [];
+    return index < 0 ? [] : [{ ...line, component: of.description.value.components[index], own: index, of, place, overruns: [], bars: bars.map(([begin, end, state]) => [begin - shift, end - shift, state]) }];
+  });
+  const groups = own.map((line) => [line, ...beside(line)]);
+  return groups.filter((group) => (all || group.some(({ bars }) => bars.length > 0)) && (!differing || group.some((one) => !isSame(group[0], one)))).flat();
+}
+
+/** Whether two rows have the same bars, as far as their cycles can be told apart. */
+function isSame({ component, bars }, other) {
+  const name = (of, state) => of.states[state]?.name;
+  return bars.length === other.bars.length && bars.every(([begin, , state], index) => Math.abs(begin - other.bars[index][0]) < cycle_us.peek() && name(component, state) === name(other.component, other.bars[index][2]));
+}
+
 /** `press.current` is {x, row, scrubs, spans} while the pointer is down, else null. It is kept over renderings. */
-function pointers({ place, press, pointer, selection, scroll, listed, description }) {
+function pointers({ place, press, pointer, selection, scroll, listed }) {
   const view = () => viewOf(place.current.clientWidth, place.current.clientHeight, listed(), scroll.value);
   const release = () => { [press.current, selection.value] = [null, null]; };
   return {
@@ -138,7 +163,7 @@ function pointers({ place, press, pointer, selection, scroll, listed, descriptio
       if (chosen) (pressed.spans ? choose : showRange)(...chosen.map((x) => view().time(x)).sort((a, b) => a - b));
       else if (pressed && !pressed.scrubs) {
         if (pressed.x >= LABELS) seek(view().time(event.offsetX));
-        else if (pressed.row) openComponent(description.components[pressed.row.index].name, event.shiftKey);
+        else if (pressed.row) openComponent(pressed.row.component.name, event.shiftKey);
       }
       release();
     },

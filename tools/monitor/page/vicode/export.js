@@ -44,6 +44,23 @@ export async function saveText(format, ending) {
   if (answer) download(`${component.value}.${ending}`, new Blob([answer.text], { type: 'text/plain' }));
 }
 
+/** Opens the browser's print dialogue with the drawing alone on a page of its size; “Save as PDF” there writes a file of vectors. */
+export async function savePdf() {
+  const { text, width, height } = drawing();
+  const sheet = Object.assign(new Image(), { className: 'print', src: URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' })) });
+  await sheet.decode();
+  const size = new CSSStyleSheet();
+  size.replaceSync(`@page { size: ${Math.ceil(width)}px ${Math.ceil(height)}px; margin: 0; }`);
+  document.adoptedStyleSheets.push(size);
+  document.body.append(sheet);
+  window.addEventListener('afterprint', () => {
+    sheet.remove();
+    URL.revokeObjectURL(sheet.src);
+    document.adoptedStyleSheets = document.adoptedStyleSheets.filter((one) => one !== size);
+  }, { once: true });
+  window.print();
+}
+
 export async function savePng() {
   const { text, width, height } = drawing();
   const scale = Math.min(2, 8000 / Math.max(width, height));

@@ -6,7 +6,7 @@ import { Bar, Menu } from '../lib/ui.js';
 import { align } from './canvas/actions.js';
 import { focusOn } from './canvas/keys.js';
 import { createComponent } from './create.js';
-import { saveSvg, savePng, saveText } from './export.js';
+import { savePdf, saveSvg, savePng, saveText } from './export.js';
 import { functionsOf } from './machine.js';
 import { Modes } from './mode.js';
 import { check, fixesOf, jump, mend, problems, startCheck } from './problems.js';
@@ -47,7 +47,7 @@ export function Tools({ search }) {
       <button title="Same distances from left to right" onClick=${() => align('across')}>Spread ↔</button><button title="Same distances from top to bottom" onClick=${() => align('down')}>Spread ↕</button></span>`}
     <${Menu} label="More" title="More: layout and pictures">
       <button class="item" onClick=${arrange}>Arrange all states automatically</button>
-      <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button>
+      <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button><button class="item" onClick=${savePdf}>Print, or PDF…</button>
       <button class="item" onClick=${() => saveText('mermaid', 'mmd')}>Mermaid</button><button class="item" onClick=${() => saveText('dot', 'dot')}>DOT (Graphviz)</button>
       <button class="item" onClick=${() => ask('save_file', { file: own.file })}>Save now</button>
     <//>`}

@@ -92,7 +92,7 @@ export const marked = computed(() => {
 /** A place that the code panel is to show: {byte, at}; a new object for each wish. */
 export const wanted = signal(null);
 
-/** Shows the place of a mistake, in canvas and code. */
+/** Shows the place of a mistake or of a use, in canvas and code. */
 export async function jump({ file, span }) {
   if (!file || !span) return;
   if (file !== opened.value?.file) {

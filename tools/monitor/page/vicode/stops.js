@@ -1,8 +1,10 @@
 // Breakpoints at states and transitions of the selected session.
 
 import { computed, signal } from '../lib/dom.js';
-import { listen } from '../lib/connection.js';
-import { ask, notify, seek, session } from '../lib/store.js';
+import { listen, request } from '../lib/connection.js';
+import { resolve } from '../lib/curves.js';
+import { numberAt } from '../lib/format.js';
+import { act, ask, notify, seek, session } from '../lib/store.js';
 import { parsed, stateKey } from './machine.js';
 import { component, machine } from './sources.js';
 
@@ -56,6 +58,40 @@ export function toggleStop(key) {
 
 export const clearStops = () => send([]);
 
+// ---- conditions
+
+/** Conditions of breakpoints, as of watches, by session and breakpoint: of this page. */
+const conditions = signal(new Map());
+const nameOf = (id, { component: index, state = null, transition = null }) => `${id} ${index} ${state} ${transition}`;
+
+/** The condition of the breakpoint at a key; empty without one. */
+export const conditionAt = (key) => stopsOf(key).map((stop) => conditions.value.get(nameOf(session.value.id, stop)))[0] ?? '';
+
+export function setCondition(key, text) {
+  try {
+    if (text) resolve(session.value, text);
+  } catch ({ message }) {
+    notify('error', message, 'write a condition over outputs, as in Odometry.walked.x > 0.5');
+    return;
+  }
+  const next = new Map(conditions.value);
+  for (const stop of stopsOf(key)) {
+    if (text) next.set(nameOf(session.value.id, stop), text);
+    else next.delete(nameOf(session.value.id, stop));
+  }
+  conditions.value = next;
+}
+
+/** Whether the condition of a reached breakpoint held in its cycle. One whose outputs are not known then holds. */
+async function holds(of, reached) {
+  const text = conditions.value.get(nameOf(of.id, reached));
+  if (!text) return true;
+  const { inputs, begin } = resolve(of, text);
+  const { info } = await request('at', { session: of.id, time_us: reached.time_us, info: inputs.map(({ place: one }) => one), image: false });
+  const values = inputs.map(({ place: [index, output], path }) => numberAt(info.find(([one, other]) => one === index && other === output)?.[3], path));
+  return values.includes(null) || Boolean(begin()(reached.time_us / 1e6, values));
+}
+
 function send(list) {
   const { id } = session.value;
   known.value = new Map(known.value).set(id, list);
@@ -75,7 +111,12 @@ export function wordsOf({ component: index, state = null, transition = null }, o
   return state !== null ? `${described.name} is in ${described.states[state]?.name}` : `${described.name} takes ${described.transitions[transition]?.name}`;
 }
 
-function reached(message) {
+async function reached(message) {
+  const of = session.value;
+  if (message.session === of?.id && !(await holds(of, message).catch(() => true))) {
+    if (message.paused) act('resume');
+    return;
+  }
   hit.value = message;
   if (message.session !== session.value?.id) return;
   notify('done', `Breakpoint: ${wordsOf(message)}`, message.paused ? 'The world is paused; “.” makes a step, “,” continues.' : 'The robot goes on.');

@@ -159,6 +159,13 @@ pub enum Request {
         /// Parameter.
         param: usize,
     },
+    /// Lists where a parameter is declared and read in the sources. [list of [`SourceUse`](super::SourceUse)]
+    ParamUses {
+        /// Component.
+        component: usize,
+        /// Parameter.
+        param: usize,
+    },
     /// Reads layouts of panels. [object from name to layout]
     Layouts {},
     /// Saves a layout of panels.

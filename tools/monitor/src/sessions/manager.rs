@@ -191,11 +191,14 @@ impl Manager {
                     Reply::Later => Ok(None),
                 }
             }
-            Request::SaveSource { component, param } => {
+            Request::SaveSource { component, param } | Request::ParamUses { component, param } => {
                 let description = session.description()?;
                 let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
-                let param = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
-                self.editor()?.set_default(page, &owner.name, param).map(Some)
+                let parameter = owner.params.get(param).ok_or_else(|| unknown("parameter", param))?;
+                if matches!(request, Request::ParamUses { .. }) {
+                    return self.editor().map(|editor| Some(editor.param_uses(&owner.name, parameter)));
+                }
+                self.editor()?.set_default(page, &owner.name, parameter).map(Some)
             }
             Request::Breakpoints { list } => session.set_breakpoints(&list).map(|()| Some(Value::Null)),
             Request::Coverage { file, component, index } => {
@@ -250,6 +253,7 @@ impl Manager {
                 | Request::Breakpoints { .. }
                 | Request::NextHit { .. }
                 | Request::Coverage { .. }
+                | Request::ParamUses { .. }
                 | Request::Recordings {}
                 | Request::Layouts {}
                 | Request::Source { .. }

@@ -3,13 +3,14 @@
 use bica_link::{Param, Plain};
 use bica_vicode::cli::unified;
 use bica_vicode::model::{Input, Model};
-use bica_vicode::{Edit, read};
+use bica_vicode::{Edit, read, reads};
 use serde_json::{Value, json};
 
 use super::edit;
 use super::files::Files;
+use super::search::use_at;
 use crate::pages::PageId;
-use crate::protocol::{ChangedBy, Failed};
+use crate::protocol::{ChangedBy, Failed, SourceUse};
 
 impl Files {
     /// Writes the present value of a parameter as its default.
@@ -28,6 +29,24 @@ impl Files {
         };
         self.write(&name)?;
         Ok(json!({ "path": name, "diff": unified(&name, &before, &after) }))
+    }
+
+    /// Where a parameter is declared and read. Of several structs of its name that of the component's file counts.
+    pub(super) fn param_uses(&self, component: &str, param: &Param) -> Vec<SourceUse> {
+        let home = self.file_of(component, param).ok();
+        let mut list = Vec::new();
+        for (name, _) in self.all() {
+            let Ok(text) = self.text(&name) else { continue };
+            let is_other =
+                || home.as_ref().is_some_and(|home| *home != name) && read(&text).group(&param.group).is_some();
+            if !text.contains(&param.name) || !text.contains(&param.group) || is_other() {
+                continue;
+            }
+            list.extend(
+                reads(&text, &param.group, &param.name).into_iter().map(|span| use_at(&name, &text, span, true)),
+            );
+        }
+        list
     }
 
     /// The file with the parameter's struct; of several the one that also has the component.

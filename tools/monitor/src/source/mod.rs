@@ -114,6 +114,11 @@ impl Editor {
         self.files.set_default(page, component, param)
     }
 
+    /// Where a parameter is declared and read.
+    pub(crate) fn param_uses(&self, component: &str, param: &Param) -> Value {
+        json!(self.files.param_uses(component, param))
+    }
+
     fn writable(&self) -> Result<(), Failed> {
         let failed = || Failed::new("this server lets pages only watch", "start it without --read-only");
         if self.read_only { Err(failed()) } else { Ok(()) }

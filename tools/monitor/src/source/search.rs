@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use bica_vicode::model::Model;
+use bica_vicode::model::{Model, Span};
 use bica_vicode::{Target, read, trees, uses};
 
 use super::files::{Files, failed, no_component};
@@ -126,16 +126,7 @@ impl Files {
                 continue;
             }
             for found in uses(&text, &target, function, false).into_iter().filter(|one| one.certain || is_public) {
-                let begin = text[..found.span.start].rfind('\n').map_or(0, |newline| newline + 1);
-                let line = 1 + text[..begin].matches('\n').count();
-                let shown = text[begin..].lines().next().unwrap_or_default().trim().to_owned();
-                list.push(SourceUse {
-                    file: file.clone(),
-                    line,
-                    span: found.span,
-                    text: shown,
-                    certain: found.certain,
-                });
+                list.push(use_at(&file, &text, found.span, found.certain));
                 if list.len() >= MAX_USES {
                     return Ok(list);
                 }
@@ -143,6 +134,14 @@ impl Files {
         }
         Ok(list)
     }
+}
+
+/// A place of a file as a use.
+pub(super) fn use_at(file: &str, text: &str, span: Span, certain: bool) -> SourceUse {
+    let begin = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
+    let line = 1 + text[..begin].matches('\n').count();
+    let shown = text[begin..].lines().next().unwrap_or_default().trim().to_owned();
+    SourceUse { file: file.to_owned(), line, span, text: shown, certain }
 }
 
 fn components(model: &Model) -> Vec<SourceComponent> {

@@ -12,6 +12,7 @@ mod layout;
 mod machine;
 mod options;
 mod plan;
+mod reads;
 mod rename;
 mod request;
 mod splice;
@@ -22,6 +23,7 @@ mod uses;
 
 pub use self::create::{blank, declare, enlist, module_of};
 pub use self::plan::plan;
+pub use self::reads::reads;
 pub use self::request::{Edit, NewNumber, Refusal};
 pub use self::splice::{Splice, applied, inverse, ordered};
 pub use self::uses::{Target, Use, uses};

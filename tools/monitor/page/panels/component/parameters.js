@@ -1,8 +1,10 @@
 // Parameters of a component: default, range, wanted and actual value; undo, reset, save.
 
-import { html, useSignal } from '../../lib/dom.js';
+import { html, useSignal, useState } from '../../lib/dom.js';
+import { openSources } from '../../lib/dock.js';
 import { number, words } from '../../lib/format.js';
 import { act, cursor, hello, notify, redo, redoParams, setParams, undo, undoParams } from '../../lib/store.js';
+import { jump } from '../../vicode/problems.js';
 
 const CHOICE = { bool: ['true', 'false'] };
 
@@ -32,18 +34,33 @@ function Parameter({ param, component, number: place, actual, can }) {
     wanted.value = next;
     const done = await setParams([{ component, param: place, value: next }]);
     if (done === undefined) refused.value = next;
+    else if (hello.value?.source && uses === null) showUses();
     wanted.value = null;
   };
+  const [uses, setUses] = useState(null);
+  // Who uses it is shown with the first change, and by its name.
+  const showUses = async () => setUses((await act('param_uses', { component, param: place })) ?? null);
   const range = 'min' in param ? `${number(param.min)} to ${number(param.max)}` : '';
   const title = `${param.doc}\nDefault ${shownValue(param.default)}${param.unit ? ` ${param.unit}` : ''}${range ? `, range ${range}` : ''}`;
   return html`<div class=${`row param ${changed ? 'changed' : ''} ${wanted.value !== null && wanted.value !== actual ? 'pending' : ''}`} title=${title}>
-    <label>${words(param.name)}</label>
+    ${hello.value?.source ? html`<button class="name" aria-expanded=${uses !== null} aria-label=${`Uses of ${param.name}`} onClick=${() => (uses ? setUses(null) : showUses())}>${words(param.name)}</button>` : html`<label>${words(param.name)}</label>`}
     <${Control} ...${{ param, value, can, send, wanted }} />
     ${changed ? html`<button class="small reset" disabled=${!can} aria-label=${`Reset ${param.name} to ${shownValue(param.default)}`} title=${`Reset to the default, ${shownValue(param.default)}`} onClick=${() => send(param.default)}>↺</button>` : html`<span></span>`}
     ${wanted.value !== null && wanted.value !== actual && html`<span class="detail">actual ${shownValue(actual)}</span>`}
     ${changed && wanted.value === null && html`<span class="detail">default ${shownValue(param.default)}${range && ` · ${range}`}</span>`}
+    ${uses && html`<${Uses} uses=${uses} />`}
     ${refused.value !== null && html`<span class="detail error">${shownValue(refused.value)} was refused</span>`}
   </div>`;
+}
+
+/** Where a parameter is declared and read: a click opens the place in the designer. */
+function Uses({ uses }) {
+  const show = async (use) => {
+    openSources();
+    await jump(use);
+  };
+  return html`<ul class="detail uses" aria-label="Uses in the source">${uses.length === 0 && html`<li>No file below the folder of --source has it.</li>`}
+    ${uses.map((use) => html`<li><button class="small" title=${use.text} onClick=${() => show(use)}>${use.file.split('/').at(-1)}:${use.line}</button> <code>${use.text}</code></li>`)}</ul>`;
 }
 
 const shownValue = (value) => (typeof value === 'number' ? number(value) : String(value));

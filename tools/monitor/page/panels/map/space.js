@@ -2,7 +2,7 @@
 
 import { html, useEffect, useRef, useSignal } from '../../lib/dom.js';
 import { Canvas } from '../../lib/canvas.js';
-import { applied, flat, inverse, times, visuals } from '../../lib/frames.js';
+import { applied, flat, visuals } from '../../lib/frames.js';
 import { css } from '../../lib/theme.js';
 import { Empty, Toggle } from '../../lib/ui.js';
 
@@ -91,13 +91,3 @@ export function Space({ content, overlay, reads, visible, ground, flatten, ...ha
     <div class="views" role="group" aria-label="View of the scene"><${Toggle} on=${follows.value} label="Follow" title="The camera moves with the robot; drag to turn around it" onChange=${(on) => { follows.value = on; }} />
       <button onClick=${look(false)}>All</button><button onClick=${look(true)}>Top</button></div>`;
 }
-
-/** What places a frame in a view: a function from its name to its matrix; null for a frame that has no place in the view. */
-export const toViewOf = (place, view) => {
-  const { matrix: own, root } = place(view);
-  const back = inverse(own);
-  return (frame) => {
-    const { matrix, root: other } = place(frame);
-    return other === root ? times(back, matrix) : null;
-  };
-};

@@ -4,8 +4,8 @@ import { line as stroke, rounded, within } from '../../lib/canvas.js';
 import { duration, time as timeText } from '../../lib/format.js';
 import { drawCursor, marks, shownTime } from '../../lib/axis.js';
 import { hovered, newest, visibleRange } from '../../lib/store.js';
-import { css, kindColour } from '../../lib/theme.js';
-import { span } from '../../lib/span.js';
+import { besideColour, css, kindColour } from '../../lib/theme.js';
+import { span, spanOf } from '../../lib/span.js';
 import { findings, watches } from '../../lib/watches.js';
 
 /** Width of the names, and heights of the rows below the bars, px. */
@@ -49,10 +49,9 @@ export function viewOf(width, height, rows, scroll) {
 function drawRows(context, view, shown, pointer) {
   const { rows, row, room, width } = view;
   const kinds = shown.kinds.value;
-  const live = shown.live.value;
   context.font = `${Math.min(11.5, row - 2)}px ${css('--font')}`;
   context.textBaseline = 'middle';
-  within(context, 0, 0, width, room, () => rows.forEach(({ component, index, bars }, line) => {
+  within(context, 0, 0, width, room, () => rows.forEach(({ component, index, own, of = shown, place, bars }, line) => {
     const y = view.y(line);
     if (y + row < 0 || y > room) return;
     const colour = kindColour(kinds[index]);
@@ -61,11 +60,13 @@ function drawRows(context, view, shown, pointer) {
       context.fillStyle = css('--hover');
       context.fillRect(0, y, width, row);
     }
-    const now = shown.moment.value?.components?.[index];
-    context.fillStyle = css(now?.[0] ? '--text' : '--dim');
-    context.fillText(component.name, 8, y + row / 2, LABELS - 14);
+    const now = of.moment.value?.components?.[own];
+    context.fillStyle = place === undefined ? css(now?.[0] ? '--text' : '--dim') : besideColour(place);
+    context.fillText(place === undefined ? component.name : of.info.value.name, place === undefined ? 8 : 18, y + row / 2, LABELS - (place === undefined ? 14 : 24));
+    if (place !== undefined) context.fillRect(9, y + 3, 3, row - 6);
+    const live = place === undefined ? of.live.value : null;
     within(context, LABELS, y, width - LABELS, row, () => {
-      drawBars(context, view, { bars, component, colour, y, now: live?.components?.[index], last: live?.time_us });
+      drawBars(context, view, { bars, component, colour, y, now: live?.components?.[own], last: live?.time_us });
     });
   }));
   context.strokeStyle = css('--line');
@@ -196,14 +197,18 @@ function drawEvents(context, view, shown) {
   let free = LABELS;
   textStyle(context, '--dim');
   context.fillText('Events', 8, y);
-  for (const { time_us, source, text } of events(shown)) {
-    const x = view.x(time_us);
-    if (x < LABELS || x > view.width) continue;
+  for (const { time_us, source, text: full } of events(shown)) {
+    const noted = source === 'note' ? spanOf(full) : null;
+    const text = noted?.text ?? full;
+    const x = noted ? Math.max(view.x(noted.begin), LABELS) : view.x(time_us);
+    const right = noted ? Math.min(view.x(noted.end), view.width) : x;
+    if (x < LABELS || x > view.width || right < x) continue;
     const colour = css(source === 'note' ? '--control' : '--warn');
-    context.strokeStyle = colour;
+    [context.strokeStyle, context.fillStyle] = [colour, colour];
     context.setLineDash([2, 3]);
-    stroke(context, x, 0, x, room + EVENTS);
+    for (const edge of new Set([x, right])) stroke(context, edge, 0, edge, room + EVENTS);
     context.setLineDash([]);
+    context.fillRect(x, room + EVENTS - 2, right - x, 2);
     if (x >= free) {
       context.fillStyle = colour;
       context.fillText(text, x + 4, y);
@@ -258,10 +263,11 @@ function drawPointer(context, view, shown, { x, y }) {
   const time = view.time(x);
   const bar = line?.bars.find(([begin, end]) => begin <= time && time <= end);
   const state = bar && bar[2] !== null ? line.component.states[bar[2]]?.name : null;
-  const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5);
+  const within = (noted) => noted && noted.begin <= time && time <= noted.end;
+  const near = events(shown).find((event) => Math.abs(view.x(event.time_us) - x) < 5 || (y > view.room && within(spanOf(event.text))));
   const alert = [...findings.value].find(([, { fired }]) => fired.some((at) => Math.abs(view.x(at) - x) < 5))?.[0];
   const gap = shown.info.value.gaps.find(([begin, end]) => begin < time && time < end);
-  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.component.name}: latent`)].filter(Boolean).join(' · ');
+  const text = [timeText(time, 3), alert && `watch fired: ${alert}`, near?.text, gap ? 'not received: the connection was lost' : line && (bar ? `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}${state ? `: ${state}` : ''}, ${duration(bar[1] - bar[0])}` : `${line.of ? `${line.of.info.value.name}, ` : ''}${line.component.name}: latent`)].filter(Boolean).join(' · ');
   context.font = `11.5px ${css('--font')}`;
   const width = context.measureText(text).width + 14;
   const left = Math.min(x + 10, view.width - width - 4);

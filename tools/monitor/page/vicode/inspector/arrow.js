@@ -6,8 +6,7 @@ import { Field, Toggle } from '../../lib/ui.js';
 import { remove } from '../canvas/actions.js';
 import { focusCode } from '../focus.js';
 import { change, refusal, wish } from '../sources.js';
-import { stopKeys, toggleStop } from '../stops.js';
-import { Body, Children, Docs, Name } from './fields.js';
+import { Body, Children, Docs, Name, Stop } from './fields.js';
 
 export function ArrowFields({ arrow, machine }) {
   const { name, arrow: index, sources, to } = arrow;
@@ -32,7 +31,7 @@ export function ArrowFields({ arrow, machine }) {
         ${names.map((one) => html`<${Toggle} key=${one} on=${sources.includes(one)} label=${one} title=${`Leaves ${one}`} onChange=${(on) => toggle(one, on)} />`)}</div>
       <div class="row"><span>to</span><select aria-label="Target" onChange=${(event) => change({ edit: 'set_target', transition: name, arrow: index, to: event.target.value })}>${names.map((one) => html`<option value=${one} selected=${one === to}>${one}</option>`)}</select></div>
       <div class="row"><span>after</span><span><${Field} value=${arrow.after_ms ?? ''} label="Timer, ms" inputmode="numeric" width="short" onCommit=${setTimer} /> <span class="unit">ms in the state, at least</span></span></div></section>
-    <div class="buttons"><${Toggle} on=${stopKeys.value.has(arrow.key)} label="Breakpoint" title="Stop when it is taken (b)" onChange=${() => toggleStop(arrow.key)} />
+    <div class="buttons"><${Stop} of=${arrow.key} title="Stop when it is taken (b)" />
       <button onClick=${() => { openPanel('code'); focusCode(); }} title="Enter in the canvas">Edit condition</button></div>
     <${Children} owner=${name} arguments=${arrow.function.arguments} />
     <${Body} of=${arrow.function} />

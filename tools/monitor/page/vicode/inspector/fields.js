@@ -2,9 +2,10 @@
 
 import { renameUsed } from '../rename.js';
 import { html, useState } from '../../lib/dom.js';
-import { Field } from '../../lib/ui.js';
+import { Field, Toggle } from '../../lib/ui.js';
 import { addChild } from '../canvas/actions.js';
 import { change, offsets } from '../sources.js';
+import { conditionAt, setCondition, stopKeys, toggleStop } from '../stops.js';
 
 /** A doc comment. */
 export function Docs({ text, onCommit }) {
@@ -41,6 +42,10 @@ export const Body = ({ of }) => {
   const text = of.body ? offsets.value.slice(of.body).trim() : '';
   return text ? html`<section aria-label="Code"><h3>Code</h3><pre class="diff">${text.replace(/\n {8}/g, '\n')}</pre></section>` : null;
 };
+
+/** The breakpoint of a state or transition, with its condition. */
+export const Stop = ({ of, title }) => html`<${Toggle} on=${stopKeys.value.has(of)} label="Breakpoint" title=${title} onChange=${() => toggleStop(of)} />
+  ${stopKeys.value.has(of) && html`<${Field} value=${conditionAt(of)} label="Condition of the breakpoint" placeholder="only if Component.output > 0.5" title="The world goes on if it does not hold; of this page" spellcheck="false" onCommit=${(text) => setCondition(of, text.trim())} />`}`;
 
 const PROMPTS = { entry: 'on_entry', exit: 'on_exit', start: 'on_start', stop: 'on_stop' };
 

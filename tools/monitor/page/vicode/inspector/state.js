@@ -9,8 +9,7 @@ import { stage } from '../canvas/stage.js';
 import { focusCode } from '../focus.js';
 import { freeName } from '../machine.js';
 import { change } from '../sources.js';
-import { stopKeys, toggleStop } from '../stops.js';
-import { Body, Children, Docs, Name, addHook } from './fields.js';
+import { Body, Children, Docs, Name, Stop, addHook } from './fields.js';
 
 export function StateFields({ state, machine }) {
   const { name } = state;
@@ -22,7 +21,7 @@ export function StateFields({ state, machine }) {
     <div class="buttons">
       <${Toggle} on=${state.initial} label="Initial" title="The machine starts here" disabled=${state.initial} onChange=${() => change({ edit: 'set_initial', state: name })} />
       <${Toggle} on=${state.last} label="Last" title="No transition leaves it" onChange=${(last) => change({ edit: 'set_last', state: name, last })} />
-      <${Toggle} on=${stopKeys.value.has(state.key)} label="Breakpoint" title="Stop when it is entered (b)" onChange=${() => toggleStop(state.key)} />
+      <${Stop} of=${state.key} title="Stop when it is entered (b)" />
       <button onClick=${() => { openPanel('code'); focusCode(); }} title="Enter in the canvas">Edit code</button></div>
     <${Children} owner=${name} arguments=${state.function.arguments} state=${true} />
     <section aria-label="Hooks"><h3>Hooks</h3>

@@ -49,5 +49,19 @@ async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
     load_axe(&page).await;
     in_each_layout(&page, TARGETS).await;
     in_each_layout(&page, AXE).await;
+    // Panels that no layout has: a table, the map in 3D, and two sessions.
+    page.press("1").await;
+    page.run("return Promise.all(['dock', 'store'].map((name) => import(`/lib/${name}.js`))).then(([{ open }, { ask, putBeside }]) => { \
+        open('table', { rows: ['Odometry.walked', 'Head.pan'] }); \
+        return ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, options: {} } }).then(({ session }) => setTimeout(() => putBeside(session), 2000)); })", vec![]).await;
+    page.click("switch", "3D", "Map").await;
+    page.until(
+        "the other session is beside it",
+        "return document.querySelector('.beside[aria-pressed=true]') !== null",
+    )
+    .await;
+    page.until("the table has both", "return document.querySelectorAll('[aria-label=Values] thead th').length === 7")
+        .await;
+    assert_eq!((page.run(TARGETS, vec![]).await, page.run(AXE, vec![]).await), (json!([]), json!([])));
     page.close().await;
 }

@@ -269,6 +269,16 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
     page.click("button", "Step", "Breakpoints").await;
     page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
         .await;
+    // With a condition that does not hold the world goes through the state.
+    page.find("button", "State search_net", "").await.click().await;
+    page.find("textbox", "Condition of the breakpoint", "").await.set("Odometry.walked.x > 100").await;
+    page.press("\u{e007}").await;
+    page.click("button", "Restart", "").await;
+    page.click("button", "Continue", "Simulated world").await;
+    let passed = "return Promise.all(['lib/store', 'vicode/stops'].map((name) => import(`/${name}.js`))).then(([{ session }, { hit }]) => { \
+        const { live, description } = session.value; const index = session.value.find('Player'); \
+        return hit.value === null && ['kick', 'go_round'].includes(description.value.components[index].states[live.value?.components[index][2]]?.name); })";
+    page.until("the world has gone through the state", passed).await;
     page.click("button", "Remove all breakpoints", "").await;
     page.close().await;
 }

@@ -3,6 +3,7 @@
 mod access;
 mod attacks;
 mod ball;
+mod beside;
 mod designing;
 mod faults;
 mod figures;
@@ -10,6 +11,7 @@ mod finding;
 mod firmware;
 mod geometry;
 mod glance;
+mod hour;
 mod looks;
 mod moments;
 mod motions;

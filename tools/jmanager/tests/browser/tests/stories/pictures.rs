@@ -157,3 +157,48 @@ async fn pictures_of_the_designer() {
     page.screenshot("docs-vicode-states").await;
     page.close().await;
 }
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_two_runs() {
+    let server = Server::start("picture-beside", &[]);
+    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    for seed in ["1", "2"] {
+        let file = server.folder.join(format!("recordings/seed-{seed}.mcap"));
+        player(&[
+            "play",
+            "--seconds",
+            "15",
+            "--size",
+            "160x120",
+            "--seed",
+            seed,
+            "--record",
+            file.to_str().expect("a path"),
+        ]);
+    }
+    let page = dark(&server).await;
+    page.click("tab", "Recordings", "").await;
+    page.click("button", "Refresh", "Recordings").await;
+    for name in ["seed-1", "seed-2"] {
+        page.click("button", name, "Recordings").await;
+        page.until(
+            name,
+            &format!("return document.querySelector('.session.chosen')?.textContent.startsWith('{name}')"),
+        )
+        .await;
+    }
+    page.click("button", "Compare", "Compare").await;
+    page.click("button", "Show both", "Compare").await;
+    page.run(
+        "return import('/lib/span.js').then(({ choose, noteOf }) => import('/lib/store.js').then(({ act }) => { \
+        choose(3e6, 6e6); return act('note', { text: noteOf([3e6, 6e6], 'approach differs') }); }))",
+        vec![],
+    )
+    .await;
+    page.run("import('/lib/store.js').then(({ seek }) => seek(9e6))", vec![]).await;
+    page.click("switch", "Different", "Timeline").await;
+    tokio::time::sleep(std::time::Duration::from_secs(2)).await;
+    page.screenshot("docs-jmanager-beside").await;
+    page.close().await;
+}

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::{game, tab};
 
 /// Keeps what the page saves instead of saving it: `saved` is a list of file names and contents.
-const CATCH: &str = "window.saved = []; const make = URL.createObjectURL; let blob = null; \
+pub(crate) const CATCH: &str = "window.saved = []; const make = URL.createObjectURL; let blob = null; \
     URL.createObjectURL = (one) => { blob = one; return make.call(URL, one); }; \
     HTMLAnchorElement.prototype.click = function () { window.saved.push([this.download, blob]); }";
 
@@ -90,5 +90,28 @@ async fn a_picture_of_each_panel_is_saved() {
         );
         assert_eq!(page.until(name, &colours).await, json!([file, "image/png", true, true]));
     }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn a_span_is_annotated_and_filmed() {
+    let (_server, page) = game("film").await;
+    page.run(CATCH, vec![]).await;
+    page.until("3 s of the game", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3").await;
+    page_run(&page, "return import('/lib/span.js').then(({ choose }) => choose(1e6, 2e6))").await;
+    page.click("button", "Annotate…", "Timeline").await;
+    page.find("textbox", "Text", "").await.set("looks for the ball").await;
+    page.click("button", "Annotate", "").await;
+    page.reads("the span is annotated").await;
+    page.click("button", "Film…", "Timeline").await;
+    page.find("combobox", "Panel", "").await.set("1").await;
+    page.click("button", "Film", "").await;
+    let film = "const film = window.saved.find(([name]) => name.endsWith('-1.00-2.00.webm')); \
+        return film?.[1].arrayBuffer().then((data) => [[...new Uint8Array(data, 0, 4)], data.byteLength > 5000])";
+    assert_eq!(page.until("the film is saved", film).await, json!([[0x1a, 0x45, 0xdf, 0xa3], true]));
+    // Playback has ended where the span ends, and goes on from there as before.
+    assert_eq!(page_run(&page, "return [cursor.value, playing.value]").await, json!([2_000_000, false]));
+    tab(&page, "Log").await;
+    page.reads("1.00–2.00 s: looks for the ball").await;
     page.close().await;
 }

@@ -1,0 +1,219 @@
+//! The first hour of a newcomer: sixteen tasks, with what a person does for each. The numbers are those of `docs/jmanager.md`.
+
+use jmanager_browser::{Page, Server, player, target};
+
+use crate::spans::CATCH;
+use crate::{GOES_ON, open};
+
+const ENTER: &str = "\u{e007}";
+const RIGHT: &str = "\u{e014}";
+const SHIFT: char = '\u{e008}';
+/// Most actions of a task.
+const MOST: usize = 8;
+
+/// Counts each click, key, drag, chosen entry of a list and typed field as one action.
+struct Hour<'a> {
+    page: &'a Page,
+    tasks: Vec<(&'static str, usize)>,
+}
+
+impl Hour<'_> {
+    fn begin(&mut self, task: &'static str) {
+        println!("{task}");
+        self.tasks.push((task, 0));
+    }
+
+    fn count(&mut self) {
+        self.tasks.last_mut().expect("a task").1 += 1;
+    }
+
+    async fn click(&mut self, role: &str, name: &str, scope: &str) {
+        self.count();
+        self.page.click(role, name, scope).await;
+    }
+
+    async fn set(&mut self, role: &str, name: &str, value: &str) {
+        self.count();
+        self.page.find(role, name, "").await.set(value).await;
+    }
+
+    async fn press(&mut self, keys: &str) {
+        self.count();
+        self.page.press(keys).await;
+    }
+
+    /// Checks the numbers with the table of the documentation.
+    fn compare(&self) {
+        let docs = include_str!("../../../../../../docs/jmanager.md");
+        let rows: Vec<_> = self.tasks.iter().map(|(task, count)| format!("| {task} | {count} |")).collect();
+        assert!(self.tasks.iter().all(|(_, count)| *count <= MOST), "{rows:#?}");
+        let missing: Vec<_> = rows.iter().filter(|row| !docs.contains(row.as_str())).collect();
+        assert!(missing.is_empty(), "docs/jmanager.md lacks {missing:#?}");
+    }
+}
+
+#[tokio::test]
+async fn sixteen_tasks_of_a_first_hour_take_few_clicks_each() {
+    // A copy: what a person types is saved.
+    let sources = target().join("browser/hour-sources");
+    std::fs::create_dir_all(&sources).expect("a folder");
+    let face_ball = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player/src/behaviour/face_ball.rs");
+    std::fs::copy(face_ball, sources.join("face_ball.rs")).expect("a copy");
+    let server = Server::start("hour", &["--source", sources.to_str().expect("a path of UTF-8")]);
+    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    for seed in ["1", "2"] {
+        let file = server.folder.join(format!("recordings/seed-{seed}.mcap"));
+        let file = file.to_str().expect("a path of UTF-8");
+        player(&["play", "--seconds", "5", "--size", "160x120", "--seed", seed, "--record", file, "--images", "none"]);
+    }
+    let page = open(&server).await;
+    page.run(GOES_ON, vec![]).await;
+    page.run(CATCH, vec![]).await;
+    let mut hour = Hour { page: &page, tasks: Vec::new() };
+    tune(&mut hour).await;
+    watch(&mut hour).await;
+    export(&mut hour).await;
+    operate(&mut hour).await;
+    compare(&mut hour).await;
+    hour.compare();
+    page.screenshot("hour").await;
+    page.close().await;
+}
+
+async fn tune(hour: &mut Hour<'_>) {
+    hour.begin("Find why it does not kick");
+    hour.click("button", "Player", "Activation tree").await;
+    hour.set("combobox", "Wanted state", "kick").await;
+    hour.page
+        .until(
+            "the answer says on what it waits",
+            "return /waits for|is reached/.test(document.querySelector('.answer').textContent)",
+        )
+        .await;
+    hour.begin("Find a parameter");
+    hour.click("button", "Find anything", "").await;
+    hour.set("combobox", "Find anything", "FaceBall.gain").await;
+    hour.press(ENTER).await;
+    hour.page.find("slider", "gain", "Parameters").await;
+    hour.page.until("the palette is closed", "return !document.querySelector('.palette').open").await;
+    hour.begin("See who uses it, and open that code");
+    // In a paused view nothing above the parameters changes its height.
+    hour.click("button", "Time: live", "").await;
+    hour.page.find("button", "Time: paused", "").await;
+    hour.click("button", "Uses of gain", "Parameters").await;
+    hour.page.find("button", "face_ball.rs:", "Parameters").await;
+    hour.page.run("[...document.querySelectorAll('[aria-label=Parameters] .uses button')].at(-1).setAttribute('aria-label', 'the last use')", vec![]).await;
+    hour.click("button", "the last use", "Parameters").await;
+    hour.page.find("tab", "face_ball.rs", "").await;
+    hour.page
+        .until(
+            "the code is at that place",
+            "return Number.parseInt(document.querySelector('[aria-label=\"Place in the code\"]')?.textContent) > 10",
+        )
+        .await;
+    hour.click("button", "View", "").await;
+    hour.click("button", "Overview", "").await;
+    hour.begin("Tune it, and undo");
+    hour.set("slider", "gain", "0.9").await;
+    hour.page.reads("1 changed").await;
+    hour.press("u").await;
+    hour.page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
+}
+
+async fn watch(hour: &mut Hour<'_>) {
+    hour.begin("Stop the world by a watch, and go on");
+    hour.click("tab", "Watches", "").await;
+    hour.set("combobox", "Condition to watch", "Odometry.walked.y > 0.2 for 500 ms").await;
+    hour.click("switch", "Pause the world", "Watches").await;
+    hour.click("button", "Watch", "Watches").await;
+    hour.click("button", "Restart", "").await;
+    hour.page.reads("The world is paused; all panels show").await;
+    hour.click("button", "Go on", "").await;
+    hour.page.find("button", "Time: live", "").await;
+    hour.begin("Plot an output");
+    hour.click("tab", "Plot", "").await;
+    hour.set("combobox", "Information to plot", "Head.pan").await;
+    hour.click("button", "Add", "Plot").await;
+    hour.page.find("button", "Remove Head.pan", "").await;
+    hour.begin("List outputs as a table");
+    hour.click("button", "View", "").await;
+    hour.click("button", "New table", "").await;
+    hour.set("combobox", "Output to list", "Head").await;
+    hour.click("button", "Add", "Table").await;
+    hour.page
+        .until("it has values", "return /\\d/.test(document.querySelector('[aria-label=Values] td')?.textContent)")
+        .await;
+}
+
+async fn export(hour: &mut Hour<'_>) {
+    hour.begin("Export a span as CSV");
+    hour.click("tab", "Timeline", "").await;
+    let [x, y, width, _] = hour.page.find("img", "Activation timeline", "").await.place().await;
+    hour.page.key_down(SHIFT).await;
+    hour.count();
+    hour.page.drag((x + 125.0, y + 20.0), (x + 125.0 + (width - 125.0) * 0.1, y + 20.0)).await;
+    hour.page.key_up(SHIFT).await;
+    hour.click("button", "CSV", "Timeline").await;
+    hour.page.until("the table is saved", "return window.saved.some(([name]) => name.endsWith('.csv'))").await;
+    hour.begin("Keep the span as a recording");
+    hour.click("button", "Recording…", "Timeline").await;
+    hour.click("button", "Keep", "").await;
+    hour.page.reads("the span is kept").await;
+    hour.begin("Film a panel");
+    hour.click("button", "Film…", "Timeline").await;
+    hour.click("button", "Film", "").await;
+    hour.page.until("the film is saved", "return window.saved.some(([name]) => /\\.(webm|mp4)$/.test(name))").await;
+}
+
+async fn operate(hour: &mut Hour<'_>) {
+    hour.begin("Place the ball");
+    hour.click("button", "What can be done here", "Map").await;
+    hour.set("textbox", "place ball x", "1").await;
+    hour.set("textbox", "place ball y", "0.5").await;
+    hour.press(ENTER).await;
+    hour.page.reads("place ball: done").await;
+    hour.begin("Drive, and give back");
+    hour.press("\u{e00c}").await;
+    hour.press("l").await;
+    hour.click("tab", "Drive", "").await;
+    hour.click("button", "Take over", "Take over").await;
+    hour.page.reads("Driven by you").await;
+    hour.click("button", "Dead-man's button: hold to move", "").await;
+    hour.click("button", "Give back", "Take over").await;
+    hour.page.find("button", "Take over", "Take over").await;
+}
+
+async fn compare(hour: &mut Hour<'_>) {
+    hour.begin("Keep the game, and open the recording");
+    hour.click("tab", "Recordings", "").await;
+    hour.set("textbox", "Name of the recording", "game").await;
+    hour.click("button", "Keep recording", "This session").await;
+    hour.click("button", "game", "Recordings").await;
+    hour.page.find("button", "Play", "Replay").await;
+    hour.begin("Compare two runs side by side");
+    hour.click("button", "seed-1", "Recordings").await;
+    hour.page
+        .until("it is open", "return document.querySelector('.session.chosen')?.textContent.startsWith('seed-1')")
+        .await;
+    hour.click("button", "seed-2", "Recordings").await;
+    hour.page
+        .until("it is open", "return document.querySelector('.session.chosen')?.textContent.startsWith('seed-2')")
+        .await;
+    hour.click("button", "Compare", "Compare").await;
+    hour.click("button", "Show both", "Compare").await;
+    hour.page.until("both are shown", "return document.querySelector('.beside[aria-pressed=true]') !== null").await;
+    hour.begin("Go to the next cycle, and share that moment");
+    hour.press(RIGHT).await;
+    hour.click("button", "Copy a link to this moment", "").await;
+    hour.page
+        .until(
+            "the link is there",
+            "return /link to this moment|#session=/.test(document.querySelector('.notices').textContent)",
+        )
+        .await;
+    hour.begin("See the robot in three dimensions");
+    hour.click("switch", "3D", "Map").await;
+    // Firefox without a graphics card says what it lacks.
+    let seen = "return document.querySelector('[aria-label=\"Scene in three dimensions\"]') !== null || document.body.innerText.includes('WebGL 2 is missing')";
+    hour.page.until("the scene, or why there is none", seen).await;
+}

@@ -1,0 +1,79 @@
+// Outputs and expressions that a panel shows by name: of the chosen session, and of those beside it at the same times.
+
+import { effect, useEffect } from './dom.js';
+import { request } from './connection.js';
+import { resolve, resolved, samples } from './curves.js';
+import { companions, notify, range, visibleRange, watch } from './store.js';
+
+/** Samples that are read of the time before a name was added. */
+const POINTS = 3000;
+
+/** The curves of names: those of the chosen session, then those of others; each with its session `of`, `shift`, `colour` and, of another one, `beside`. */
+export function curvesOf(shown, names) {
+  const of = (one, more) => names.flatMap((name, colour) => {
+    const curve = resolved(one, name);
+    return curve ? [{ ...curve, of: one, colour, ...more }] : [];
+  });
+  const own = of(shown, { shift: 0 });
+  const beside = own.length === 0 ? [] : companions.value.flatMap(({ of: other, shift, place }) => of(other, { shift, beside: place }));
+  return { own, beside, key: [...own, ...beside].map((curve) => `${curve.name} ${curve.of.id} ${curve.shift}`).join() };
+}
+
+/** A curve's name, with its session if that is not the chosen one. */
+export const titleOf = ({ name, of, beside }) => (beside === undefined ? name : `${name} · ${of.info.value.name}`);
+
+/** Reads the signals that change with the samples of curves. */
+export function readVersions(curves) {
+  for (const { of, inputs } of curves) for (const { place } of inputs) void of.info_of(...place).version.value;
+}
+
+/** Samples of a curve at the times of the chosen session. */
+export function samplesAt(curve, [from, until]) {
+  const { of, shift } = curve;
+  const found = samples(of, curve, [from + shift, until + shift]);
+  return shift === 0 ? found : new Map([...found].map(([at, value]) => [at - shift, value]));
+}
+
+/** Whether a text names a curve; what is wrong with it becomes a notice. */
+export function isCurve(shown, name) {
+  try {
+    return Boolean(resolve(shown, name));
+  } catch ({ message }) {
+    notify('error', message, 'write Component.information, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
+    return false;
+  }
+}
+
+/** Watches curves, and reads their samples of the visible interval that are older. */
+export function useCurves(curves, shown, visible, key) {
+  useEffect(() => {
+    if (!visible.value) return undefined;
+    const ends = [...Map.groupBy(curves, ({ of }) => of)].map(([of, all]) => watch({ info: all.flatMap(({ inputs }) => inputs.map(({ place }) => [...place, 2])) }, of === shown ? null : of));
+    return () => ends.forEach((end) => end());
+  }, [visible.value, shown, shown?.description.value, key]);
+  useEffect(() => {
+    if (curves.length === 0) return undefined;
+    let timer = null;
+    const read = async () => {
+      for (const { of, shift, place } of curves.flatMap(({ of, shift, inputs }) => inputs.map(({ place }) => ({ of, shift, place })))) {
+        const information = of.info_of(...place);
+        const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at + shift)));
+        if (information.times.length > 0 && information.times[0] <= from) continue;
+        try {
+          information.prepend(await request('series', { session: of.id, component: place[0], info: place[1], from_us: from, until_us: until, points: POINTS }));
+        } catch {
+          // A recording may lack it; live samples are sent in any case.
+        }
+      }
+    };
+    const stop = effect(() => {
+      void [range.value, visible.value];
+      clearTimeout(timer);
+      timer = setTimeout(read, 150);
+    });
+    return () => {
+      stop();
+      clearTimeout(timer);
+    };
+  }, [shown, shown?.description.value, key]);
+}
