@@ -145,7 +145,10 @@ mod tests {
 
     use super::*;
 
-    fn cells(expr: &Expr) -> Option<Vec<Vec<(String, Option<f64>)>>> {
+    /// The texts of the cells of each row, with their numbers.
+    type Cells = Vec<Vec<(String, Option<f64>)>>;
+
+    fn cells(expr: &Expr) -> Option<Cells> {
         let row = |row: &Row<'_>| row.cells.iter().map(|cell| (cell.name.clone(), cell.value)).collect();
         Table::of(expr).map(|table| table.rows.iter().map(row).collect())
     }

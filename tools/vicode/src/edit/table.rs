@@ -173,7 +173,7 @@ pub(super) fn insert(
     if let Some(indent) = too_long(context, array, code) {
         let mut all: Vec<&str> = rows.iter().map(|row| row.span.of(text)).collect();
         all.insert(before.min(rows.len()), code);
-        let lines: String = all.iter().map(|row| format!("\n{indent}    {row},")).collect();
+        let lines = all.iter().fold(String::new(), |lines, row| lines + "\n" + indent + "    " + row + ",");
         splices.push(Splice::new(array, format!("{lines}\n{indent}")));
         return Ok(splices);
     }
