@@ -147,7 +147,7 @@ pub(super) fn physics<M: MujocoModel>(seed: u64, draw: &mut Draw) -> bica_sim::m
 }
 
 #[cfg(not(feature = "mujoco"))]
-#[expect(clippy::extra_unused_type_parameters, reason = "it is called as the one above")]
+#[expect(clippy::extra_unused_type_parameters, reason = "it is called as the function with MuJoCo")]
 fn mujoco<M: MujocoModel>(_: &Setup, _: &mut Draw) -> Result<Box<dyn World>, Invalid> {
     Err(without_mujoco())
 }

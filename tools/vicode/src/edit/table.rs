@@ -173,8 +173,9 @@ pub(super) fn insert(
     if let Some(indent) = too_long(context, array, code) {
         let mut all: Vec<&str> = rows.iter().map(|row| row.span.of(text)).collect();
         all.insert(before.min(rows.len()), code);
-        let lines = all.iter().fold(String::new(), |lines, row| lines + "\n" + indent + "    " + row + ",");
-        splices.push(Splice::new(array, format!("{lines}\n{indent}")));
+        let gap = format!("\n{indent}    ");
+        let lines = all.join(&format!(",{gap}"));
+        splices.push(Splice::new(array, format!("{gap}{lines},\n{indent}")));
         return Ok(splices);
     }
     splices.push(match (rows.get(before), rows.last()) {

@@ -117,7 +117,8 @@ fn only_the_named_bytes_change() {
         (
             r#""insert_row", "table": "SHORTER", "before": 9, "copy": 0"#,
             "2] = [Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]), Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9])]",
-            "3] = [\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n]",
+            "3] = [\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    \
+                Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n    Frame::new(1, [2, 3, 4, 5, 6, 7, 8, 9]),\n]",
         ),
         (r#""delete_row", "table": "Nod", "row": 1"#, ", &[ /* rest */ ]", ""),
         (r#""delete_row", "table": "LONG", "row": 0"#, "2] = [\n    Frame::new(1, [2]), //", "1] = [\n     //"),

@@ -197,7 +197,8 @@ async fn a_link_leads_to_its_moment_layout_and_watches() {
         vec![],
     )
     .await;
-    page.until("the moment exists", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 0.6").await;
+    page.until("the moment exists", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 0.6")
+        .await;
     page.run("import('/lib/store.js').then(({ seek }) => seek(5e5))", vec![]).await;
     page.find("button", "Time: paused", "").await;
     page.run("navigator.clipboard.writeText = async (text) => { window.link = text; }", vec![]).await;
