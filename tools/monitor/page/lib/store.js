@@ -272,10 +272,16 @@ async function showAt(of, at) {
   }
 }
 
-// A recording beside a robot moves with it.
+// A recording beside a robot moves with it; a world that is slower than the chosen one reaches a shown moment later.
 effect(() => {
-  void [newest.value, companions.value, cursor.value];
-  if (cursor.value === null) untracked(seekSoon);
+  const at = cursor.value;
+  void newest.value;
+  const comes = ({ of, shift }) => {
+    const shown = of.moment.peek()?.time_us ?? 0;
+    return newestOf(of) > shown && shown + 2 * cycle_us.peek() < at + shift;
+  };
+  const late = companions.value.map((one) => at !== null && comes(one));
+  if (at === null || late.includes(true)) untracked(seekSoon);
 });
 
 /** Moves the cursor by a duration; a step forward from the newest time does nothing. */
