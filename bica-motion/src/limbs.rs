@@ -33,6 +33,16 @@ impl LegAngles {
         }
     }
 
+    /// Moves each angle on toward its `later` value, by these shares of the difference.
+    pub(crate) fn lead(&mut self, later: &Self, [yaw, roll, pitch, knee, ankle_pitch, ankle_roll]: &[f32; 6]) {
+        self.hip_yaw_pitch += yaw * (later.hip_yaw_pitch - self.hip_yaw_pitch);
+        self.hip_roll += roll * (later.hip_roll - self.hip_roll);
+        self.hip_pitch += pitch * (later.hip_pitch - self.hip_pitch);
+        self.knee_pitch += knee * (later.knee_pitch - self.knee_pitch);
+        self.ankle_pitch += ankle_pitch * (later.ankle_pitch - self.ankle_pitch);
+        self.ankle_roll += ankle_roll * (later.ankle_roll - self.ankle_roll);
+    }
+
     /// Reads a side's six angles.
     #[must_use]
     pub fn read<M: RobotModel>(side: Side, angles: &Joints) -> Self {

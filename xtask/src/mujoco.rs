@@ -73,6 +73,7 @@ pub(crate) fn check() -> Result<(), String> {
     }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
+    run("cargo", &[&program[..], &["trial", "--runs", "4", "--robot", "k1", "walk", "pushes"]].concat(), &[])?;
     let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];
     run("cargo", &[&program[..], &games].concat(), &[])
 }

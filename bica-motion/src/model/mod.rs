@@ -25,6 +25,7 @@
 mod actuator;
 mod arm;
 mod body;
+mod booster;
 mod calibration;
 mod dimensions;
 mod gait;
@@ -132,6 +133,9 @@ pub trait RobotModel: Copy + Debug + PartialEq + Send + Sync + 'static {
 
     /// Order of the joints in the legs.
     const LEG: LegGeometry = LegGeometry::SharedYawPitch;
+    /// Time constants with which the joints of a leg follow their targets, s: hip yaw, roll and pitch, knee, ankle pitch and roll. The
+    /// targets of a walk lead by them. `None` if the gait is tuned with the lag.
+    const LEG_LAGS: Option<[f32; 6]> = None;
     /// Direction of the arms at zero.
     const ARM: ArmGeometry = ArmGeometry::Forward;
     /// What the robot measures.

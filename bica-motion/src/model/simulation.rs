@@ -51,6 +51,8 @@ pub trait MujocoModel: SimulatedModel {
     const GAINS: &'static Joints;
     /// Torque limit of each joint, Nm.
     const TORQUE_LIMITS: &'static Joints;
+    /// Whether the joints' damping is the velocity gain of the motors, which the torque limit includes.
+    const MOTORS_DAMP: bool = false;
     /// Half length and half width of the shadows of foot and torso.
     const SHADOWS: [Vec2; 2];
 }

@@ -1,19 +1,19 @@
 //! Booster T1: 23 joints, 31.6 kg.
 //!
 //! Sources: lengths, masses, ranges and torques from the model of the robot in PyPI's `rcsssmj` 0.2.1 (Apache-2.0), converted to
-//! `models/t1/robot.xml`; camera angles from B-Human's release of 2025. Booster publishes neither speeds nor thermal
-//! data of the motors: those are our estimates.
+//! `models/t1/robot.xml`; camera angles from B-Human's release of 2025.
 
 use glam::{Vec2, Vec3};
 
-use crate::joints::{JOINTS, Joint, Joints};
+use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
+use crate::model::booster::{self, each_joint};
 use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
     Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
-    GetUpFrames, HeadPitchLimit, HeadSpeed, KickFrame, Kicks, LegGeometry, LimbStiffness, Mass, Masses, Nao,
-    Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, StiffnessTable, Technique,
-    ThermalLimits, symmetric,
+    GetUpFrames, HeadPitchLimit, HeadSpeed, KickFrame, Kicks, LegGeometry, Mass, Masses, Nao, Parameters,
+    PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, StiffnessTable, Technique, ThermalLimits,
+    symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -25,33 +25,30 @@ pub struct T1;
 
 impl RobotModel for T1 {
     const NAME: &'static str = "Booster T1";
-    const JOINTS: &'static [Joint] = &OWN_JOINTS;
-    const LIMITS: &'static Joints<Range> = &LIMITS;
-    const MAX_SPEEDS: &'static Joints = &Joints([12.0; JOINTS]);
-    const ACTUATORS: &'static Joints<Actuator> = &ACTUATORS;
+    const JOINTS: &'static [Joint] = &booster::JOINTS_WITH_WAIST;
+    const LIMITS: &'static Joints<Range> = &each_joint!(limit);
+    const MAX_SPEEDS: &'static Joints = &booster::MAX_SPEEDS;
+    const ACTUATORS: &'static Joints<Actuator> = &booster::actuators(Self::TORQUE_LIMITS);
     /// Our estimate; in the league's server a command acts one cycle later.
     const DEAD_TIME: f32 = 0.01;
     const FEEDBACK_DELAY: usize = 2;
-    const THERMAL: ThermalLimits = ThermalLimits {
-        temperature: Range { min: 75.0, max: 85.0 },
-        load: Range { min: 3.0, max: 4.0 },
-        derated_stiffness: 0.7,
-    };
+    const THERMAL: ThermalLimits = booster::THERMAL;
     const HEAD_PITCH_LIMITS: &'static [HeadPitchLimit] = &[HeadPitchLimit::degrees(0.0, -20.0, 69.0)];
-    const HEAD_SPEED: HeadSpeed = HeadSpeed { yaw: 3.0, pitch: 1.0 };
+    const HEAD_SPEED: HeadSpeed = booster::HEAD_SPEED;
     const DIMENSIONS: &'static Dimensions = &DIMENSIONS;
     const BODY_SHAPE: &'static BodyShape = &SHAPE;
     const MASSES: &'static Masses = &MASSES;
     const SUPPORT_FORCE: f32 = 180.0;
-    const FALL_LIMITS: FallLimits = FallLimits { backward_pitch: -0.6, forward_pitch: 0.7, roll: 0.6 };
-    const STIFFNESS: &'static StiffnessTable = &StiffnessTable { stand: FIRM, walk: FIRM, fall: LIMP };
-    const STAND: Joints = symmetric(0.0, ARM, [0.0, 0.0, -27.669_054, 47.964_893, -20.295_845, 0.0]);
-    const SIT: Joints = symmetric(0.0, ARM, [0.0, 0.0, -50.0, 95.0, -45.0, 0.0]);
+    const FALL_LIMITS: FallLimits = booster::FALL_LIMITS;
+    const STIFFNESS: &'static StiffnessTable = &booster::STIFFNESS;
+    /// The feet are 13 mm farther from the middle than in the gait, whose first step brings them in.
+    const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.184_156, 47.954_994, -20.770_842, 0.0]);
+    const SIT: Joints = booster::SIT;
     const SIT_STIFFNESS: f32 = 0.3;
     const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.0, posture: Self::STAND, stiffness: 0.8 }];
     const TO_SIT: &'static [Keyframe] = &[Keyframe { seconds: 2.0, posture: Self::SIT, stiffness: 0.8 }];
-    const GET_UP: &'static GetUpFrames = &GET_UP;
-    const FALL_POSTURES: &'static FallPostures = &FallPostures { front: BRACE, other: BRACE };
+    const GET_UP: &'static GetUpFrames = &booster::NO_GET_UP;
+    const FALL_POSTURES: &'static FallPostures = &booster::FALL_POSTURES;
     const KINEMATIC_PROFILE: &'static Profile = &PROFILE;
     const DYNAMIC_PROFILE: &'static Profile = &PROFILE;
     const LEG: LegGeometry = LegGeometry::PitchRollYaw(PitchFirstLeg {
@@ -61,6 +58,7 @@ impl RobotModel for T1 {
         ankle: Vec3::new(0.0, 0.0, -0.28),
         ankle_roll: Vec3::new(0.0, 0.000_25, -0.012),
     });
+    const LEG_LAGS: Option<[f32; 6]> = Some([0.0218, 0.0364, 0.0364, 0.0273, 0.0109, 0.0109]);
     const ARM: ArmGeometry = ArmGeometry::Sideways(SidewaysArm {
         biceps: Vec3::new(0.0, 0.047, 0.0),
         elbow: Vec3::new(0.000_25, 0.0605, 0.0),
@@ -68,52 +66,6 @@ impl RobotModel for T1 {
     });
     const SENSES: Senses = Senses::NONE;
 }
-
-const OWN_JOINTS: [Joint; 23] = {
-    use Joint::{
-        HeadPitch, HeadYaw, LAnklePitch, LAnkleRoll, LElbowRoll, LElbowYaw, LHipPitch, LHipRoll, LKneePitch,
-        LShoulderPitch, LShoulderRoll, RAnklePitch, RAnkleRoll, RElbowRoll, RElbowYaw, RHipPitch, RHipRoll, RKneePitch,
-        RShoulderPitch, RShoulderRoll,
-    };
-    [
-        HeadYaw,
-        HeadPitch,
-        LShoulderPitch,
-        LShoulderRoll,
-        LElbowYaw,
-        LElbowRoll,
-        RShoulderPitch,
-        RShoulderRoll,
-        RElbowYaw,
-        RElbowRoll,
-        Joint::WAIST_YAW,
-        LHipPitch,
-        LHipRoll,
-        Joint::LEFT_HIP_YAW,
-        LKneePitch,
-        LAnklePitch,
-        LAnkleRoll,
-        RHipPitch,
-        RHipRoll,
-        Joint::RIGHT_HIP_YAW,
-        RKneePitch,
-        RAnklePitch,
-        RAnkleRoll,
-    ]
-};
-
-/// Hanging arms, degrees.
-const ARM: [f32; 5] = [0.0, -83.0, 0.0, -5.729_578, 0.0];
-
-const LIMITS: Joints<Range> = {
-    let mut limits = [Range { min: 0.0, max: 0.0 }; JOINTS];
-    let mut i = 0;
-    while i < JOINTS {
-        limits[i] = limit(Joint::ALL[i]);
-        i += 1;
-    }
-    Joints(limits)
-};
 
 const fn limit(joint: Joint) -> Range {
     let (min, max) = match joint {
@@ -137,50 +89,16 @@ const fn limit(joint: Joint) -> Range {
     Range { min, max }
 }
 
-/// Torque limit, Nm, and position gain, Nm/rad. Gains as B-Human's for its walk; source of the limits: see above.
-const fn strength(joint: Joint) -> (f32, f32) {
+/// Torque limit, Nm; source: see above.
+const fn torque(joint: Joint) -> f32 {
     match joint {
-        Joint::HeadYaw | Joint::HeadPitch => (7.0, 20.0),
-        Joint::LHipPitch | Joint::RHipPitch => (45.0, 550.0),
-        Joint::LHipRoll | Joint::RHipRoll | Joint::LEFT_HIP_YAW | Joint::RIGHT_HIP_YAW => (30.0, 550.0),
-        Joint::LKneePitch | Joint::RKneePitch => (60.0, 550.0),
-        Joint::LAnklePitch | Joint::RAnklePitch => (20.0, 550.0),
-        Joint::LAnkleRoll | Joint::RAnkleRoll => (15.0, 550.0),
-        Joint::WAIST_YAW => (30.0, 300.0),
-        _ => (18.0, 40.0),
-    }
-}
-
-const STRENGTHS: [Joints; 2] = {
-    let (mut limits, mut gains) = ([0.0; JOINTS], [0.0; JOINTS]);
-    let mut i = 0;
-    while i < JOINTS {
-        (limits[i], gains[i]) = strength(Joint::ALL[i]);
-        i += 1;
-    }
-    [Joints(limits), Joints(gains)]
-};
-
-/// A gear of 20 and a third of the peak torque continuously: our estimates.
-const ACTUATORS: Joints<Actuator> = {
-    let mut actuators = [motor(1.0); JOINTS];
-    let mut i = 0;
-    while i < JOINTS {
-        actuators[i] = motor(strength(Joint::ALL[i]).0);
-        i += 1;
-    }
-    Joints(actuators)
-};
-
-const fn motor(peak: f32) -> Actuator {
-    let torque = peak / (20.0 * 0.9);
-    Actuator {
-        voltage: 48.0,
-        no_load_speed: 20.0 * 12.0,
-        stall_torque: 2.0 * torque,
-        continuous_torque: torque / 3.0,
-        gear_ratio: 20.0,
-        gear_efficiency: 0.9,
+        Joint::HeadYaw | Joint::HeadPitch => 7.0,
+        Joint::LHipPitch | Joint::RHipPitch => 45.0,
+        Joint::LHipRoll | Joint::RHipRoll | Joint::LEFT_HIP_YAW | Joint::RIGHT_HIP_YAW | Joint::WAIST_YAW => 30.0,
+        Joint::LKneePitch | Joint::RKneePitch => 60.0,
+        Joint::LAnklePitch | Joint::RAnklePitch => 20.0,
+        Joint::LAnkleRoll | Joint::RAnkleRoll => 15.0,
+        _ => 18.0,
     }
 }
 
@@ -235,63 +153,36 @@ const MASSES: Masses = Masses::symmetric(
     ],
 );
 
-const FIRM: LimbStiffness =
-    LimbStiffness { head: 1.0, shoulder_pitch: 1.0, shoulder_roll: 1.0, elbow: 1.0, wrist: 0.0, leg: 1.0 };
-const LIMP: LimbStiffness =
-    LimbStiffness { head: 0.3, shoulder_pitch: 0.2, shoulder_roll: 0.2, elbow: 0.2, wrist: 0.0, leg: 0.1 };
-
-const BRACE: Keyframe = Keyframe { seconds: 0.4, posture: T1::SIT, stiffness: 0.2 };
-
-const GET_UP: GetUpFrames = GetUpFrames {
-    sit_up_from_front: &[],
-    sit_up_from_back: &[],
-    rise: &[],
-    turn_from_front: &[],
-    turn_from_back: &[],
-    rolled_onto_back: 0,
-};
-
 const PROFILE: Profile = Profile { gait: GAIT, kicks: KICKS, odometry: Calibration::EXACT };
 
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {
     hip_height: 0.52,
-    half_spacing: 0.106,
-    torso_offset: -0.005,
+    half_spacing: 0.093,
+    torso_offset: 0.004,
     step_duration: 0.36,
-    step_height: 0.04,
-    pendulum_height: 0.6,
-    max_velocity: Velocity::new(0.7, 0.35, 1.0),
-    max_backward_speed: 0.35,
-    max_speed_up: Velocity::new(0.12, 0.08, 0.4),
-    max_slow_down: Velocity::new(0.2, 0.15, 0.8),
-    velocity_drift: Velocity::new(0.05, 0.0, 0.0),
-    velocity_scale: Velocity::new(1.03, 1.0, 1.15),
-    toe_distance: 0.12,
+    step_height: 0.052,
+    pendulum_height: 0.59,
+    max_speed_up: Velocity::new(0.055, 0.08, 0.4),
+    velocity_drift: Velocity::new(0.1, 0.0, 0.0),
+    velocity_scale: Velocity::new(1.06, 1.24, 1.0),
     contact_force: 60.0,
-    ankle_pitch_gain: 0.08,
-    gyro_smoothing: 0.2,
-    ankle_roll_gain: 0.03,
-    hip_roll_offset: 0.03,
-    kick_hip_roll_offset: 0.05,
-    expected_knee_sag: 0.1,
-    sag_hip_gain: 0.0,
-    sag_knee_gain: 0.0,
+    ankle_pitch_gain: 0.04,
+    gyro_smoothing: 0.5,
+    ankle_roll_gain: 0.046,
+    hip_roll_offset: 0.029,
     torso_pitch: -0.05,
-    recovery_weights: [1.0, 0.03, 1.0],
-    min_recovery_duration: 0.2,
+    recovery_weights: [1.0, 0.021, 1.0],
     max_recovery_duration: 0.50,
-    capture_deadband: Vec2::new(0.04, 0.03),
-    max_capture_step: Vec2::new(0.3, 0.2),
-    max_inward_step: 0.025,
-    max_capture_speed: 2.0,
-    reported_capture_step: 0.06,
-    kick_swing: 0.12,
+    capture_deadband: Vec2::new(0.044, 0.031),
+    max_inward_step: 0.046,
     kick_min_distance: 0.25,
     kick_max_distance: 0.38,
-    kick_lateral_tolerance: 0.05,
-    arm_swing_gain: 2.0,
-    ..Nao::DYNAMIC_PROFILE.gait
+    lag_compensation: 0.14,
+    ankle_pitch_offset: -0.011,
+    earliest_support_switch: 0.77,
+    capture_sway: 0.01,
+    ..booster::GAIT
 };
 
 /// The NAO's kicks at this robot's size and pace.
@@ -310,45 +201,29 @@ const SHAPE: BodyShape = BodyShape {
         Capsule { from: [0.0, 0.0, 0.1], to: [0.0, 0.0, 0.33], radius: 0.09 },
         Capsule { from: [0.0, 0.09, 0.33], to: [0.0, -0.09, 0.33], radius: 0.09 },
     ],
-    biceps: [
-        Capsule { from: [0.0; 3], to: [0.0, 0.05, 0.0], radius: 0.045 },
-        Capsule { from: [0.0, 0.05, 0.0], to: [0.0, 0.15, 0.0], radius: 0.04 },
-    ],
-    forearm: Capsule { from: [0.0; 3], to: [0.0, 0.2, 0.0], radius: 0.035 },
-    thigh: Capsule { from: [0.0; 3], to: DIMENSIONS_KNEE, radius: 0.06 },
+    thigh: Capsule { from: [0.0; 3], to: KNEE, radius: 0.06 },
     tibia: Capsule { from: [0.0; 3], to: [0.0, 0.0, -0.28], radius: 0.05 },
     foot: [
         Capsule { from: [-0.1015, -0.02, -0.01], to: [0.1215, -0.02, -0.01], radius: 0.03 },
         Capsule { from: [-0.1015, 0.02, -0.01], to: [0.1215, 0.02, -0.01], radius: 0.03 },
     ],
+    ..booster::SHAPE
 };
-const DIMENSIONS_KNEE: [f32; 3] = [-0.014, 0.0, -0.134];
+const KNEE: [f32; 3] = [-0.014, 0.0, -0.134];
 
 impl SimulatedModel for T1 {
-    const EXTENTS: &'static Extents = &Extents {
-        standing: 0.25,
-        lying: 0.7,
-        torso: 0.15,
-        foot_front: Disc { ahead: 0.05, radius: 0.09 },
-        foot_height: 0.05,
-        sole_middle: 0.01,
-        leg: Disc { ahead: 0.01, radius: 0.1 },
-        trunk_length: 0.4,
-        trunk_radius: 0.12,
-        min_hip_height: 0.4,
-    };
-    const LYING: &'static Lying =
-        &Lying { fall_length: 0.45, front_height: 0.12, back_height: 0.12, side_height: 0.16, ..*Nao::LYING };
+    const EXTENTS: &'static Extents = &Extents { sole_middle: 0.01, min_hip_height: 0.4, ..booster::EXTENTS };
+    const LYING: &'static Lying = &booster::LYING;
     const FIGURE: &'static Figure = &Figure {
-        trunk: &[Part(Segment::Torso, Paint::Team, Solid::Block([0.0, 0.0, 0.235], [0.075, 0.1, 0.15]))],
+        trunk: &booster::TRUNK,
         side: &[
-            Part(Segment::Elbow(Left), Paint::Shell, Solid::Tube([[0.0; 3], [0.0, 0.12, 0.0]], [0.03, 0.03])),
-            Part(Segment::Forearm(Left), Paint::Shell, Solid::Tube([[0.0; 3], [0.0, 0.2, 0.0]], [0.03, 0.03])),
-            Part(Segment::Thigh(Left), Paint::Shell, Solid::Tube([[0.0; 3], DIMENSIONS_KNEE], [0.06, 0.05])),
+            booster::UPPER_ARM,
+            booster::FOREARM,
+            Part(Segment::Thigh(Left), Paint::Shell, Solid::Tube([[0.0; 3], KNEE], [0.06, 0.05])),
             Part(Segment::Tibia(Left), Paint::Shell, Solid::Tube([[0.0; 3], [0.0, 0.0, -0.28]], [0.05, 0.04])),
             Part(Segment::Foot(Left), Paint::Joint, Solid::Block([0.01, 0.0, -0.015], [0.1115, 0.05, 0.015])),
         ],
-        head: &[Part(Segment::Head, Paint::Shell, Solid::Sphere([0.01, 0.0, 0.1], 0.08))],
+        head: &booster::HEAD,
         foot_shadow: Disc { ahead: 0.01, radius: 0.15 },
     };
 }
@@ -357,7 +232,8 @@ impl MujocoModel for T1 {
     const ROBOT: &'static str = include_str!("../../models/t1/robot.xml");
     const BYSTANDER: &'static str = "<geom type=\"cylinder\" size=\"0.15 0.55\" pos=\"0 0 0.55\" material=\"team\" contype=\"8\" conaffinity=\"33\"/>";
     const SHELLS: &'static str = Self::ROBOT;
-    const GAINS: &'static Joints = &STRENGTHS[1];
-    const TORQUE_LIMITS: &'static Joints = &STRENGTHS[0];
-    const SHADOWS: [Vec2; 2] = [Vec2::new(0.15, 0.08), Vec2::new(0.2, 0.2)];
+    const GAINS: &'static Joints = &booster::gains(550.0);
+    const TORQUE_LIMITS: &'static Joints = &each_joint!(torque);
+    const MOTORS_DAMP: bool = true;
+    const SHADOWS: [Vec2; 2] = booster::SHADOWS;
 }

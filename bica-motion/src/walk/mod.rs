@@ -49,6 +49,9 @@ const MAX_LEVELLED_TILT: f32 = 0.6;
 const MIN_PACE: f32 = 0.2;
 const MAX_PACE: f32 = 3.0;
 
+/// Time over which the speed of the joints is computed, s.
+const LOOK_AHEAD: f32 = 0.01;
+
 /// Phase of the walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, postcard_schema::Schema)]
 pub enum Phase {
@@ -174,8 +177,8 @@ impl<M: RobotModel> Walk<M> {
         let Some(plan) = self.plan else { return self.stand() };
         self.sag_compensation.measure::<M>(plan.support, feedback, self.gait);
         self.update_capture_step(&plan, dt);
-        let feet = self.feet(&plan);
-        let mut limbs = self.gait.limbs::<M>(&feet, plan.roll(self.time), self.tilt(&plan, feedback));
+        let mut limbs = self.limbs(&plan, feedback, self.time);
+        self.compensate_lag(&mut limbs, &plan, feedback);
         let supporting = &mut limbs.legs[plan.support.index()];
         let [pitch, roll] = self.balance.ankle(self.gait, self.adjustment.balance);
         supporting.ankle_pitch += pitch;
@@ -200,17 +203,34 @@ impl<M: RobotModel> Walk<M> {
         limbs
     }
 
-    /// Both feet as planned, with the capture step of the swing foot.
-    fn feet(&self, plan: &Plan) -> [Foot; 2] {
-        let mut feet = plan.feet(self.time);
+    /// Arms and legs at a time of the step, s.
+    fn limbs(&self, plan: &Plan, feedback: &Feedback, time: f32) -> Limbs {
+        self.gait.limbs::<M>(&self.feet(plan, time), plan.roll(time), self.tilt(plan, feedback, time))
+    }
+
+    /// Moves the targets of the legs ahead by what their motors lag behind, and presses the toes of the support foot down against the
+    /// compliance of the ankle.
+    fn compensate_lag(&self, limbs: &mut Limbs, plan: &Plan, feedback: &Feedback) {
+        let Some(lags) = M::LEG_LAGS else { return };
+        let ahead = self.limbs(plan, feedback, self.time + LOOK_AHEAD);
+        let rate = self.gait.lag_compensation * self.pace / LOOK_AHEAD;
+        for (leg, later) in limbs.legs.iter_mut().zip(&ahead.legs) {
+            leg.lead(later, &lags.map(|lag| lag * rate));
+        }
+        limbs.legs[plan.support.index()].ankle_pitch += self.gait.ankle_pitch_offset;
+    }
+
+    /// Both feet as planned for a time of the step, s, with the capture step of the swing foot.
+    fn feet(&self, plan: &Plan, time: f32) -> [Foot; 2] {
+        let mut feet = plan.feet(time);
         let swinging = &mut feet[plan.support.other().index()];
-        swinging.pose.position += self.capture_step * plan.swing_progress(self.time);
+        swinging.pose.position += self.capture_step * plan.swing_progress(time);
         feet
     }
 
     /// Tilt against which the swing foot is levelled, growing from its liftoff on; `None` in a quasi-static gait.
-    fn tilt(&self, plan: &Plan, feedback: &Feedback) -> Option<Tilt> {
-        let share = plan.pendulum.filter(|_| plan.has_swing()).map(|_| plan.swing_progress(2.0 * self.time))?;
+    fn tilt(&self, plan: &Plan, feedback: &Feedback, time: f32) -> Option<Tilt> {
+        let share = plan.pendulum.filter(|_| plan.has_swing()).map(|_| plan.swing_progress(2.0 * time))?;
         let beyond = |tilt: f32| {
             let tilt = if tilt.is_finite() { clamp(tilt, -MAX_LEVELLED_TILT, MAX_LEVELLED_TILT) } else { 0.0 };
             share * (tilt - clamp(tilt, -USUAL_TILT, USUAL_TILT))
@@ -275,7 +295,7 @@ impl<M: RobotModel> Walk<M> {
         if !self.has_ended(&plan, feedback) {
             return;
         }
-        let feet = self.feet(&plan);
+        let feet = self.feet(&plan, self.time);
         let rest = (self.time - plan.duration).clamp(0.0, MAX_CYCLE_TIME);
         self.velocity = self.velocity.toward(requested, self.gait);
         let still = self.velocity.is_zero() && plan.ends_together(self.gait);

@@ -4,6 +4,7 @@ use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::model::{K1, Parameters, Profile, RobotModel, T1};
 use bica_motion::walk::Velocity;
+use glam::Vec2;
 
 /// A robot of the league.
 pub trait Body: MujocoModel {
@@ -32,15 +33,28 @@ impl Body for K1 {
     const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
 }
 
-/// Found by a random search over falls in the server.
+/// Found by a random search over falls in the server, whose motors lag less than those of our `MuJoCo`.
 const T1_GAIT: Parameters = Parameters {
+    half_spacing: 0.106,
+    torso_offset: -0.005,
     step_duration: 0.3,
     step_height: 0.069,
-    torso_pitch: -0.04,
-    ankle_roll_gain: 0.028,
-    gyro_smoothing: 0.1,
+    pendulum_height: 0.6,
     max_speed_up: Velocity::new(0.08, 0.08, 0.4),
     velocity_drift: Velocity::new(0.08, 0.0, 0.0),
+    velocity_scale: Velocity::new(1.03, 1.0, 1.15),
+    earliest_support_switch: 0.75,
+    gyro_smoothing: 0.1,
+    ankle_pitch_gain: 0.08,
+    ankle_roll_gain: 0.028,
+    hip_roll_offset: 0.03,
+    lag_compensation: 0.0,
+    ankle_pitch_offset: 0.0,
+    torso_pitch: -0.04,
+    capture_sway: 0.02,
+    recovery_weights: [1.0, 0.03, 1.0],
+    capture_deadband: Vec2::new(0.04, 0.03),
+    max_inward_step: 0.025,
     kick_max_distance: 0.0,
     ..T1::DYNAMIC_PROFILE.gait
 };

@@ -44,6 +44,8 @@ pub(super) const KINEMATIC: Parameters = Parameters {
     ankle_pitch_gain: 0.05,
     ankle_roll_gain: 0.0,
     hip_roll_offset: 0.0,
+    lag_compensation: 0.0,
+    ankle_pitch_offset: 0.0,
     kick_hip_roll_offset: 0.0,
     expected_knee_sag: 0.0,
     sag_hip_gain: 0.0,

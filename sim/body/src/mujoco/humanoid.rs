@@ -87,7 +87,11 @@ impl<M: MujocoModel> Humanoid<M> {
 
     /// Advances by one step of the physics. Returns the torques of the joints, Nm.
     fn step(&mut self) -> Joints {
-        let torques = self.motors.step(&self.angles());
+        let mut damping = Joints::all(0.0);
+        for drive in &self.drives {
+            damping[drive.joint] = drive.velocity_gain * self.data.qvel()[drive.velocity] as f32;
+        }
+        let torques = self.motors.step(&self.angles(), &damping);
         for drive in &self.drives {
             self.data.ctrl_mut()[drive.actuator] = torques[drive.joint].into();
         }
@@ -98,7 +102,7 @@ impl<M: MujocoModel> Humanoid<M> {
         });
         self.owners.collect(&self.data, ahead, &mut self.contacts);
         self.sensor_model.step(ideal_measurement(&self.data, self.torso, &self.drives));
-        torques
+        Joints(core::array::from_fn(|i| torques.0[i] - damping.0[i]))
     }
 
     /// Measurements of this cycle, without an image.

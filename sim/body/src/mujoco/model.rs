@@ -35,6 +35,10 @@ pub(crate) struct Drive {
     pub(crate) joint: Joint,
     /// Address of the angle in the positions.
     pub(crate) position: usize,
+    /// Address of the speed in the velocities.
+    pub(crate) velocity: usize,
+    /// Velocity gain of the motor, Nm·s/rad; 0 if the joint's damping is not the motor's.
+    pub(crate) velocity_gain: f32,
     /// Index of the motor among the actuators.
     pub(crate) actuator: usize,
 }
@@ -83,8 +87,11 @@ impl Model {
         let torso = FreeJoint::find(&physics, "Torso")?;
         let drive = |&joint: &Joint| -> Result<Drive, Error> {
             let name = joint_name::<M>(joint);
-            let position = physics.jnt_qposadr()[find(&physics, MjtObjBase::mjOBJ_JOINT, &name)?] as usize;
-            Ok(Drive { joint, position, actuator: find(&physics, MjtObjBase::mjOBJ_ACTUATOR, &name)? })
+            let index = find(&physics, MjtObjBase::mjOBJ_JOINT, &name)?;
+            let (position, velocity) = (physics.jnt_qposadr()[index] as usize, physics.jnt_dofadr()[index] as usize);
+            let velocity_gain = if M::MOTORS_DAMP { physics.dof_damping()[velocity] as f32 } else { 0.0 };
+            let actuator = find(&physics, MjtObjBase::mjOBJ_ACTUATOR, &name)?;
+            Ok(Drive { joint, position, velocity, velocity_gain, actuator })
         };
         let drives = M::JOINTS.iter().map(drive).collect::<Result<_, _>>()?;
         let foot = |side| find(&physics, MjtObjBase::mjOBJ_BODY, &body_name(Segment::Foot(side)));

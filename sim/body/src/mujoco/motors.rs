@@ -67,8 +67,9 @@ impl Motors {
         self.gains[joint] = 0.0;
     }
 
-    /// Advances by one step of the physics. Returns the torques of all joints at these angles, Nm.
-    pub(crate) fn step(&mut self, angles: &Joints) -> Joints {
+    /// Advances by one step of the physics. Returns the torques of all joints at these angles, Nm, without the `damping` torques of the
+    /// velocity gains, with which they stay within the limits.
+    pub(crate) fn step(&mut self, angles: &Joints, damping: &Joints) -> Joints {
         while let Some((0, setpoint)) = self.pending.front() {
             self.acting = *setpoint;
             self.pending.pop_front();
@@ -79,7 +80,7 @@ impl Motors {
         let (targets, stiffness) = &self.acting;
         Joints(core::array::from_fn(|i| {
             let torque = self.gains.0[i] * stiffness.0[i] * (targets.0[i] - angles.0[i]);
-            torque.clamp(-self.limits.0[i], self.limits.0[i])
+            torque.clamp(damping.0[i] - self.limits.0[i], damping.0[i] + self.limits.0[i])
         }))
     }
 }
@@ -99,7 +100,7 @@ mod tests {
     }
 
     fn torque(motors: &mut Motors) -> f32 {
-        motors.step(&Joints::all(0.0))[Joint::LKneePitch]
+        motors.step(&Joints::all(0.0), &Joints::all(0.0))[Joint::LKneePitch]
     }
 
     #[test]

@@ -40,6 +40,10 @@ const fn exact(name: &'static str, forward: f32, left: f32, turn: f32) -> Veloci
     VelocityCase { name, velocity: Velocity::new(forward, left, turn), exact: true, needed: 20 }
 }
 
+const fn mostly(name: &'static str, forward: f32) -> VelocityCase {
+    VelocityCase { needed: 18, ..exact(name, forward, 0.0, 0.0) }
+}
+
 const fn upright(name: &'static str, forward: f32, left: f32, turn: f32, needed: u32) -> VelocityCase {
     VelocityCase { name, velocity: Velocity::new(forward, left, turn), exact: false, needed }
 }
@@ -89,7 +93,7 @@ const BOOSTER_PUSHES: [PushCase; 6] = [
 impl Course for T1 {
     const VELOCITIES: &'static [VelocityCase] = &[
         exact("forward 0.4 m/s", 0.4, 0.0, 0.0),
-        upright("forward 0.6 m/s", 0.6, 0.0, 0.0, 18),
+        mostly("forward 0.6 m/s", 0.6),
         exact("backward 0.2 m/s", -0.2, 0.0, 0.0),
         exact("left 0.2 m/s", 0.0, 0.2, 0.0),
         exact("right 0.2 m/s", 0.0, -0.2, 0.0),
@@ -102,7 +106,7 @@ impl Course for T1 {
 
 impl Course for K1 {
     const VELOCITIES: &'static [VelocityCase] = &[
-        upright("forward 0.3 m/s", 0.3, 0.0, 0.0, 18),
+        mostly("forward 0.3 m/s", 0.3),
         upright("backward 0.15 m/s", -0.15, 0.0, 0.0, 0),
         upright("left 0.15 m/s", 0.0, 0.15, 0.0, 0),
         upright("left turn 0.6 rad/s", 0.0, 0.0, 0.6, 0),

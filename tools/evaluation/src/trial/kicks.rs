@@ -2,7 +2,8 @@
 
 use bica_app::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
-use bica_motion::model::{Profile, RobotModel};
+use bica_motion::model::Profile;
+use bica_motion::model::simulation::MujocoModel;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
@@ -23,6 +24,36 @@ const LEAST_DRIBBLE: f32 = 0.5;
 /// Largest error of the median direction, degrees.
 const MAX_DIRECTION_ERROR: f32 = 15.0;
 
+/// Distance that a ball has to roll in three of four runs, and in half of them, m.
+const LEAST_KICK: [f32; 2] = [1.0, 1.5];
+
+/// Kicks ahead, then the in-walk kicks, with either foot.
+pub(super) fn any<M: MujocoModel>(series: &Series) -> Result<Vec<Row>, Failure> {
+    let row = |name: String, runs: Vec<KickResult>| {
+        let way = median(runs.iter().map(|run| run.way).collect());
+        let stands = runs.iter().filter(|run| run.stands).count();
+        let [most, half] = LEAST_KICK;
+        Row {
+            name,
+            runs: runs.len(),
+            good: runs.iter().filter(|run| run.way >= most).count(),
+            needed: series.needed(15),
+            figures: format!("at least {most:.1} m; median distance {way:.2} m (at least {half:.1} m), {stands} stand"),
+            figures_hold: way >= half,
+        }
+    };
+    let mut rows = Vec::new();
+    for foot in Side::BOTH {
+        let kick = Kick { kind: KickKind::Front, foot };
+        rows.push(row(
+            format!("front, {} foot", name(foot)),
+            series.each(|seed| kick_ball::<M>(&series.physics, seed, kick, M::DYNAMIC_PROFILE))?,
+        ));
+        rows.push(row(format!("dribble, {} foot", name(foot)), series.each(|seed| dribble::<M>(series, seed, foot))?));
+    }
+    Ok(rows)
+}
+
 /// All six kicks, then the in-walk kicks.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let fixed = Kick::ALL.iter().map(|kick| row(series, *kick));
@@ -31,13 +62,13 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
 }
 
 fn dribble_row(series: &Series, foot: Side) -> Result<Row, Failure> {
-    let runs = series.each(|seed| dribble(series, seed, foot))?;
+    let runs = series.each(|seed| dribble::<Model>(series, seed, foot))?;
     let name = format!("dribble, {} foot", name(foot));
     Ok(summarize(series, name, &runs, LEAST_DRIBBLE))
 }
 
 fn row(series: &Series, kick: Kick) -> Result<Row, Failure> {
-    let runs = series.each(|seed| kick_ball(&series.physics, seed, kick, Model::DYNAMIC_PROFILE))?;
+    let runs = series.each(|seed| kick_ball::<Model>(&series.physics, seed, kick, Model::DYNAMIC_PROFILE))?;
     let (kind, least) = match kick.kind {
         KickKind::Front => ("front", 2.0),
         KickKind::Diagonal => ("diagonal", 1.2),
@@ -82,14 +113,19 @@ pub struct KickResult {
 ///
 /// # Errors
 /// If the physics is invalid.
-pub fn kick_ball(physics: &Physics, seed: u64, kick: Kick, profile: &'static Profile) -> Result<KickResult, Failure> {
-    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), physics)?;
+pub fn kick_ball<M: MujocoModel>(
+    physics: &Physics,
+    seed: u64,
+    kick: Kick,
+    profile: &'static Profile,
+) -> Result<KickResult, Failure> {
+    let mut walker = Walker::<M>::new(seed, Pose2::new(-1.0, 0.0, 0.0), physics)?;
     let mut rng = Rng::new(seed);
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
     let ball = start.place(kick.ball(&profile.kicks) + Vec2::new(beside(), beside()));
     walker.world.set_ball(ball);
-    let mut motion = KickMotion::<Model>::new(kick, profile);
+    let mut motion = KickMotion::<M>::new(kick, profile);
     while !motion.is_done() {
         let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
         walker.act(&limbs);
@@ -105,17 +141,17 @@ pub fn kick_ball(physics: &Physics, seed: u64, kick: Kick, profile: &'static Pro
 }
 
 /// Walks to a ball in front of a foot, kicks it in the walk, and walks on.
-fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure> {
-    let mut walker = Walker::<Model>::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
+fn dribble<M: MujocoModel>(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure> {
+    let mut walker = Walker::<M>::new(seed, Pose2::new(-1.0, 0.0, 0.0), &series.physics)?;
     let mut rng = Rng::new(seed);
     let start = ground(&mut walker);
-    let half = Model::DYNAMIC_PROFILE.gait.half_spacing;
+    let half = M::DYNAMIC_PROFILE.gait.half_spacing;
     // The phase of the step in which the ball comes within reach is random.
     let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BALL_ERROR, BALL_ERROR)));
     walker.world.set_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
-        if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &Model::DYNAMIC_PROFILE.gait) {
+        if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &M::DYNAMIC_PROFILE.gait) {
             walker.kick(foot);
         }
         walker.cycle(ahead);
@@ -131,8 +167,8 @@ fn dribble(series: &Series, seed: u64, foot: Side) -> Result<KickResult, Failure
 }
 
 /// Returns the pose of the ground between the feet.
-fn ground(walker: &mut Walker) -> Pose2 {
+fn ground<M: MujocoModel>(walker: &mut Walker<M>) -> Pose2 {
     let hips = walker.pose();
-    let from_ground = bica_motion::kinematics::ground_from_robot::<Model>(Side::Left, &walker.world.sensors().angles);
+    let from_ground = bica_motion::kinematics::ground_from_robot::<M>(Side::Left, &walker.world.sensors().angles);
     hips * Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0).inverse()
 }

@@ -33,8 +33,8 @@ use crate::trial_options::{Kind, Robot, TrialOptions};
 pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
     match options.robot {
         Robot::Nao => run_with(options, &Series::new::<Nao>(options), Kind::value_variants(), nao),
-        Robot::T1 => run_with(options, &Series::new::<T1>(options), &[Kind::Walk, Kind::Pushes], booster::<T1>),
-        Robot::K1 => run_with(options, &Series::new::<K1>(options), &[Kind::Walk, Kind::Pushes], booster::<K1>),
+        Robot::T1 => run_with(options, &Series::new::<T1>(options), &BOOSTER, booster::<T1>),
+        Robot::K1 => run_with(options, &Series::new::<K1>(options), &BOOSTER, booster::<K1>),
     }
 }
 
@@ -49,7 +49,7 @@ fn run_with(
     for kind in if options.names.is_empty() { all } else { &options.names } {
         let name = kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
         let trial = trial(*kind).ok_or_else(|| {
-            let help = "this robot has the trials `walk` and `pushes`; `--robot nao` has all";
+            let help = "this robot has the trials `walk`, `pushes` and `kicks`; `--robot nao` has all";
             Failure::new(format!("this robot has no trial `{name}`"), help)
         })?;
         let table = Table { trial: name, rows: trial(series)? };
@@ -66,10 +66,14 @@ fn run_with(
 type Trial = fn(&Series) -> Result<Vec<table::Row>, Failure>;
 
 /// Trials of a robot without the forward.
+const BOOSTER: [Kind; 3] = [Kind::Walk, Kind::Pushes, Kind::Kicks];
+
+/// A trial of a robot without the forward.
 fn booster<M: Course>(kind: Kind) -> Option<Trial> {
     match kind {
         Kind::Walk => Some(walking::velocities::<M>),
         Kind::Pushes => Some(walking::pushes::<M>),
+        Kind::Kicks => Some(kicks::any::<M>),
         _ => None,
     }
 }

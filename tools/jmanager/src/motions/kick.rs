@@ -50,7 +50,7 @@ pub(super) fn tried(kind: KickKind, frames: Vec<KickFrame>, runs: u32) -> Result
 fn kicked(kind: KickKind, profile: &'static Profile, runs: u32) -> Result<Outcome, Invalid> {
     let run = |seed: u64| {
         let physics = super::play::physics::<Nao>(seed, &mut super::play::Draw(seed));
-        kick_ball(&physics, seed, Kick { kind, foot: Side::Left }, profile)
+        kick_ball::<Nao>(&physics, seed, Kick { kind, foot: Side::Left }, profile)
     };
     let failed = |failure| Invalid::new(format!("the kick cannot be tried: {failure:?}"), "install MuJoCo anew");
     let found: Vec<_> = (0..u64::from(runs)).map(run).collect::<Result<_, _>>().map_err(failed)?;
