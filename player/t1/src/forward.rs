@@ -1,33 +1,22 @@
-//! The tree of the forward on a T1, its senses and its command.
+//! The tree of the forward, and its command.
 
 use bica::prelude::*;
 use bica::runner::Robot;
-use bica_motion::robot::{Command, Lights, Sensors};
+use bica_motion::robot::{Command, Lights};
 
 use crate::behaviour::{
     Dribble, FaceBall, Fixmove, FollowBall, GoRound, LookAround, Player, SafetyGuard, SearchBall, SearchNet,
 };
-use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState, View};
+use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotState};
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
 use crate::perception::{
     BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
 };
-
-/// What the robot senses in a cycle.
-#[message]
-#[derive(Clone, Debug)]
-pub struct Senses<'a> {
-    /// Joints and inertial unit, with the estimates of what the body does not measure; no image.
-    pub body: Sensors<'a>,
-    /// What the camera sees; `None` in cycles without a new view.
-    pub view: Option<View>,
-    /// Whether the robot may play.
-    pub playing: bool,
-}
+use crate::senses::Senses;
 
 activation_tree! {
-    /// The forward of RoboCup 2009 on a T1: finds the ball, walks to it, finds the goal, lines up and kicks.
+    /// The forward of RoboCup 2009 on a robot of today: finds the ball, walks to it, finds the goal, lines up and kicks.
     pub struct Forward {
         root: Player,
         cycle_hz: 100,

@@ -17,10 +17,11 @@ pub mod motion;
 #[path = "../../src/output/mod.rs"]
 pub mod output;
 pub mod perception;
+pub mod senses;
 #[path = "../../src/strategy/mod.rs"]
 pub mod strategy;
 
-pub use forward::{Forward, Senses};
+pub use forward::Forward;
 
 /// Model of the robot that the forward controls.
 pub type Model = bica_motion::model::T1;

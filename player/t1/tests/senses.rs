@@ -10,9 +10,9 @@ use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_player_t1::behaviour::Player;
-use bica_player_t1::input::{Object, Sight, View};
 use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
-use bica_player_t1::{Forward, Model, PARAMETERS, Senses};
+use bica_player_t1::senses::{Object, Senses, Sight, View};
+use bica_player_t1::{Forward, Model, PARAMETERS};
 use bica_tuning::Layers;
 use glam::{Vec2, Vec3};
 

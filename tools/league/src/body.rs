@@ -31,6 +31,7 @@ impl Body for K1 {
     const SERVER_NAME: &'static str = "K1";
     const STANDING_HEIGHT: f32 = 0.555;
     const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
+    const PROFILE: &'static Profile = &Profile { gait: K1_GAIT, ..*K1::DYNAMIC_PROFILE };
 }
 
 /// Found by a random search over falls in the server, whose motors lag less than those of our `MuJoCo`.
@@ -57,6 +58,21 @@ const T1_GAIT: Parameters = Parameters {
     max_inward_step: 0.025,
     kick_max_distance: 0.0,
     ..T1::DYNAMIC_PROFILE.gait
+};
+
+/// The K1's gait of `MuJoCo` with the height of steps and the smoothing of the T1, and motors that lag less.
+const K1_GAIT: Parameters = Parameters {
+    step_duration: 0.3,
+    step_height: 0.069,
+    torso_pitch: -0.04,
+    ankle_roll_gain: 0.028,
+    gyro_smoothing: 0.1,
+    lag_compensation: 0.0,
+    ankle_pitch_offset: 0.0,
+    max_speed_up: Velocity::new(0.08, 0.08, 0.4),
+    velocity_drift: Velocity::new(0.12, 0.0, 0.0),
+    kick_max_distance: 0.0,
+    ..K1::DYNAMIC_PROFILE.gait
 };
 
 /// The server computes the velocity term explicitly in steps of 5 ms: higher gains make light joints oscillate.

@@ -62,7 +62,7 @@ pub(crate) enum Command {
 pub(crate) struct Play {
     /// World of the game: `built-in` (kinematic), `mujoco` (rigid-body dynamics; needs the feature `mujoco`), `firmware`
     /// (the built-in world, with the forward on an emulated microcontroller), or `league` (the simulation league's server, which
-    /// `cargo xtask league` installs; needs `--robot t1`)
+    /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`)
     #[arg(long, value_name = "WORLD", default_value = "built-in")]
     pub(crate) world: World,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones: one for each size, and for

@@ -3,35 +3,8 @@
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joints};
 use glam::Vec3;
-use heapless::Vec;
 
-/// Largest number of sights in a view.
-pub const SIGHTS: usize = 48;
-
-/// Something that the camera sees.
-#[message]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sight {
-    /// What it is.
-    pub object: Object,
-    /// Vector from the camera, m: x along its axis, y to the left of the view, z up the view.
-    pub at: [f32; 3],
-}
-
-/// Kind of a sight.
-#[message]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Object {
-    /// The centre of the ball.
-    Ball,
-    /// A mark of the field, at this position in the field frame, m.
-    Mark([f32; 3]),
-    /// A foot of another player.
-    Robot,
-}
-
-/// All that the camera sees at a moment.
-pub type View = Vec<Sight, SIGHTS>;
+use crate::senses::{Sight, View};
 
 /// The newest view, with the joint angles at which it was taken.
 #[derive(Debug)]

@@ -9,7 +9,7 @@ mod robot_profile;
 #[path = "../../../src/input/robot_state.rs"]
 mod robot_state;
 
-pub use camera_input::{CameraInput, Object, SIGHTS, Sight, View};
+pub use camera_input::CameraInput;
 pub use game_state::GameState;
 pub use health_monitor::{FaultReaction, HealthMonitor};
 pub use robot_profile::{BodyProfile, ProfileChoice, RobotProfile};

@@ -10,8 +10,9 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{Bearing, CameraPose, Odometry};
-use crate::input::{CameraInput, Object};
+use crate::input::CameraInput;
 use crate::output::CameraSelector;
+use crate::senses::Object;
 use crate::{FIELD, info};
 
 /// Memory of the ball.

@@ -7,7 +7,8 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, Odometry};
-use crate::input::{CameraInput, Object};
+use crate::input::CameraInput;
+use crate::senses::Object;
 use crate::{FIELD, info};
 
 /// Sees the attacked goal (the paper's "net") and remembers its position.

@@ -8,7 +8,8 @@ use libm::atan2f;
 
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, Odometry};
-use crate::input::{CameraInput, Object};
+use crate::input::CameraInput;
+use crate::senses::Object;
 use crate::{FIELD, info};
 
 /// Least number of marks in a view that give a pose.

@@ -10,7 +10,8 @@ use heapless::Vec;
 use super::ego_motion::EgoMotion;
 use super::{CameraPose, Odometry};
 use crate::info;
-use crate::input::{CameraInput, Object};
+use crate::input::CameraInput;
+use crate::senses::Object;
 
 /// Maximum number of robots.
 const ROBOTS: usize = 4;

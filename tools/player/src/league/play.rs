@@ -6,17 +6,13 @@ use bica::Tree;
 use bica::runner::{Runner, World};
 use bica_app::{Batch, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_evaluation::statistics::percentile;
-use bica_player_t1::Forward;
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
 use super::entry::{Entry, failure};
-use super::robot::{self, Standing, WORLD, forward};
+use super::robot::{self, Footballer, K1, ROBOT, Standing, T1, WORLD, forward};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
-
-/// The robot that plays.
-const ROBOT: &str = "t1";
 
 /// JSON of a series.
 #[derive(Serialize)]
@@ -31,25 +27,46 @@ struct Report<'a> {
 /// Plays in the league's server as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let entry = entry(args)?;
-    if args.games.is_some() { series(args, &entry) } else { game(args, entry) }
+    match args.tuning.robot() {
+        Some(T1::NAME) => play::<T1>(args, entry),
+        Some(K1::NAME) => play::<K1>(args, entry),
+        _ => {
+            let what = "the forward plays in the league's server with the body of a T1 or a K1";
+            Err(Failure::new(what, "give --robot t1 or --robot k1, too"))
+        }
+    }
+}
+
+fn play<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
+    if args.games.is_some() { series::<F>(args, &entry) } else { game::<F>(args, entry) }
 }
 
 /// Runs the code again on the recording of a game; `None` if it is not one of this robot.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
     // The reader of the other games reports a file that cannot be read.
     let recording = Recording::open(options.path).ok()?;
-    let world = recording.header().set_up.get("world")?.as_str()?;
-    (world == WORLD).then(|| robot::app(Entry::default(), &Standing::default()).repeat(options))
+    let set_up = &recording.header().set_up;
+    let world = set_up.get("world")?.as_str()?;
+    let is_k1 = || set_up.get("options")?.as_array()?.contains(&option::<K1>().into()).then_some(());
+    (world == WORLD).then(|| match is_k1() {
+        Some(()) => robot::app::<K1>(Entry::default(), &Standing::default()).repeat(options),
+        None => robot::app::<T1>(Entry::default(), &Standing::default()).repeat(options),
+    })
+}
+
+/// Option of the world that names the robot, for the replay of a recording.
+fn option<F: Footballer>() -> String {
+    format!("{ROBOT}={}", F::NAME)
 }
 
 /// Plays one game, with all that the program of a robot offers.
-fn game(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
+fn game<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
     let standing = Standing::default();
     let is_own = entry.server.is_none();
     let run = RunArgs {
         world: WORLD.to_owned(),
         seed: args.seed,
-        option: Vec::new(),
+        option: vec![option::<F>()],
         realtime: args.realtime,
         seconds: Some(args.seconds),
         record: args.record.clone(),
@@ -57,7 +74,7 @@ fn game(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
         tuning: args.tuning.of_known_robot(),
         json: args.json,
     };
-    let outcome = robot::app(entry, &standing).play(&run)?;
+    let outcome = robot::app::<F>(entry, &standing).play(&run)?;
     let (game, error) = &*standing.lock().unwrap_or_else(PoisonError::into_inner);
     match error {
         Some(error) => Err(failure(error)),
@@ -67,18 +84,18 @@ fn game(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
 }
 
 /// Plays a game for each seed, each in its own server.
-fn series(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
+fn series<F: Footballer>(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
     if entry.server.is_some() {
         return Err(Failure::new("a series starts a server for each game", "leave out --server or --games"));
     }
-    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
+    let layers = args.tuning.of_known_robot().layers(const { &F::Forward::GRAPH }, WORLD)?;
     // Each game has its own tree: values that do not fit together are reported once.
-    layers.apply(&mut *forward())?;
+    layers.apply(&mut *forward::<F>())?;
     let console = Console::new(args.json);
     let games = Batch::new(args.seed, args.games.unwrap_or(1), args.threads).run(|seed| {
         let standing = Standing::default();
-        let world = LeagueWorld::open(&Entry { seed, ..entry.clone() }, Arc::clone(&standing));
-        let mut runner = Runner::new(forward(), world.map_err(|error| failure(&error))?);
+        let world = LeagueWorld::<F>::open(&Entry { seed, ..entry.clone() }, Arc::clone(&standing));
+        let mut runner = Runner::new(forward::<F>(), world.map_err(|error| failure(&error))?);
         _ = runner.robot_mut().set_params(&layers.settings());
         let limit = runner.world().now() + bica::Duration::from_micros((args.seconds * 1e6) as u64);
         while !interrupt::requested() && !runner.world().is_over() && runner.world().now() < limit {
@@ -100,7 +117,7 @@ fn series(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
     if let Some(median) = percentile(&times, 0.5) {
         console.print_row("time to goal", &format!("p50 {median:.1} s"))?;
     }
-    console.print_json(&Report { schema: "bica-player/league/1", robot: ROBOT, goals, falls, games: &games })?;
+    console.print_json(&Report { schema: "bica-player/league/1", robot: F::NAME, goals, falls, games: &games })?;
     let needed = args.at_least.map_or(games.len(), |needed| needed as usize);
     Ok(match interrupt::requested() {
         true => Outcome::Interrupted,
@@ -111,10 +128,6 @@ fn series(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
 
 /// Returns where and as whom the robot plays; refuses what this world does not have.
 fn entry(args: &Play) -> Result<Entry, Failure> {
-    if args.tuning.robot() != Some(ROBOT) {
-        let what = "the forward plays in the league's server with the body of a T1 only";
-        return Err(Failure::new(what, format!("give --robot {ROBOT}, too")));
-    }
     if args.pictures.is_some() || args.film.is_some() || args.robots > 0 {
         let what = "the league's server has no pictures, films and other robots here";
         return Err(Failure::new(

@@ -1,4 +1,4 @@
-//! The league's server as a world of the forward on a T1.
+//! The league's server as a world of a robot's forward.
 
 use std::sync::PoisonError;
 
@@ -12,15 +12,14 @@ use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
 use bica_motion::senses::SenseEstimator;
-use bica_player_t1::input::{Object, Sight, View};
-use bica_player_t1::{Forward, Model, Senses};
+use bica_player_t1::senses::{Object, Senses, Sight, View};
 use bica_sim::show_field;
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
 use super::entry::Entry;
 use super::opponent::Opponent;
-use super::robot::Standing;
+use super::robot::{Footballer, Standing};
 use super::start::Start;
 
 /// Duration of a cycle of the server, ms.
@@ -61,14 +60,16 @@ pub(crate) struct LeagueGame {
 }
 
 /// A player in the server. Its parts end in this order: the server waits for each player.
-pub(crate) struct LeagueWorld {
-    agent: Agent<Model>,
+pub(crate) struct LeagueWorld<F: Footballer> {
+    agent: Agent<F::Model>,
     opponent: Option<Opponent>,
+    /// It stays to the end: the server may stop when one leaves.
+    monitor: Option<Monitor>,
     server: Option<Server>,
     team: String,
     number: u32,
     perception: Perception,
-    estimator: SenseEstimator<Model>,
+    estimator: SenseEstimator<F::Model>,
     body: Sensors<'static>,
     view: Option<View>,
     cycles: u64,
@@ -77,7 +78,7 @@ pub(crate) struct LeagueWorld {
     standing: Standing,
 }
 
-impl LeagueWorld {
+impl<F: Footballer> LeagueWorld<F> {
     /// Joins a running server, where the game begins by its rules; or starts a server, places robot and ball by the seed, and begins.
     ///
     /// # Errors
@@ -89,6 +90,7 @@ impl LeagueWorld {
         let mut world = Self {
             agent,
             opponent: None,
+            monitor: None,
             server,
             team: entry.team.clone(),
             number: entry.number,
@@ -103,13 +105,15 @@ impl LeagueWorld {
         world.take(first);
         if world.server.is_some() {
             if entry.against {
-                let opponent = Opponent::start(address.clone(), entry)?;
+                let opponent = Opponent::start::<F>(address.clone(), entry)?;
                 while !opponent.has_joined()? {
                     world.stand()?;
                 }
                 world.opponent = Some(opponent);
             }
-            world.place(&mut Monitor::connect(&address)?, entry.seed)?;
+            let mut monitor = Monitor::connect(&address)?;
+            world.place(&mut monitor, entry.seed)?;
+            world.monitor = Some(monitor);
         } else if !world.is_playing() {
             world.line_up()?;
         }
@@ -121,7 +125,7 @@ impl LeagueWorld {
     /// Places ball and robot, lets it stand up, and begins.
     fn place(&mut self, monitor: &mut Monitor, seed: u64) -> Result<(), Error> {
         let Start { robot, ball } = Start::new(seed);
-        monitor.place_player(FieldSide::Left, self.number, robot, Model::STANDING_HEIGHT)?;
+        monitor.place_player(FieldSide::Left, self.number, robot, F::Model::STANDING_HEIGHT)?;
         monitor.place_ball(ball, SSIM_2026.ball_radius())?;
         for _ in 0..STANDING_UP {
             self.stand()?;
@@ -131,7 +135,7 @@ impl LeagueWorld {
 
     /// Moves the joints to the stand for one cycle.
     fn stand(&mut self) -> Result<(), Error> {
-        self.agent.act(&Model::STAND, &Joints::all(1.0))?;
+        self.agent.act(&F::Model::STAND, &Joints::all(1.0))?;
         self.sense()
     }
 
@@ -218,7 +222,7 @@ impl LeagueWorld {
 
     /// Goes to the own place for the next kick-off.
     fn line_up(&mut self) -> Result<(), Error> {
-        self.agent.place(self.kick_off(), &Model::STAND, &Joints::all(1.0))?;
+        self.agent.place(self.kick_off(), &F::Model::STAND, &Joints::all(1.0))?;
         self.sense()
     }
 
@@ -241,7 +245,7 @@ fn vector(sight: &bica_league::Sight) -> Vec3 {
     sight.distance * Vec3::new(along * ahead, along * left, up)
 }
 
-impl World<Forward> for LeagueWorld {
+impl<F: Footballer> World<F::Forward> for LeagueWorld<F> {
     fn now(&self) -> Instant {
         Instant::from_millis(CYCLE * self.cycles)
     }
