@@ -41,8 +41,8 @@ impl RobotModel for T1 {
     const SUPPORT_FORCE: f32 = 180.0;
     const FALL_LIMITS: FallLimits = booster::FALL_LIMITS;
     const STIFFNESS: &'static StiffnessTable = &booster::STIFFNESS;
-    /// The feet are 13 mm farther from the middle than in the gait, whose first step brings them in.
-    const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.184_156, 47.954_994, -20.770_842, 0.0]);
+    /// The stand of the gait in the simulation league; the feet are 13 mm farther from the middle than in that of `MuJoCo`.
+    const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.669_054, 47.964_893, -20.295_845, 0.0]);
     const SIT: Joints = booster::SIT;
     const SIT_STIFFNESS: f32 = 0.3;
     const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.0, posture: Self::STAND, stiffness: 0.8 }];

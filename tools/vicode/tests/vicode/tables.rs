@@ -24,7 +24,7 @@ fn the_motions_of_the_repository_are_found() {
     assert_eq!(kicks, ["FRONT KickFrame 7", "DIAGONAL KickFrame 8", "LATERAL KickFrame 7"]);
     let postures = names("bica-motion/src/model/nao/postures.rs");
     assert_eq!(postures, ["STAND Joints 1", "SIT Joints 1", "TO_STAND Keyframe 1", "TO_SIT Keyframe 1"]);
-    assert_eq!(names("bica-motion/src/model/t1.rs")[..2], ["STAND Joints 1", "SIT Joints 1"]);
+    assert_eq!(names("bica-motion/src/model/t1.rs")[..2], ["STAND Joints 1", "TO_STAND Keyframe 1"]);
     let therapy = names("examples/therapy/src/body/keys.rs");
     assert_eq!((therapy.len(), &*therapy[3]), (7, "TouchShoulder Key 4"));
 }

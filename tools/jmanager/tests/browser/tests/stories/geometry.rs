@@ -118,6 +118,9 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
                 break;
             }
         }
+        if found != json!([]) {
+            page.screenshot("geometry").await;
+        }
         assert_eq!((found, page.run(shown, vec![]).await), (json!([]), one.clone()));
     }
     page.close().await;
