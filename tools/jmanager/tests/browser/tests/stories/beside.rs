@@ -2,7 +2,7 @@
 
 use jmanager_browser::{Page, Server, player};
 
-use crate::{open, tab};
+use crate::{GOES_ON, open, tab};
 
 /// Whether the map has more than some pixels of the colour of a session that is shown beside another one.
 fn drawn(least: usize) -> String {
@@ -37,6 +37,7 @@ fn cells(name: &str) -> String {
 async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
     let server = Server::start("beside", &[]);
     let page = open(&server).await;
+    page.run(GOES_ON, vec![]).await;
     page.run("import('/lib/store.js').then(({ ask }) => ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, options: {} } }))", vec![]).await;
     page.click("button", "Show built-in, seed 7 beside the chosen session", "").await;
     page.until("the other robot is on the map", &drawn(15)).await;

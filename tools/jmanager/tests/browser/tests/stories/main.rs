@@ -36,9 +36,9 @@ const WIDE: (u32, u32) = (1600, 940);
 const GOES_ON: &str = "setInterval(() => { const over = document.querySelector('.banner')?.textContent.includes('game is over'); \
     if (over) [...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Continue')?.click(); }, 200)";
 
-/// Notes that the time of the page goes back.
+/// Notes that the time of the page goes back. For a moment it shows no time.
 const BEGINS_AGAIN: &str = "const now = () => document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0); \
-    window.begins_again = false; let last = now(); setInterval(() => { window.begins_again ||= now() < last; last = now(); }, 20)";
+    window.begins_again = false; let last = now(); setInterval(() => { const time = now(); window.begins_again ||= time < last; last = time >= 0 ? time : last; }, 20)";
 
 /// Starts a server of the built-in world, and opens its page.
 async fn game(name: &str) -> (Server, Page) {
