@@ -369,8 +369,8 @@ mod tests {
         };
         check("bica-motion/src/model/nao/postures.rs", "STAND", &Nao::STAND);
         check("bica-motion/src/model/nao/postures.rs", "SIT", &Nao::SIT);
-        check("bica-motion/src/model/t1.rs", "SIT", &T1::SIT);
-        check("bica-motion/src/model/k1.rs", "SIT", &K1::SIT);
+        check("bica-motion/src/model/t1.rs", "STAND", &T1::STAND);
+        check("bica-motion/src/model/k1.rs", "STAND", &K1::STAND);
         let kick = forms.iter().find(|form| form.kicks).expect("kicks");
         let front = &tables("bica-motion/src/model/nao/kick_dynamic.rs")[0];
         for (row, frame) in front.rows.iter().zip(Nao::DYNAMIC_PROFILE.kicks.front.frames) {
