@@ -2,8 +2,8 @@
 
 use bica_app::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
-use bica_motion::model::{Profile, RobotModel};
 use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::{Profile, RobotModel};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};

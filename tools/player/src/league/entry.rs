@@ -78,7 +78,9 @@ pub(crate) fn failure(error: &Error) -> Failure {
     let help = match error {
         Error::Start(..) => "`cargo xtask league` installs it; start this program in the workspace",
         Error::NotReady(_) => "see its output above; `cargo xtask league` installs it",
-        Error::Connection(_) => "the server has ended, or does not run at the address of --server; version 0.2.1 ends when a K1 touches the ball",
+        Error::Connection(_) => {
+            "the server has ended, or does not run at the address of --server; version 0.2.1 ends when a K1 touches the ball"
+        }
         Error::Refused => "choose another --number or --team: a number is taken once, and a game has two teams",
         Error::Message(_) => "see docs/league.md",
     };
