@@ -91,10 +91,10 @@ export function Camera({ visible }) {
   const cameras = shown.cameras.value;
   const toggles = () => overlays.map(({ component, colour }) => html`<${Toggle} on=${!hidden.value.has(component)} label=${component} colour=${colour} title=${`Findings of ${component}`} onChange=${() => toggle(component)} />`);
   return html`<${Bar} label="Camera">
+      ${cameras.length > 1 && html`<select aria-label="Which camera" class="brief" onChange=${(event) => { only.value = event.target.value; }}>${['', ...cameras].map((name) => html`<option value=${name} selected=${only.value === name}>${name || 'all'}</option>`)}</select>`}
       <span class="dim place" title=${one && `${one.camera} image ${one.number}, ${one.width}×${one.height} px, at ${time(one.time_us)}`}>${one ? `${which} ${one.number} · ${time(one.time_us)}` : 'no image yet'}</span>
       <span class="grow"></span>
       <span class="overlays many">${toggles()}</span><span class="overlays few"><${Menu} label="Findings" title="Findings of components">${toggles()}<//></span>
-      ${cameras.length > 1 && html`<select aria-label="Which camera" class="brief" onChange=${(event) => { only.value = event.target.value; }}>${['', ...cameras].map((name) => html`<option value=${name} selected=${only.value === name}>${name || 'all'}</option>`)}</select>`}
       <${Toggle} on=${isFrozen()} label="Freeze" title="Key z" onChange=${freeze} />
       <button aria-label="Previous image" title="Previous image" onClick=${() => stepImage(shown, -1)}>◂</button><button aria-label="Next image" title="Next image" onClick=${() => stepImage(shown, 1)}>▸</button>
       ${zoom.value.scale > 1 && html`<button onClick=${() => { zoom.value = FITTED; }}>Fit</button>`}

@@ -1,6 +1,7 @@
 //! A server, a browser, and a page whose controls are found by role and name.
 
 mod driver;
+mod element;
 mod page;
 mod robot;
 mod server;

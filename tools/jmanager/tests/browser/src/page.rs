@@ -9,10 +9,11 @@ use serde_json::{Value, json};
 use tokio::time::sleep;
 
 use crate::driver::{Driver, is_firefox};
+use crate::element::Element;
 use crate::server::{Server, target};
 
 /// Longest wait for a condition on a busy machine.
-const LIMIT: Duration = Duration::from_secs(90);
+pub(crate) const LIMIT: Duration = Duration::from_secs(90);
 const POLL: Duration = Duration::from_millis(100);
 /// Time for which a person presses a button of the mouse, and between two steps of a drag, ms.
 const PRESS_MS: u64 = 100;
@@ -46,7 +47,7 @@ impl WebDriverCompatibleCommand for ConsoleLog {
 
 /// A page that shows a server.
 pub struct Page {
-    client: Client,
+    pub(crate) client: Client,
     // Ends the browser when the page is dropped.
     _driver: Driver,
 }
@@ -146,12 +147,17 @@ impl Page {
             if !matches!(value, Value::Null | Value::Bool(false)) {
                 return value;
             }
-            if start.elapsed() > limit {
-                self.screenshot("failed").await;
-                panic!("not in time: {what}; the page shows: {}", self.text().await);
-            }
-            sleep(POLL).await;
+            self.may_wait(start, limit, what).await;
         }
+    }
+
+    /// Waits a little, or ends the story if the limit is over.
+    pub(crate) async fn may_wait(&self, start: Instant, limit: Duration, what: &str) {
+        if start.elapsed() > limit {
+            self.screenshot("failed").await;
+            panic!("not in time: {what}; the page shows: {}", self.text().await);
+        }
+        sleep(POLL).await;
     }
 
     /// All visible text.
@@ -175,19 +181,22 @@ impl Page {
         loop {
             let value = self.run(FIND, arguments.clone()).await;
             if !value.is_null() {
-                return Element { page: self, value };
+                return Element::new(self, value);
             }
-            if start.elapsed() > LIMIT {
-                self.screenshot("failed").await;
-                panic!("there is no {role} “{name}” in “{scope}”; the page shows: {}", self.text().await);
-            }
-            sleep(POLL).await;
+            self.may_wait(start, LIMIT, &format!("{role} “{name}” in “{scope}”")).await;
         }
     }
 
     /// Clicks a control.
+    ///
+    /// # Panics
+    /// If it stands nowhere in time where a press reaches it.
     pub async fn click(&self, role: &str, name: &str, scope: &str) {
-        self.find(role, name, scope).await.click().await;
+        let start = Instant::now();
+        // A page may draw a control again between the search and the press.
+        while !matches!(self.find(role, name, scope).await.try_click().await, Ok(true)) {
+            self.may_wait(start, LIMIT, &format!("a press on {role} “{name}” in “{scope}”")).await;
+        }
     }
 
     /// Presses keys as a person does, one after the other.
@@ -251,7 +260,7 @@ impl Page {
         self.mouse(&[&[moved(at)][..], &press(), &press()].concat()).await;
     }
 
-    async fn mouse(&self, actions: &[Value]) {
+    pub(crate) async fn mouse(&self, actions: &[Value]) {
         let mouse =
             json!({ "type": "pointer", "id": "mouse", "parameters": { "pointerType": "mouse" }, "actions": actions });
         self.act(json!([mouse])).await;
@@ -310,7 +319,7 @@ fn pause(ms: u64) -> Value {
     json!({ "type": "pause", "duration": ms })
 }
 
-fn press() -> [Value; 3] {
+pub(crate) fn press() -> [Value; 3] {
     [button("pointerDown"), pause(PRESS_MS), button("pointerUp")]
 }
 
@@ -325,56 +334,5 @@ impl WebDriverCompatibleCommand for Actions {
 
     fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
         (http::Method::POST, Some(json!({ "actions": self.0 }).to_string()))
-    }
-}
-
-/// An element of a page.
-pub struct Element<'a> {
-    page: &'a Page,
-    value: Value,
-}
-
-impl Element<'_> {
-    async fn run(&self, script: &str, argument: Value) -> Value {
-        self.page.run(script, vec![self.value.clone(), argument]).await
-    }
-
-    /// Clicks its middle with the mouse.
-    pub async fn click(&self) {
-        self.run("arguments[0].scrollIntoView({ block: 'nearest' })", Value::Null).await;
-        // The browser finds the place when it moves the mouse: on a busy machine a control may have moved since it was found.
-        let to = json!({ "type": "pointerMove", "duration": 0, "x": 0, "y": 0, "origin": self.value });
-        self.page.mouse(&[&[to][..], &press()].concat()).await;
-    }
-
-    /// Gives it the focus.
-    pub async fn focus(&self) {
-        self.run("arguments[0].focus()", Value::Null).await;
-    }
-
-    /// Its rectangle in the window: left, top, width, height.
-    pub async fn place(&self) -> [f64; 4] {
-        let script =
-            "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
-        let place = self.run(script, Value::Null).await;
-        [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
-    }
-
-    /// Its middle in the window.
-    pub async fn middle(&self) -> (f64, f64) {
-        let [x, y, width, height] = self.place().await;
-        (x + width / 2.0, y + height / 2.0)
-    }
-
-    /// Types a value, and commits it as Enter does.
-    pub async fn set(&self, value: &str) {
-        let script = "const [one, value] = arguments; one.focus(); one.value = value; one.dispatchEvent(new Event('input', { bubbles: true })); one.dispatchEvent(new Event('change', { bubbles: true }));";
-        self.run(script, json!(value)).await;
-    }
-
-    /// An attribute, or the text content for the name `text`.
-    pub async fn attribute(&self, name: &str) -> String {
-        let script = "const [one, name] = arguments; return name === 'text' ? one.textContent : name === 'value' ? one.value : one.getAttribute(name) ?? ''";
-        self.run(script, json!(name)).await.as_str().unwrap_or_default().to_owned()
     }
 }

@@ -1,0 +1,104 @@
+//! An element of a page.
+
+use std::time::Instant;
+
+use fantoccini::error::CmdError;
+use serde_json::{Value, json};
+
+use crate::page::{LIMIT, Page, press};
+
+/// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press; `missed` tells
+/// whether something else was hit, as on a page that moves between the look and the press.
+const AIM: &str = r"
+const [one] = arguments;
+one.scrollIntoView({ block: 'nearest' });
+const place = () => { const { x, y, width, height } = one.getBoundingClientRect(); return [x, y, width, height]; };
+const frame = () => new Promise((done) => requestAnimationFrame(done));
+const kinds = ['pointerdown', 'gotpointercapture', 'mousedown', 'pointerup', 'mouseup', 'click'];
+const before = place();
+return frame().then(frame).then(() => {
+  const [x, y, width, height] = place();
+  const top = document.elementFromPoint(x + width / 2, y + height / 2);
+  if (String(place()) !== String(before) || one.disabled || !one.contains(top)) return false;
+  let captured = false;
+  window.missed = false;
+  const check = (event) => {
+    if (event.type === 'gotpointercapture') captured = true;
+    else if (event.type === 'pointerdown' || (event.type === 'click' && !captured)) window.missed ||= !one.contains(event.target);
+    if (window.missed) { event.preventDefault(); event.stopImmediatePropagation(); }
+  };
+  window.aimed = () => kinds.forEach((kind) => window.removeEventListener(kind, check, true));
+  kinds.forEach((kind) => window.addEventListener(kind, check, true));
+  return true;
+});
+";
+
+/// An element of a page.
+pub struct Element<'a> {
+    page: &'a Page,
+    value: Value,
+}
+
+impl<'a> Element<'a> {
+    pub(crate) const fn new(page: &'a Page, value: Value) -> Self {
+        Self { page, value }
+    }
+
+    async fn run(&self, script: &str, argument: Value) -> Value {
+        self.page.run(script, vec![self.value.clone(), argument]).await
+    }
+
+    /// Clicks its middle with the mouse.
+    ///
+    /// # Panics
+    /// If a press does not reach it in time.
+    pub async fn click(&self) {
+        let start = Instant::now();
+        while !self.try_click().await.expect("a control of the page") {
+            self.page.may_wait(start, LIMIT, "a press on a control").await;
+        }
+    }
+
+    /// Clicks it if it stands still where a press reaches it; tells whether the press did.
+    pub(crate) async fn try_click(&self) -> Result<bool, CmdError> {
+        let client = &self.page.client;
+        if client.execute(AIM, vec![self.value.clone()]).await? != true {
+            return Ok(false);
+        }
+        let to = json!({ "type": "pointerMove", "duration": 0, "x": 0, "y": 0, "origin": self.value });
+        self.page.mouse(&[&[to][..], &press()].concat()).await;
+        let missed = client.execute("window.aimed?.(); return window.missed === true", vec![]).await?;
+        Ok(missed != true)
+    }
+
+    /// Gives it the focus.
+    pub async fn focus(&self) {
+        self.run("arguments[0].focus()", Value::Null).await;
+    }
+
+    /// Its rectangle in the window: left, top, width, height.
+    pub async fn place(&self) -> [f64; 4] {
+        let script =
+            "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
+        let place = self.run(script, Value::Null).await;
+        [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
+    }
+
+    /// Its middle in the window.
+    pub async fn middle(&self) -> (f64, f64) {
+        let [x, y, width, height] = self.place().await;
+        (x + width / 2.0, y + height / 2.0)
+    }
+
+    /// Types a value, and commits it as Enter does.
+    pub async fn set(&self, value: &str) {
+        let script = "const [one, value] = arguments; one.focus(); one.value = value; one.dispatchEvent(new Event('input', { bubbles: true })); one.dispatchEvent(new Event('change', { bubbles: true }));";
+        self.run(script, json!(value)).await;
+    }
+
+    /// An attribute, or the text content for the name `text`.
+    pub async fn attribute(&self, name: &str) -> String {
+        let script = "const [one, name] = arguments; return name === 'text' ? one.textContent : name === 'value' ? one.value : one.getAttribute(name) ?? ''";
+        self.run(script, json!(name)).await.as_str().unwrap_or_default().to_owned()
+    }
+}
