@@ -1,5 +1,6 @@
 //! Tests of JManager's page in Chromium and Firefox, in their own workspace, so that nothing else needs their dependencies.
 
+use crate::build;
 use crate::firmware;
 use crate::install::{folder, packages};
 use crate::process::{run, works};
@@ -7,11 +8,6 @@ use crate::process::{run, works};
 /// The workspace of these tests.
 pub(crate) const MANIFEST: [&str; 3] = ["--manifest-path", "tools/jmanager/tests/browser/Cargo.toml", "--locked"];
 
-const PROGRAMS: [&str; 5] = ["build", "--package", "jmanager", "--package", "bica-player-program"];
-/// A robot of another kind, with its monitor.
-const EXAMPLE: [&str; 7] = ["build", "--package", "bica-app", "--features", "monitor", "--example", "wall_follower"];
-/// A program with a panel of its own.
-const THERAPY: [&str; 5] = ["build", "--package", "therapy", "--features", "monitor"];
 /// Arguments of Cargo that run the tests.
 const TEST: [&str; 9] = [
     "test",
@@ -43,7 +39,7 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
         return run("cargo", &[&TEST[..], &["pressing"]].concat(), &[("JMANAGER_BROWSER", "firefox")]);
     }
     install()?;
-    run("cargo", &[&PROGRAMS[..], &["--release"]].concat(), &[])?;
+    run("cargo", &["build", "--release", "--package", "jmanager", "--package", "bica-player-program"], &[])?;
     // Measurements are tests of the module `figures` and of the designer's speed, which do nothing without the variable.
     let test = [&TEST[..], &["figures", "speed_of"]].concat();
     run("cargo", &test, &[("JMANAGER_FIGURES", "1"), ("JMANAGER_PROFILE", "release")])
@@ -56,9 +52,7 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
 fn prepare() -> Result<(), String> {
     install()?;
     firmware::prepare()?;
-    run("cargo", &PROGRAMS, &[])?;
-    run("cargo", &EXAMPLE, &[])?;
-    run("cargo", &THERAPY, &[])
+    build::programs()
 }
 
 /// Installs Chromium, Firefox, their `WebDriver`s, and the checks of accessibility.

@@ -9,7 +9,8 @@ use crate::install::packages;
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling, viewers,
+    browser, build, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling,
+    viewers,
 };
 
 /// Step of CI, in its order.
@@ -73,8 +74,7 @@ impl Step {
         }
     }
 
-    /// Runs the step. `features` are those with which the program is built, so that it is built once for all steps.
-    fn check(self, features: &[&str]) -> Result<(), String> {
+    fn check(self) -> Result<(), String> {
         match self {
             Self::Format => format(),
             Self::Lints => lints(),
@@ -84,9 +84,9 @@ impl Step {
             Self::Deny => deny::check(),
             Self::Advisories => deny::check_advisories(),
             Self::Peers => peers::check(),
-            Self::Games => games(features),
-            Self::Viewers => viewers::check(features),
-            Self::Python => python::check(features, &SHORT),
+            Self::Games => games(),
+            Self::Viewers => viewers::check(),
+            Self::Python => python::check(&SHORT),
             Self::Ros => ros::check(false),
             Self::Miri => miri::check(),
             Self::Budget => budget(),
@@ -111,16 +111,9 @@ fn docs() -> Result<(), String> {
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
-/// Checks all targets, with the self-test of the firmware, which needs a feature.
+/// Checks all targets with all features.
 fn lints() -> Result<(), String> {
-    let targets = [
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--features",
-        "bica-emulator/self-test,bica-app/monitor,bica-app/ros",
-    ];
-    run("cargo", &[&targets[..], &["--", "-D", "warnings"]].concat(), &[])
+    build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])
 }
 
 /// Tests the scripts that judge times and instruction counts, then counts.
@@ -134,17 +127,17 @@ fn budget() -> Result<(), String> {
 fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
-    run("cargo", &["test", "--workspace", "--features", "bica-app/monitor"], &cases)?;
+    build::cargo("test", &[], &cases)?;
     slow_tests::run(&cases)?;
     coverage()
 }
 
 /// Prints how much of the forward's machine the recorded games of the tests visit.
 fn coverage() -> Result<(), String> {
-    let vicode = ["run", "--quiet", "--package", "bica-vicode", "--", "coverage", "player/src/behaviour/player.rs"];
     let games = ["game", "crowd", "images"].map(|name| format!("tools/player/tests/recordings/{name}.mcap"));
     let games = games.each_ref().map(String::as_str);
-    run("cargo", &[&vicode[..], &games, &["--summary"]].concat(), &[])
+    let machine = ["coverage", "player/src/behaviour/player.rs"];
+    run(&build::program("vicode"), &[&machine[..], &games, &["--summary"]].concat(), &[])
 }
 
 /// Installs MuJoCo if it is `wanted`, and returns the features of the packages with long tests that need it.
@@ -156,9 +149,9 @@ pub(crate) fn with_mujoco(wanted: bool) -> Result<&'static [&'static str], Strin
 }
 
 /// Plays games in the built-in world.
-fn games(features: &[&str]) -> Result<(), String> {
+fn games() -> Result<(), String> {
     let play = ["--", "play", "--games", "20", "--at-least", "19"];
-    run("cargo", &[&["run", "--release"], features, &play].concat(), &[])
+    run("cargo", &[&["run", "--release"], build::release(), &play].concat(), &[])
 }
 
 /// Runs the selected steps, and prints the time of each and what was left out.
@@ -168,11 +161,10 @@ fn games(features: &[&str]) -> Result<(), String> {
 pub(crate) fn check(options: &Ci) -> Result<(), String> {
     let (steps, left_out) = select(options);
     install(&steps, Step::install)?;
-    let features: &[&str] = if steps.contains(&Step::Mujoco) { &["--features", "mujoco"] } else { &[] };
     let mut times = Vec::new();
     let result = steps.into_iter().try_for_each(|step| {
         let began = Instant::now();
-        let result = step.check(features);
+        let result = step.check();
         times.push((step, began.elapsed().as_secs()));
         result.map_err(|error| format!("step `{}`: {error}", step.name()))
     });

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use crate::build;
 use crate::cli::Firmware;
 use crate::install::packages;
 use crate::no_std::Toolchain;
@@ -82,18 +83,15 @@ fn self_test(image: &str, figures: &str, more: &[&str]) -> Result<(), String> {
 fn test_program() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the path of the workspace is not UTF-8")?;
-    run(
-        "cargo",
-        &["test", "--quiet", "-p", "bica-player-program", "--test", "program", "firmware"],
-        &[("BICA_IMAGE", image)],
-    )
+    build::cargo("test", &["--quiet", "--test", "program", "firmware"], &[("BICA_IMAGE", image)])
 }
 
 /// Plays games with camera images of a size; each must be won.
 fn play(image: &str, size: &str, games: u32) -> Result<(), String> {
     let games = games.to_string();
-    let world = ["run", "--quiet", "--release", "--", "play", "--world", "firmware", "--image", image];
-    run("cargo", &[&world[..], &["--size", size, "--games", &games, "--at-least", &games]].concat(), &[])
+    let world = ["--", "play", "--world", "firmware", "--image", image];
+    let program = [&["run", "--quiet", "--release"], build::release(), &world].concat();
+    run("cargo", &[&program[..], &["--size", size, "--games", &games, "--at-least", &games]].concat(), &[])
 }
 
 /// Sends damaged packets to the running image for ten minutes; `cargo xtask fuzz` sends them to the decoder.

@@ -1,5 +1,6 @@
 //! The server of the simulation league, and its checks.
 
+use crate::build;
 use crate::install::{folder, python};
 use crate::process::run;
 
@@ -24,8 +25,7 @@ pub(crate) fn install() -> Result<(), String> {
 /// # Errors
 /// If a test or a game fails.
 pub(crate) fn check() -> Result<(), String> {
-    run("cargo", &["test", "-p", "bica-league", "--", "--ignored"], &[])?;
-    run("cargo", &["test", "-p", "bica-player-program", "--test", "league", "--", "--ignored"], &[])?;
+    build::cargo("test", &["--test", "server", "--test", "league", "--", "--ignored"], &[])?;
     let play = ["--", "play", "--world", "league", "--robot", "t1", "--games", "4", "--at-least", "1"];
-    run("cargo", &[&["run", "--release"], &play[..]].concat(), &[])
+    run("cargo", &[&["run", "--release"], build::release(), &play].concat(), &[])
 }

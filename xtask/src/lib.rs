@@ -3,6 +3,7 @@
 //! The tasks are a library, so that a test can parse every `cargo xtask` command in the documentation.
 
 mod browser;
+mod build;
 mod ci;
 pub mod cli;
 mod deny;
@@ -50,7 +51,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Mujoco => mujoco::install(),
         Task::League => league::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),
-        Task::Python => python::check(&[], &[]),
+        Task::Python => python::check(&[]),
         Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),
         Task::Browser(options) => browser::test(options.figures),

@@ -4,6 +4,7 @@ use std::env::consts::{ARCH, OS};
 use std::fs;
 use std::path::Path;
 
+use crate::build;
 use crate::install::packages;
 use crate::process::{root, run, works};
 
@@ -13,6 +14,11 @@ const FOLDER: &str = "target/mujoco";
 const VERSION: &str = "3.17.0";
 /// Debian packages of EGL and of Mesa's software renderer.
 const RENDERER: [&str; 2] = ["libegl1", "libgl1-mesa-dri"];
+
+/// Whether the library is installed.
+pub(crate) fn is_installed() -> bool {
+    root().join(FOLDER).join(format!("libmujoco.so.{VERSION}")).is_file()
+}
 
 /// Installs the library in [`FOLDER`], from the Python package that its authors publish, and [`RENDERER`].
 ///
@@ -24,7 +30,7 @@ pub(crate) fn install() -> Result<(), String> {
     }
     let folder = root().join(FOLDER);
     let library = format!("libmujoco.so.{VERSION}");
-    if folder.join(&library).is_file() {
+    if is_installed() {
         eprintln!("xtask: {FOLDER}/{library} is already installed");
     } else {
         fetch(&folder, &library).map_err(|error| {
@@ -40,38 +46,15 @@ pub(crate) fn install() -> Result<(), String> {
         .map_err(|error| format!("{error}\n  help: MuJoCo's library is installed; only the renderer is missing"))
 }
 
-/// Packages with code for MuJoCo; the step of the lints checks the others.
-const PACKAGES: [&str; 6] = ["bica-body", "bica-sim", "bica-evaluation", "bica-player-program", "jmanager", "therapy"];
-
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
-/// Packages and test programs with tests in MuJoCo.
-const TESTS: [(&str, &str); 4] = [
-    ("bica-player-program", "program"),
-    ("bica-player-program", "replay"),
-    ("jmanager", "main"),
-    ("therapy", "session"),
-];
-
-/// Checks in MuJoCo: lints, tests, trials of the body, some games.
+/// Plays in MuJoCo: trials of the body, and some games. The lints and the tests have their steps.
 ///
 /// # Errors
 /// If a check fails; later ones do not run.
 pub(crate) fn check() -> Result<(), String> {
-    let feature = ["--features", "mujoco"];
-    let packages = PACKAGES.iter().flat_map(|package| ["--package", package]).collect::<Vec<_>>();
-    let lints = [&["clippy"], &packages[..], &["--all-targets"], &feature, &["--", "-D", "warnings"]].concat();
-    run("cargo", &lints, &[])?;
-    run(
-        "cargo",
-        &[&["test", "-p", "bica-body", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(),
-        &[],
-    )?;
-    for (package, test) in TESTS {
-        run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
-    }
-    let program = [&["run", "--release"], &feature[..], &["--"]].concat();
+    let program = [&["run", "--release"], build::release(), &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
     run("cargo", &[&program[..], &["trial", "--runs", "4", "--robot", "k1", "walk", "pushes"]].concat(), &[])?;
     let games = ["play", "--world", "mujoco", "--games", "8", "--seconds", "180", "--at-least", "7"];

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::build;
 use crate::install::{folder, packages};
 use crate::process::{run, works};
 
@@ -27,18 +28,16 @@ pub(crate) fn install() -> Result<String, String> {
 /// Tests that CI leaves out: those of clusters, and of searches that are killed, take half of the time.
 pub(crate) const SHORT: [&str; 3] = ["--ignore=python/tests/test_distribution.py", "-k", "not interrupt"];
 
-/// Checks lints, types and tests of the package with the programs of this workspace, then the wheel. `features` are those with
-/// which the program is built, and `selection` has arguments of pytest.
+/// Checks lints, types and tests of the package with the programs of this workspace, then the wheel. `selection` has arguments of pytest.
 ///
 /// # Errors
 /// If an installation or a check fails.
-pub(crate) fn check(features: &[&str], selection: &[&str]) -> Result<(), String> {
-    run("cargo", &[&["build", "--release", "--quiet"], features].concat(), &[])?;
-    run("cargo", &["build", "--quiet", "-p", "bica-app", "--example", "wall_follower"], &[])?;
+pub(crate) fn check(selection: &[&str]) -> Result<(), String> {
+    run("cargo", &[&["build", "--release", "--quiet"], build::release()].concat(), &[])?;
+    build::programs()?;
     let python = install()?;
-    let path = |name: &str| folder(name).to_string_lossy().into_owned();
-    let programs =
-        [("BICA_PROGRAM", &*path("release/player")), ("BICA_WALL_FOLLOWER", &path("debug/examples/wall_follower"))];
+    let player = folder("release/player").to_string_lossy().into_owned();
+    let programs = [("BICA_PROGRAM", &*player), ("BICA_WALL_FOLLOWER", &build::program("examples/wall_follower"))];
     let config = format!("{PACKAGE}/pyproject.toml");
     run(&python, &["-m", "ruff", "check", PACKAGE], &[])?;
     run(&python, &["-m", "ruff", "format", "--check", PACKAGE], &[])?;

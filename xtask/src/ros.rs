@@ -1,5 +1,6 @@
 //! Robots as ROS 2 nodes, seen by two other implementations of DDS: Fast DDS with rclpy, and Cyclone DDS.
 
+use crate::build;
 use crate::install::{folder, python};
 use crate::process::run;
 
@@ -37,14 +38,13 @@ pub(crate) fn install() -> Result<[String; 2], String> {
 /// # Errors
 /// If an installation or a test fails.
 pub(crate) fn check(all: bool) -> Result<(), String> {
-    let build = ["build", "--quiet", "-p", "bica-app", "--example", "wall_follower", "--features", "ros"];
-    run("cargo", &build, &[])?;
+    build::programs()?;
     if all {
         run("cargo", &["build", "--quiet", "--release", "--features", "ros"], &[])?;
     }
     let [fast, cyclone] = install()?;
     let path = |name: &str| folder(name).to_string_lossy().into_owned();
-    let (walls, program, here) = (path("debug/examples/wall_follower"), path("release/player"), path("ros"));
+    let (walls, program, here) = (build::program("examples/wall_follower"), path("release/player"), path("ros"));
     let mut variables =
         vec![("BICA_WALL_FOLLOWER", &*walls), ("BICA_FOLDER", &here), ("BICA_MESSAGES", MESSAGES[usize::from(all)])];
     if all {

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::available_parallelism;
 
+use crate::build;
 use crate::process::{output, root};
 
 /// Kind of tests.
@@ -44,7 +45,7 @@ impl Kind {
 /// If there is none, if one has a name without the prefix, if one fails, or if one did not run.
 pub(crate) fn run(variables: &[(&str, &str)]) -> Result<(), String> {
     let (_, expected) = find(Kind::Slow)?;
-    compare(expected, &test(Kind::Slow, &["--workspace".to_owned()], variables)?)
+    compare(expected, &test(Kind::Slow, &build::workspace(), variables)?)
 }
 
 /// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-player-program/mujoco`.

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use crate::build;
 use crate::install::{folder, python};
 use crate::process::{output, run};
 
@@ -33,21 +34,20 @@ const PACKAGES: [&str; 8] = [
     "pandas",
 ];
 
-/// Records two robots and reads the files; replays what MCAP's library makes of the first one. `features` are those with which
-/// the program is built.
+/// Records two robots and reads the files; replays what MCAP's library makes of the first one.
 ///
 /// # Errors
 /// If an installation fails or a file cannot be read.
-pub(crate) fn check(features: &[&str]) -> Result<(), String> {
+pub(crate) fn check() -> Result<(), String> {
     let folder = folder("viewers");
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
     let path = |name: &str| folder.join(name).to_string_lossy().into_owned();
     let (game, walls) = (path("run.mcap"), path("walls.mcap"));
-    let program = [&["run", "--release", "--quiet"], features, &["--"]].concat();
+    let program = [&["run", "--release", "--quiet"], build::release(), &["--"]].concat();
     let play = ["play", "--seed", "1", "--size", "160x120", "--force", "--record", &game];
     output("cargo", &[&program[..], &play].concat(), &[])?;
-    let follow = ["run", "--quiet", "--example", "wall_follower", "--", "run", "--force", "--record", &walls];
-    output("cargo", &follow, &[])?;
+    build::programs()?;
+    output(&build::program("examples/wall_follower"), &["run", "--force", "--record", &walls], &[])?;
     let reader = install()?;
     run(&reader, &[&["tools/recording/tests/read_mcap.py", &game][..], &TOPICS].concat(), &[])?;
     for (file, words) in [(&game, FORWARD), (&walls, WALL_FOLLOWER)] {
