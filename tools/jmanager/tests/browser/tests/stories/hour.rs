@@ -123,7 +123,8 @@ async fn tune(hour: &mut Hour<'_>) {
 async fn watch(hour: &mut Hour<'_>) {
     hour.begin("Stop the world by a watch, and go on");
     hour.click("tab", "Watches", "").await;
-    hour.set("combobox", "Condition to watch", "Odometry.walked.y > 0.2 for 500 ms").await;
+    // It holds from then on, so the watch does not stop the world again in a later task.
+    hour.set("combobox", "Condition to watch", "CameraInput.count > 30 for 500 ms").await;
     hour.click("switch", "Pause the world", "Watches").await;
     hour.click("button", "Watch", "Watches").await;
     hour.click("button", "Restart", "").await;
