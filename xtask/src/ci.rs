@@ -1,11 +1,15 @@
 //! All checks of CI, in its order: checks that are fast and fail often come first.
 
+use std::env;
+use std::fs::{self, File};
+use std::path::PathBuf;
+use std::process::{Child, Command};
 use std::time::Instant;
 
 use clap::ValueEnum;
 
 use crate::cli::{Ci, Firmware};
-use crate::install::packages;
+use crate::install::{folder, packages};
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
@@ -14,7 +18,7 @@ use crate::{
 };
 
 /// Step of CI, in its order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub(crate) enum Step {
     Format,
     Lints,
@@ -111,8 +115,9 @@ fn docs() -> Result<(), String> {
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
-/// Checks all targets with all features.
+/// Checks all targets as a user builds them, then with all features.
 fn lints() -> Result<(), String> {
+    run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
     build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])
 }
 
@@ -157,12 +162,27 @@ fn games() -> Result<(), String> {
 /// Runs the selected steps, and prints the time of each and what was left out.
 ///
 /// # Errors
-/// If a tool cannot be installed, or a check fails; later steps do not run.
+/// If a tool cannot be installed, or a check fails; later steps of its lane do not run.
 pub(crate) fn check(options: &Ci) -> Result<(), String> {
     let (steps, left_out) = select(options);
+    if options.lane {
+        return perform(&steps);
+    }
     install(&steps, Step::install)?;
+    let (alone, [waiting, computing]) = lanes(&steps);
+    perform(&alone)?;
+    let beside = (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&computing)).transpose()?;
+    let result = perform(if waiting.is_empty() { &computing } else { &waiting });
+    let beside = beside.map_or(Ok(()), Lane::wait);
+    result.and(beside)?;
+    eprintln!("xtask: {}", summary(&left_out));
+    Ok(())
+}
+
+/// Runs steps one after the other, and prints the time of each.
+fn perform(steps: &[Step]) -> Result<(), String> {
     let mut times = Vec::new();
-    let result = steps.into_iter().try_for_each(|step| {
+    let result = steps.iter().try_for_each(|step| {
         let began = Instant::now();
         let result = step.check();
         times.push((step, began.elapsed().as_secs()));
@@ -172,9 +192,41 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     for (step, seconds) in times {
         eprintln!("{:10} {:3} min {:2} s", step.name(), seconds / 60, seconds % 60);
     }
-    result?;
-    eprintln!("xtask: {}", summary(&left_out));
-    Ok(())
+    result
+}
+
+/// Steps that run alone, because the others use what they build, and two lanes: of steps that mostly wait for a browser or an
+/// emulator, and of the others.
+fn lanes(steps: &[Step]) -> (Vec<Step>, [Vec<Step>; 2]) {
+    let (alone, rest): (Vec<_>, Vec<_>) = steps.iter().partition(|step| **step <= Step::Tests);
+    let (computing, waiting) = rest.into_iter().partition(|step| *step < Step::NoStd);
+    (alone, [waiting, computing])
+}
+
+/// Steps that run beside others, in a process of their own whose output is kept until it ends.
+struct Lane {
+    process: Child,
+    log: PathBuf,
+}
+
+impl Lane {
+    fn start(steps: &[Step]) -> Result<Self, String> {
+        let log = folder("ci.log");
+        let failed = |error| format!("cannot start the steps {}: {error}", names(steps, ", "));
+        let output = File::create(&log).map_err(failed)?;
+        let mut command = Command::new(env::current_exe().map_err(failed)?);
+        command.args(["ci", "--lane", "--only", &names(steps, ",")]).stdout(output.try_clone().map_err(failed)?);
+        let process = command.stderr(output).spawn().map_err(failed)?;
+        Ok(Self { process, log })
+    }
+
+    /// Waits for the end, and prints the output.
+    fn wait(mut self) -> Result<(), String> {
+        let status = self.process.wait().map_err(|error| error.to_string())?;
+        let log = fs::read(&self.log).map_err(|error| format!("cannot read {}: {error}", self.log.display()))?;
+        eprintln!("xtask: output of the steps beside the others\n{}", String::from_utf8_lossy(&log));
+        if status.success() { Ok(()) } else { Err("a step beside the others failed; its output is above".to_owned()) }
+    }
 }
 
 /// Steps to run and steps left out, in their order.
@@ -210,11 +262,18 @@ mod tests {
 
     #[test]
     fn steps_left_out_are_named() {
-        let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], only: Vec::new() });
+        let (steps, left_out) = select(&Ci { without: vec![Step::Browser, Step::Miri], ..Ci::default() });
         assert_eq!((steps.len(), summary(&left_out)), (17, "LEFT OUT: miri, browser".to_owned()));
-        let (steps, left_out) = select(&Ci { without: Vec::new(), only: vec![Step::NoStd] });
+        let (steps, left_out) = select(&Ci { only: vec![Step::NoStd], ..Ci::default() });
         assert_eq!((steps, left_out.len()), (vec![Step::NoStd], 18));
         assert_eq!(summary(&select(&Ci::default()).1), "all steps passed");
+    }
+
+    #[test]
+    fn each_step_is_in_one_lane() {
+        let (alone, [waiting, computing]) = lanes(Step::value_variants());
+        assert_eq!([alone, computing, waiting.clone()].concat(), Step::value_variants());
+        assert_eq!(waiting, [Step::NoStd, Step::Firmware, Step::Browser]);
     }
 
     #[test]

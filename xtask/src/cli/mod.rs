@@ -110,14 +110,16 @@ pub(crate) struct Long {
 }
 
 #[derive(Debug, Default, Args)]
-#[group(multiple = false)]
 pub(crate) struct Ci {
     /// Leave these steps out, separated by commas
     #[arg(long, value_name = "STEPS", value_delimiter = ',')]
     pub(crate) without: Vec<Step>,
     /// Run only these steps, separated by commas
-    #[arg(long, value_name = "STEPS", value_delimiter = ',')]
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', conflicts_with = "without")]
     pub(crate) only: Vec<Step>,
+    /// Run beside other steps: the tools are installed, and the end says nothing of what was left out
+    #[arg(long, hide = true)]
+    pub(crate) lane: bool,
 }
 
 #[derive(Debug, Args)]
