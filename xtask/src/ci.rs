@@ -115,9 +115,10 @@ fn docs() -> Result<(), String> {
     run("cargo", &["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
-/// Checks all targets as a user builds them, then with all features.
+/// Checks all targets as a user builds them, but with the self-test of the firmware, then with the features of the other steps.
 fn lints() -> Result<(), String> {
-    run("cargo", &["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], &[])?;
+    let self_test = ["clippy", "--workspace", "--all-targets", "--features", "bica-emulator/self-test"];
+    run("cargo", &[&self_test[..], &["--", "-D", "warnings"]].concat(), &[])?;
     build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])
 }
 
