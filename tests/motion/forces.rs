@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{self, LegAngles};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{Nao, RobotModel, T1};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
@@ -121,7 +121,8 @@ fn forward_pitch_rate_in_stand_presses_the_toes_down() {
 #[test]
 fn targets_stay_finite_for_any_feedback() {
     for wild in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30] {
-        let feedback = Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, knees: Some([wild; 2]), ..level() };
+        let feedback =
+            Feedback { gyro: Vec3::splat(wild), roll: wild, pitch: wild, joints: Some(Joints::all(wild)), ..level() };
         let mut walk = Walk::<Nao>::new(&NAO.gait);
         for _ in 0..500 {
             let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, CYCLE).joints::<Nao>();
@@ -154,8 +155,11 @@ fn at_support_end(sag: f32) -> [LegAngles; 2] {
     let mut carried = [LegAngles::default(); 2];
     for cycle in 0..1000 {
         let support = walk.support();
-        let knees = [Joint::LKneePitch, Joint::RKneePitch].map(|knee| commanded[0][knee] + sag);
-        let body = support.map_or_else(level, |side| Feedback { knees: Some(knees), ..alone(side) });
+        let mut joints = commanded[0];
+        for knee in [Joint::LKneePitch, Joint::RKneePitch] {
+            joints[knee] += sag;
+        }
+        let body = support.map_or_else(level, |side| Feedback { joints: Some(joints), ..alone(side) });
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &body, CYCLE);
         if support != walk.support() && cycle > 800 {
             // The next step has just begun: the last recorded command belongs to the support of `side`.
@@ -195,4 +199,27 @@ fn implausible_knee_angles_are_not_compensated() {
     for wrong in [f32::NAN, f32::INFINITY, 1.0, -1.0] {
         assert_eq!(at_support_end(wrong), strong, "{wrong}");
     }
+}
+
+#[test]
+fn compliant_robot_steps_after_its_centre_of_mass() {
+    // The hips move over the soles at `rate` rad/s while the torso stays level and still.
+    let farthest_step = |rate: f32| {
+        let gait = &T1::DYNAMIC_PROFILE.gait;
+        let mut walk = Walk::<T1>::new(gait);
+        let (mut joints, mut moved, mut farthest) = (gait.stand::<T1>().joints::<T1>(), 0.0, 0.0_f32);
+        for cycle in 0..200 {
+            moved += if cycle >= 150 { rate * CYCLE } else { 0.0 };
+            for hip in [Joint::LHipPitch, Joint::RHipPitch] {
+                joints[hip] += moved;
+            }
+            let foot = force(150.0);
+            let body = Feedback { joints: Some(joints), left_foot: foot, right_foot: foot, ..Feedback::default() };
+            joints = walk.step(Velocity::new(0.2, 0.0, 0.0), &body, CYCLE).joints::<T1>();
+            let ahead = Side::BOTH.map(|side| kinematics::sole::<T1>(side, &joints).translation.x);
+            farthest = ahead.into_iter().fold(farthest, f32::max);
+        }
+        farthest
+    };
+    assert!(farthest_step(1.0) > farthest_step(0.0) + 0.05);
 }

@@ -17,6 +17,9 @@ pub struct Parameters {
     pub torso_offset: f32,
     /// Duration of a step, s.
     pub step_duration: f32,
+    /// Distance by which the hips move to the first support foot before the first step of a gait with a pendulum, m. At 0 they sway
+    /// to the other foot and back.
+    pub start_shift: f32,
     /// Change of the step duration per lateral speed, s per m/s. Negative: short quick steps keep the feet within reach.
     pub lateral_duration_gain: f32,
     /// Minimum time of the swing foot in the air, s.
@@ -86,6 +89,11 @@ pub struct Parameters {
     pub stand_ankle_gain: Vec2,
     /// Pitch of the torso in undisturbed walking, rad.
     pub torso_pitch: f32,
+    /// Weight of the old value in the low-pass filter of the centre of mass's velocity, per cycle of 10 ms. With it the DCM comes from
+    /// the measured joint angles, on a robot with lags; with `None` from tilt and rates of the torso, as if the body were rigid.
+    pub velocity_smoothing: Option<f32>,
+    /// Displacement of the DCM from its plan in undisturbed walking, m: forward, and toward the swing foot.
+    pub capture_offset: Vec2,
     /// Lateral amplitude of the capture-point error in undisturbed walking, m. It is not zero because joints lag.
     pub capture_sway: f32,
     /// Weights of deviations from the plan in a recovery: place of the foot, e^(frequency · remaining time) with 1 m² as its

@@ -41,7 +41,7 @@ impl RobotModel for T1 {
     const SUPPORT_FORCE: f32 = 180.0;
     const FALL_LIMITS: FallLimits = booster::FALL_LIMITS;
     const STIFFNESS: &'static StiffnessTable = &booster::STIFFNESS;
-    /// The stand of the gait in the simulation league; the feet are 13 mm farther from the middle than in that of `MuJoCo`.
+    /// The stand of the gait in the simulation league; the feet are 14 mm nearer to the middle than in that of `MuJoCo`.
     const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.669_054, 47.964_893, -20.295_845, 0.0]);
     const SIT: Joints = booster::SIT;
     const SIT_STIFFNESS: f32 = 0.3;
@@ -158,30 +158,33 @@ const PROFILE: Profile = Profile { gait: GAIT, kicks: KICKS, odometry: Calibrati
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {
     hip_height: 0.52,
-    half_spacing: 0.093,
+    half_spacing: 0.12,
     torso_offset: 0.004,
-    step_duration: 0.36,
+    step_duration: 0.33,
+    start_shift: 0.03,
     step_height: 0.052,
     pendulum_height: 0.59,
     max_speed_up: Velocity::new(0.055, 0.08, 0.4),
     velocity_drift: Velocity::new(0.1, 0.0, 0.0),
-    velocity_scale: Velocity::new(1.06, 1.24, 1.0),
+    velocity_scale: Velocity::new(1.1, 1.13, 1.0),
     contact_force: 60.0,
     ankle_pitch_gain: 0.04,
     gyro_smoothing: 0.5,
     ankle_roll_gain: 0.046,
     hip_roll_offset: 0.029,
     torso_pitch: -0.05,
-    recovery_weights: [1.0, 0.021, 1.0],
+    recovery_weights: [1.0, 0.02, 4.0],
     max_recovery_duration: 0.50,
-    capture_deadband: Vec2::new(0.044, 0.031),
+    capture_deadband: Vec2::new(0.022, 0.012),
     max_inward_step: 0.046,
     kick_min_distance: 0.25,
     kick_max_distance: 0.38,
-    lag_compensation: 0.14,
+    lag_compensation: 0.31,
     ankle_pitch_offset: -0.011,
     earliest_support_switch: 0.77,
-    capture_sway: 0.01,
+    capture_sway: 0.0,
+    velocity_smoothing: Some(0.7),
+    capture_offset: Vec2::new(0.0365, -0.012),
     ..booster::GAIT
 };
 

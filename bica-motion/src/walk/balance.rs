@@ -64,11 +64,18 @@ impl Balance {
         [pitch, roll]
     }
 
-    /// Displacement of the DCM beyond the gait's deadband at a phase of a step, m: forward, and toward the swing foot, which is
-    /// on the side with `sign`. The regular sway of an undisturbed step is subtracted.
-    pub(super) fn dcm_error(&self, sign: f32, phase: f32, gait: &Parameters) -> Vec2 {
-        let regular = gait.capture_sway * (2.0 * smooth(phase) - 1.0);
-        let error = Vec2::new(self.capture_error.x, sign * self.capture_error.y - regular);
-        error - error.clamp(-gait.capture_deadband, gait.capture_deadband)
+    /// Displacement of the capture point from its place under an upright, still torso, m: forward and left.
+    pub(super) const fn capture_error(&self) -> Vec2 {
+        self.capture_error
+    }
+}
+
+impl Parameters {
+    /// The part of a displacement of the DCM that an undisturbed step does not have at this phase, beyond the deadband, m: forward, and
+    /// toward the swing foot.
+    pub(super) fn beyond_usual(&self, displacement: Vec2, phase: f32) -> Vec2 {
+        let sway = self.capture_sway * (2.0 * smooth(phase) - 1.0);
+        let error = displacement - (self.capture_offset + Vec2::new(0.0, sway));
+        error - error.clamp(-self.capture_deadband, self.capture_deadband)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::joints::{Joint, Joints};
+use crate::joints::Joints;
 use crate::robot::{FootPressure, Inertial, Sensors};
 use crate::side::Side;
 
@@ -19,8 +19,8 @@ pub struct Feedback {
     pub left_foot: FootPressure,
     /// Pressure under the right sole.
     pub right_foot: FootPressure,
-    /// Measured pitch of both knees, left first, rad; `None` if not measured.
-    pub knees: Option<[f32; 2]>,
+    /// Measured joint angles, rad; `None` if not measured.
+    pub joints: Option<Joints>,
 }
 
 impl From<&Sensors<'_>> for Feedback {
@@ -39,8 +39,7 @@ impl Feedback {
         angles: &Joints,
     ) -> Self {
         let Inertial { gyro, roll, pitch, .. } = *inertial;
-        let knees = [angles.0[Joint::LKneePitch.index()], angles.0[Joint::RKneePitch.index()]];
-        Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot, knees: Some(knees) }
+        Self { gyro, roll, pitch, left_foot: *left_foot, right_foot: *right_foot, joints: Some(*angles) }
     }
 
     /// Force on a foot, N.

@@ -10,6 +10,7 @@ mod adjustment;
 mod balance;
 mod feedback;
 mod in_walk_kick;
+mod mass_motion;
 mod pendulum;
 mod plan;
 mod recovery;
@@ -29,6 +30,7 @@ use core::marker::PhantomData;
 use glam::Vec2;
 
 pub(crate) use self::balance::Balance;
+use self::mass_motion::MassMotion;
 use self::plan::{Plan, Purpose};
 use self::recovery::Situation;
 use self::sag_compensation::SagCompensation;
@@ -87,6 +89,7 @@ pub struct Walk<M = Nao> {
     /// Velocity of the current step.
     velocity: Velocity,
     balance: Balance,
+    mass: MassMotion,
     /// Foot that is to kick in its next step.
     kick: Option<Side>,
     /// Displacement of the swing foot from its plan by the capture step, m.
@@ -110,6 +113,7 @@ impl<M: RobotModel> Walk<M> {
             liftoff_delay: 0.0,
             velocity: Velocity::ZERO,
             balance: Balance::new(),
+            mass: MassMotion::new(),
             kick: None,
             capture_step: Vec2::ZERO,
             sag_compensation: SagCompensation::new(),
@@ -172,6 +176,9 @@ impl<M: RobotModel> Walk<M> {
         let requested =
             if lifted { Velocity::ZERO } else { self.adjustment.clamped(request, self.gait).planned(self.gait) };
         self.balance.update::<M>(feedback, self.gait, self.adjustment.torso_lean);
+        if let (Some(_), Some(smoothing)) = (M::LEG_LAGS, self.gait.velocity_smoothing) {
+            self.mass.update::<M>(feedback, smoothing, valid(dt));
+        }
         self.advance_time(dt, feedback);
         self.advance_step(&requested, feedback);
         let Some(plan) = self.plan else { return self.stand() };
@@ -257,14 +264,17 @@ impl<M: RobotModel> Walk<M> {
         let (pendulum, side) = (plan.pendulum.filter(|_| plan.has_swing())?, plan.support.other().sign());
         let phase = (self.time / plan.duration).clamp(0.0, 1.0);
         let seen = |at: Vec2| Vec2::new(at.x, side * at.y);
-        let place = seen(plan.landing());
+        let (place, frequency) = (seen(plan.landing()), pendulum.frequency(plan.duration));
+        let planned = seen(pendulum.dcm(&plan.hips, phase));
+        let measured = self.mass.dcm(plan.support, frequency).filter(|_| M::LEG_LAGS.is_some());
+        let error = measured.map_or_else(|| seen(self.balance.capture_error()), |dcm| seen(dcm) - planned);
         Some(Situation {
-            dcm: seen(pendulum.dcm(&plan.hips, phase)) + self.balance.dcm_error(side, phase, self.gait),
+            dcm: planned + self.gait.beyond_usual(error, phase),
             place,
             offset: seen(pendulum.dcm(&plan.hips, 1.0)) - place,
             elapsed: self.elapsed,
             remaining: (plan.duration - self.time).max(0.0),
-            frequency: pendulum.frequency(plan.duration),
+            frequency,
         })
     }
 

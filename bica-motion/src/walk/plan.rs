@@ -44,6 +44,8 @@ pub(super) struct Plan {
     mid_step_hip_offset: f32,
     /// Pendulum of the lateral motion; `None` in a quasi-static gait.
     pub(super) pendulum: Option<Pendulum>,
+    /// Whether the hips only move to the next support foot, from rest to rest.
+    only_shifts: bool,
     /// Lean of the torso over the support foot at mid-step, rad.
     lean: f32,
 }
@@ -84,13 +86,15 @@ impl Plan {
         }
         let needed = shifts[0].double_support + shifts[1].double_support + gait.min_swing_duration;
         let duration = nominal.max(needed);
+        let start_shift = if purpose == Purpose::Start { gait.start_shift } else { 0.0 };
+        let shifted = hips_after.position + Vec2::new(0.0, support.other().sign() * start_shift);
         let is_flat = matches!(purpose, Purpose::Start | Purpose::Stop);
         let step_height = if is_flat { 0.0 } else { gait.step_height * height_scale };
         let widest = hips.position.y.abs().max(hips_after.position.y.abs());
         Self {
             support,
             duration,
-            hips: [hips.position, hips_after.position],
+            hips: [hips.position, shifted],
             swing: [hips * swinging, hips_after * end[1]],
             step_height,
             kick_swing,
@@ -98,6 +102,7 @@ impl Plan {
             shifts,
             mid_step_hip_offset: gait.mid_step_hip_offset,
             pendulum: Pendulum::new(gait, duration),
+            only_shifts: start_shift > 0.0,
             lean: gait.lean_gain * (widest - gait.half_spacing).max(0.0),
         }
     }
@@ -154,8 +159,11 @@ impl Plan {
     /// Hips in the frame of the support sole, swayed toward it.
     fn hips(&self, time: f32, heading: f32) -> Pose2 {
         let phase = (time / self.duration).clamp(0.0, 1.0);
-        let position =
-            self.pendulum.map_or_else(|| self.swayed_hips(phase, time), |pendulum| pendulum.between(&self.hips, phase));
+        let position = match self.pendulum {
+            _ if self.only_shifts => self.hips[0].lerp(self.hips[1], smooth(phase)),
+            Some(pendulum) => pendulum.between(&self.hips, phase),
+            None => self.swayed_hips(phase, time),
+        };
         Pose2 { position, heading }
     }
 

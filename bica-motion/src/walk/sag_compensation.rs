@@ -6,6 +6,7 @@
 //! each leg is compared with its target while that leg alone bears the weight.
 
 use crate::bounds::clamp;
+use crate::joints::Joint;
 use crate::limbs::LegAngles;
 use crate::model::{MAX_FEEDBACK_DELAY, Parameters, RobotModel};
 use crate::side::Side;
@@ -37,9 +38,10 @@ impl SagCompensation {
     pub(super) fn measure<M: RobotModel>(&mut self, support: Side, feedback: &Feedback, gait: &Parameters) {
         const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
         let alone = feedback.force(support) >= M::SUPPORT_FORCE && feedback.force(support.other()) < gait.contact_force;
-        let Some(knees) = feedback.knees.filter(|_| alone) else { return };
+        let Some(joints) = feedback.joints.as_ref().filter(|_| alone) else { return };
         let side = support.index();
-        let sag = knees[side] - self.commanded[MAX_FEEDBACK_DELAY - M::FEEDBACK_DELAY][side];
+        let sag = joints[[Joint::LKneePitch, Joint::RKneePitch][side]]
+            - self.commanded[MAX_FEEDBACK_DELAY - M::FEEDBACK_DELAY][side];
         // The comparison is false for NaN.
         if sag.abs() < MAX_SAG {
             self.sag[side] += NEW_WEIGHT * (sag - self.sag[side]);

@@ -56,6 +56,9 @@ const T1_GAIT: Parameters = Parameters {
     recovery_weights: [1.0, 0.03, 1.0],
     capture_deadband: Vec2::new(0.04, 0.03),
     max_inward_step: 0.025,
+    start_shift: 0.0,
+    velocity_smoothing: None,
+    capture_offset: Vec2::ZERO,
     kick_max_distance: 0.0,
     ..T1::DYNAMIC_PROFILE.gait
 };
