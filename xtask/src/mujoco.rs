@@ -46,12 +46,12 @@ const PACKAGES: [&str; 6] = ["bica-body", "bica-sim", "bica-evaluation", "bica-p
 /// Trials in CI, with fewer runs than the default of `player trial`.
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
-/// Packages and test programs with tests in MuJoCo.
-const TESTS: [(&str, &str); 4] = [
-    ("bica-player-program", "program"),
-    ("bica-player-program", "replay"),
-    ("jmanager", "main"),
-    ("therapy", "session"),
+/// Packages with tests in MuJoCo, and where these are.
+const TESTS: [&[&str]; 4] = [
+    &["bica-player-program", "--test", "program"],
+    &["bica-player-program", "--test", "replay"],
+    &["jmanager", "--test", "main"],
+    &["therapy", "--lib", "--test", "program"],
 ];
 
 /// Checks in MuJoCo: lints, tests, trials of the body, some games.
@@ -68,8 +68,8 @@ pub(crate) fn check() -> Result<(), String> {
         &[&["test", "-p", "bica-body", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(),
         &[],
     )?;
-    for (package, test) in TESTS {
-        run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
+    for tests in TESTS {
+        run("cargo", &[&["test", "-p"], tests, &feature[..], &["mujoco"]].concat(), &[])?;
     }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;
