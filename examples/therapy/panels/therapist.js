@@ -24,7 +24,7 @@ sheet.replaceSync(`
 .therapist .mood { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .mood b { font-size: 24px; }
 .therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { background: #c0182b; color: #fff; border-color: #8c0e1d; } .therapist .halt b { font-size: 64px; line-height: 1; }
 .therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 34%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
-.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .bar { display: flex; gap: 12px; align-items: center; font-weight: 600; } .therapist progress { width: 240px; height: 20px; accent-color: var(--control); }
+.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .passed { display: flex; gap: 12px; align-items: center; font-weight: 600; } .therapist progress { width: 240px; height: 20px; accent-color: var(--control); }
 .therapist .attempts { display: block; width: 100%; max-width: 560px; clear: both; fill: var(--dim); stroke: none; } .therapist .attempts text { font-size: 19px; font-weight: 700; text-anchor: middle; } .therapist .attempts path, .therapist .attempts circle { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 7 5; } .therapist .attempts circle { stroke-dasharray: none; }
 .therapist .kind0 rect { fill: var(--ok); } .therapist .kind1 rect, .therapist .kind2 rect { fill: var(--warn); } .therapist .kind3 rect { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 4; } .therapist .last { padding: 6px 12px; border-radius: 8px; background: color-mix(in srgb, var(--warn) 16%, var(--panel)); }
 .therapist .figure { float: right; width: 110px; margin-left: 16px; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
@@ -183,7 +183,7 @@ function Figure({ targets }) {
 }
 
 /** How much of a time has passed. */
-const Bar = ({ label, value, most }) => html`<p class="bar"><progress aria-label=${label} value=${value} max=${most}></progress>${label}: ${Math.floor(value)} of ${most} s</p>`;
+const Bar = ({ label, value, most }) => html`<p class="passed"><progress aria-label=${label} value=${value} max=${most}></progress>${label}: ${Math.floor(value)} of ${most} s</p>`;
 
 const holds = (reasons, name) => reasons[name] === true || reasons.includes?.(name);
 const MARKS = [['✓', 'correct'], ['↓', 'too low'], ['!', 'not correct'], ['?', 'not seen well enough']];

@@ -26,7 +26,7 @@ pub(crate) struct Head {
 
 /// A repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Line {
+pub(crate) struct Entry {
     /// Time since the begin, s.
     pub(crate) seconds: f32,
     /// Line of the exercise in the session.
@@ -75,7 +75,7 @@ impl Record {
         let line = self.lines.get(usize::from(step)).copied().unwrap_or_default();
         let Attempt { reasons, peak, goal } = attempt;
         let (verdict, reasons) = (reasons.verdict().name().to_owned(), reasons.names().map(str::to_owned).collect());
-        self.write(&Line { seconds, line, verdict, reasons, peak, goal })
+        self.write(&Entry { seconds, line, verdict, reasons, peak, goal })
     }
 
     fn write(&mut self, value: &impl Serialize) -> Result<(), Failure> {

@@ -7,7 +7,7 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use bica_app::Failure;
 
-use super::{Head, Line, files};
+use super::{Entry, Head, files};
 
 /// Width of a bar with its gap, and height of 180°, pixels of the page.
 const BAR: usize = 34;
@@ -28,7 +28,7 @@ pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
         let mut lines = text.lines();
         let head: Head = serde_json::from_str(lines.next().unwrap_or_default()).map_err(|error| failed(&error))?;
         let lines =
-            lines.map(serde_json::from_str).collect::<Result<Vec<Line>, _>>().map_err(|error| failed(&error))?;
+            lines.map(serde_json::from_str).collect::<Result<Vec<Entry>, _>>().map_err(|error| failed(&error))?;
         let title = head.session.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let date = humantime::format_rfc3339_seconds(UNIX_EPOCH + Duration::from_secs(head.begun)).to_string();
         let _ = writeln!(page, "<h2>{title}, {}</h2>", &date[..10]);
@@ -40,7 +40,7 @@ pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     Ok(page)
 }
 
-fn write_exercise(page: &mut String, lines: &[Line]) {
+fn write_exercise(page: &mut String, lines: &[Entry]) {
     let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
     let wrong = lines.iter().filter(|line| line.verdict == "incorrect");
     let mut reasons: Vec<&str> = wrong.flat_map(|line| &line.reasons).map(String::as_str).collect();
@@ -48,9 +48,9 @@ fn write_exercise(page: &mut String, lines: &[Line]) {
     reasons.dedup();
     let reasons = if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join(", ")) };
     let (yes, no, unknown) = (count("correct"), count("incorrect"), count("cannot_tell"));
-    let bar = |(index, line): (usize, &Line)| {
+    let bar = |(index, line): (usize, &Entry)| {
         let (x, height) = (BAR * index + 6, line.peak.clamp(0.0, HEIGHT));
-        let (y, Line { verdict, peak, goal, .. }) = (HEIGHT - height, line);
+        let (y, Entry { verdict, peak, goal, .. }) = (HEIGHT - height, line);
         let rect = format!(r#"<rect class="{verdict}" x="{x}" y="{y:.0}" width="24" height="{height:.0}">"#);
         format!("{rect}<title>{peak:.0}°, goal {goal:.0}°</title></rect>")
     };
