@@ -56,8 +56,11 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Peers(options) => peers::measure(options),
         Task::Browser(options) => browser::test(options.figures),
         Task::Long(options) => {
-            firmware::prepare()?;
-            slow_tests::run_long(ci::with_mujoco(!options.without_mujoco)?)
+            let package = options.package.as_deref();
+            if package.is_none_or(|package| package == "bica-player-program") {
+                firmware::prepare()?;
+            }
+            slow_tests::run_long(package, ci::with_mujoco(!options.without_mujoco)?)
         }
         Task::Ci(options) => ci::check(options),
     }

@@ -44,33 +44,40 @@ impl Kind {
 /// # Errors
 /// If there is none, if one has a name without the prefix, if one fails, or if one did not run.
 pub(crate) fn run(variables: &[(&str, &str)]) -> Result<(), String> {
-    let (_, expected) = find(Kind::Slow)?;
+    let (_, expected) = find(Kind::Slow, None)?;
     compare(expected, &test(Kind::Slow, &build::workspace(), variables)?)
 }
 
-/// Runs all long tests of the workspace, in a release build. `features` are those of packages, as `bica-player-program/mujoco`.
+/// Runs the long tests of one package or of the workspace, in a release build. `features` are those of packages, as
+/// `bica-player-program/mujoco`.
 ///
 /// # Errors
-/// As [`run`].
-pub(crate) fn run_long(features: &[&str]) -> Result<(), String> {
-    let (packages, expected) = find(Kind::Long)?;
-    let packages = packages.into_iter().flat_map(|package| ["--package".to_owned(), package]);
-    let features = features.iter().flat_map(|feature| ["--features".to_owned(), (*feature).to_owned()]);
+/// As [`run`], or if the package has no long test.
+pub(crate) fn run_long(only: Option<&str>, features: &[&str]) -> Result<(), String> {
+    let (packages, expected) = find(Kind::Long, only)?;
+    if packages.is_empty() {
+        let packages = find(Kind::Long, None)?.0.into_iter().collect::<Vec<_>>().join(", ");
+        return Err(format!("no such package has long tests; these have some: {packages}"));
+    }
+    let features = features.iter().filter(|feature| packages.iter().any(|package| feature.starts_with(package)));
+    let packages = packages.iter().flat_map(|package| ["--package".to_owned(), package.clone()]);
+    let features = features.flat_map(|feature| ["--features".to_owned(), (*feature).to_owned()]);
     let options: Vec<_> = ["--release".to_owned()].into_iter().chain(packages).chain(features).collect();
     compare(expected, &test(Kind::Long, &options, &[])?)
 }
 
-/// Packages with tests of a kind, and the names of these tests.
-fn find(kind: Kind) -> Result<(BTreeSet<String>, Vec<String>), String> {
+/// Packages with tests of a kind, or `only` one of them, and the names of these tests.
+fn find(kind: Kind, only: Option<&str>) -> Result<(BTreeSet<String>, Vec<String>), String> {
     let search = ["grep", "--files-with-matches", "--fixed-strings", kind.attribute(), "--", "*.rs"];
     let (mut packages, mut expected) = (BTreeSet::new(), Vec::new());
     for file in output("git", &search, &[])?.lines() {
         let text = fs::read_to_string(root().join(file)).map_err(|error| format!("cannot read {file}: {error}"))?;
         let names = names(kind, &text).map_err(|error| format!("{file}: {error}"))?;
-        if !names.is_empty() {
-            packages.insert(package(&root().join(file)).ok_or_else(|| format!("{file} is in no package"))?);
+        let package = package(&root().join(file)).ok_or_else(|| format!("{file} is in no package"))?;
+        if !names.is_empty() && only.is_none_or(|only| only == package) {
+            packages.insert(package);
+            expected.extend(names);
         }
-        expected.extend(names);
     }
     Ok((packages, expected))
 }
@@ -90,8 +97,11 @@ fn compare(expected: Vec<String>, log: &str) -> Result<(), String> {
 /// Runs the tests with the prefix, and prints and returns their output.
 fn test(kind: Kind, options: &[String], variables: &[(&str, &str)]) -> Result<String, String> {
     let options = options.iter().map(String::as_str);
-    let arguments: Vec<_> =
-        ["test"].into_iter().chain(options).chain(["--tests", "--", "--ignored", kind.prefix()]).collect();
+    let arguments: Vec<_> = ["test"]
+        .into_iter()
+        .chain(options)
+        .chain(["--tests", "--", "--ignored", "--show-output", kind.prefix()])
+        .collect();
     let line = format!("cargo {}", arguments.join(" "));
     eprintln!("xtask: {line}");
     let start = |error| format!("cannot start `{line}`: {error}");

@@ -5,7 +5,7 @@ import { act, ask, command, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const HOLD_MS = 2000;
-const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['Motors', 'targets'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'examples'], ['ExerciseCheck', 'last']];
+const OUTPUTS = [['Session', 'at'], ['Session', 'ease'], ['Guard', 'hottest'], ['Guard', 'battery'], ['Guard', 'trouble'], ['Sound', 'volume'], ['Motors', 'targets'], ['ExerciseCheck', 'counts'], ['ExerciseCheck', 'examples'], ['ExerciseCheck', 'attempts'], ['Session', 'waited'], ['Session', 'limit'], ['Mover', 'held']];
 const STATES = {
   ready: ['Ready', 'The robot stands and waits. Press “Start” when everyone is seated.'],
   running: ['Running', 'the robot shows, the person follows'],
@@ -15,7 +15,7 @@ const STATES = {
   finished: ['Finished', 'The session is over. The robot stands and is silent.'],
 };
 const TROUBLES = { Fallen: 'The robot has fallen. Put it on its feet.', Hot: 'A joint is hot. Let the robot rest until it is cool.', PageLost: 'The robot missed this page for some seconds.' };
-const REASONS = { too_low: 'a little too low', leaning: 'leaning', wrong_direction: 'in another direction', too_fast: 'too fast' };
+const REASONS = { too_low: 'a little too low', leaning: 'leaning', wrong_direction: 'in another direction', too_fast: 'too fast', not_seen: 'not seen well enough', unsure: 'not seen well enough' };
 
 const sheet = new CSSStyleSheet();
 sheet.replaceSync(`
@@ -24,7 +24,10 @@ sheet.replaceSync(`
 .therapist .mood { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .mood b { font-size: 24px; }
 .therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { background: #c0182b; color: #fff; border-color: #8c0e1d; } .therapist .halt b { font-size: 64px; line-height: 1; }
 .therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 34%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
-.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .figure { float: right; width: 110px; margin-left: 16px; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
+.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .passed { display: flex; gap: 12px; align-items: center; font-weight: 600; } .therapist progress { width: 240px; height: 20px; accent-color: var(--control); }
+.therapist .attempts { display: block; width: 100%; max-width: 560px; clear: both; fill: var(--dim); stroke: none; } .therapist .attempts text { font-size: 19px; font-weight: 700; text-anchor: middle; } .therapist .attempts path, .therapist .attempts circle { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 7 5; } .therapist .attempts circle { stroke-dasharray: none; }
+.therapist .kind0 rect { fill: var(--ok); } .therapist .kind1 rect, .therapist .kind2 rect { fill: var(--warn); } .therapist .kind3 rect { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 4; } .therapist .last { padding: 6px 12px; border-radius: 8px; background: color-mix(in srgb, var(--warn) 16%, var(--panel)); }
+.therapist .figure { float: right; width: 110px; margin-left: 16px; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
 .therapist button, .therapist select { min-height: 48px; min-width: 48px; font-size: 18px; font-weight: 600; border-radius: 10px; padding: 4px 14px; border-width: 2px; white-space: normal; }
 .therapist .parts { display: flex; flex-direction: column; gap: 6px; } .therapist .parts button { text-align: left; font-weight: 500; flex-shrink: 0; } .therapist .parts button.now { border-color: var(--control); background: var(--selection); font-weight: 700; }
 .therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 22px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
@@ -111,6 +114,10 @@ function Therapist({ visible }) {
   const part = parts[now];
   const trouble = read('Guard', 'trouble');
   const counts = read('ExerciseCheck', 'counts');
+  const waited = read('Session', 'waited') ?? 0;
+  const limit = read('Session', 'limit') ?? 0;
+  const hold = Number(/hold (\S+)/.exec(part?.does)?.[1] ?? 0);
+  const line = script.value?.steps[at];
   const ease = Math.round((read('Session', 'ease') ?? 1) * 100);
   const examples = read('ExerciseCheck', 'examples') ?? 0;
   const wanted = Math.max(1, Math.floor((/reps (\d+)/.exec(part?.does)?.[1] ?? 1) * ease / 100));
@@ -141,10 +148,12 @@ function Therapist({ visible }) {
       ${state === 'ready' && script.value && html`<ul aria-label="Checked before the start"><li>${yes}${lines}</li><li>${read('Guard', 'battery') > 0.3 ? yes : no}Battery ${battery} %</li><li>${hottest < 60 ? yes : no}The hottest joint has ${Math.round(hottest ?? 0)} °C</li><li>${no}<span><strong>Please look:</strong> is one arm’s length free around the robot?</span></li></ul>`}
       ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
       ${state === 'exercising' && examples < 3 && html`<p>The robot learns from three correct repetitions: <strong>${examples} of 3</strong></p>`}
+      ${state === 'exercising' && hold > 0 && html`<${Bar} label="Hold" value=${Math.min(read('Mover', 'held') ?? 0, hold)} most=${hold} />`}
       ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> of ${wanted} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
-      <${Last} last=${read('ExerciseCheck', 'last')} />
+      <${Attempts} attempts=${(read('ExerciseCheck', 'attempts') ?? []).filter((one) => one)} left=${wanted - (counts?.repetitions ?? 0)} />
       ${ease < 100 && html`<p class="dim">Easier: ${ease} % of tempo and repetitions</p>`}
-      ${part && html`<p class="dim">Line ${part.line} of ${fileName(script.value.file)}</p>`}</section>
+      ${runs && limit > 0 && html`<${Bar} label=${state === 'exercising' ? 'Time' : 'Waits'} value=${Math.min(waited, limit)} most=${limit} />`}
+      ${part && html`<p class="dim">Line ${line ?? part.line} of ${fileName(script.value.file)}: ${script.value.lines[(line ?? part.line) - 1]}</p>`}</section>
       <section class="card parts" aria-label="Parts of this session" ref=${list}>
         <select aria-label="Open a session" onChange=${(event) => open(event.target)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
         ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
@@ -173,10 +182,31 @@ function Figure({ targets }) {
   return html`<svg class="figure" viewBox="-10 0 170 172" aria-hidden="true"><g stroke-width="4"><rect x="55" y="6" width="40" height="34" rx="15" /><rect x="53" y="45" width="44" height="56" rx="14" /><circle cx="75" cy="64" r="6" /><path d="M67 22h1M83 22h1" /></g><path stroke-width="12" d="${arms.join('')}M64 106V150M86 106V150M56 161H70M80 161H94" /></svg>`;
 }
 
-/** What was wrong with the last repetition. */
-function Last({ last }) {
-  const wrong = Object.keys(REASONS).filter((name) => last?.reasons?.[name] === true || last?.reasons?.includes?.(name));
-  return wrong.length > 0 && html`<p>The last one: <strong>${wrong.map((name) => REASONS[name]).join(', ')}</strong>.</p>`;
+/** How much of a time has passed. */
+const Bar = ({ label, value, most }) => html`<p class="passed"><progress aria-label=${label} value=${value} max=${most}></progress>${label}: ${Math.floor(value)} of ${most} s</p>`;
+
+const holds = (reasons, name) => reasons[name] === true || reasons.includes?.(name);
+const MARKS = [['✓', 'correct'], ['↓', 'too low'], ['!', 'not correct'], ['?', 'not seen well enough']];
+
+/** The newest repetitions: how high the arm came, against what is enough, and what was wrong with the last one. */
+function Attempts({ attempts, left }) {
+  if (attempts.length === 0) return null;
+  const wrong = ({ reasons }) => Object.keys(REASONS).filter((name) => holds(reasons, name));
+  const kind = (one) => {
+    const found = wrong(one);
+    return found.length === 0 ? 0 : ['not_seen', 'unsure'].some((name) => found.includes(name)) ? 3 : found.includes('too_low') ? 1 : 2;
+  };
+  const last = attempts.at(-1);
+  const tops = Math.max(last.goal, ...attempts.map(({ peak }) => peak)) / 84;
+  const bar = (one, index) => {
+    const [height, [sign, meaning]] = [Math.max(4, one.peak / tops), MARKS[kind(one)]];
+    return html`<g class="kind${kind(one)}"><title>${meaning}</title><rect x=${10 + 40 * index} y=${92 - height} width="28" height=${height} rx="4" /><text x=${24 + 40 * index} y="114">${sign}</text></g>`;
+  };
+  const goal = 92 - last.goal / tops;
+  return html`<svg class="attempts" viewBox="0 0 470 118" role="img" aria-label="How high the arm came, the newest last">${attempts.map(bar)}
+    ${Array.from({ length: Math.max(0, Math.min(left, 10 - attempts.length)) }, (_, index) => html`<circle cx=${24 + 40 * (attempts.length + index)} cy="108" r="7" />`)}
+    <path d="M0 ${goal}H408M0 92H408" /><text x="440" y=${goal + 6}>goal</text></svg>
+    ${kind(last) > 0 && html`<p class="last">The last one: <strong>${[...new Set(wrong(last).map((name) => REASONS[name]))].join(', ')}</strong>.</p>`}`;
 }
 
 /** A button that must be held for two seconds. */

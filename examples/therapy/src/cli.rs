@@ -12,7 +12,7 @@ use bica_app::{App, Console, Failure, Outcome};
 use clap::{Args, Subcommand};
 
 use crate::exercise::Judging;
-use crate::judge;
+use crate::judge::{self, Judged};
 use crate::record;
 use crate::robot::Therapist;
 use crate::room::Room;
@@ -35,13 +35,6 @@ enum Commands {
     Report(Records),
     /// Delete all records of a person
     Forget(Records),
-    /// Without the feature `monitor`: tells how to build the page
-    #[cfg(not(feature = "monitor"))]
-    #[command(hide = true)]
-    Monitor {
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        rest: Vec<OsString>,
-    },
     /// Judge recorded exercises against the first three correct ones of each person
     Judge {
         /// Folder with `correct/` and `incorrect/`: files `mMM_sSS_eEE_positions.txt` and `…_angles.txt`, also compressed (.gz)
@@ -72,8 +65,7 @@ const AFTER: &str = "\
 Examples:
   therapy new morning.session                 write a session, to begin with
   therapy check morning.session               check it
-  therapy play morning.session                play it in a simulated room; the same as
-  therapy run --option session=morning.session
+  therapy play morning.session                play it in a simulated room
   therapy play morning.session --world mujoco the same with forces
   therapy play morning.session --page         the page of the therapist; needs the feature `monitor`
   therapy play morning.session --realtime --option sound=FOLDER
@@ -86,7 +78,6 @@ Examples:
 It is no medical device, and its stop is no certified safety function.";
 
 /// Runs the command of the command line; returns the exit code.
-#[must_use]
 pub fn run() -> ExitCode {
     let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
     let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
@@ -98,13 +89,12 @@ pub fn run() -> ExitCode {
         Commands::Forget(Records { folder, code }) => {
             print(&format!("{code}: {} records deleted", record::forget(&folder, &code)?))
         }
-        #[cfg(not(feature = "monitor"))]
-        Commands::Monitor { .. } => {
-            Err(Failure::new("this program was built without the page", "build it with `--features monitor`"))
-        }
         Commands::Judge { folder, rate, json } => run_judge(&folder, rate, json),
     });
     let arguments = arguments(env::args_os());
+    if cfg!(not(feature = "monitor")) && arguments.get(1).is_some_and(|command| command == "monitor") {
+        return Failure::new("this program was built without the page", "build it with `--features monitor`").into();
+    }
     #[cfg(feature = "monitor")]
     let app = app.panels(crate::page::Page::new(&arguments));
     app.run_from(arguments)
@@ -120,7 +110,7 @@ fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
         let command = if page.map(|at| arguments.remove(at)).is_some() { "monitor" } else { "run" };
         arguments.splice(1..3, [command.into(), OsString::from("--option"), session]);
         if command == "monitor" {
-            arguments.extend(["--option", "start=no"].map(OsString::from));
+            arguments.extend(["--option", "start=false"].map(OsString::from));
         }
     }
     arguments
@@ -130,7 +120,7 @@ fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
 ///
 /// # Errors
 /// If it cannot be read, or something is wrong in it; all errors are told, each at its place.
-pub fn open(file: &Path) -> Result<Script, Failure> {
+pub(crate) fn open(file: &Path) -> Result<Script, Failure> {
     let failed = |error| Failure::of_path("read", file, &error, "give the file of a session; `therapy new` makes one");
     let text = fs::read_to_string(file).map_err(failed)?;
     let told = |problems: &[Problem]| {
@@ -140,6 +130,15 @@ pub fn open(file: &Path) -> Result<Script, Failure> {
     let script = Script::parse(&text).map_err(|problems| told(&problems))?;
     let problems = script.check_files(file.parent().unwrap_or(Path::new("")));
     if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }
+}
+
+/// Files of a folder, in order; `help` says what to give if it cannot be read.
+pub(crate) fn files(folder: &Path, help: &str) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |error| Failure::of_path("read", folder, &error, help);
+    let found = fs::read_dir(folder).map_err(failed)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut found = found.collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    found.sort();
+    Ok(found)
 }
 
 fn print(text: &str) -> Result<Outcome, Failure> {
@@ -169,11 +168,8 @@ fn run_judge(folder: &Path, rate: f32, json: bool) -> Result<Outcome, Failure> {
         if json {
             console.print_json_line(each)?;
         } else {
-            let (reasons, plural) = (each.reasons.join(", "), if each.repetitions == 1 { "" } else { "s" });
-            console.print(&format!(
-                "{}  {}  {} repetition{plural}  {reasons}",
-                each.file, each.verdict, each.repetitions
-            ))?;
+            let Judged { file, verdict, reasons, repetitions } = each;
+            console.print(&format!("{file}  {verdict}  repetitions: {repetitions}  {}", reasons.join(", ")))?;
         }
     }
     Ok(Outcome::Success)

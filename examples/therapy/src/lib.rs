@@ -1,39 +1,28 @@
-//! A player of therapy sessions.
-//!
-//! - [`skeleton`]: the points of a person's body, from several detectors.
-//! - [`exercise`]: counts repetitions and judges them against correct ones of the same person.
-//! - [`body`]: components that move, sound and shine.
-//! - [`input`]: components that keep what the robot receives.
-//! - [`session`]: what a session does, step by step.
-//! - [`robot`]: the activation tree, its sensors and its command.
-//! - `record`: what is kept of a session.
-//! - `page`: the panel of the therapist in the monitor.
-//! - `room`: a simulated room with a person.
-//! - `script`: the session language.
-//! - `speech`: speech by `espeak-ng`, and sound.
-//! - `judge`: judges recorded exercises.
-//! - `cli`: the program.
+//! A player of therapy sessions: the robot as its [activation tree](robot), the [session language](script), and the program.
 //!
 //! It is no medical device and makes no clinical claim; its stop is no certified safety function.
 #![cfg_attr(not(any(feature = "host", test)), no_std)]
 
-pub mod body;
+mod body;
 #[cfg(feature = "host")]
-pub mod cli;
-pub mod exercise;
-pub mod input;
+mod cli;
+mod exercise;
+mod input;
 #[cfg(feature = "host")]
-pub mod judge;
+mod judge;
 #[cfg(feature = "monitor")]
-pub mod page;
+mod page;
 #[cfg(feature = "host")]
-pub mod record;
+mod record;
 pub mod robot;
 #[cfg(feature = "host")]
-pub mod room;
+mod room;
 #[cfg(feature = "host")]
 pub mod script;
-pub mod session;
+mod session;
 pub mod skeleton;
 #[cfg(feature = "host")]
-pub mod speech;
+mod speech;
+
+#[cfg(feature = "host")]
+pub use cli::run;

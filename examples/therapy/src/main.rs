@@ -1,7 +1,5 @@
 //! The program.
 
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    therapy::cli::run()
+fn main() -> std::process::ExitCode {
+    therapy::run()
 }

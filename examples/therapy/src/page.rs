@@ -13,13 +13,10 @@ use serde_json::{Value, json};
 
 use crate::cli;
 use crate::script::Script;
-use crate::session::{Plan, Step};
+use crate::session::{self, Step, Until};
 
-/// The panel.
-pub struct Page {
-    /// Options of the world that the command line opens, of which `session` is its session.
-    options: BTreeMap<String, String>,
-}
+/// The panel, with the options of the world that the command line opens, of which `session` is its session.
+pub(crate) struct Page(BTreeMap<String, String>);
 
 /// Session of a world that the page opened.
 #[derive(Default)]
@@ -38,11 +35,10 @@ enum Message {
 
 impl Page {
     /// The panel for the arguments of a program, among which is `--option session=FILE`.
-    #[must_use]
-    pub fn new(arguments: &[OsString]) -> Self {
+    pub(crate) fn new(arguments: &[OsString]) -> Self {
         let options = arguments.windows(2).filter(|two| two[0] == "--option");
         let options = options.filter_map(|two| two[1].to_str()?.split_once('='));
-        Self { options: options.map(|(name, value)| (name.to_owned(), value.to_owned())).collect() }
+        Self(options.map(|(name, value)| (name.to_owned(), value.to_owned())).collect())
     }
 }
 
@@ -64,9 +60,9 @@ impl Extension for Page {
         Ok(Reply::Done(match serde_json::from_value(message).map_err(wrong)? {
             Message::Read => {
                 let chosen = asked.memory().of::<Chosen>().0.clone();
-                let first = || self.options.get("session").map(PathBuf::from).unwrap_or_default();
+                let first = || self.0.get("session").map(PathBuf::from).unwrap_or_default();
                 let mut session = read(&chosen.unwrap_or_else(first))?;
-                session["options"] = json!(self.options);
+                session["options"] = json!(self.0);
                 session
             }
             Message::Check { file } => read(&file)?,
@@ -90,16 +86,17 @@ fn read(file: &Path) -> Result<Value, Failed> {
     let mut files: Vec<_> = beside.filter(|file| file.extension().is_some_and(|ending| ending == "session")).collect();
     files.sort();
     let text = fs::read_to_string(file).unwrap_or_default();
-    Ok(json!({ "title": script.title, "file": file, "files": files, "parts": parts(&script, &text) }))
+    let lines: Vec<_> = text.lines().map(str::trim).collect();
+    let parts = parts(&script, &lines);
+    Ok(
+        json!({ "title": script.title, "file": file, "files": files, "lines": lines, "steps": script.lines, "parts": parts }),
+    )
 }
 
 /// What a session does between two waits: the step with which it begins, its line, the most important of its commands, and the text
 /// that is spoken.
-fn parts(script: &Script, text: &str) -> Vec<Value> {
-    let mut plan = Plan::new();
-    script.steps.iter().for_each(|step| plan.add_step(*step));
-    let starts: Vec<_> = (0..script.steps.len()).filter(|step| plan.begins(*step as u16)).collect();
-    let lines: Vec<_> = text.lines().map(str::trim).collect();
+fn parts(script: &Script, lines: &[&str]) -> Vec<Value> {
+    let starts: Vec<_> = (0..script.steps.len()).filter(|step| session::begins(&script.steps, *step)).collect();
     let line = |step: usize| lines.get(script.lines[step] - 1).copied().unwrap_or_default();
     let ends = starts.iter().skip(1).copied().chain([script.steps.len()]);
     let part = |(&from, to): (&usize, usize)| {
@@ -120,7 +117,7 @@ const fn importance(step: Step) -> u8 {
         Step::Walk(_) => 2,
         Step::Play(_) => 3,
         Step::Speak(_) => 4,
-        Step::Wait(crate::session::Until::Signal(_), _) => 5,
+        Step::Wait(Until::Signal(_), _) => 5,
         _ => 9,
     }
 }
@@ -132,12 +129,12 @@ mod tests {
     #[test]
     fn parts_of_a_session_begin_where_one_can_go_and_show_what_matters() {
         let text = "say \"Hello.\"\nwait speech at most 9 s\n\nlight eyes red\nsay \"Up.\"\nmovement nod\nwait all at most 9 s\nwait 1 s\n\
-            exercise nod reps 2 at most 9 s\nvolume 9";
-        let parts = parts(&Script::parse(text).expect("a right script"), text);
+            exercise arms_open reps 2 at most 9 s\nvolume 9";
+        let parts = parts(&Script::parse(text).expect("a right script"), &text.lines().collect::<Vec<_>>());
         let found = parts.iter().map(|part| (part["step"].as_u64(), part["does"].as_str(), part["says"].as_str()));
         let (hello, up) = ("say \"Hello.\"", "say \"Up.\"");
         let nod = (Some(2), Some("movement nod"), Some(up));
-        let exercise = (Some(7), Some("exercise nod reps 2 at most 9 s"), None);
+        let exercise = (Some(7), Some("exercise arms_open reps 2 at most 9 s"), None);
         assert_eq!(found.collect::<Vec<_>>(), [(Some(0), Some(hello), Some(hello)), nod, exercise]);
     }
 }

@@ -9,9 +9,13 @@ use bica_motion::robot::{FootPressure, Inertial};
 use bica_motion::walk::Feedback;
 use glam::Vec3;
 
-use crate::body::{Lights, Motors, Mover, Shining, Sound, Sounding, Walk};
-use crate::exercise::{ExerciseCheck, Judgement};
-use crate::input::{Guard, PatientPose, Pressed, Signals, Trouble};
+pub use crate::body::{Shining, Sounding};
+pub use crate::exercise::{Attempt, Reasons};
+pub use crate::input::Pressed;
+
+use crate::body::{Lights, Motors, Mover, Sound, Walk};
+use crate::exercise::ExerciseCheck;
+use crate::input::{Guard, PatientPose, Signals, Trouble};
 use crate::session::{Session, Step};
 use crate::skeleton::Skeleton;
 
@@ -63,22 +67,8 @@ pub struct Command {
     pub lights: Shining,
     /// Sound.
     pub sound: Sounding,
-    /// A repetition of the person, to be recorded.
-    pub noted: Option<Noted>,
-}
-
-/// A repetition of a person.
-#[message]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noted {
-    /// Number of the step.
-    pub step: u16,
-    /// The judgement.
-    pub judgement: Judgement,
-    /// Largest angle of the arm, degrees.
-    pub peak: f32,
-    /// Angle that is enough, degrees.
-    pub goal: f32,
+    /// A repetition of the person, to be recorded, with the number of the step.
+    pub noted: Option<(u16, Attempt)>,
 }
 
 /// Stiffness of all joints after a fall.
@@ -115,12 +105,8 @@ impl Robot for Therapist {
         if let Some(person) = sensors.person {
             self.get_mut::<PatientPose>().see(person);
         }
-        let plan = self.get_mut::<Session>().plan_mut();
-        match sensors.order {
-            Some(Order::Step(step)) => plan.add_step(step),
-            Some(Order::Clip(seconds)) => plan.add_clip(seconds),
-            Some(Order::Loaded) => plan.loaded(),
-            None => {}
+        if let Some(order) = sensors.order {
+            self.get_mut::<Session>().plan.load(order);
         }
         Ok(())
     }
@@ -130,10 +116,9 @@ impl Robot for Therapist {
         let (targets, stiffness) = (*motors.targets(), motors.stiffness());
         let fallen = self.get::<Guard>().trouble() == Some(Trouble::Fallen);
         let stiffness = if fallen { Joints(stiffness.0.map(|stiffness| stiffness.min(FALLEN))) } else { stiffness };
-        let (lights, sound) = (self.get::<Lights>().shining(), self.get::<Sound>().sounding());
+        let (lights, sound) = (self.get::<Lights>().shining, self.get::<Sound>().sounding());
         let step = self.get::<Session>().at();
-        let noted = self.get_mut::<ExerciseCheck>().take_news();
-        let noted = noted.map(|(judgement, [peak, goal])| Noted { step, judgement, peak, goal });
+        let noted = self.get_mut::<ExerciseCheck>().news.take().map(|attempt| (step, attempt));
         Command { targets, stiffness, lights, sound, noted }
     }
 }

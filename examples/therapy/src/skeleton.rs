@@ -48,9 +48,6 @@ pub struct Skeleton {
     pub confidence: [f32; POINTS],
 }
 
-/// Which points of a source are averaged for each [`Point`].
-type Sources = [&'static [usize]; POINTS];
-
 /// A numbering of the points of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
@@ -68,34 +65,26 @@ pub enum Layout {
 }
 
 impl Layout {
-    /// Number of points.
-    #[must_use]
-    pub const fn count(self) -> usize {
+    /// Number of points, and which of them are averaged for each [`Point`].
+    const fn table(self) -> (usize, [&'static [usize]; POINTS]) {
         match self {
-            Self::Kinect22 => 22,
-            Self::Kinect25 | Self::Body25 => 25,
-            Self::Coco17 => 17,
-            Self::MediaPipe33 => 33,
-        }
-    }
-
-    const fn sources(self) -> Sources {
-        match self {
-            Self::Kinect22 => [&[4], &[3], &[2], &[0], &[7], &[11], &[8], &[12], &[14], &[18]],
-            Self::Kinect25 => [&[3], &[2], &[20], &[0], &[4], &[8], &[5], &[9], &[12], &[16]],
-            Self::Coco17 => [&[3, 4], &[5, 6], &[5, 6], &[11, 12], &[5], &[6], &[7], &[8], &[11], &[12]],
-            Self::Body25 => [&[17, 18], &[1], &[1], &[8], &[5], &[2], &[6], &[3], &[12], &[9]],
-            Self::MediaPipe33 => [&[7, 8], &[11, 12], &[11, 12], &[23, 24], &[11], &[12], &[13], &[14], &[23], &[24]],
+            Self::Kinect22 => (22, [&[4], &[3], &[2], &[0], &[7], &[11], &[8], &[12], &[14], &[18]]),
+            Self::Kinect25 => (25, [&[3], &[2], &[20], &[0], &[4], &[8], &[5], &[9], &[12], &[16]]),
+            Self::Coco17 => (17, [&[3, 4], &[5, 6], &[5, 6], &[11, 12], &[5], &[6], &[7], &[8], &[11], &[12]]),
+            Self::Body25 => (25, [&[17, 18], &[1], &[1], &[8], &[5], &[2], &[6], &[3], &[12], &[9]]),
+            Self::MediaPipe33 => {
+                (33, [&[7, 8], &[11, 12], &[11, 12], &[23, 24], &[11], &[12], &[13], &[14], &[23], &[24]])
+            }
         }
     }
 
     /// Reads a skeleton of this layout; `None` if it has another number of points. A point that is not finite has confidence 0.
     #[must_use]
     pub fn read(self, points: &[Vec3], confidence: &[f32]) -> Option<Skeleton> {
-        if points.len() != self.count() || confidence.len() != self.count() {
+        let (count, sources) = self.table();
+        if points.len() != count || confidence.len() != count {
             return None;
         }
-        let sources = self.sources();
         let mean = |of: &[usize]| of.iter().map(|&index| points[index]).sum::<Vec3>() / of.len() as f32;
         let read: [Vec3; POINTS] = core::array::from_fn(|point| mean(sources[point]));
         let sure = |of: &[usize]| of.iter().map(|&index| confidence[index]).fold(1.0, f32::min);
@@ -129,8 +118,8 @@ mod tests {
     fn layouts_take_the_points_that_their_sources_number() {
         let named = |layout: Layout, names: [(Point, usize); 4]| {
             let points: [Vec3; 33] = core::array::from_fn(|index| Vec3::splat(index as f32));
-            let points = &points[..layout.count()];
-            let skeleton = layout.read(points, &[1.0; 33][..layout.count()]).expect("as many points");
+            let count = layout.table().0;
+            let skeleton = layout.read(&points[..count], &[1.0; 33][..count]).expect("as many points");
             for (point, index) in names {
                 assert_eq!(skeleton.at(point).x as usize, index, "{layout:?} {point:?}");
             }

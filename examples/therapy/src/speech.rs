@@ -21,7 +21,7 @@ const FULL: f32 = 65_536.0;
 /// # Errors
 /// If the folder cannot be made, or `program`, as `espeak-ng`, cannot be started or does not speak a text. The texts that are left stay
 /// texts.
-pub fn speak(script: &mut Script, folder: &Path, program: &str) -> Result<(), Failure> {
+pub(crate) fn speak(script: &mut Script, folder: &Path, program: &str) -> Result<(), Failure> {
     let failed = |error| Failure::of_path("create", folder, &error, "give a folder that can be written");
     fs::create_dir_all(folder).map_err(failed)?;
     for clip in &mut script.clips {
@@ -47,7 +47,7 @@ pub fn speak(script: &mut Script, folder: &Path, program: &str) -> Result<(), Fa
 
 /// Plays the clips of a session.
 #[derive(Debug)]
-pub struct Player {
+pub(crate) struct Player {
     program: String,
     /// The file of each clip; `None` of a text.
     files: Vec<Option<PathBuf>>,
@@ -57,8 +57,7 @@ pub struct Player {
 
 impl Player {
     /// A player of the clips of a session, whose files are relative to a folder. `program` is called as `paplay` is.
-    #[must_use]
-    pub fn new(script: &Script, folder: &Path, program: &str) -> Self {
+    pub(crate) fn new(script: &Script, folder: &Path, program: &str) -> Self {
         let file = |clip: &Clip| if let Clip::File(file) = clip { Some(folder.join(file)) } else { None };
         Self {
             program: program.to_owned(),
@@ -68,10 +67,7 @@ impl Player {
     }
 
     /// Begins and ends what changes. A new volume holds from the next clip on.
-    ///
-    /// # Errors
-    /// If the program cannot be started.
-    pub fn play(&mut self, sound: Sounding) -> io::Result<()> {
+    pub(crate) fn play(&mut self, sound: Sounding) -> io::Result<()> {
         for ((before, child), clip) in self.channels.iter_mut().zip([sound.speech, sound.music]) {
             if std::mem::replace(before, clip) == clip {
                 continue;
@@ -102,24 +98,19 @@ fn end(child: &mut Option<Child>) {
 
 #[cfg(test)]
 mod tests {
+    use bica_test_data::process::Folder;
+
     use super::*;
     use crate::robot::Order;
-
-    fn folder(name: &str) -> PathBuf {
-        let folder = std::env::temp_dir().join(format!("therapy-{name}-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        folder
-    }
 
     #[test]
     fn texts_are_spoken_in_their_language_or_stay_texts_without_the_program() {
         let mut script =
             Script::parse("say \"- Hello.\"\nsay \"Guten Morgen, wie geht es?\" in de").expect("a right script");
-        let (folder, silent) = (folder("speech"), script.clone());
-        assert!(speak(&mut script, &folder, "no-such-program").is_err() && script == silent);
-        let spoken = speak(&mut script, &folder, "espeak-ng");
+        let (folder, silent) = (Folder::new("speech"), script.clone());
+        assert!(speak(&mut script, folder.path(), "no-such-program").is_err() && script == silent);
+        let spoken = speak(&mut script, folder.path(), "espeak-ng");
         let orders = script.orders(Path::new("."));
-        fs::remove_dir_all(folder).expect("the folder");
         if let Err(failure) = spoken {
             println!("skipped: {failure:?}");
             return;
@@ -133,20 +124,19 @@ mod tests {
     #[test]
     fn a_clip_is_played_once_and_ends_at_a_stop() {
         use std::os::unix::fs::PermissionsExt;
-        let folder = folder("player");
-        let program = folder.join("play");
+        let folder = Folder::new("player");
+        let (program, log) = (folder.file("play"), folder.file("play.log"));
         fs::write(&program, "#!/bin/sh\necho \"$@\" >> \"$0.log\"\nexec sleep 600\n").expect("a program");
         fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("it can be run");
         let script = Script::parse("music \"a.wav\"").expect("a right script");
-        let mut player = Player::new(&script, &folder, program.to_str().expect("a path of UTF-8"));
+        let mut player = Player::new(&script, folder.path(), &program);
         let music = Sounding { music: Some(0), volume: 0.5, ..Sounding::default() };
         (0..3).for_each(|_| player.play(music).expect("it plays"));
-        let log = std::iter::repeat_with(|| fs::read_to_string(folder.join("play.log")).unwrap_or_default());
+        let log = std::iter::repeat_with(|| fs::read_to_string(&log).unwrap_or_default());
         let log = log.inspect(|_| std::thread::yield_now()).find(|log| log.ends_with('\n')).expect("a line");
-        assert_eq!(log, format!("--volume=32768 {}\n", folder.join("a.wav").display()));
+        assert_eq!(log, format!("--volume=32768 {}\n", folder.file("a.wav")));
         let child = player.channels[1].1.as_ref().expect("a program").id();
         player.play(Sounding::default()).expect("it ends");
         assert!(!Path::new(&format!("/proc/{child}")).exists() && player.channels[1].1.is_none());
-        fs::remove_dir_all(folder).expect("the folder");
     }
 }

@@ -40,7 +40,7 @@ pub(crate) enum Task {
     ///
     /// Puts `RCSSServerMJ` (`rcsssmj` 0.2.1 of `PyPI`, with pip) into target/league, an environment of its own.
     League,
-    /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, and the link of monitors
+    /// Fuzz the edits of VICODE, the vision, the packets, the reading of recordings, the link of monitors, and therapy sessions
     ///
     /// First installs cargo-fuzz into target/.
     Fuzz(Fuzz),
@@ -66,7 +66,8 @@ pub(crate) enum Task {
     ///
     /// In a release build: a hundred games of the built-in world and twenty of MuJoCo that are recorded and replayed, five
     /// of the firmware over a damaged link, a thousand flipped bits in a recording, and fifty kills of a recording program, for which
-    /// the machine should be otherwise idle. First builds the firmware, and installs QEMU and MuJoCo. Takes about half an hour.
+    /// the machine should be otherwise idle; therapy sessions with twenty seeds in MuJoCo. First builds the firmware, and installs QEMU
+    /// and MuJoCo. Takes more than an hour.
     Long(Long),
     /// Check everything that CI checks
     ///
@@ -104,9 +105,12 @@ pub(crate) struct Browser {
 
 #[derive(Debug, Default, Args)]
 pub(crate) struct Long {
-    /// Leave out the games of MuJoCo
+    /// Leave out the tests in MuJoCo
     #[arg(long)]
     pub(crate) without_mujoco: bool,
+    /// Run only the tests of this package
+    #[arg(long)]
+    pub(crate) package: Option<String>,
 }
 
 #[derive(Debug, Default, Args)]
@@ -124,7 +128,7 @@ pub(crate) struct Ci {
 
 #[derive(Debug, Args)]
 pub(crate) struct Fuzz {
-    /// Duration of each of the five targets, s
+    /// Duration of each target, s
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) seconds: u32,
 }

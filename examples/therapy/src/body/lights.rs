@@ -20,30 +20,21 @@ pub struct Shining {
 /// Keeps the lights.
 #[derive(Debug)]
 pub struct Lights {
-    shining: Shining,
+    pub(crate) shining: Shining,
 }
 
 #[component(budget_us = 1)]
 impl Lights {
-    /// Creates the component with dark lights.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         const DARK: Light = Light(0.0, 0.0, 0.0);
         Self { shining: Shining { eyes: DARK, ears: 0.0, chest: DARK } }
     }
 
-    /// Sets a light.
-    pub const fn set(&mut self, lamp: Lamp, light: Light) {
+    pub(crate) const fn set(&mut self, lamp: Lamp, light: Light) {
         match lamp {
             Lamp::Eyes => self.shining.eyes = light,
             Lamp::Ears => self.shining.ears = light.2,
             Lamp::Chest => self.shining.chest = light,
         }
-    }
-
-    /// The lights.
-    #[must_use]
-    pub const fn shining(&self) -> Shining {
-        self.shining
     }
 }

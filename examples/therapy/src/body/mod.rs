@@ -7,8 +7,13 @@ mod mover;
 mod sound;
 mod walk;
 
-pub use lights::{Lights, Shining};
-pub use motors::{Motors, REST};
-pub use mover::{Mover, Tempo};
-pub use sound::{Sound, Sounding};
-pub use walk::Walk;
+pub use lights::Shining;
+pub use sound::Sounding;
+
+pub(crate) use lights::Lights;
+pub(crate) use motors::{Motors, REST};
+pub(crate) use mover::Mover;
+#[cfg(test)]
+pub(crate) use mover::way;
+pub(crate) use sound::Sound;
+pub(crate) use walk::Walk;

@@ -7,7 +7,7 @@ use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
 
 /// Posture at rest: the stand, with the arms down.
-pub const REST: Joints = Nao::STAND;
+pub(crate) const REST: Joints = Nao::STAND;
 
 /// Indices of the joints of the legs.
 const LEGS: RangeInclusive<usize> = Joint::LHipYawPitch.index()..=Joint::RAnkleRoll.index();
@@ -25,19 +25,17 @@ pub struct Motors {
 
 #[component(budget_us = 1)]
 impl Motors {
-    /// Creates the component at rest.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { targets: REST, legs: 0.75, soft: false }
     }
 
     /// Sets the targets of arms and head, rad.
-    pub fn set(&mut self, targets: &Joints) {
+    pub(crate) fn set(&mut self, targets: &Joints) {
         self.write(targets, false);
     }
 
     /// Sets the targets of the legs, rad, and their stiffness, 0 to 1.
-    pub fn set_legs(&mut self, targets: &Joints, stiffness: f32) {
+    pub(crate) fn set_legs(&mut self, targets: &Joints, stiffness: f32) {
         self.write(targets, true);
         self.legs = stiffness;
     }
@@ -50,20 +48,18 @@ impl Motors {
     }
 
     /// Makes arms and head soft or stiff.
-    pub const fn soften(&mut self, soft: bool) {
+    pub(crate) const fn soften(&mut self, soft: bool) {
         self.soft = soft;
     }
 
     /// Targets, in the order of the joints.
     #[info(unit = "rad")]
-    #[must_use]
-    pub const fn targets(&self) -> &Joints {
+    pub(crate) const fn targets(&self) -> &Joints {
         &self.targets
     }
 
     /// Stiffness of each joint, 0 to 1.
-    #[must_use]
-    pub fn stiffness(&self) -> Joints {
+    pub(crate) fn stiffness(&self) -> Joints {
         let arms = if self.soft { 0.0 } else { ARMS };
         Joints(core::array::from_fn::<_, JOINTS, _>(|joint| if LEGS.contains(&joint) { self.legs } else { arms }))
     }

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 
-use crate::session::Tasks;
+use crate::session::Task;
 
 /// What sounds.
 #[message]
@@ -16,20 +16,20 @@ pub struct Sounding {
     pub volume: f32,
 }
 
+/// A clip, and the time that is left of it, s.
+type Playing = Option<(u16, f32)>;
+
 /// Plays one clip of speech and one of music.
 #[derive(Debug)]
 pub struct Sound {
-    /// Clips with the time that is left, s.
-    speech: Option<(u16, f32)>,
-    music: Option<(u16, f32)>,
+    pub(crate) speech: Playing,
+    pub(crate) music: Playing,
     volume: f32,
 }
 
 #[component(hz = 100, budget_us = 2)]
 impl Sound {
-    /// Creates the component silent.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { speech: None, music: None, volume: 0.6 }
     }
 
@@ -39,57 +39,27 @@ impl Sound {
         }
     }
 
-    /// Begins to speak a clip that takes so many seconds.
-    pub const fn speak(&mut self, clip: u16, seconds: f32) {
-        self.speech = Some((clip, seconds));
-    }
-
-    /// Begins music that takes so many seconds.
-    pub const fn play(&mut self, clip: u16, seconds: f32) {
-        self.music = Some((clip, seconds));
-    }
-
-    /// Ends what belongs to the tasks.
-    pub const fn stop(&mut self, tasks: Tasks) {
-        if tasks.speech {
-            self.speech = None;
-        }
-        if tasks.music {
-            self.music = None;
-        }
+    /// Ends what belongs to the task.
+    pub(crate) fn stop(&mut self, task: Task) {
+        self.speech = self.speech.filter(|_| !task.has(Task::Speech));
+        self.music = self.music.filter(|_| !task.has(Task::Music));
     }
 
     /// Sets the volume.
     #[modulation]
-    pub const fn set_volume(&mut self, #[range(0.0..=1.0)] volume: f32) {
+    pub(crate) const fn set_volume(&mut self, #[range(0.0..=1.0)] volume: f32) {
         self.volume = volume;
     }
 
     /// The volume.
     #[info]
-    #[must_use]
-    pub const fn volume(&self) -> f32 {
+    pub(crate) const fn volume(&self) -> f32 {
         self.volume
     }
 
     /// What sounds.
-    #[must_use]
-    pub fn sounding(&self) -> Sounding {
-        let clip = |channel: Option<(u16, f32)>| channel.map(|(clip, _)| clip);
+    pub(crate) fn sounding(&self) -> Sounding {
+        let clip = |channel: Playing| channel.map(|(clip, _)| clip);
         Sounding { speech: clip(self.speech), music: clip(self.music), volume: self.volume }
-    }
-
-    /// Whether something is spoken.
-    #[info]
-    #[must_use]
-    pub const fn speaks(&self) -> bool {
-        self.speech.is_some()
-    }
-
-    /// Whether there is music.
-    #[info]
-    #[must_use]
-    pub const fn plays(&self) -> bool {
-        self.music.is_some()
     }
 }

@@ -37,15 +37,13 @@ pub struct Walk {
 
 #[component(hz = 100, budget_us = 20)]
 impl Walk {
-    /// Creates the component in the stand.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         let (gait, odometry) = (Gait::new(GAIT), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
         Self { gait, measured: None, odometry, from: Pose2::ORIGIN, way: [0.0; 3], risen: 0.0 }
     }
 
     /// Takes the measurements of this cycle, before it is stepped.
-    pub const fn measure(&mut self, feedback: Feedback, angles: Joints) {
+    pub(crate) const fn measure(&mut self, feedback: Feedback, angles: Joints) {
         self.measured = Some((feedback, angles));
     }
 
@@ -88,12 +86,12 @@ impl Walk {
     }
 
     /// Begins to walk: forward and left, m, and a turn to the left, rad.
-    pub const fn begin(&mut self, way: [f32; 3]) {
+    pub(crate) const fn begin(&mut self, way: [f32; 3]) {
         (self.from, self.way) = (self.odometry.pose(), way);
     }
 
     /// Ends the walk with the present step.
-    pub const fn halt(&mut self) {
+    pub(crate) const fn halt(&mut self) {
         self.way = [0.0; 3];
     }
 
@@ -103,8 +101,7 @@ impl Walk {
 
     /// Whether it walks, or has not yet brought the feet together.
     #[info]
-    #[must_use]
-    pub fn is_walking(&self) -> bool {
+    pub(crate) fn is_walking(&self) -> bool {
         self.has_way() || self.gait.phase() != Phase::Standing
     }
 }

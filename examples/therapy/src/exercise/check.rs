@@ -2,7 +2,8 @@
 
 use bica::prelude::*;
 
-use super::{Counter, EXAMPLES, Example, Judgement, Judging, Learner, Posture, Verdict};
+use super::{Attempt, Counter, EXAMPLES, Example, Judging, Learner, Posture, Verdict};
+
 use crate::input::PatientPose;
 
 /// Counts the repetitions of a person and judges them. It first learns from three correct ones, which a therapist watches.
@@ -14,10 +15,13 @@ pub struct ExerciseCheck {
     /// Time since then, s.
     waited: f32,
     counts: Counts,
-    last: Option<Judgement>,
-    /// What is to be recorded of the newest repetition.
-    news: Option<(Judgement, [f32; 2])>,
+    attempts: [Option<Attempt>; NEWEST],
+    /// A new repetition, to be recorded.
+    pub(crate) news: Option<Attempt>,
 }
+
+/// Number of repetitions that a page shows.
+const NEWEST: usize = 10;
 
 /// What the check does.
 #[derive(Debug)]
@@ -31,65 +35,59 @@ enum Stage {
 /// Numbers of judged repetitions.
 #[output]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub(crate) struct Counts {
     /// Repetitions.
-    pub repetitions: u16,
+    pub(crate) repetitions: u16,
     /// Correct ones.
-    pub correct: u16,
+    pub(crate) correct: u16,
     /// Incorrect ones.
-    pub incorrect: u16,
+    pub(crate) incorrect: u16,
     /// Those that could not be judged.
-    pub cannot_tell: u16,
+    pub(crate) cannot_tell: u16,
 }
 
 #[component(hz = 50, budget_us = 200)]
 impl ExerciseCheck {
-    /// Creates the component without examples.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         let counts = Counts { repetitions: 0, correct: 0, incorrect: 0, cannot_tell: 0 };
-        Self { stage: Stage::Idle, taken: 0, waited: 0.0, counts, last: None, news: None }
+        Self { stage: Stage::Idle, taken: 0, waited: 0.0, counts, attempts: [None; NEWEST], news: None }
     }
 
     fn step(&mut self, tuned: &Tuned<Judging>, pose: &PatientPose, time: &Time) {
         self.waited += time.dt();
-        let is_new = pose.number() != self.taken;
+        let is_new = pose.number != self.taken;
         if !is_new && self.waited < tuned.age {
             return;
         }
-        let posture = pose.skeleton().filter(|_| is_new).and_then(|skeleton| Posture::of(skeleton, tuned.confidence));
+        let posture =
+            pose.skeleton.as_ref().filter(|_| is_new).and_then(|skeleton| Posture::of(skeleton, tuned.confidence));
         let dt = core::mem::replace(&mut self.waited, 0.0);
-        self.taken = pose.number();
+        self.taken = pose.number;
         self.take(posture.as_ref(), dt, tuned);
     }
 
     fn take(&mut self, posture: Option<&Posture>, dt: f32, judging: &Judging) {
-        match &mut self.stage {
-            Stage::Idle => {}
+        let (example, ended) = match &mut self.stage {
+            Stage::Idle => return,
             Stage::Learning(learner) => {
                 learner.push(posture, dt);
                 if let Some(example) = learner.example(EXAMPLES) {
                     self.stage = Stage::Judging(example, Counter::new(example.reference));
                 }
+                return;
             }
             Stage::Judging(example, counter) => {
-                let Some((trunk, arm)) = posture.and_then(|seen| Some((seen.trunk, seen.arms[example.arm.index()]?)))
-                else {
-                    return counter.miss(dt);
-                };
-                if let Some(repetition) = counter.push(trunk, arm, dt) {
-                    let judgement = judging.judge(example, &repetition);
-                    self.news = Some((judgement, [repetition.peak, example.peak - judging.too_low]));
-                    self.count(judgement);
-                }
+                let seen = posture.and_then(|posture| posture.side(example.arm));
+                (example, counter.push(seen, dt))
             }
-        }
-    }
-
-    fn count(&mut self, judgement: Judgement) {
-        self.last = Some(judgement);
+        };
+        let Some(repetition) = ended else { return };
+        let reasons = judging.judge(example, &repetition);
+        self.news = Some(Attempt { reasons, peak: repetition.peak, goal: example.peak - judging.too_low });
+        self.attempts.rotate_left(1);
+        self.attempts[NEWEST - 1] = self.news;
         self.counts.repetitions += 1;
-        *match judgement.verdict {
+        *match reasons.verdict() {
             Verdict::Correct => &mut self.counts.correct,
             Verdict::Incorrect => &mut self.counts.incorrect,
             Verdict::CannotTell => &mut self.counts.cannot_tell,
@@ -98,34 +96,22 @@ impl ExerciseCheck {
 
     /// Forgets the examples, and learns from the next three repetitions.
     #[modulation]
-    pub fn learn(&mut self) {
+    pub(crate) fn learn(&mut self) {
         *self = Self { stage: Stage::Learning(Learner::new()), taken: self.taken, ..Self::new() };
     }
 
     /// Counts from 0, with the same examples.
     #[modulation]
-    pub fn restart(&mut self) {
+    pub(crate) fn restart(&mut self) {
         if let Stage::Judging(example, counter) = &mut self.stage {
             *counter = Counter::new(example.reference);
         }
-        (self.counts, self.last) = (Counts::default(), None);
-    }
-
-    /// Takes the judgement of a new repetition with the largest angle and the angle that is enough, degrees.
-    pub const fn take_news(&mut self) -> Option<(Judgement, [f32; 2])> {
-        self.news.take()
-    }
-
-    /// Whether it learns.
-    #[must_use]
-    pub const fn is_learning(&self) -> bool {
-        matches!(self.stage, Stage::Learning(_))
+        (self.counts, self.attempts) = (Counts::default(), [None; NEWEST]);
     }
 
     /// Number of examples so far, 0 to 3.
     #[info]
-    #[must_use]
-    pub fn examples(&self) -> u8 {
+    pub(crate) fn examples(&self) -> u8 {
         match &self.stage {
             Stage::Idle => 0,
             Stage::Learning(learner) => learner.repetitions() as u8,
@@ -135,16 +121,14 @@ impl ExerciseCheck {
 
     /// Numbers of repetitions since the examples.
     #[info]
-    #[must_use]
-    pub const fn counts(&self) -> Counts {
+    pub(crate) const fn counts(&self) -> Counts {
         self.counts
     }
 
-    /// The judgement of the newest repetition.
+    /// The newest repetitions since the examples; the last one at the end.
     #[info]
-    #[must_use]
-    pub const fn last(&self) -> Option<Judgement> {
-        self.last
+    pub(crate) const fn attempts(&self) -> [Option<Attempt>; NEWEST] {
+        self.attempts
     }
 }
 
@@ -156,18 +140,7 @@ mod tests {
     /// Skeletons per second.
     const RATE: u32 = 20;
 
-    /// How an arm is raised and lowered again.
-    #[derive(Clone, Copy)]
-    struct Lift {
-        person: Person,
-        seconds: f32,
-        /// Of so many skeletons one is seen.
-        seen: u32,
-    }
-
     const PERSON: Person = Person { peak: 100.0, lean: 1.0, plane: 0.0 };
-    const CORRECT: Lift = Lift { person: PERSON, seconds: 2.0, seen: 1 };
-    const REST: Lift = Lift { person: Person::STILL, seconds: 0.5, seen: 1 };
 
     /// The check and the newest skeleton.
     struct Room {
@@ -180,7 +153,7 @@ mod tests {
         fn new() -> Self {
             let mut room = Self { check: ExerciseCheck::new(), pose: PatientPose::new() };
             room.check.learn();
-            (0..3).for_each(|_| room.repeat(&CORRECT));
+            (0..3).for_each(|_| room.repeat(PERSON, 2.0, 1));
             assert_eq!((room.check.examples(), room.check.counts().repetitions), (3, 0));
             room
         }
@@ -194,15 +167,19 @@ mod tests {
             self.check.step(&Tuned::new(Judging::DEFAULT), &self.pose, &time);
         }
 
-        /// Rests for 0.5 s, then lifts the arm and lowers it.
-        fn repeat(&mut self, lift: &Lift) {
+        /// Rests for 0.5 s, then lifts the arm and lowers it. Of so many skeletons one is seen.
+        fn repeat(&mut self, person: Person, seconds: f32, seen: u32) {
             (0..RATE / 2).for_each(|_| self.pass(Some(Person::STILL.at(0.0))));
-            let frames = (lift.seconds * RATE as f32) as u32;
+            let frames = (seconds * RATE as f32) as u32;
             for frame in 0..=frames {
-                let mut skeleton = lift.person.at(libm::sinf(core::f32::consts::PI * frame as f32 / frames as f32));
-                skeleton.confidence = [if frame % lift.seen == 0 { 1.0 } else { 0.1 }; POINTS];
+                let mut skeleton = person.at(libm::sinf(core::f32::consts::PI * frame as f32 / frames as f32));
+                skeleton.confidence = [if frame % seen == 0 { 1.0 } else { 0.1 }; POINTS];
                 self.pass(Some(skeleton));
             }
+        }
+
+        fn rest(&mut self) {
+            self.repeat(Person::STILL, 0.5, 1);
         }
     }
 
@@ -218,11 +195,11 @@ mod tests {
             (Person { peak: 80.0, ..PERSON }, seconds, 3, Verdict::CannotTell, "not seen"),
         ] {
             let mut room = Room::new();
-            room.repeat(&Lift { person, seconds, seen });
-            room.repeat(&REST);
-            let last = room.check.last().expect("a repetition");
-            let names: Vec<_> = last.reasons.names().collect();
-            assert_eq!((room.check.counts().repetitions, last.verdict, &*names.join(", ")), (1, verdict, reasons));
+            room.repeat(person, seconds, seen);
+            room.rest();
+            let [.., Some(Attempt { reasons: last, .. })] = room.check.attempts else { panic!("no repetition") };
+            let names: Vec<_> = last.names().collect();
+            assert_eq!((room.check.counts().repetitions, last.verdict(), &*names.join(", ")), (1, verdict, reasons));
         }
     }
 
@@ -231,15 +208,15 @@ mod tests {
         let mut room = Room::new();
         (0..10).for_each(|step| room.pass(Some(PERSON.at(0.1 * step as f32))));
         (0..600).for_each(|_| room.pass(None));
-        room.repeat(&REST);
-        assert_eq!(room.check.last().map(|last| last.verdict), Some(Verdict::CannotTell));
+        room.rest();
+        assert_eq!(room.check.counts(), Counts { repetitions: 1, cannot_tell: 1, ..Counts::default() });
     }
 
     #[test]
     fn counts_begin_again_with_the_same_examples() {
         let mut room = Room::new();
-        (0..4).for_each(|_| room.repeat(&CORRECT));
-        room.repeat(&REST);
+        (0..4).for_each(|_| room.repeat(PERSON, 2.0, 1));
+        room.rest();
         let counts = Counts { repetitions: 4, correct: 4, ..Counts::default() };
         assert_eq!(room.check.counts(), counts);
         room.check.restart();

@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::Seen;
 use super::repetition::{Repetition, Samples};
 
 /// Time constant of the smoothed angle that separates repetitions, s.
@@ -17,17 +18,16 @@ const RESTING: f32 = 5.0;
 
 /// Where an arm rests, and in which plane it moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reference {
+pub(crate) struct Reference {
     /// Direction of the resting arm, unit length.
-    pub rest: Vec3,
+    pub(crate) rest: Vec3,
     /// Normal of the plane of the movement, unit length; `None` until it is known.
-    pub normal: Option<Vec3>,
+    pub(crate) normal: Option<Vec3>,
 }
 
 impl Reference {
     /// Angle of an arm from its rest, degrees: in the plane, -90 to 270, or without one in any direction, 0 to 180.
-    #[must_use]
-    pub fn angle(&self, arm: Vec3) -> f32 {
+    pub(crate) fn angle(&self, arm: Vec3) -> f32 {
         let Some(normal) = self.normal else { return self.rest.angle_between(arm).to_degrees() };
         let rest = self.rest.reject_from(normal).normalize_or_zero();
         let angle = libm::atan2f(normal.dot(rest.cross(arm)), rest.dot(arm)).to_degrees();
@@ -37,8 +37,8 @@ impl Reference {
 
 /// Separates repetitions: the arm rises from its lowest angle, and falls again.
 #[derive(Clone, Debug)]
-pub struct Counter {
-    reference: Reference,
+pub(crate) struct Counter {
+    pub(crate) reference: Reference,
     samples: Samples,
     smooth: Option<f32>,
     low: f32,
@@ -48,29 +48,18 @@ pub struct Counter {
 
 impl Counter {
     /// Begins with a resting arm.
-    #[must_use]
-    pub const fn new(reference: Reference) -> Self {
+    pub(crate) const fn new(reference: Reference) -> Self {
         Self { reference, samples: Samples::new(), smooth: None, low: 0.0, high: 0.0, raised: false }
     }
 
-    /// Where the arm rests.
-    #[must_use]
-    pub const fn reference(&self) -> &Reference {
-        &self.reference
-    }
-
-    /// Counts a skeleton, `dt` seconds after the previous one, in which the arm or the trunk was not seen.
-    pub fn miss(&mut self, dt: f32) {
-        self.samples.miss(dt);
-    }
-
-    /// Takes the direction of the trunk and of the arm, `dt` seconds after the previous ones. Returns a repetition that has ended.
-    pub fn push(&mut self, trunk: Vec3, arm: Vec3, dt: f32) -> Option<Repetition> {
+    /// Takes trunk and arm, `dt` seconds after the previous ones. Returns a repetition that has ended.
+    pub(crate) fn push(&mut self, seen: Option<Seen>, dt: f32) -> Option<Repetition> {
+        self.samples.push(seen, dt);
+        let Seen { arm, .. } = seen?;
         let angle = self.reference.angle(arm);
         let smooth = self.smooth.map_or(angle, |old| old + (1.0 - libm::expf(-dt / SMOOTHING)) * (angle - old));
         self.low = if self.smooth.is_none() { smooth } else { self.low };
         self.smooth = Some(smooth);
-        self.samples.push(trunk, arm, dt);
         if self.raised {
             self.high = self.high.max(smooth);
             let end = self.low + END * (self.high - self.low);
@@ -86,7 +75,7 @@ impl Counter {
     }
 
     /// Ends the stream: returns a repetition that has begun.
-    pub fn finish(&mut self) -> Option<Repetition> {
+    pub(crate) fn finish(&mut self) -> Option<Repetition> {
         let ended = self.raised.then(|| self.close(0.0));
         *self = Self::new(self.reference);
         ended

@@ -4,10 +4,10 @@ use bica_motion::side::Side;
 use glam::Vec3;
 use heapless::Vec;
 
-use super::{Counter, Posture, Reference, Repetition};
+use super::{Counter, Posture, Reference, Repetition, Seen};
 
 /// Number of correct repetitions from which the check learns.
-pub const EXAMPLES: usize = 3;
+pub(crate) const EXAMPLES: usize = 3;
 /// Repetitions that are kept while it learns; some may be only a swing of the arm.
 const KEPT: usize = 6;
 /// Share of the largest range that a repetition must have; a swing of the arm has less.
@@ -19,22 +19,22 @@ const USUAL_NOISE: f32 = 5.0;
 
 /// Correct repetitions of one person.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Example {
+pub(crate) struct Example {
     /// The arm that moves.
-    pub arm: Side,
+    pub(crate) arm: Side,
     /// Its rest, and the plane of the movement.
-    pub reference: Reference,
+    pub(crate) reference: Reference,
     /// Least peak of the repetitions, degrees.
-    pub peak: f32,
+    pub(crate) peak: f32,
     /// Largest lean of the trunk, degrees.
-    pub lean: f32,
+    pub(crate) lean: f32,
     /// Mean duration, s.
-    pub seconds: f32,
+    pub(crate) seconds: f32,
 }
 
 /// Learns an [`Example`] from the first repetitions of a person.
 #[derive(Clone, Debug)]
-pub struct Learner {
+pub(crate) struct Learner {
     arms: [Arm; 2],
 }
 
@@ -51,28 +51,21 @@ struct Arm {
     jitter: (f32, u32),
 }
 
-impl Default for Learner {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl Learner {
     /// Begins with both arms at rest.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { arms: [Arm::NEW, Arm::NEW] }
     }
 
     /// Takes a posture, `None` if the trunk is not seen, `dt` seconds after the previous one.
-    pub fn push(&mut self, posture: Option<&Posture>, dt: f32) {
-        for (index, arm) in self.arms.iter_mut().enumerate() {
-            arm.push(posture.and_then(|posture| Some((posture.trunk, posture.arms[index]?))), dt);
+    pub(crate) fn push(&mut self, posture: Option<&Posture>, dt: f32) {
+        for (arm, side) in self.arms.iter_mut().zip(Side::BOTH) {
+            arm.push(posture.and_then(|posture| posture.side(side)), dt);
         }
     }
 
     /// Ends a stream, as at the end of a recording.
-    pub fn finish(&mut self) {
+    pub(crate) fn finish(&mut self) {
         for arm in &mut self.arms {
             let ended = arm.counter.as_mut().and_then(Counter::finish);
             arm.keep(ended);
@@ -81,18 +74,14 @@ impl Learner {
     }
 
     /// Number of repetitions so far, 0 to [`EXAMPLES`].
-    #[must_use]
-    pub fn repetitions(&self) -> usize {
+    pub(crate) fn repetitions(&self) -> usize {
         self.arms.iter().map(|arm| arm.whole().count()).max().unwrap_or(0).min(EXAMPLES)
     }
 
     /// What was learnt; `None` if an arm has not done so many repetitions, at most [`EXAMPLES`].
-    #[must_use]
-    pub fn example(&self, repetitions: usize) -> Option<Example> {
-        let [left, right] = &self.arms;
-        let both = [(Side::Left, left), (Side::Right, right)];
-        let able = both.into_iter().filter(|(_, arm)| arm.whole().count() >= repetitions.max(1));
-        able.max_by(|a, b| a.1.score().total_cmp(&b.1.score())).and_then(|(side, arm)| arm.example(side))
+    pub(crate) fn example(&self, repetitions: usize) -> Option<Example> {
+        let able = self.arms.iter().zip(Side::BOTH).filter(|(arm, _)| arm.whole().count() >= repetitions.max(1));
+        able.max_by(|a, b| a.0.score().total_cmp(&b.0.score())).and_then(|(arm, side)| arm.example(side))
     }
 }
 
@@ -106,10 +95,12 @@ impl Arm {
         jitter: (0.0, 0),
     };
 
-    fn push(&mut self, seen: Option<(Vec3, Vec3)>, dt: f32) {
-        let Some((trunk, arm)) = seen else {
+    fn push(&mut self, seen: Option<Seen>, dt: f32) {
+        let ended = self.counter.as_mut().and_then(|counter| counter.push(seen, dt));
+        self.keep(ended);
+        let Some(Seen { arm, .. }) = seen else {
             self.last = [None; 2];
-            return self.counter.iter_mut().for_each(|counter| counter.miss(dt));
+            return;
         };
         if let [Some(first), Some(second)] = self.last {
             self.jitter.0 += (second - 0.5 * (first + arm)).length_squared();
@@ -119,11 +110,10 @@ impl Arm {
         if self.resting > 0.0 {
             self.rest += arm;
             self.resting -= dt;
-        } else {
-            let rest = self.rest.normalize_or(arm);
-            let counter = self.counter.get_or_insert_with(|| Counter::new(Reference { rest, normal: None }));
-            let ended = counter.push(trunk, arm, dt);
-            self.keep(ended);
+        } else if self.counter.is_none() {
+            let mut counter = Counter::new(Reference { rest: self.rest.normalize_or(arm), normal: None });
+            counter.push(seen, dt);
+            self.counter = Some(counter);
         }
     }
 
@@ -148,7 +138,7 @@ impl Arm {
     }
 
     fn example(&self, arm: Side) -> Option<Example> {
-        let rest = self.counter.as_ref()?.reference().rest;
+        let rest = self.counter.as_ref()?.reference.rest;
         let normal = self.whole().map(|repetition| repetition.normal).sum::<Vec3>().try_normalize()?;
         let fold =
             |value: fn(&Repetition) -> f32, start, of: fn(f32, f32) -> f32| self.whole().map(value).fold(start, of);

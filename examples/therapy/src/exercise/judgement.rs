@@ -37,21 +37,16 @@ pub struct Judging {
 const FEWEST: u32 = 8;
 
 /// Whether a repetition was correct.
-#[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// As the examples.
+pub(crate) enum Verdict {
     Correct,
-    /// Not as the examples, for the reasons that are named.
     Incorrect,
     /// The person was not seen well enough, or there are no examples. It does not count as wrong.
     CannotTell,
 }
 
 impl Verdict {
-    /// The verdict in a record, as `cannot_tell`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Correct => "correct",
             Self::Incorrect => "incorrect",
@@ -60,7 +55,7 @@ impl Verdict {
     }
 }
 
-/// Why a repetition is not correct, or cannot be judged.
+/// Why a repetition is not correct, or cannot be judged; none of a correct one.
 #[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
@@ -95,45 +90,47 @@ impl Reasons {
         ];
         all.into_iter().filter_map(|(holds, name)| holds.then_some(name))
     }
-}
 
-/// A verdict with its reasons.
-#[message]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Judgement {
-    /// Whether the repetition was correct.
-    pub verdict: Verdict,
-    /// Why not; none of a correct one.
-    pub reasons: Reasons,
-}
-
-impl Judgement {
-    /// It cannot be told, for these reasons.
-    #[must_use]
-    pub const fn cannot_tell(reasons: Reasons) -> Self {
-        Self { verdict: Verdict::CannotTell, reasons }
+    /// What follows from the reasons.
+    pub(crate) fn verdict(self) -> Verdict {
+        if self.not_seen || self.unsure || self.no_examples {
+            Verdict::CannotTell
+        } else if self == Self::default() {
+            Verdict::Correct
+        } else {
+            Verdict::Incorrect
+        }
     }
+}
+
+/// A repetition that was judged.
+#[message]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attempt {
+    /// Why it is not correct.
+    pub reasons: Reasons,
+    /// Largest angle of the arm, degrees.
+    pub peak: f32,
+    /// Angle that is enough, degrees.
+    pub goal: f32,
 }
 
 impl Judging {
     /// Judges a repetition against the examples of the same person.
-    #[must_use]
-    pub fn judge(&self, example: &Example, repetition: &Repetition) -> Judgement {
+    pub(crate) fn judge(&self, example: &Example, repetition: &Repetition) -> Reasons {
         let Repetition { seen, missed, noise, .. } = *repetition;
         let not_seen = seen < FEWEST || (seen as f32) < self.seen * (seen + missed) as f32;
         let unsure = noise > self.noise;
         if not_seen || unsure {
-            return Judgement::cannot_tell(Reasons { not_seen, unsure, ..Reasons::default() });
+            return Reasons { not_seen, unsure, ..Reasons::default() };
         }
         let normal = example.reference.normal.unwrap_or(repetition.normal);
-        let reasons = Reasons {
+        Reasons {
             too_low: repetition.peak < example.peak - self.too_low,
             leaning: repetition.lean > example.lean + self.leaning,
             wrong_direction: repetition.normal.angle_between(normal).to_degrees() > self.direction,
             too_fast: repetition.seconds < self.tempo * example.seconds,
             ..Reasons::default()
-        };
-        let is_correct = reasons == Reasons::default();
-        Judgement { verdict: if is_correct { Verdict::Correct } else { Verdict::Incorrect }, reasons }
+        }
     }
 }

@@ -11,9 +11,11 @@ mod judgement;
 mod posture;
 mod repetition;
 
-pub use check::ExerciseCheck;
-pub use counter::{Counter, Reference};
-pub use example::{EXAMPLES, Example, Learner};
-pub use judgement::{Judgement, Judging, Reasons, Verdict};
-pub use posture::Posture;
-pub use repetition::Repetition;
+pub use judgement::{Attempt, Reasons};
+
+pub(crate) use check::ExerciseCheck;
+pub(crate) use counter::{Counter, Reference};
+pub(crate) use example::{EXAMPLES, Example, Learner};
+pub(crate) use judgement::{Judging, Verdict};
+pub(crate) use posture::{Posture, Seen};
+pub(crate) use repetition::Repetition;

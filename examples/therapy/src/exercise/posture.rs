@@ -1,17 +1,25 @@
 //! Directions of trunk and upper arms.
 
+use bica_motion::side::Side;
 use glam::Vec3;
 
 use crate::skeleton::{Point, Skeleton};
 
 /// What the check of an exercise looks at in one skeleton.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Posture {
+pub(crate) struct Posture {
     /// Direction of the trunk upwards, in the frame of the camera, unit length.
-    pub trunk: Vec3,
+    pub(crate) trunk: Vec3,
     /// Direction of the left and the right upper arm in the frame of the body, unit length: from the right to the left shoulder, along
     /// the trunk upwards, and at right angles to both.
-    pub arms: [Option<Vec3>; 2],
+    pub(crate) arms: [Option<Vec3>; 2],
+}
+
+/// The trunk and one arm of a posture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) trunk: Vec3,
+    pub(crate) arm: Vec3,
 }
 
 /// Points of the trunk. The mean of several is less noisy than one.
@@ -21,8 +29,7 @@ const SHOULDERS: [Point; 2] = [Point::LeftShoulder, Point::RightShoulder];
 
 impl Posture {
     /// Computes the directions from the points with at least this confidence, 0 to 1; `None` if the trunk is not seen.
-    #[must_use]
-    pub fn of(skeleton: &Skeleton, confidence: f32) -> Option<Self> {
+    pub(crate) fn of(skeleton: &Skeleton, confidence: f32) -> Option<Self> {
         let sure = |points: &[Point]| skeleton.is_sure(points, confidence);
         if !(sure(&UPPER) && sure(&LOWER) && sure(&SHOULDERS)) {
             return None;
@@ -38,5 +45,10 @@ impl Posture {
             Some(Vec3::new(arm.dot(lateral), arm.dot(trunk), arm.dot(forward)))
         };
         Some(Self { trunk, arms: [arm(left, Point::LeftElbow), arm(right, Point::RightElbow)] })
+    }
+
+    /// The trunk and one arm, if it is seen.
+    pub(crate) fn side(&self, side: Side) -> Option<Seen> {
+        Some(Seen { trunk: self.trunk, arm: self.arms[side.index()]? })
     }
 }

@@ -3,24 +3,17 @@
 use glam::Vec3;
 use heapless::Vec;
 
-use super::Reference;
+use super::{Reference, Seen};
 
 /// Largest number of samples of a repetition: 5 s at 30 Hz. Of a longer one every second, fourth… sample is kept.
 const CAPACITY: usize = 160;
 /// Samples of the resting arm that are kept before a repetition.
 const BEFORE: usize = 12;
 
-/// Directions of trunk and arm.
-#[derive(Clone, Copy, Debug)]
-struct Sample {
-    trunk: Vec3,
-    arm: Vec3,
-}
-
 /// Samples of a repetition.
 #[derive(Clone, Debug)]
 pub(super) struct Samples {
-    kept: Vec<Sample, CAPACITY>,
+    kept: Vec<Seen, CAPACITY>,
     /// One of so many samples is kept.
     stride: u32,
     seen: u32,
@@ -34,13 +27,12 @@ impl Samples {
         Self { kept: Vec::new(), stride: 1, seen: 0, missed: 0, seconds: 0.0 }
     }
 
-    pub(super) fn miss(&mut self, dt: f32) {
-        self.missed += 1;
+    pub(super) fn push(&mut self, seen: Option<Seen>, dt: f32) {
         self.seconds += dt;
-    }
-
-    pub(super) fn push(&mut self, trunk: Vec3, arm: Vec3, dt: f32) {
-        self.seconds += dt;
+        let Some(seen) = seen else {
+            self.missed += 1;
+            return;
+        };
         self.seen += 1;
         if !self.seen.is_multiple_of(self.stride) {
             return;
@@ -53,7 +45,7 @@ impl Samples {
             });
             self.stride *= 2;
         }
-        let _ = self.kept.push(Sample { trunk, arm });
+        let _ = self.kept.push(seen);
     }
 
     /// Forgets all samples but the last ones.
@@ -70,23 +62,23 @@ impl Samples {
 
 /// What is measured of one repetition.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Repetition {
+pub(crate) struct Repetition {
     /// Largest angle of the arm from its rest, degrees.
-    pub peak: f32,
+    pub(crate) peak: f32,
     /// Largest less least angle, degrees.
-    pub range: f32,
+    pub(crate) range: f32,
     /// Largest lean of the trunk from where it is while the arm is low, degrees, less what noise contributes.
-    pub lean: f32,
+    pub(crate) lean: f32,
     /// Normal of the plane in which the arm moves, unit length.
-    pub normal: Vec3,
+    pub(crate) normal: Vec3,
     /// Noise of the direction of the trunk, degrees, one standard deviation about each axis.
-    pub noise: f32,
+    pub(crate) noise: f32,
     /// Duration, s.
-    pub seconds: f32,
+    pub(crate) seconds: f32,
     /// Number of skeletons in which trunk and arm were seen.
-    pub seen: u32,
+    pub(crate) seen: u32,
     /// Number of those in which they were not.
-    pub missed: u32,
+    pub(crate) missed: u32,
 }
 
 /// Square of the length, at a probability of 90 %, of a noise with unit deviation on two axes: -2 ln 0.1.
@@ -104,8 +96,7 @@ impl Repetition {
         let peak = top.iter().sum::<f32>() / top.len() as f32;
         let width = kept.len() / 5;
         let noise = noise(kept);
-        let trunk = |sample: &Sample| sample.trunk;
-        let trunks = smoothed(kept, width, trunk);
+        let trunks = smoothed(kept, width, |sample| sample.trunk);
         let is_low = |angle: f32| angle < low + 0.3 * (high - low);
         let resting = trunks.iter().zip(&angles).filter(|(_, angle)| is_low(**angle));
         let upright = resting.map(|(trunk, _)| *trunk).sum::<Vec3>().normalize_or(kept[0].trunk);
@@ -119,19 +110,19 @@ impl Repetition {
 }
 
 /// Moving means over an odd number of samples, at least one.
-fn smoothed<T>(kept: &[Sample], width: usize, value: impl Fn(&Sample) -> T) -> Vec<T, CAPACITY>
+fn smoothed<T>(kept: &[Seen], width: usize, value: impl Fn(&Seen) -> T) -> Vec<T, CAPACITY>
 where
     T: core::iter::Sum + core::ops::Div<f32, Output = T>,
 {
     let half = width / 2;
     let around = |index: usize| &kept[index.saturating_sub(half)..(index + half + 1).min(kept.len())];
-    let mean = |near: &[Sample]| near.iter().map(&value).sum::<T>() / near.len() as f32;
+    let mean = |near: &[Seen]| near.iter().map(&value).sum::<T>() / near.len() as f32;
     (0..kept.len()).map(|index| mean(around(index))).collect()
 }
 
 /// Standard deviation of the direction of the trunk about one axis, degrees, from the differences of neighbours: their variance is 1.5
 /// times that of the noise, on two axes.
-fn noise(kept: &[Sample]) -> f32 {
+fn noise(kept: &[Seen]) -> f32 {
     let differences = kept.windows(3).map(|near| near[1].trunk - 0.5 * (near[0].trunk + near[2].trunk));
     let sum: f32 = differences.map(Vec3::length_squared).sum();
     libm::sqrtf(sum / 3.0 / kept.len().saturating_sub(2).max(1) as f32).to_degrees()

@@ -20,7 +20,7 @@ pub struct Guarding {
 /// Why the session pauses.
 #[output]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trouble {
+pub(crate) enum Trouble {
     /// The robot fell.
     Fallen,
     /// A motor is hot.
@@ -42,14 +42,12 @@ pub struct Guard {
 
 #[component(hz = 100, budget_us = 5)]
 impl Guard {
-    /// Creates the component without a trouble.
-    #[must_use]
-    pub const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self { tilt: 0.0, hottest: 0.0, battery: 0.0, page: None, trouble: None }
     }
 
     /// Takes roll and pitch of the torso, rad, the temperatures of the motors, °C, and the charge of the battery, 0 to 1.
-    pub fn measure(&mut self, [roll, pitch]: [f32; 2], temperatures: &Joints, battery: f32) {
+    pub(crate) fn measure(&mut self, [roll, pitch]: [f32; 2], temperatures: &Joints, battery: f32) {
         self.battery = battery;
         self.tilt = libm::fabsf(roll).max(libm::fabsf(pitch));
         self.hottest = temperatures.0.iter().copied().fold(0.0, f32::max);
@@ -67,34 +65,31 @@ impl Guard {
 
     /// Tells that the page is there. After the first time it must come again and again.
     #[modulation]
-    pub const fn page_is_here(&mut self) {
+    pub(crate) const fn page_is_here(&mut self) {
         self.page = Some(0.0);
     }
 
     /// The page was closed: it is not missed any more.
     #[modulation]
-    pub const fn page_closes(&mut self) {
+    pub(crate) const fn page_closes(&mut self) {
         self.page = None;
     }
 
     /// The trouble, if there is one.
     #[info]
-    #[must_use]
-    pub const fn trouble(&self) -> Option<Trouble> {
+    pub(crate) const fn trouble(&self) -> Option<Trouble> {
         self.trouble
     }
 
     /// Charge of the battery, 0 to 1.
     #[info]
-    #[must_use]
-    pub const fn battery(&self) -> f32 {
+    pub(crate) const fn battery(&self) -> f32 {
         self.battery
     }
 
     /// Temperature of the hottest motor.
     #[info(unit = "°C")]
-    #[must_use]
-    pub const fn hottest(&self) -> f32 {
+    pub(crate) const fn hottest(&self) -> f32 {
         self.hottest
     }
 }

@@ -4,6 +4,8 @@ mod guard;
 mod patient_pose;
 mod signals;
 
-pub use guard::{Guard, Guarding, Trouble};
-pub use patient_pose::PatientPose;
-pub use signals::{Pressed, Signals};
+pub use signals::Pressed;
+
+pub(crate) use guard::{Guard, Trouble};
+pub(crate) use patient_pose::PatientPose;
+pub(crate) use signals::Signals;

@@ -4,27 +4,26 @@ use bica::prelude::*;
 
 use crate::session::Signal;
 
-/// What is pressed or touched, in the order of [`Signal`].
-pub type Pressed = [bool; Signal::COUNT];
+/// What is pressed or touched: chest, left and right bumper, head, left and right hand.
+pub type Pressed = [bool; 6];
 
 /// Presses and touches that begin, and how long the chest is pressed.
 #[derive(Debug)]
 pub struct Signals {
     now: Pressed,
     before: Pressed,
-    chest: f32,
+    /// Time since the button in the chest was pressed, s.
+    pub(crate) chest: f32,
 }
 
 #[component(hz = 100, budget_us = 1)]
 impl Signals {
-    /// Creates the component with nothing pressed.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self { now: [false; Signal::COUNT], before: [false; Signal::COUNT], chest: 0.0 }
+    pub(crate) const fn new() -> Self {
+        Self { now: [false; 6], before: [false; 6], chest: 0.0 }
     }
 
     /// Takes what is pressed in this cycle, before it is stepped.
-    pub const fn receive(&mut self, pressed: Pressed) {
+    pub(crate) const fn receive(&mut self, pressed: Pressed) {
         (self.before, self.now) = (self.now, pressed);
     }
 
@@ -33,15 +32,7 @@ impl Signals {
     }
 
     /// Whether it begins in this cycle.
-    #[must_use]
-    pub const fn begins(&self, signal: Signal) -> bool {
+    pub(crate) const fn begins(&self, signal: Signal) -> bool {
         self.now[signal as usize] && !self.before[signal as usize]
-    }
-
-    /// Time since the button in the chest was pressed.
-    #[info(unit = "s")]
-    #[must_use]
-    pub const fn chest_held(&self) -> f32 {
-        self.chest
     }
 }

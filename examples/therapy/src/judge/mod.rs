@@ -5,13 +5,13 @@ mod recording;
 mod tests;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use bica_app::Failure;
 use serde::Serialize;
 
-use crate::exercise::{Counter, EXAMPLES, Example, Judgement, Judging, Learner, Posture, Reasons, Verdict};
+use crate::cli;
+use crate::exercise::{Counter, EXAMPLES, Example, Judging, Learner, Posture, Reasons, Verdict};
 use crate::skeleton::Skeleton;
 
 /// Least number of the examples in which a movement must be found.
@@ -19,23 +19,20 @@ const FOUND: usize = 2;
 
 /// The result of one recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Judged {
+pub(crate) struct Judged {
     /// The file of its positions, relative to the folder.
-    pub file: String,
+    pub(crate) file: String,
     /// `correct`, `incorrect` or `cannot_tell`: what most of the time of its repetitions is.
-    pub verdict: &'static str,
+    pub(crate) verdict: &'static str,
     /// Why, in the order of the rules.
-    pub reasons: Vec<&'static str>,
+    pub(crate) reasons: Vec<&'static str>,
     /// Number of repetitions.
-    pub repetitions: usize,
+    pub(crate) repetitions: usize,
 }
 
 /// Judges the recordings of a folder with `correct/` and `incorrect/`, which have `rate` skeletons a second. For each person and
 /// movement, the first three recordings of `correct/` are the examples; all others are judged.
-///
-/// # Errors
-/// If the folder has no recordings, or one cannot be read.
-pub fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<Judged>, Failure> {
+pub(crate) fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<Judged>, Failure> {
     let mut groups: BTreeMap<String, (Vec<PathBuf>, Vec<PathBuf>)> = BTreeMap::new();
     for (index, name) in ["correct", "incorrect"].into_iter().enumerate() {
         for (path, group) in recordings(&folder.join(name))? {
@@ -45,22 +42,19 @@ pub fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<Judged>,
     }
     if groups.is_empty() {
         let what = format!("`{}` has no recordings in `correct` and `incorrect`", folder.display());
-        return Err(Failure::new(
-            what,
-            "give a folder with files mMM_sSS_eEE_positions.txt and mMM_sSS_eEE_angles.txt",
-        ));
+        return Err(Failure::new(what, "give files mMM_sSS_eEE_positions.txt and mMM_sSS_eEE_angles.txt"));
     }
     let mut judged = Vec::new();
     for (examples, others) in groups.values() {
         let examples = examples.iter().map(|path| read(path)).collect::<Result<Vec<_>, _>>()?;
         let example = learn(&examples, rate, judging);
         for path in others {
-            let (judgement, repetitions) = example.as_ref().map_or_else(
-                || Ok((Judgement::cannot_tell(Reasons { no_examples: true, ..Reasons::default() }), 0)),
+            let (reasons, repetitions) = example.as_ref().map_or_else(
+                || Ok((Reasons { no_examples: true, ..Reasons::default() }, 0)),
                 |example| read(path).map(|skeletons| verdict(&skeletons, rate, example, judging)),
             )?;
             let file = path.strip_prefix(folder).unwrap_or(path).display().to_string();
-            let (verdict, reasons) = (judgement.verdict.name(), judgement.reasons.names().collect());
+            let (verdict, reasons) = (reasons.verdict().name(), reasons.names().collect());
             judged.push(Judged { file, verdict, reasons, repetitions });
         }
     }
@@ -70,11 +64,7 @@ pub fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<Judged>,
 
 /// Lists the files of positions in a folder, in order, with movement and person.
 fn recordings(folder: &Path) -> Result<Vec<(PathBuf, String)>, Failure> {
-    let help = "give a folder with the folders `correct` and `incorrect`";
-    let failed = |error| Failure::of_path("read", folder, &error, help);
-    let paths = fs::read_dir(folder).map_err(failed)?.map(|entry| entry.map(|entry| entry.path()));
-    let mut paths: Vec<PathBuf> = paths.collect::<Result<_, _>>().map_err(failed)?;
-    paths.sort();
+    let paths = cli::files(folder, "give a folder with the folders `correct` and `incorrect`")?;
     let named = paths.into_iter().filter_map(|path| {
         let name = path.file_name()?.to_str()?;
         let (group, _) = name.split_once("_positions.txt")?.0.rsplit_once("_e")?;
@@ -97,44 +87,36 @@ fn learn(examples: &[Recording], rate: f32, judging: &Judging) -> Option<Example
     let mut learner = Learner::new();
     for example in examples {
         for skeleton in example {
-            learner.push(posture(skeleton.as_ref(), judging).as_ref(), 1.0 / rate);
+            let posture = skeleton.as_ref().and_then(|skeleton| Posture::of(skeleton, judging.confidence));
+            learner.push(posture.as_ref(), 1.0 / rate);
         }
         learner.finish();
     }
     learner.example(FOUND)
 }
 
-fn posture(skeleton: Option<&Skeleton>, judging: &Judging) -> Option<Posture> {
-    skeleton.and_then(|skeleton| Posture::of(skeleton, judging.confidence))
-}
-
 /// Judges a recording, and counts its repetitions.
-fn verdict(skeletons: &[Option<Skeleton>], rate: f32, example: &Example, judging: &Judging) -> (Judgement, usize) {
+fn verdict(skeletons: &[Option<Skeleton>], rate: f32, example: &Example, judging: &Judging) -> (Reasons, usize) {
     let mut counter = Counter::new(example.reference);
     let mut repetitions = Vec::new();
     let mut seen = 0;
     for skeleton in skeletons {
-        let posture = posture(skeleton.as_ref(), judging);
-        match posture.and_then(|posture| Some((posture.trunk, posture.arms[example.arm.index()]?))) {
-            Some((trunk, arm)) => {
-                seen += 1;
-                repetitions.extend(counter.push(trunk, arm, 1.0 / rate));
-            }
-            None => counter.miss(1.0 / rate),
-        }
+        let posture = skeleton.as_ref().and_then(|skeleton| Posture::of(skeleton, judging.confidence));
+        let side = posture.and_then(|posture| posture.side(example.arm));
+        seen += usize::from(side.is_some());
+        repetitions.extend(counter.push(side, 1.0 / rate));
     }
     repetitions.extend(counter.finish());
     if repetitions.is_empty() {
         let not_seen = (seen as f32) < judging.seen * skeletons.len() as f32 || seen == 0;
-        let verdict = if not_seen { Verdict::CannotTell } else { Verdict::Incorrect };
-        return (Judgement { verdict, reasons: Reasons { not_seen, too_low: !not_seen, ..Reasons::default() } }, 0);
+        return (Reasons { not_seen, too_low: !not_seen, ..Reasons::default() }, 0);
     }
     let judged: Vec<_> =
         repetitions.iter().map(|repetition| (judging.judge(example, repetition), repetition.seconds)).collect();
     let time =
-        |of: Verdict| judged.iter().filter(|(each, _)| each.verdict == of).map(|(_, seconds)| seconds).sum::<f32>();
+        |of: Verdict| judged.iter().filter(|(each, _)| each.verdict() == of).map(|(_, seconds)| seconds).sum::<f32>();
     let all = [Verdict::Incorrect, Verdict::Correct, Verdict::CannotTell];
     let most = all.into_iter().max_by(|a, b| time(*a).total_cmp(&time(*b))).expect("three verdicts");
-    let longest = judged.iter().filter(|(each, _)| each.verdict == most).max_by(|a, b| a.1.total_cmp(&b.1));
+    let longest = judged.iter().filter(|(each, _)| each.verdict() == most).max_by(|a, b| a.1.total_cmp(&b.1));
     (longest.expect("a repetition with this verdict").0, repetitions.len())
 }

@@ -10,15 +10,12 @@ use glam::{Mat3, Vec3};
 
 use crate::skeleton::{Layout, Skeleton};
 
-const POINTS: usize = Layout::Kinect22.count();
+const POINTS: usize = 22;
 
 /// Parent of each point.
 const PARENTS: [usize; POINTS] = [0, 0, 1, 2, 3, 4, 2, 6, 7, 8, 2, 10, 11, 12, 0, 14, 15, 16, 0, 18, 19, 20];
 
 /// Reads the skeletons of a recording from its file of positions and its file of angles; a line without a skeleton is `None`.
-///
-/// # Errors
-/// If a file cannot be read, or a line is not 66 numbers.
 pub(super) fn read(positions: &Path, angles: &Path) -> Result<Vec<Option<Skeleton>>, Failure> {
     let (offsets, turns) = (lines(positions)?, lines(angles)?);
     if offsets.len() != turns.len() {
@@ -49,12 +46,8 @@ fn lines(path: &Path) -> Result<Vec<Line>, Failure> {
     let text = text(path)?;
     let parsed = text.lines().enumerate().map(|(index, line)| {
         parse(line).ok_or_else(|| {
-            let what = format!(
-                "`{}`, line {}: not {} numbers with commas between them",
-                path.display(),
-                index + 1,
-                3 * POINTS
-            );
+            let place = format!("`{}`, line {}", path.display(), index + 1);
+            let what = format!("{place}: not {} numbers with commas between them", 3 * POINTS);
             Failure::new(what, "give the files of UI-PRMD for a Kinect: 22 points with three numbers each")
         })
     });
@@ -67,12 +60,8 @@ fn parse(line: &str) -> Option<Line> {
         return Some(None);
     }
     let numbers: Vec<f32> = line.split(',').map(|number| number.trim().parse().ok()).collect::<Option<_>>()?;
-    let line: [Vec3; POINTS] = numbers
-        .chunks(3)
-        .map(|xyz| Some(Vec3::from_array(xyz.try_into().ok()?)))
-        .collect::<Option<Vec<_>>>()?
-        .try_into()
-        .ok()?;
+    let points = || std::array::from_fn(|point| Vec3::from_slice(&numbers[3 * point..]));
+    let line: [Vec3; POINTS] = (numbers.len() == 3 * POINTS).then(points)?;
     Some(line.iter().all(|point| point.is_finite()).then_some(line))
 }
 
@@ -80,12 +69,9 @@ fn parse(line: &str) -> Option<Line> {
 fn text(path: &Path) -> Result<String, Failure> {
     let failed = |error| Failure::of_path("read", path, &error, "give a text file, or one compressed with gzip");
     let bytes = fs::read(path).map_err(failed)?;
-    let mut text = String::new();
-    if bytes.starts_with(&[0x1f, 0x8b]) {
-        MultiGzDecoder::new(&bytes[..]).read_to_string(&mut text).map_err(failed)?;
-        return Ok(text);
-    }
-    bytes.as_slice().read_to_string(&mut text).map_err(failed)?;
+    let (mut text, packed) = (String::new(), bytes.starts_with(&[0x1f, 0x8b]));
+    let mut reader: Box<dyn Read> = if packed { Box::new(MultiGzDecoder::new(&*bytes)) } else { Box::new(&*bytes) };
+    reader.read_to_string(&mut text).map_err(failed)?;
     Ok(text)
 }
 

@@ -10,42 +10,38 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use bica_app::Failure;
 use serde::{Deserialize, Serialize};
 
-pub use report::report;
+pub(crate) use report::report;
 
-use crate::exercise::Judgement;
-use crate::robot::Noted;
+use crate::cli;
+use crate::exercise::Attempt;
 
 /// What a record begins with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Head {
-    /// Code of the person.
-    pub code: String,
-    /// Title of the session.
-    pub session: String,
+pub(crate) struct Head {
+    pub(crate) code: String,
+    pub(crate) session: String,
     /// Begin, seconds since 1970.
-    pub begun: u64,
+    pub(crate) begun: u64,
 }
 
 /// A repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Line {
+pub(crate) struct Entry {
     /// Time since the begin, s.
-    pub seconds: f32,
+    pub(crate) seconds: f32,
     /// Line of the exercise in the session.
-    pub line: usize,
-    /// `correct`, `incorrect` or `cannot_tell`.
-    pub verdict: String,
-    /// Why not.
-    pub reasons: Vec<String>,
+    pub(crate) line: usize,
+    pub(crate) verdict: String,
+    pub(crate) reasons: Vec<String>,
     /// Largest angle of the arm, degrees.
-    pub peak: f32,
+    pub(crate) peak: f32,
     /// Angle that is enough, degrees.
-    pub goal: f32,
+    pub(crate) goal: f32,
 }
 
 /// A record that is written while the session runs: a line of JSON for each repetition.
 #[derive(Debug)]
-pub struct Record {
+pub(crate) struct Record {
     path: PathBuf,
     file: File,
     /// Line of each step.
@@ -55,10 +51,7 @@ pub struct Record {
 const HELP: &str = "give a folder that exists and can be written";
 
 /// Checks a code: 1 to 16 letters, digits and hyphens.
-///
-/// # Errors
-/// If it is something else.
-pub fn check_code(code: &str) -> Result<(), Failure> {
+pub(crate) fn check_code(code: &str) -> Result<(), Failure> {
     let fits = (1..=16).contains(&code.len()) && code.chars().all(|sign| sign.is_ascii_alphanumeric() || sign == '-');
     let what = || format!("`{code}` is not a code of 1 to 16 letters, digits and hyphens");
     if fits { Ok(()) } else { Err(Failure::new(what(), "choose a code such as K-27, not a name")) }
@@ -66,10 +59,7 @@ pub fn check_code(code: &str) -> Result<(), Failure> {
 
 impl Record {
     /// Begins a record in a folder, with a new file.
-    ///
-    /// # Errors
-    /// If the code is none, or the file cannot be written.
-    pub fn begin(folder: &Path, code: &str, session: &str, lines: Vec<usize>) -> Result<Self, Failure> {
+    pub(crate) fn begin(folder: &Path, code: &str, session: &str, lines: Vec<usize>) -> Result<Self, Failure> {
         check_code(code)?;
         let begun = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
         let free = |number: &u32| !folder.join(name(code, *number)).exists();
@@ -81,14 +71,11 @@ impl Record {
     }
 
     /// Appends a repetition.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
-    pub fn note(&mut self, seconds: f32, noted: &Noted) -> Result<(), Failure> {
-        let line = self.lines.get(usize::from(noted.step)).copied().unwrap_or_default();
-        let Judgement { verdict, reasons } = noted.judgement;
-        let (verdict, reasons) = (verdict.name().to_owned(), reasons.names().map(str::to_owned).collect());
-        self.write(&Line { seconds, line, verdict, reasons, peak: noted.peak, goal: noted.goal })
+    pub(crate) fn note(&mut self, seconds: f32, (step, attempt): (u16, Attempt)) -> Result<(), Failure> {
+        let line = self.lines.get(usize::from(step)).copied().unwrap_or_default();
+        let Attempt { reasons, peak, goal } = attempt;
+        let (verdict, reasons) = (reasons.verdict().name().to_owned(), reasons.names().map(str::to_owned).collect());
+        self.write(&Entry { seconds, line, verdict, reasons, peak, goal })
     }
 
     fn write(&mut self, value: &impl Serialize) -> Result<(), Failure> {
@@ -104,28 +91,20 @@ fn name(code: &str, number: u32) -> String {
 /// Files of a code in a folder, in order.
 fn files(folder: &Path, code: &str) -> Result<Vec<PathBuf>, Failure> {
     check_code(code)?;
-    let failed = |error| Failure::of_path("read", folder, &error, "give the folder of the records");
-    let paths = fs::read_dir(folder).map_err(failed)?.map(|entry| entry.map(|entry| entry.path()));
-    let mut paths: Vec<_> = paths.collect::<Result<_, _>>().map_err(failed)?;
+    let mut paths = cli::files(folder, "give the folder of the records")?;
     paths.retain(|path| {
         let name = path.file_name().and_then(|name| name.to_str());
         name.and_then(|name| name.strip_suffix(".jsonl")?.rsplit_once('_')).is_some_and(|(owner, _)| owner == code)
     });
-    paths.sort();
     if paths.is_empty() {
-        return Err(Failure::new(
-            format!("`{}` has no record of `{code}`", folder.display()),
-            "look at the code again",
-        ));
+        let what = format!("`{}` has no record of `{code}`", folder.display());
+        return Err(Failure::new(what, "look at the code again"));
     }
     Ok(paths)
 }
 
 /// Deletes all records of a code; returns their number.
-///
-/// # Errors
-/// If there is none, or one cannot be deleted.
-pub fn forget(folder: &Path, code: &str) -> Result<usize, Failure> {
+pub(crate) fn forget(folder: &Path, code: &str) -> Result<usize, Failure> {
     let files = files(folder, code)?;
     for file in &files {
         fs::remove_file(file).map_err(|error| Failure::of_path("delete", file, &error, HELP))?;
@@ -135,31 +114,28 @@ pub fn forget(folder: &Path, code: &str) -> Result<usize, Failure> {
 
 #[cfg(test)]
 mod tests {
+    use bica_test_data::process::Folder;
+
     use super::*;
-    use crate::exercise::{Reasons, Verdict};
+    use crate::exercise::Reasons;
 
     #[test]
     fn a_record_is_reported_and_forgotten_and_others_stay() {
-        let folder = std::env::temp_dir().join(format!("therapy-record-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
+        let files = Folder::new("record");
+        let folder = files.path();
         for code in ["K-27", "K-27", "K-2"] {
-            let mut record = Record::begin(&folder, code, "Arms <gentle>", vec![7, 9]).expect("a record");
-            let reasons = Reasons::default();
-            for (verdict, reasons, peak) in [
-                (Verdict::Correct, reasons, 98.0),
-                (Verdict::Incorrect, Reasons { too_low: true, ..reasons }, 70.0),
-                (Verdict::CannotTell, Reasons { not_seen: true, ..reasons }, 90.0),
-            ] {
-                let judgement = Judgement { verdict, reasons };
-                record.note(3.0, &Noted { step: 1, judgement, peak, goal: 90.0 }).expect("a line");
+            let mut record = Record::begin(folder, code, "Arms <gentle>", vec![7, 9]).expect("a record");
+            let right = Reasons::default();
+            let (low, hidden) = (Reasons { too_low: true, ..right }, Reasons { not_seen: true, ..right });
+            for (reasons, peak) in [(right, 98.0), (low, 70.0), (hidden, 90.0)] {
+                record.note(3.0, (1, Attempt { reasons, peak, goal: 90.0 })).expect("a line");
             }
         }
-        let page = report(&folder, "K-27").expect("a page");
+        let page = report(folder, "K-27").expect("a page");
         assert_eq!(page.matches("<h2>Arms &lt;gentle&gt;").count(), 2, "{page}");
         assert!(page.contains("1 correct, 1 not correct (too low), 1 not seen") && page.contains("Line 9"), "{page}");
-        assert_eq!(forget(&folder, "K-27").expect("two records"), 2);
-        assert!(forget(&folder, "K-27").is_err() && report(&folder, "K-2").is_ok());
-        assert!(Record::begin(&folder, "Anna Maier", "", vec![]).is_err() && forget(&folder, "../x").is_err());
-        fs::remove_dir_all(&folder).expect("the folder");
+        assert_eq!(forget(folder, "K-27").expect("two records"), 2);
+        assert!(forget(folder, "K-27").is_err() && report(folder, "K-2").is_ok());
+        assert!(Record::begin(folder, "Anna Maier", "", vec![]).is_err() && forget(folder, "../x").is_err());
     }
 }

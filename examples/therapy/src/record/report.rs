@@ -7,7 +7,7 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use bica_app::Failure;
 
-use super::{Head, Line, files};
+use super::{Entry, Head, files};
 
 /// Width of a bar with its gap, and height of 180°, pixels of the page.
 const BAR: usize = 34;
@@ -18,10 +18,7 @@ const STYLE: &str = "body{font:18px sans-serif;max-width:60em;margin:2em auto;co
     .cannot_tell{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
 
 /// Makes a page in HTML about all sessions of a code.
-///
-/// # Errors
-/// If there is no record, or one cannot be read.
-pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
+pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     let mut page =
         format!("<!doctype html><meta charset=\"utf-8\"><title>{code}</title><style>{STYLE}</style><h1>{code}</h1>\n");
     for file in files(folder, code)? {
@@ -31,7 +28,7 @@ pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
         let mut lines = text.lines();
         let head: Head = serde_json::from_str(lines.next().unwrap_or_default()).map_err(|error| failed(&error))?;
         let lines =
-            lines.map(serde_json::from_str).collect::<Result<Vec<Line>, _>>().map_err(|error| failed(&error))?;
+            lines.map(serde_json::from_str).collect::<Result<Vec<Entry>, _>>().map_err(|error| failed(&error))?;
         let title = head.session.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let date = humantime::format_rfc3339_seconds(UNIX_EPOCH + Duration::from_secs(head.begun)).to_string();
         let _ = writeln!(page, "<h2>{title}, {}</h2>", &date[..10]);
@@ -43,7 +40,7 @@ pub fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     Ok(page)
 }
 
-fn write_exercise(page: &mut String, lines: &[Line]) {
+fn write_exercise(page: &mut String, lines: &[Entry]) {
     let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
     let wrong = lines.iter().filter(|line| line.verdict == "incorrect");
     let mut reasons: Vec<&str> = wrong.flat_map(|line| &line.reasons).map(String::as_str).collect();
@@ -51,26 +48,19 @@ fn write_exercise(page: &mut String, lines: &[Line]) {
     reasons.dedup();
     let reasons = if reasons.is_empty() { String::new() } else { format!(" ({})", reasons.join(", ")) };
     let (yes, no, unknown) = (count("correct"), count("incorrect"), count("cannot_tell"));
+    let bar = |(index, line): (usize, &Entry)| {
+        let (x, height) = (BAR * index + 6, line.peak.clamp(0.0, HEIGHT));
+        let (y, Entry { verdict, peak, goal, .. }) = (HEIGHT - height, line);
+        let rect = format!(r#"<rect class="{verdict}" x="{x}" y="{y:.0}" width="24" height="{height:.0}">"#);
+        format!("{rect}<title>{peak:.0}°, goal {goal:.0}°</title></rect>")
+    };
+    let bars = lines.iter().enumerate().map(bar).collect::<Vec<_>>().concat();
+    let (first, width) = (&lines[0], BAR * lines.len() + 10);
+    let (line, y) = (first.line, HEIGHT - first.goal.clamp(0.0, HEIGHT));
     let _ = writeln!(
         page,
-        "<h3>Line {}</h3><p>{yes} correct, {no} not correct{reasons}, {unknown} not seen</p>",
-        lines[0].line
+        r#"<h3>Line {line}</h3><p>{yes} correct, {no} not correct{reasons}, {unknown} not seen</p>
+<svg width="{width}" height="{HEIGHT}" role="img" aria-label="highest angle of each repetition">{bars}
+<line x1="0" x2="{width}" y1="{y:.0}" y2="{y:.0}"/></svg>"#
     );
-    let width = BAR * lines.len() + 10;
-    let _ = write!(
-        page,
-        "<svg width=\"{width}\" height=\"{HEIGHT}\" role=\"img\" aria-label=\"highest angle of each repetition\">"
-    );
-    for (index, line) in lines.iter().enumerate() {
-        let height = line.peak.clamp(0.0, HEIGHT);
-        let (x, y) = (BAR * index + 6, HEIGHT - height);
-        let _ = write!(
-            page,
-            "<rect class=\"{}\" x=\"{x}\" y=\"{y:.0}\" width=\"24\" height=\"{height:.0}\">",
-            line.verdict
-        );
-        let _ = write!(page, "<title>{:.0}°, goal {:.0}°</title></rect>", line.peak, line.goal);
-    }
-    let goal = HEIGHT - lines[0].goal.clamp(0.0, HEIGHT);
-    let _ = writeln!(page, "<line x1=\"0\" x2=\"{width}\" y1=\"{goal:.0}\" y2=\"{goal:.0}\"/></svg>");
 }

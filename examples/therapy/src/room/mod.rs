@@ -3,6 +3,8 @@
 //! In the world `room` there are no forces: the robot always stands, unless an operator pushes it over. In `mujoco` there are.
 
 mod body;
+#[cfg(test)]
+mod tests;
 
 use std::collections::VecDeque;
 use std::f32::consts::PI;
@@ -12,15 +14,13 @@ use std::path::{Path, PathBuf};
 use bica::prelude::*;
 use bica::runner::World;
 use bica_app::{Console, Failure, WorldOptions};
+use bica_body::random::Random;
 use bica_motion::joints::{JOINTS, Joints};
-use bica_motion::pose::Pose2;
 use bica_motion::robot::Inertial;
-use rand_pcg::{Pcg32, rand_core::Rng};
 
 use self::body::Body;
 use crate::body::Sounding;
 use crate::cli;
-use crate::exercise::Judgement;
 use crate::input::Pressed;
 use crate::record::Record;
 use crate::robot::{Command, Order, Sensors, Therapist};
@@ -36,7 +36,8 @@ const SKELETON: u64 = 5;
 const REPETITION: f32 = 4.0;
 
 /// The room.
-pub struct Room {
+#[derive(Default)]
+pub(crate) struct Room {
     cycle: u64,
     orders: VecDeque<Order>,
     /// Cycle in which a person presses the button in the chest to start.
@@ -46,7 +47,7 @@ pub struct Room {
     /// Cycles for which something is pressed.
     pressed: (Option<Signal>, u64),
     hot: bool,
-    person: Option<Pcg32>,
+    person: Option<Random>,
     /// Highest angle of the arm in this repetition, degrees.
     peak: f32,
     /// What began and ended, with its time.
@@ -56,12 +57,9 @@ pub struct Room {
 }
 
 impl Room {
-    /// A room for the options of a run: `session` is a file, `person` is `yes` or `no`, `start` too. With `code`, a record is kept in
+    /// A room for the options of a run: `session` is a file, `person` and `start` are `true` or `false`. With `code`, a record is kept in
     /// the folder `records`. With `sound`, texts are spoken into this folder, and all sounds are played.
-    ///
-    /// # Errors
-    /// If an option is missing or wrong, or the session has an error.
-    pub fn open(options: &WorldOptions) -> Result<Self, Failure> {
+    pub(crate) fn open(options: &WorldOptions) -> Result<Self, Failure> {
         let file: PathBuf = options.value("session", String::new())?.into();
         if file.as_os_str().is_empty() {
             return Err(Failure::new("there is no session", "play one: `therapy play FILE`"));
@@ -75,8 +73,8 @@ impl Room {
             let what = format!("warning: {what}; the session goes on without speech\n  help: {help}");
             Console::new(true).print(&what)?;
         }
-        let yes = |name| options.value(name, "yes".to_owned()).map(|value| value == "yes");
-        let mut room = Self::new(script.orders(folder), options.seed, yes("person")?, yes("start")?);
+        let (person, start) = (options.value("person", true)?, options.value("start", true)?);
+        let mut room = Self::new(script.orders(folder), options.seed, person, start);
         room.player = (!sound.is_empty()).then(|| Player::new(&script, folder, "paplay"));
         let (code, records) = (options.value("code", String::new())?, options.value("records", ".".to_owned())?);
         if !code.is_empty() {
@@ -86,69 +84,14 @@ impl Room {
     }
 
     /// The same with forces.
-    ///
-    /// # Errors
-    /// As for [`open`](Self::open), or if MuJoCo is not there.
-    pub fn open_with_forces(options: &WorldOptions) -> Result<Self, Failure> {
-        Self::open(options)?.with_forces(options.seed)
-    }
-
-    /// Replaces the robot's body by one with forces.
-    ///
-    /// # Errors
-    /// If MuJoCo is not there.
-    pub fn with_forces(mut self, seed: u64) -> Result<Self, Failure> {
-        self.body = Body::with_forces(seed)?;
-        Ok(self)
-    }
-
-    /// Where the robot stands on the floor, from where it began: m, rad. Without forces it stays there.
-    #[must_use]
-    pub fn place(&self) -> Pose2 {
-        self.body.place()
-    }
-
-    /// How often the robot fell.
-    #[must_use]
-    pub const fn falls(&self) -> usize {
-        self.body.falls()
+    pub(crate) fn open_with_forces(options: &WorldOptions) -> Result<Self, Failure> {
+        Ok(Self { body: Body::with_forces(options.seed)?, ..Self::open(options)? })
     }
 
     /// A room where a session is loaded, and started if wanted.
-    #[must_use]
-    pub fn new(orders: Vec<Order>, seed: u64, person: bool, start: bool) -> Self {
-        Self {
-            cycle: 0,
-            start: start.then_some(orders.len() as u64 + RATE),
-            orders: orders.into(),
-            body: Body::ideal(),
-            sound: Sounding::default(),
-            pressed: (None, 0),
-            hot: false,
-            person: person.then(|| Pcg32::new(seed, 1)),
-            peak: 100.0,
-            log: Vec::new(),
-            record: None,
-            player: None,
-        }
-    }
-
-    /// Angles of the joints, rad.
-    #[must_use]
-    pub fn angles(&self) -> Joints {
-        self.body.angles()
-    }
-
-    /// What sounds.
-    #[must_use]
-    pub const fn sound(&self) -> Sounding {
-        self.sound
-    }
-
-    /// What began and ended, with its time.
-    #[must_use]
-    pub fn log(&self) -> &[String] {
-        &self.log
+    fn new(orders: Vec<Order>, seed: u64, person: bool, start: bool) -> Self {
+        let start = start.then_some(orders.len() as u64 + RATE);
+        Self { start, orders: orders.into(), person: person.then(|| Random::new(seed, 2_u64)), ..Self::default() }
     }
 
     /// The person: raises the left arm and lowers it, with a rest of a fourth of the time.
@@ -156,7 +99,7 @@ impl Room {
         let random = self.person.as_mut()?;
         let time = (self.cycle % (RATE * REPETITION as u64)) as f32 / RATE as f32;
         if time == 0.0 {
-            self.peak = 98.0 + 4.0 * (random.next_u32() as f32 / u32::MAX as f32);
+            self.peak = random.between(98.0, 102.0);
         }
         let raised = libm::sinf(PI * (time / REPETITION - 0.25).max(0.0) / 0.75);
         Some(Person { peak: self.peak, ..Person::STILL }.at(raised))
@@ -168,7 +111,7 @@ impl Room {
 impl Room {
     /// Presses or touches the robot.
     #[action]
-    pub const fn press(
+    pub(crate) const fn press(
         &mut self,
         signal: Signal,
         #[range(0.05..=5.0)]
@@ -181,13 +124,13 @@ impl Room {
 
     /// Pushes the robot over, or puts it on its feet again.
     #[action]
-    pub fn push_over(&mut self, fallen: bool) {
+    pub(crate) fn push_over(&mut self, fallen: bool) {
         self.body.push_over(fallen);
     }
 
     /// Makes a motor hot or cool.
     #[action]
-    pub const fn heat(&mut self, hot: bool) {
+    pub(crate) const fn heat(&mut self, hot: bool) {
         self.hot = hot;
     }
 }
@@ -224,21 +167,22 @@ impl World<Therapist> for Room {
     }
 
     fn act(&mut self, command: &Command) {
-        self.body.act(command);
+        let seconds = self.cycle as f32 / RATE as f32;
+        if self.body.act(command) {
+            self.log.push(format!("{seconds:8.2} s  the robot falls"));
+        }
         if command.sound != self.sound {
-            self.log.push(format!("{:8.2} s  {:?}", self.cycle as f32 / RATE as f32, command.sound));
+            self.log.push(format!("{seconds:8.2} s  {:?}", command.sound));
         }
         self.sound = command.sound;
         if let Some(Err(error)) = self.player.as_mut().map(|player| player.play(command.sound)) {
             self.log.push(format!("`paplay` does not play, so there is no sound: {error}"));
             self.player = None;
         }
-        if let Some(noted) = &command.noted {
-            let seconds = self.cycle as f32 / RATE as f32;
-            let Judgement { verdict, reasons } = noted.judgement;
-            let reasons: Vec<_> = reasons.names().collect();
+        if let Some((step, attempt)) = command.noted {
+            let (verdict, reasons) = (attempt.reasons.verdict(), attempt.reasons.names().collect::<Vec<_>>());
             self.log.push(format!("{seconds:8.2} s  {} {}", verdict.name(), reasons.join(", ")));
-            if let Some(Err(failure)) = self.record.as_mut().map(|record| record.note(seconds, noted)) {
+            if let Some(Err(failure)) = self.record.as_mut().map(|record| record.note(seconds, (step, attempt))) {
                 self.log.push(format!("{failure:?}"));
             }
         }

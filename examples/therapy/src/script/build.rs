@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::command;
+use super::words::Place;
 use super::{Clip, Problem, Script};
 use crate::session::{DEEPEST, MOST_CLIPS, MOST_STEPS, Step};
 
@@ -13,11 +14,10 @@ enum Block {
         times: u16,
         line: usize,
     },
-    /// An exercise, with the jumps to its end.
+    /// An exercise, with the jumps to its end. A result without a branch leads to step 0 until then.
     When {
         exercise: usize,
         jumps: Vec<usize>,
-        seen: [bool; 3],
         line: usize,
     },
 }
@@ -33,7 +33,7 @@ pub(super) struct Builder {
     blocks: Vec<Block>,
     places: BTreeMap<String, usize>,
     /// Jumps to places: step, name, and where it stands.
-    jumps: Vec<(usize, String, (usize, usize))>,
+    jumps: Vec<(usize, String, Place)>,
     problems: Vec<Problem>,
 }
 
@@ -72,7 +72,7 @@ impl Builder {
     }
 
     /// Adds a step that begins a clip, whose file or text stands at a place.
-    pub(super) fn sound(&mut self, step: fn(u16) -> Step, clip: Clip, at: (usize, usize)) -> Result<(), Problem> {
+    pub(super) fn sound(&mut self, step: fn(u16) -> Step, clip: Clip, at: Place) -> Result<(), Problem> {
         let number = self.script.clips.len();
         self.script.clips.push(clip);
         self.script.places.push(at);
@@ -84,7 +84,7 @@ impl Builder {
         }
     }
 
-    pub(super) fn place(&mut self, name: &str, at: (usize, usize)) -> Result<(), Problem> {
+    pub(super) fn place(&mut self, name: &str, at: Place) -> Result<(), Problem> {
         if !self.blocks.is_empty() {
             return Err(self.wrong("a place cannot be between `repeat` or `when` and its `end`"));
         }
@@ -92,7 +92,7 @@ impl Builder {
         if is_new { Ok(()) } else { Err(Problem::at(at, format!("there is a place `{name}` already"))) }
     }
 
-    pub(super) fn go_to(&mut self, name: &str, at: (usize, usize)) -> Result<(), Problem> {
+    pub(super) fn go_to(&mut self, name: &str, at: Place) -> Result<(), Problem> {
         self.jumps.push((self.next(), name.to_owned(), at));
         self.push(Step::GoTo(0))
     }
@@ -114,21 +114,14 @@ impl Builder {
                 jumps.push(last + 1);
                 self.push(Step::GoTo(0))?;
             }
-            _ if follows => {
-                let (jumps, seen, line) = (Vec::new(), [false; 3], self.line);
-                self.blocks.push(Block::When { exercise: last, jumps, seen, line });
-            }
+            _ if follows => self.blocks.push(Block::When { exercise: last, jumps: Vec::new(), line: self.line }),
             _ => return Err(self.wrong("`when` must follow an exercise")),
         }
         let next = self.next() as u16;
-        let Some(Block::When { exercise, seen, .. }) = self.blocks.last_mut() else { return Ok(()) };
-        if std::mem::replace(&mut seen[branch], true) {
-            return Err(Problem::at((self.line, 6), "the exercise has this result already"));
-        }
-        if let Step::Exercise { then, .. } = &mut self.script.steps[*exercise] {
-            then[branch] = next;
-        }
-        Ok(())
+        let Some(Block::When { exercise, .. }) = self.blocks.last() else { return Ok(()) };
+        let Step::Exercise { then, .. } = &mut self.script.steps[*exercise] else { return Ok(()) };
+        let is_new = std::mem::replace(&mut then[branch], next) == 0;
+        if is_new { Ok(()) } else { Err(Problem::at((self.line, 6), "the exercise has this result already")) }
     }
 
     pub(super) fn end(&mut self) -> Result<(), Problem> {
@@ -138,13 +131,13 @@ impl Builder {
             Some(Block::Repeat { from, times, .. }) => {
                 self.push(Step::Again { from: from as u16, times, counter: self.depth() as u8 })
             }
-            Some(Block::When { exercise, jumps, seen, .. }) => {
+            Some(Block::When { exercise, jumps, .. }) => {
                 let next = self.next() as u16;
                 for jump in jumps {
                     self.script.steps[jump] = Step::GoTo(next);
                 }
                 if let Step::Exercise { then, .. } = &mut self.script.steps[exercise] {
-                    then.iter_mut().zip(seen).filter(|(_, seen)| !seen).for_each(|(then, _)| *then = next);
+                    then.iter_mut().filter(|then| **then == 0).for_each(|then| *then = next);
                 }
                 Ok(())
             }

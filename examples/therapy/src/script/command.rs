@@ -5,7 +5,7 @@ use bica_motion::robot::Light;
 use super::build::Builder;
 use super::words::Line;
 use super::{Clip, Problem};
-use crate::session::{Lamp, Movement, Signal, Step, Tasks, Until};
+use crate::session::{Lamp, Movement, Signal, Step, Task, Until};
 
 /// Reads what follows the first word of a line, and adds it to the script.
 pub(super) type Read = fn(&mut Builder, &mut Line<'_>) -> Result<(), Problem>;
@@ -86,12 +86,12 @@ const COLOURS: [(&str, Light); 8] = [
 const DIRECTIONS: [(&str, [f32; 2]); 4] =
     [("forward", [1.0, 0.0]), ("backward", [-1.0, 0.0]), ("left", [0.0, 1.0]), ("right", [0.0, -1.0])];
 
-const TASKS: [(&str, Tasks); 5] = [
-    ("movement", Tasks { movement: true, ..Tasks::NONE }),
-    ("speech", Tasks { speech: true, ..Tasks::NONE }),
-    ("music", Tasks { music: true, ..Tasks::NONE }),
-    ("walk", Tasks { walk: true, ..Tasks::NONE }),
-    ("all", Tasks::ALL),
+const TASKS: [(&str, Task); 5] = [
+    ("movement", Task::Movement),
+    ("speech", Task::Speech),
+    ("music", Task::Music),
+    ("walk", Task::Walk),
+    ("all", Task::All),
 ];
 
 const BUTTONS: [(&str, Signal); 3] = [("chest", Signal::Chest), ("left", Signal::Left), ("right", Signal::Right)];
@@ -126,7 +126,7 @@ fn say(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
 }
 
 fn exercise(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
-    let movement = line.choice("a movement", &Movement::NAMES)?;
+    let movement = line.choice("a movement that can be judged", Movement::JUDGED)?;
     line.expect(&["reps"])?;
     let repetitions = line.count("a number of repetitions", 1..=100)?;
     let hold = if line.has("hold") { line.measure("a time in seconds", 0.5..=60.0, "s")? } else { 0.0 };
@@ -143,7 +143,7 @@ fn wait(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
         return script.push(Step::Wait(Until::Time, line.measure("a time in seconds", 0.1..=LONGEST, "s")?));
     } else {
         let allowed = ["a time in seconds", "press", "touch", "movement", "speech", "music", "walk", "all"];
-        Until::Ends(line.choice("what is waited for", &TASKS).map_err(|problem| problem.with_allowed(&allowed))?)
+        Until::Ends(line.choice("", &TASKS).map_err(|_| line.wrong("what is waited for", &allowed))?)
     };
     script.push(Step::Wait(until, at_most(line)?))
 }

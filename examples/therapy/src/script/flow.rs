@@ -19,17 +19,19 @@ const fn takes_time(step: &Step) -> bool {
 
 /// Finds steps that are never reached, and circles in which no time passes.
 pub(super) fn check(script: &Script) -> Vec<Problem> {
-    let mut reached = vec![false; script.steps.len()];
+    let most = script.steps.len();
+    debug_assert!((0..most).all(|index| next(script, index).iter().all(|to| *to <= most)), "a jump leads past the end");
+    let mut reached = vec![false; most];
     let mut open = vec![0];
     while let Some(index) = open.pop() {
-        if index < reached.len() && !std::mem::replace(&mut reached[index], true) {
+        if index < most && !std::mem::replace(&mut reached[index], true) {
             open.extend(next(script, index));
         }
     }
     let written = |index: &usize| !matches!(script.steps[*index], Step::GoTo(_) | Step::Again { .. });
-    let lost = (0..reached.len()).filter(|index| !reached[*index]).find(written);
+    let lost = (0..most).filter(|index| !reached[*index]).find(written);
     let lost = lost.map(|index| Problem::at((script.lines[index], 1), "this line is never reached"));
-    let circle = (0..script.steps.len()).filter(|index| reached[*index]).find(|index| returns(script, *index));
+    let circle = (0..most).filter(|index| reached[*index]).find(|index| returns(script, *index));
     let circle = circle.map(|index| {
         Problem::new((script.lines[index], 1), "this goes round for ever without a pause", "", &["a `wait` between"])
     });

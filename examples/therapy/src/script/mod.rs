@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 pub use problem::Problem;
 
+use self::words::Place;
 use crate::robot::Order;
 use crate::session::Step;
 
@@ -23,20 +24,20 @@ use crate::session::Step;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script {
     /// Its title.
-    pub title: String,
+    pub(crate) title: String,
     /// Its steps.
-    pub steps: Vec<Step>,
+    pub(crate) steps: Vec<Step>,
     /// Line of each step, from 1.
-    pub lines: Vec<usize>,
+    pub(crate) lines: Vec<usize>,
     /// Clips of sound; steps name them by their number.
-    pub clips: Vec<Clip>,
+    pub(crate) clips: Vec<Clip>,
     /// Place of the file of each clip in the text: line and column.
-    places: Vec<(usize, usize)>,
+    places: Vec<Place>,
 }
 
 /// A clip of sound.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Clip {
+pub(crate) enum Clip {
     /// A file in WAV format, relative to the script.
     File(PathBuf),
     /// A text that is spoken.
@@ -49,7 +50,7 @@ pub enum Clip {
 }
 
 /// A script with one command of each kind: what `therapy new` writes.
-pub const EXAMPLE: &str = include_str!("example.session");
+pub(crate) const EXAMPLE: &str = include_str!("example.session");
 
 impl Script {
     /// Reads a script and checks it.
@@ -68,29 +69,28 @@ impl Script {
     /// Checks that the sound files, relative to a folder, exist and are in WAV format.
     #[must_use]
     pub fn check_files(&self, folder: &Path) -> Vec<Problem> {
-        let check = |(clip, place): (&Clip, &(usize, usize))| {
-            let Clip::File(file) = clip else { return None };
-            let what = match fs::read(folder.join(file)) {
-                Err(error) => format!("the file `{}` cannot be read: {error}", file.display()),
-                Ok(bytes) if wav_seconds(&bytes).is_none() => {
-                    format!("the file `{}` is not in WAV format", file.display())
-                }
-                Ok(_) => return None,
-            };
-            Some(Problem::at(*place, what))
-        };
+        let check = |(clip, at): (&Clip, &Place)| Some(Problem::at(*at, clip.seconds(folder).err()?));
         self.clips.iter().zip(&self.places).filter_map(check).collect()
     }
 
     /// What a robot is told to load the session, whose files are relative to a folder. A file that cannot be read has no duration.
     #[must_use]
     pub fn orders(&self, folder: &Path) -> Vec<Order> {
-        let seconds = |clip: &Clip| match clip {
-            Clip::File(file) => fs::read(folder.join(file)).ok().and_then(|bytes| wav_seconds(&bytes)).unwrap_or(0.0),
-            Clip::Text { text, .. } => PAUSE + text.chars().count() as f32 / CHARACTERS,
-        };
-        let clips = self.clips.iter().map(|clip| Order::Clip(seconds(clip)));
+        let clips = self.clips.iter().map(|clip| Order::Clip(clip.seconds(folder).unwrap_or(0.0)));
         clips.chain(self.steps.iter().copied().map(Order::Step)).chain([Order::Loaded]).collect()
+    }
+}
+
+impl Clip {
+    /// Duration, s: that of the file, or an estimate.
+    fn seconds(&self, folder: &Path) -> Result<f32, String> {
+        let file = match self {
+            Self::Text { text, .. } => return Ok(PAUSE + text.chars().count() as f32 / CHARACTERS),
+            Self::File(file) => file,
+        };
+        let bytes = fs::read(folder.join(file))
+            .map_err(|error| format!("the file `{}` cannot be read: {error}", file.display()))?;
+        wav_seconds(&bytes).ok_or_else(|| format!("the file `{}` is not in WAV format", file.display()))
     }
 }
 

@@ -38,11 +38,6 @@ impl Problem {
     pub(super) fn at(at: (usize, usize), what: impl Into<String>) -> Self {
         Self::new(at, what, "", &[])
     }
-
-    /// The same error with another list of what can stand there.
-    pub(super) fn with_allowed(self, allowed: &[&str]) -> Self {
-        Self { allowed: allowed.iter().map(ToString::to_string).collect(), ..self }
-    }
 }
 
 impl fmt::Display for Problem {

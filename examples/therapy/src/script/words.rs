@@ -12,6 +12,8 @@ use winnow::{LocatingSlice, Result};
 use super::Problem;
 
 type Input<'a> = LocatingSlice<&'a str>;
+/// Line and column, from 1.
+pub(super) type Place = (usize, usize);
 type Checked<T> = std::result::Result<T, Problem>;
 
 /// A word, a number or a text in quotes.
@@ -60,7 +62,7 @@ impl<'a> Line<'a> {
         Err(Problem::new(at, format!("`{sign}` cannot stand here"), "", &["a word", "a number", "a text in quotes"]))
     }
 
-    fn place(&self, offset: usize) -> (usize, usize) {
+    fn place(&self, offset: usize) -> Place {
         (self.number, self.text[..offset].chars().count() + 1)
     }
 
@@ -79,12 +81,12 @@ impl<'a> Line<'a> {
     }
 
     /// Place of the next word, or of the end.
-    pub(super) fn next_place(&self) -> (usize, usize) {
+    pub(super) fn next_place(&self) -> Place {
         self.place(self.first().map_or(self.text.trim_end().len(), |(offset, _)| offset))
     }
 
     /// An error at the next word.
-    fn wrong(&self, wanted: &str, allowed: &[&str]) -> Problem {
+    pub(super) fn wrong(&self, wanted: &str, allowed: &[&str]) -> Problem {
         let at = self.next_place();
         let (what, found) = match self.first() {
             None => (format!("{wanted} is missing"), ""),
@@ -95,68 +97,51 @@ impl<'a> Line<'a> {
         Problem::new(at, what, found, allowed)
     }
 
+    /// Reads the next word with `read`; if that does not accept it, the error says what can stand there.
+    fn take<T>(&mut self, wanted: &str, allowed: &[&str], read: impl FnOnce(Word<'a>) -> Option<T>) -> Checked<T> {
+        let read = self.first().and_then(|(_, word)| read(word)).ok_or_else(|| self.wrong(wanted, allowed))?;
+        self.words.next();
+        Ok(read)
+    }
+
     /// Reads one of these words.
     pub(super) fn choice<T: Copy>(&mut self, wanted: &str, choices: &[(&str, T)]) -> Checked<T> {
-        let found = match self.first() {
-            Some((_, Word::Name(name))) => choices.iter().find(|(word, _)| *word == name),
-            _ => None,
-        };
-        let Some((_, choice)) = found else {
-            let allowed: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
-            return Err(self.wrong(wanted, &allowed));
-        };
-        self.words.next();
-        Ok(*choice)
+        let allowed: Vec<_> = choices.iter().map(|(name, _)| *name).collect();
+        let chosen = |word| choices.iter().find(|(name, _)| word == Word::Name(name)).map(|(_, choice)| *choice);
+        self.take(wanted, &allowed, chosen)
     }
 
     /// Reads a word if it is next.
     pub(super) fn has(&mut self, wanted: &str) -> bool {
-        let is_next = matches!(self.first(), Some((_, Word::Name(name))) if name == wanted);
-        if is_next {
-            self.words.next();
-        }
-        is_next
+        self.expect(&[wanted]).is_ok()
     }
 
     /// Reads these words.
     pub(super) fn expect(&mut self, wanted: &[&str]) -> Checked<()> {
-        wanted.iter().try_for_each(|word| {
-            let found = self.has(word);
-            if found { Ok(()) } else { Err(self.wrong(&format!("`{word}`"), &[word])) }
+        wanted.iter().try_for_each(|name| {
+            self.take(&format!("`{name}`"), &[name], |word| (word == Word::Name(name)).then_some(()))
         })
     }
 
-    /// Reads a name that the author chooses.
-    pub(super) fn name(&mut self, wanted: &str) -> Checked<(&'a str, (usize, usize))> {
+    /// Reads a name that the author chooses, with its place.
+    pub(super) fn name(&mut self, wanted: &str) -> Checked<(&'a str, Place)> {
         let at = self.next_place();
-        let Some((_, Word::Name(name))) = self.first() else { return Err(self.wrong(wanted, &[])) };
-        self.words.next();
-        Ok((name, at))
+        self.take(wanted, &[], |word| if let Word::Name(name) = word { Some((name, at)) } else { None })
     }
 
-    /// Reads a text in quotes.
-    pub(super) fn text(&mut self, wanted: &str) -> Checked<(&'a str, (usize, usize))> {
+    /// Reads a text in quotes, with its place.
+    pub(super) fn text(&mut self, wanted: &str) -> Checked<(&'a str, Place)> {
         let at = self.next_place();
-        let Some((_, Word::Text(text))) = self.first() else {
-            return Err(self.wrong(wanted, &["a text in quotes"]));
-        };
-        if text.trim().is_empty() {
-            return Err(Problem::at(at, format!("{wanted} is empty")));
-        }
-        self.words.next();
-        Ok((text, at))
+        let text = |word| if let Word::Text(text) = word { Some(text) } else { None };
+        let text = self.take(wanted, &["a text in quotes"], text)?;
+        if text.trim().is_empty() { Err(Problem::at(at, format!("{wanted} is empty"))) } else { Ok((text, at)) }
     }
 
     /// Reads a number within a range.
     pub(super) fn number(&mut self, wanted: &str, range: RangeInclusive<f32>) -> Checked<f32> {
         let allowed = format!("{} to {}", range.start(), range.end());
-        match self.first() {
-            Some((_, Word::Number(number))) if range.contains(&number) => {
-                self.words.next();
-                Ok(number)
-            }
-            _ => Err(self.wrong(wanted, &[&allowed])),
-        }
+        let within = |word| if let Word::Number(number) = word { Some(number) } else { None };
+        self.take(wanted, &[&allowed], |word| within(word).filter(|number| range.contains(number)))
     }
 
     /// Reads a number within a range, with its unit.
@@ -167,12 +152,13 @@ impl<'a> Line<'a> {
 
     /// Reads a whole number within a range.
     pub(super) fn count(&mut self, wanted: &str, range: RangeInclusive<u16>) -> Checked<u16> {
-        let at = self.next_place();
+        let rest = self.words.clone();
         let number = self.number(wanted, f32::from(*range.start())..=f32::from(*range.end()))?;
         if number.fract() == 0.0 {
             return Ok(number as u16);
         }
-        Err(Problem::new(at, format!("{number} is not {wanted}"), "", &["a whole number"]))
+        self.words = rest;
+        Err(self.wrong(wanted, &["a whole number"]))
     }
 
     /// Checks that all words are read.

@@ -4,6 +4,8 @@ mod plan;
 mod player;
 mod step;
 
-pub use plan::{DEEPEST, MOST_CLIPS, MOST_STEPS, Plan};
-pub use player::Session;
-pub use step::{Lamp, Movement, Signal, Step, Tasks, Until};
+#[cfg(feature = "monitor")]
+pub(crate) use plan::begins;
+pub(crate) use plan::{DEEPEST, MOST_CLIPS, MOST_STEPS, Plan};
+pub(crate) use player::Session;
+pub(crate) use step::{Lamp, Movement, Signal, Step, Task, Until};

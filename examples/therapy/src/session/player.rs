@@ -6,7 +6,7 @@ use bica::prelude::*;
 use bica_motion::robot::Light;
 
 use self::wish::{Wish, end, halt};
-use super::{Plan, Signal, Step, Until};
+use super::{Movement, Plan, Signal, Step, Task, Until};
 use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
@@ -19,7 +19,7 @@ const EXPRESS: f32 = 2.0;
 /// Plays a session. Whatever happens, a stop ends movement, sound and speech, and only an express wish goes on.
 #[derive(Debug)]
 pub struct Session {
-    plan: Plan,
+    pub(crate) plan: Plan,
     /// The newest wish, and what this run heard. A wish that cannot be granted at once is dropped: nothing goes on later by itself.
     wish: Option<Wish>,
     heard: Option<Wish>,
@@ -29,19 +29,14 @@ pub struct Session {
     unseen: (f32, u32),
     /// Share of tempo and repetitions.
     ease: f32,
+    /// Movement of which the check has examples, or learns them.
+    learnt: Option<Movement>,
 }
 
 #[component(hz = 100, budget_us = 20)]
 impl Session {
-    /// Creates the component without a session.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self { plan: Plan::new(), wish: None, heard: None, waited: 0.0, unseen: (0.0, 0), ease: 1.0 }
-    }
-
-    /// The session, to be loaded.
-    pub const fn plan_mut(&mut self) -> &mut Plan {
-        &mut self.plan
+    pub(crate) const fn new() -> Self {
+        Self { plan: Plan::new(), wish: None, heard: None, waited: 0.0, unseen: (0.0, 0), ease: 1.0, learnt: None }
     }
 
     /// Waits for the start.
@@ -61,16 +56,17 @@ impl Session {
         motors: &mut Motors,
     ) {
         self.hear();
+        (self.waited, self.unseen.0) = (0.0, 0.0);
         for _ in 0..AT_ONCE {
             let Some(step) = self.plan.step() else { return };
             match step {
                 Step::Move { movement, tempo } => mover.begin(movement, tempo * self.ease, 0.0),
-                Step::Speak(clip) => sound.speak(clip, self.plan.seconds(clip)),
-                Step::Play(clip) => sound.play(clip, self.plan.seconds(clip)),
+                Step::Speak(clip) => sound.speech = Some((clip, self.plan.seconds(clip))),
+                Step::Play(clip) => sound.music = Some((clip, self.plan.seconds(clip))),
                 Step::Volume(volume) => sound.set_volume(volume),
                 Step::Light(lamp, light) => lights.set(lamp, light),
                 Step::Walk(way) => walk.begin(way),
-                Step::Stop(tasks) => end(tasks, mover, walk, sound),
+                Step::Stop(task) => end(task, mover, walk, sound),
                 Step::Stiffness(stiff) => motors.soften(!stiff),
                 Step::Wait(..) | Step::Exercise { .. } => return,
                 // Jumps are the plan's.
@@ -93,7 +89,7 @@ impl Session {
         &mut self,
         time: &Time,
         mover: &mut Mover,
-        check: &mut ExerciseCheck,
+        _check: &mut ExerciseCheck,
         pose: &PatientPose,
         _walk: &mut Walk,
         _sound: &mut Sound,
@@ -101,16 +97,13 @@ impl Session {
         self.hear();
         self.waited += time.dt();
         self.unseen.0 += time.dt();
-        if self.unseen.1 != pose.number() {
-            self.unseen = (0.0, pose.number());
+        if self.unseen.1 != pose.number {
+            self.unseen = (0.0, pose.number);
         }
         if let Some(Step::Exercise { movement, hold, .. }) = self.plan.step()
             && !mover.is_running()
         {
             mover.begin(movement, self.ease, hold);
-        }
-        if check.examples() == 0 && !check.is_learning() {
-            check.learn();
         }
     }
 
@@ -161,7 +154,7 @@ impl Session {
 
     #[transition(ready -> running)]
     fn is_started(&self, signals: &Signals) -> bool {
-        self.plan.is_loaded() && (self.heard == Some(Wish::Start) || signals.begins(Signal::Chest))
+        self.plan.loaded && (self.heard == Some(Wish::Start) || signals.begins(Signal::Chest))
     }
 
     #[transition(paused -> running)]
@@ -172,14 +165,12 @@ impl Session {
 
     #[transition(stopped -> running)]
     fn goes_on_after_stop(&self, signals: &Signals, guard: &Guard) -> bool {
-        (self.heard == Some(Wish::GoOn) || signals.chest_held() > EXPRESS)
-            && guard.trouble().is_none()
-            && self.plan.is_loaded()
+        (self.heard == Some(Wish::GoOn) || signals.chest > EXPRESS) && guard.trouble().is_none() && self.plan.loaded
     }
 
     #[transition(running -> finished)]
     fn is_over(&self) -> bool {
-        self.plan.is_over()
+        self.plan.step().is_none()
     }
 
     #[transition(running -> waiting)]
@@ -198,9 +189,11 @@ impl Session {
         self.waited >= limit
             || match until {
                 Until::Time => false,
-                Until::Ends(tasks) => {
-                    let sounds = tasks.speech && sound.speaks() || tasks.music && sound.plays();
-                    !(sounds || tasks.movement && mover.is_running() || tasks.walk && walk.is_walking())
+                Until::Ends(task) => {
+                    let (speaks, plays) = (sound.speech.is_some(), sound.music.is_some());
+                    let moves = [(Task::Movement, mover.is_running()), (Task::Walk, walk.is_walking())];
+                    let sounds = [(Task::Speech, speaks), (Task::Music, plays)];
+                    !moves.into_iter().chain(sounds).any(|(one, runs)| runs && task.has(one))
                 }
                 Until::Signal(signal) => signals.begins(signal),
             }
@@ -211,15 +204,10 @@ impl Session {
         self.result(check).is_some()
     }
 
-    #[entry(waiting)]
-    fn begin_wait(&mut self) {
-        self.waited = 0.0;
-    }
-
     #[entry(exercising)]
     fn begin_exercise(&mut self, check: &mut ExerciseCheck) {
-        (self.waited, self.unseen.0) = (0.0, 0.0);
-        check.restart();
+        let Some(Step::Exercise { movement, .. }) = self.plan.step() else { return };
+        if self.learnt.replace(movement) == Some(movement) { check.restart() } else { check.learn() }
     }
 
     #[exit(waiting)]
@@ -265,76 +253,79 @@ impl Session {
 
     /// Starts the session.
     #[modulation]
-    pub const fn start(&mut self) {
+    pub(crate) const fn start(&mut self) {
         self.wish = Some(Wish::Start);
     }
 
     /// Pauses the session: the arms go down.
     #[modulation]
-    pub const fn pause(&mut self) {
+    pub(crate) const fn pause(&mut self) {
         self.wish = Some(Wish::Pause);
     }
 
     /// Lets a paused or stopped session go on, from what it did when it was interrupted.
     #[modulation]
-    pub const fn go_on(&mut self) {
+    pub(crate) const fn go_on(&mut self) {
         self.wish = Some(Wish::GoOn);
     }
 
     /// Stops the session: nothing moves or sounds.
     #[modulation]
-    pub const fn stop(&mut self) {
+    pub(crate) const fn stop(&mut self) {
         self.wish = Some(Wish::Stop);
     }
 
     /// Goes on with what follows the present wait or exercise.
     #[modulation]
-    pub fn next(&mut self) {
+    pub(crate) fn next(&mut self) {
         self.wish = Some(Wish::GoTo(self.plan.next()));
     }
 
     /// Goes back to what was before the present wait or exercise.
     #[modulation]
-    pub fn previous(&mut self) {
+    pub(crate) fn previous(&mut self) {
         self.wish = Some(Wish::GoTo(self.plan.previous()));
     }
 
     /// Does the present steps again.
     #[modulation]
-    pub const fn repeat(&mut self) {
+    pub(crate) const fn repeat(&mut self) {
         self.wish = Some(Wish::GoTo(self.plan.begun()));
     }
 
     /// Goes to a step, from 0.
     #[modulation]
-    pub const fn go_to(&mut self, #[range(0..=500)] step: u32) {
+    pub(crate) const fn go_to(&mut self, #[range(0..=500)] step: u32) {
         self.wish = Some(Wish::GoTo(step as u16));
     }
 
     /// Makes tempo and number of repetitions less, by a fifth.
     #[modulation]
-    pub fn easier(&mut self) {
+    pub(crate) fn easier(&mut self) {
         self.ease = (0.8 * self.ease).max(0.4);
-    }
-
-    /// Whether no step is left.
-    #[info]
-    #[must_use]
-    pub fn is_at_end(&self) -> bool {
-        self.plan.is_over()
     }
 
     /// Share of tempo and repetitions that is left after what was made easier.
     #[info]
-    #[must_use]
-    pub const fn ease(&self) -> f32 {
+    pub(crate) const fn ease(&self) -> f32 {
         self.ease
+    }
+
+    /// Time in the present wait or exercise, s.
+    #[info(unit = "s")]
+    pub(crate) const fn waited(&self) -> f32 {
+        self.waited
+    }
+
+    /// Most time of the present wait or exercise, s; 0 if the present step is none.
+    #[info(unit = "s")]
+    pub(crate) fn limit(&self) -> f32 {
+        if let Some(Step::Wait(_, limit) | Step::Exercise { limit, .. }) = self.plan.step() { limit } else { 0.0 }
     }
 
     /// Number of the present step, from 0.
     #[info]
-    #[must_use]
-    pub const fn at(&self) -> u16 {
+    pub(crate) const fn at(&self) -> u16 {
         self.plan.at()
     }
 }

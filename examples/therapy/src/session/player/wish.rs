@@ -5,7 +5,7 @@ use bica_motion::robot::Light;
 use super::Session;
 use crate::body::{Lights, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
-use crate::session::{Lamp, Signal, Step, Tasks, Until};
+use crate::session::{Lamp, Signal, Step, Task, Until};
 
 /// Time without a skeleton after which nobody is there, s.
 const NOBODY: f32 = 15.0;
@@ -51,13 +51,13 @@ impl Session {
     }
 }
 
-/// Ends tasks.
-pub(super) fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
-    sound.stop(tasks);
-    if tasks.movement {
+/// Ends what runs.
+pub(super) fn end(task: Task, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
+    sound.stop(task);
+    if task.has(Task::Movement) {
         mover.freeze();
     }
-    if tasks.walk {
+    if task.has(Task::Walk) {
         walk.halt();
     }
 }
@@ -65,6 +65,6 @@ pub(super) fn end(tasks: Tasks, mover: &mut Mover, walk: &mut Walk, sound: &mut 
 /// Ends all sound and the walk, and shows why.
 pub(super) fn halt(walk: &mut Walk, sound: &mut Sound, lights: &mut Lights, chest: Light) {
     walk.halt();
-    sound.stop(Tasks::ALL);
+    sound.stop(Task::All);
     lights.set(Lamp::Chest, chest);
 }

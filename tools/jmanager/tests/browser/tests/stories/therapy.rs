@@ -14,7 +14,7 @@ use crate::glance::show_in;
 const SIZE: (u32, u32) = (1024, 768);
 /// Three parts: a text, a movement, an exercise.
 const FIRST: &str = "title \"First\"\nsay \"Hello.\"\nwait 600 s\nmovement arms_open\nsay \"Look.\"\nwait 600 s\n\
-    exercise arms_open reps 10 at most 600 s\nsay \"Goodbye.\"\nwait speech at most 9 s";
+    exercise arms_open reps 10 hold 2 s at most 600 s\nsay \"Goodbye.\"\nwait speech at most 9 s";
 const SECOND: &str = "title \"Second\"\nsay \"Only this.\"\nwait 600 s";
 const FILM: &str = "title \"Arms and shoulders\"\nsay \"Let us move our arms.\"\nmovement arms_together\nwait movement at most 60 s\n\
     exercise arms_open reps 10 at most 600 s\nsay \"Goodbye.\"\nwait speech at most 9 s";
@@ -93,6 +93,8 @@ async fn a_therapist_operates_a_session_with_every_control() {
     button(&page, "▶ Start").await;
     shows(&page, "Running", "1.").await;
     page.reads("You operate the robot").await;
+    page.reads("of 600 s").await;
+    page.reads("Line 3 of first: wait 600 s").await;
     button(&page, "Next ▶").await;
     shows(&page, "Running", "2. Shows: arms open").await;
     page.reads("It says: “Look.”").await;
@@ -104,6 +106,8 @@ async fn a_therapist_operates_a_session_with_every_control() {
     // Three repetitions are examples; the next one is judged.
     page.reads("1 of 3").await;
     page.reads("of 10 done").await;
+    page.reads("of 2 s").await;
+    page.until("a bar", "return document.querySelectorAll('.attempts rect').length >= 1").await;
     look(&page, "running").await;
     button(&page, "Repeat").await;
     page.until("the exercise begins anew", "return document.querySelector('.big') === null").await;
