@@ -47,11 +47,11 @@ const PACKAGES: [&str; 6] = ["bica-body", "bica-sim", "bica-evaluation", "bica-p
 const TRIALS: [&str; 9] = ["walk", "commands", "pushes", "bodies", "odometry", "kicks", "falls", "get-up", "obstacles"];
 
 /// Packages and test programs with tests in MuJoCo.
-const TESTS: [(&str, &str); 4] = [
-    ("bica-player-program", "program"),
-    ("bica-player-program", "replay"),
-    ("jmanager", "main"),
-    ("therapy", "session"),
+const TESTS: [(&str, &[&str]); 4] = [
+    ("bica-player-program", &["--test", "program"]),
+    ("bica-player-program", &["--test", "replay"]),
+    ("jmanager", &["--lib", "--test", "main"]),
+    ("therapy", &["--test", "session"]),
 ];
 
 /// Checks in MuJoCo: lints, tests, trials of the body, some games.
@@ -68,8 +68,8 @@ pub(crate) fn check() -> Result<(), String> {
         &[&["test", "-p", "bica-body", "-p", "bica-sim", "--lib", "--test", "mujoco"], &feature[..]].concat(),
         &[],
     )?;
-    for (package, test) in TESTS {
-        run("cargo", &[&["test", "-p", package, "--test", test], &feature[..], &["mujoco"]].concat(), &[])?;
+    for (package, tests) in TESTS {
+        run("cargo", &[&["test", "-p", package], tests, &feature[..], &["mujoco"]].concat(), &[])?;
     }
     let program = [&["run", "--release"], &feature[..], &["--"]].concat();
     run("cargo", &[&program[..], &["trial", "--runs", "4"], &TRIALS[..]].concat(), &[])?;

@@ -97,6 +97,27 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
 }
 
 #[tokio::test]
+async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() {
+    let sources = Sources::new("session");
+    let (_server, page) = sources.open("motions-session").await;
+    page.click("button", "SIT_UP_FROM_FRONT", "").await;
+    page.reads("load at rest").await;
+    page.find("combobox", "World of the trial", "").await.set("session").await;
+    page.click("button", "Try", "").await;
+    page.until("it stands", "return document.querySelector('.trial .fine')?.textContent === 'stands'").await;
+    page.screenshot("motion-session").await;
+    // The angles that the joints had when the first keyframe was to be reached, beside those of the source.
+    let far = "const all = [...document.querySelectorAll('.channel')].flatMap((one) => { \
+        const measured = one.querySelector('span.dim:last-child')?.textContent.match(/measured (-?\\d+)/); \
+        return measured ? [Math.abs(measured[1] - one.querySelector('input[type=range]').value)] : []; }); \
+        return all.length > 15 && all.filter((error) => error > 12).length < 3";
+    page.until("the measured angles are near", far).await;
+    let control = "return import('/lib/store.js').then(({ session }) => session.value.info.value.control)";
+    assert_eq!(page.run(control, vec![]).await, "yours");
+    page.close().await;
+}
+
+#[tokio::test]
 async fn a_motion_of_the_repository_is_changed_beside_another_editor() {
     let sources = Sources::new("changed");
     let (_server, page) = sources.open("motions-changed").await;
