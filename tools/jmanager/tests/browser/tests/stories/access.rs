@@ -36,7 +36,7 @@ async fn in_each_layout(page: &Page, check: &str) {
             page.press(key).await;
             page.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
             if key == "7" {
-                page.click("button", "LATERAL", "Motions").await;
+                page.click("button", "LATERAL", "").await;
                 page.reads("load at rest").await;
             }
             tokio::time::sleep(std::time::Duration::from_millis(400)).await;

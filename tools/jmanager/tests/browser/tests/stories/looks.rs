@@ -56,7 +56,7 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
                 shown.press(key).await;
                 shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
                 if key == "7" {
-                    shown.click("button", "LATERAL", "Motions").await;
+                    shown.click("button", "LATERAL", "").await;
                     shown.reads("load at rest").await;
                 }
                 tokio::time::sleep(std::time::Duration::from_millis(300)).await;
