@@ -1,4 +1,4 @@
-//! What an operator can do in a world: place the ball and the robot, and push the robot.
+//! What an operator can do in a world: place the ball and the robot, push the robot, and move its limbs.
 
 use core::f32::consts::PI;
 
@@ -8,6 +8,7 @@ use glam::Vec2;
 
 use crate::field::CORNER;
 use crate::kinematic::KinematicWorld;
+use crate::limb_motions::{Limb, Motion};
 use crate::world::World;
 
 /// Makes the actions of a world.
@@ -72,6 +73,54 @@ macro_rules! operated {
                 speed: f32,
             ) {
                 self.add_velocity(speed * Vec2::from_angle(direction));
+            }
+
+            /// Moves a limb in the place of the robot's program, after the motions of this limb that wait. After the last one the
+            /// program has the limb again; also if the robot is placed.
+            #[expect(clippy::too_many_arguments, reason = "an action has numbers as arguments")]
+            #[action]
+            fn move_limb(
+                &mut self,
+                /// The limb.
+                limb: Limb,
+                /// Duration of the motion.
+                #[range(0.01..=60.0)]
+                #[unit("s")]
+                #[default(1.0)]
+                seconds: f32,
+                /// Stiffness of its motors.
+                #[range(0.0..=1.0)]
+                #[default(1.0)]
+                stiffness: f32,
+                /// Whether the speed is even; else it is from rest to rest.
+                even: bool,
+                /// Angle of the first joint.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                first: f32,
+                /// Angle of the second joint.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                second: f32,
+                /// Angle of the third joint.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                third: f32,
+                /// Angle of the fourth joint.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                fourth: f32,
+                /// Angle of the fifth joint.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                fifth: f32,
+                /// Angle of the sixth joint; a hand from 0, closed, to 1.
+                #[range(-PI..=PI)]
+                #[unit("rad")]
+                sixth: f32,
+            ) -> Result<(), &'static str> {
+                let angles = [first, second, third, fourth, fifth, sixth];
+                self.limbs.add(limb, Motion { seconds, angles, stiffness, even })
             }
         }
     };

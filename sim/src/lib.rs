@@ -25,6 +25,7 @@ mod field;
 mod in_loop;
 pub mod kinematic;
 mod layout;
+mod limb_motions;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 mod obstacle;

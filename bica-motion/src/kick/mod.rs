@@ -68,7 +68,9 @@ impl Kick {
     }
 }
 
-const fn technique(kicks: &Kicks, kind: KickKind) -> &Technique {
+/// The technique of a kind of kick.
+#[must_use]
+pub const fn technique(kicks: &Kicks, kind: KickKind) -> &Technique {
     match kind {
         KickKind::Front => &kicks.front,
         KickKind::Diagonal => &kicks.diagonal,

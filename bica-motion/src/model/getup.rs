@@ -20,12 +20,14 @@ impl GetUpFrame {
     }
 
     /// Duration of the motion to the posture, s.
-    pub(crate) fn seconds(&self) -> f32 {
+    #[must_use]
+    pub fn seconds(&self) -> f32 {
         f32::from(self.centiseconds) / 100.0
     }
 
     /// Joint angles at the end, rad.
-    pub(crate) fn posture(&self) -> Joints {
+    #[must_use]
+    pub fn posture(&self) -> Joints {
         let mut posture = Joints::all(0.0);
         for (angle, degrees) in posture.0.iter_mut().zip(self.degrees) {
             *angle = f32::from(degrees).to_radians();

@@ -14,6 +14,7 @@ use super::body::Body;
 use super::render::{PosedRobot, Renderer, Scene};
 use super::{ball_motion, collision};
 use crate::layout::Layout;
+use crate::limb_motions::LimbMotions;
 use crate::obstacle::{GOALS, Obstacle};
 use crate::placement;
 use crate::random::{Random, Stream};
@@ -43,6 +44,8 @@ pub struct KinematicWorld<M> {
     renderer: Renderer,
     image: ImageMemory,
     image_is_new: bool,
+    /// What an operator moves.
+    pub(crate) limbs: LimbMotions,
 }
 
 impl<M: SimulatedModel> KinematicWorld<M> {
@@ -76,6 +79,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
             renderer: Renderer::new(setup, &layout, PosedRobot::standing::<M>),
             image: ImageMemory::new(2 * width * height),
             image_is_new: false,
+            limbs: LimbMotions::default(),
         };
         world.resolve_collisions();
         Ok(world)
@@ -183,7 +187,8 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
         self.camera = command.camera;
         let now = self.now();
         let previous_soles = self.body.soles();
-        if let Some(event) = self.body.step(command) {
+        let command = self.limbs.over::<M>(command, &self.body.measurement().angles);
+        if let Some(event) = self.body.step(&command) {
             self.referee.record(now, event);
         }
         if self.resolve_collisions() {
@@ -209,6 +214,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
         placement::check_robot::<M>(at.position, &self.referee)?;
         self.body.stand_at(at);
+        self.limbs = LimbMotions::default();
         self.buttons = Buttons::default();
         self.previous_cameras = cameras(&self.body);
         self.referee.set_robot(self.body.pose(), self.body.posture());

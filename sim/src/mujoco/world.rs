@@ -18,6 +18,7 @@ use super::robot_camera::{Exposure, RobotCamera};
 use super::spectator::{Moving, SpectatorRenderer};
 use crate::field::BALL_RADIUS;
 use crate::layout::Layout;
+use crate::limb_motions::LimbMotions;
 use crate::placement;
 use crate::random::{Random, Stream};
 use crate::referee::rules::Rules;
@@ -40,6 +41,8 @@ pub struct MujocoWorld<M> {
     /// Poses of both cameras in the previous cycle, field frame.
     previous_cameras: [Affine3A; 2],
     image_is_new: bool,
+    /// What an operator moves.
+    pub(crate) limbs: LimbMotions,
     rules: Rules,
     referee: Referee,
 }
@@ -71,6 +74,7 @@ impl<M: MujocoModel> MujocoWorld<M> {
             camera: CameraId::Top,
             previous_cameras: [Affine3A::IDENTITY; 2],
             image_is_new: false,
+            limbs: LimbMotions::default(),
             rules: Rules::default(),
             referee,
         };
@@ -199,7 +203,8 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
         self.image_is_new = false;
         self.camera = command.camera;
         self.cycle += 1;
-        let change = self.body.act(command);
+        let command = self.limbs.over::<M>(command, &self.body.sensors().angles);
+        let change = self.body.act(&command);
         self.update_referee(change);
     }
 
@@ -220,6 +225,7 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
         placement::check_robot::<M>(at.position, &self.referee)?;
         self.body.stand(at);
+        self.limbs = LimbMotions::default();
         self.previous_cameras = self.cameras();
         self.referee.set_robot(at, self.body.posture());
         Ok(())

@@ -1,5 +1,7 @@
 //! A ball that a person places.
 
+use bica_core::action::perform;
+use bica_motion::joints::Joint;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
@@ -84,4 +86,28 @@ fn image_shows_ball_where_it_was_placed() {
     let image = pixels(&mut placed);
     assert_eq!(image, pixels(&mut there));
     assert_ne!(image, pixels(&mut world));
+}
+
+#[test]
+fn moved_limb_obeys_the_operator_and_then_the_program_again() {
+    use bica_core::Value::{Bool, Choice, F32};
+    let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
+    let pitch = |world: &mut KinematicWorld<Nao>| world.sensors().angles[Joint::RShoulderPitch];
+    let stand = Nao::STAND[Joint::RShoulderPitch];
+    let up = |seconds| {
+        [Choice(2), F32(seconds), F32(1.0), Bool(false), F32(-1.0), F32(-0.2), F32(0.5), F32(0.5), F32(0.0), F32(0.0)]
+    };
+    for seconds in [1.0, 0.5] {
+        perform(Some(World::actions(&mut world)), "move_limb", &up(seconds)).expect("an arm that moves");
+    }
+    wait(&mut world, 140);
+    assert!((pitch(&mut world) + 1.0).abs() < 0.05, "{}", pitch(&mut world));
+    assert!((world.sensors().angles[Joint::LShoulderPitch] - Nao::STAND[Joint::LShoulderPitch]).abs() < 0.05);
+    wait(&mut world, 150);
+    assert!((pitch(&mut world) - stand).abs() < 0.05, "{}", pitch(&mut world));
+    // A robot that is placed forgets what waits.
+    perform(Some(World::actions(&mut world)), "move_limb", &up(1.0)).expect("an arm that moves");
+    world.put_robot(Pose2::new(-1.0, 0.0, 0.0)).expect("a free place");
+    wait(&mut world, 100);
+    assert!((pitch(&mut world) - stand).abs() < 0.05, "{}", pitch(&mut world));
 }

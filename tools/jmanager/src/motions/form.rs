@@ -11,6 +11,7 @@ use glam::Vec3;
 use serde::Serialize;
 
 use super::robot::Robot;
+use super::session::MOVE_LIMB;
 
 /// Names of the six joints of a leg, and of the five of an arm, in the order of `symmetric`.
 const LEG: [&str; 6] = ["hip yaw-pitch", "hip roll", "hip pitch", "knee pitch", "ankle pitch", "ankle roll"];
@@ -48,6 +49,9 @@ pub(super) struct Form {
     /// Whether the rows are poses of a kick.
     #[serde(skip)]
     pub(super) kicks: bool,
+    /// Action of the worlds that moves a limb of its robot; none if their robot is another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plays: Option<&'static str>,
     /// The only world and beginning of its trials.
     #[serde(skip_serializing_if = "Option::is_none")]
     only: Option<&'static str>,
@@ -139,6 +143,7 @@ impl Form {
             sequences: BTreeMap::new(),
             robot: Robot::of::<M>(),
             kicks: false,
+            plays: (M::NAME == Nao::NAME).then_some(MOVE_LIMB),
             only: None,
         }
     }
@@ -271,6 +276,11 @@ impl Form {
     /// The name by which messages address it.
     pub(super) const fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// The numbers of a row at rest.
+    pub(super) fn rest(&self) -> BTreeMap<String, f32> {
+        self.channels.iter().map(|channel| (channel.cell.clone(), channel.rest)).collect()
     }
 
     /// The pose of a kick that a row is.

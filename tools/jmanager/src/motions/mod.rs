@@ -6,6 +6,7 @@ mod form;
 mod kick;
 mod play;
 mod robot;
+mod session;
 
 use std::collections::BTreeMap;
 
@@ -22,6 +23,7 @@ use form::{Form, Start, kick_kind};
 #[cfg(feature = "mujoco")]
 use kick::tried;
 use play::{Key, Play};
+use session::Plan;
 
 /// Largest number of key postures of a request.
 const MAX_KEYS: usize = 500;
@@ -29,6 +31,9 @@ const MAX_KEYS: usize = 500;
 const MAX_SECONDS: f32 = 120.0;
 /// Largest number of runs of a trial.
 const MAX_RUNS: u32 = 100;
+
+/// Parts of the way to a pose of a kick on the robot of the session.
+const KICK_PARTS: usize = 6;
 
 /// What the panel asks for.
 #[derive(Debug, Deserialize)]
@@ -38,6 +43,8 @@ enum Message {
     Forms {},
     /// Each key posture in space, and what of the motion to it is beyond the motors: list of `{"shape", "limits", "joints"}`.
     Shapes { form: String, keys: Vec<Row> },
+    /// What plays a motion on the robot of the session: a [`Plan`].
+    Plan { form: String, keys: Vec<Row>, start: Start },
     /// Plays a motion in a simulated body: `{"runs": list, "joints": names}`; a kick: `{"verdict": {"good", "title", "text"}}`.
     Try {
         form: String,
@@ -89,6 +96,40 @@ impl Motions {
     }
 }
 
+impl Form {
+    fn play(&self, keys: &[Row], start: Start) -> Play {
+        let key = |key: &Row| Key {
+            seconds: key.seconds,
+            posture: self.posture_of(&key.cells),
+            stiffness: key.cells.get("stiffness").copied().unwrap_or(1.0).clamp(0.0, 1.0),
+        };
+        let (linear, stretches) = (self.linear, self.stretches);
+        Play { keys: keys.iter().map(key).collect(), linear, stretches, start, mujoco: false, runs: 1 }
+    }
+
+    /// The plan of a motion. The foot of a kick moves on a straight line, its joints do not, so its ways are divided.
+    fn plan(&self, keys: &[Row], start: Start) -> Plan {
+        if !self.kicks {
+            return Plan::new(&self.play(keys, start), 1);
+        }
+        let mut from = self.rest();
+        let mut divided = Vec::new();
+        for Row { seconds, cells } in keys {
+            for part in 1..=KICK_PARTS {
+                let share = part as f32 / KICK_PARTS as f32;
+                let share = share * share * (3.0 - 2.0 * share);
+                let between = |(cell, from): (&String, &f32)| {
+                    let to = cells.get(cell).unwrap_or(from);
+                    (cell.clone(), from + share * (to - from))
+                };
+                divided.push(Row { seconds: seconds / KICK_PARTS as f32, cells: from.iter().map(between).collect() });
+            }
+            from.extend(cells.clone());
+        }
+        Plan::new(&Play { linear: true, ..self.play(&divided, start) }, KICK_PARTS)
+    }
+}
+
 impl Extension for Motions {
     fn name(&self) -> &'static str {
         "motions"
@@ -111,6 +152,10 @@ impl Extension for Motions {
                 check(&keys)?;
                 self.shapes(&form, &keys).map(Reply::Done)
             }
+            Message::Plan { form, keys, start } => {
+                check(&keys)?;
+                Ok(Reply::Done(json!(self.form(&form)?.plan(&keys, start))))
+            }
             Message::Try { form, motion, keys, start, mujoco, runs } => {
                 check(&keys)?;
                 if !(1..=MAX_RUNS).contains(&runs) {
@@ -124,13 +169,7 @@ impl Extension for Motions {
                     let frames = keys.iter().map(frame).collect();
                     return asked.later(Box::new(move || Ok(json!({ "verdict": tried(kind, frames, runs)? }))));
                 }
-                let key = |key: &Row| Key {
-                    seconds: key.seconds,
-                    posture: form.posture_of(&key.cells),
-                    stiffness: key.cells.get("stiffness").copied().unwrap_or(1.0).clamp(0.0, 1.0),
-                };
-                let (linear, stretches) = (form.linear, form.stretches);
-                let play = Play { keys: keys.iter().map(key).collect(), linear, stretches, start, mujoco, runs };
+                let play = Play { mujoco, runs, ..form.play(&keys, start) };
                 let robot = form.robot;
                 asked.later(Box::new(move || {
                     Ok(json!({ "runs": (robot.play)(&play)?, "joints": Joint::ALL.map(|joint| format!("{joint:?}")) }))

@@ -17,13 +17,13 @@ use super::form::Start;
 /// Velocity that pushes a robot over, m/s.
 const PUSH: f32 = 2.3;
 /// Time of a fall until the robot lies still, s.
-const FALL: f32 = 2.5;
+pub(super) const FALL: f32 = 2.5;
 /// Time in the stand before the motion, s.
-const BEFORE: f32 = 0.5;
+pub(super) const BEFORE: f32 = 0.5;
 /// Time after the motion in which the robot must not fall, s.
-const AFTER: f32 = 1.5;
+pub(super) const AFTER: f32 = 1.5;
 /// Duration of the motion from the last posture of a get-up to the stand, s.
-const STRETCH: f32 = 0.8;
+pub(super) const STRETCH: f32 = 0.8;
 /// Cycles between two samples of a course.
 const SAMPLE: usize = 2;
 
@@ -46,6 +46,15 @@ pub(super) struct Play {
     pub(super) mujoco: bool,
     /// Number of runs. All but the first differ in friction, gains, dead time, noise and in the zero of each joint.
     pub(super) runs: u32,
+}
+
+impl Play {
+    /// Duration of the motion from angles to a key posture, s.
+    pub(super) fn seconds<M: MujocoModel>(&self, from: &Joints, key: &Key) -> f32 {
+        let turn = |joint: Joint| (key.posture[joint] - from[joint]).abs() / M::MAX_SPEEDS[joint];
+        let least = if self.stretches { Joint::ALL.into_iter().map(turn).fold(0.0, f32::max) } else { 0.0 };
+        key.seconds.max(least)
+    }
 }
 
 /// What became of it.
@@ -193,9 +202,7 @@ impl<M: MujocoModel> Player<'_, M> {
     }
 
     fn move_to(&mut self, from: Joints, key: &Key, play: &Play) {
-        let turn = |joint: Joint| (key.posture[joint] - from[joint]).abs() / M::MAX_SPEEDS[joint];
-        let least = if play.stretches { Joint::ALL.into_iter().map(turn).fold(0.0, f32::max) } else { 0.0 };
-        let cycles = (key.seconds.max(least) / CYCLE_SECONDS).round().max(1.0);
+        let cycles = (play.seconds::<M>(&from, key) / CYCLE_SECONDS).round().max(1.0);
         for cycle in 1..=cycles as usize {
             let share = cycle as f32 / cycles;
             let share = if play.linear { share } else { share * share * (3.0 - 2.0 * share) };

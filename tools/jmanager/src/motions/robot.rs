@@ -14,6 +14,10 @@ use super::play::{self, Play, Run};
 const CONTACT: f32 = 0.005;
 /// Tolerance of limits, rad.
 const ROUNDING: f32 = 0.01;
+/// Acceleration of gravity, m/s².
+const GRAVITY: f32 = 9.81;
+/// Half of the step of derivatives, rad.
+const STEP: f32 = 0.005;
 
 /// A model of a robot as values.
 #[derive(Clone, Copy)]
@@ -35,6 +39,9 @@ pub(super) struct Shape {
     centre: [f32; 3],
     /// Distance of the centre of mass, seen from above, from the edge of what the soles on the ground span; negative beyond it.
     margin: f32,
+    /// Current that each joint needs to hold the posture on the soles, as a multiple of what its motor bears continuously; none if the
+    /// robot does not stand on its soles.
+    load: Vec<(String, f32)>,
 }
 
 /// What of a motion from one posture to the next the motors cannot do.
@@ -54,7 +61,7 @@ impl Robot {
     }
 }
 
-fn shape<M: RobotModel>(angles: &Joints) -> Shape {
+fn shape<M: MujocoModel>(angles: &Joints) -> Shape {
     let skeleton = Skeleton::<M>::of(angles);
     let [left, right] = Side::BOTH.map(|side| skeleton.sole(side).translation.z);
     let ground = ground_from_robot::<M>(if left <= right { Side::Left } else { Side::Right }, angles);
@@ -77,12 +84,51 @@ fn shape<M: RobotModel>(angles: &Joints) -> Shape {
     let centre = ground.transform_point3(skeleton.centre_of_mass());
     let loaded = soles.iter().flatten().filter(|point| point.z < CONTACT).map(|point| point.xy()).collect();
     let all = |points: &Vec<Vec3>| points.iter().map(Vec3::to_array).collect();
+    let margin = margin(loaded, centre.xy());
     Shape {
         lines: lines.iter().map(all).collect(),
         soles: soles.iter().map(all).collect(),
         centre: centre.to_array(),
-        margin: margin(loaded, centre.xy()),
+        margin,
+        load: if margin > 0.0 { load::<M>(angles, &skeleton, ground) } else { Vec::new() },
     }
+}
+
+/// Loads of a posture at rest, by the principle of virtual work: the torque of a joint is the derivative by its angle of the potential
+/// energy of all masses less that of the forces of the ground at the feet, while the torso stands still. Two feet on the ground share
+/// the weight so that the centre of pressure is below the centre of mass, with no moments against each other.
+fn load<M: MujocoModel>(angles: &Joints, skeleton: &Skeleton<M>, ground: Affine3A) -> Vec<(String, f32)> {
+    let middle = |side: Side| (ground * skeleton.sole(side)).transform_point3(Vec3::X * M::EXTENTS.sole_middle);
+    let [left, right] = Side::BOTH.map(middle);
+    let centre = ground.transform_point3(skeleton.centre_of_mass()).with_z(0.0);
+    let between = (left - right).with_z(0.0);
+    let share = match [left, right].map(|foot| foot.z < CONTACT) {
+        [true, true] => ((centre - right).dot(between) / between.length_squared()).clamp(0.0, 1.0),
+        [is_left, _] => f32::from(u8::from(is_left)),
+    };
+    let off = centre - (right + share * between).with_z(0.0);
+    // The centre of pressure of each foot, in the frame of its sole.
+    let to_sole = |side: Side, foot: Vec3| (ground * skeleton.sole(side)).inverse().transform_point3(foot + off);
+    let feet =
+        [(Side::Left, share, to_sole(Side::Left, left)), (Side::Right, 1.0 - share, to_sole(Side::Right, right))];
+    let up = ground.inverse().transform_vector3(Vec3::Z);
+    let energy = |angles: &Joints| {
+        let moved = Skeleton::<M>::of(angles);
+        let ground =
+            feet.iter().map(|(side, share, point)| *share * up.dot(moved.sole(*side).transform_point3(*point)));
+        M::TOTAL_MASS * GRAVITY * (up.dot(moved.centre_of_mass()) - ground.sum::<f32>())
+    };
+    let of = |joint: &Joint| {
+        let at = |step: f32| {
+            let mut moved = *angles;
+            moved[*joint] += step;
+            energy(&moved)
+        };
+        let actuator = &M::ACTUATORS[*joint];
+        let current = actuator.current((at(STEP) - at(-STEP)) / (2.0 * STEP));
+        (format!("{joint:?}"), current / actuator.continuous_current())
+    };
+    M::JOINTS.iter().map(of).filter(|(_, load)| load.is_finite()).collect()
 }
 
 /// Distance of a point from the edge of the convex hull of others: positive inside.
@@ -141,6 +187,37 @@ mod tests {
         {
             assert!((margin(square(), point) - expected).abs() < 1e-6, "{point}");
         }
+    }
+
+    #[test]
+    fn a_load_is_the_moment_of_the_masses_that_the_joint_carries() {
+        let mut posture = Nao::STAND;
+        posture[Joint::LShoulderPitch] = 0.0;
+        let skeleton = Skeleton::<Nao>::of(&posture);
+        let shoulder = skeleton.pose(Segment::Shoulder(Side::Left)).translation;
+        // In the stand the torso is upright.
+        let moment = |segment: &Segment| {
+            let mass = Nao::MASSES.of(*segment);
+            mass.mass * GRAVITY * (skeleton.pose(*segment).transform_point3(mass.centre).x - shoulder.x)
+        };
+        let torque: f32 = Segment::ALL[3..8].iter().map(moment).sum();
+        let actuator = &Nao::ACTUATORS[Joint::LShoulderPitch];
+        let expected = actuator.current(torque) / actuator.continuous_current();
+        let of = |posture: &Joints, joint: Joint| {
+            let name = format!("{joint:?}");
+            shape::<Nao>(posture).load.into_iter().find(|(one, _)| *one == name).expect("a load").1
+        };
+        let found = of(&posture, Joint::LShoulderPitch);
+        assert!((found / expected - 1.0).abs() < 0.05, "{found} {expected}");
+        // Both legs bear the same; on one leg it bears more, and a leg in the air little.
+        let [left, right] = [Joint::LHipRoll, Joint::RHipRoll].map(|joint| of(&Nao::STAND, joint));
+        assert!((left - right).abs() < 0.02 && left < 0.1, "{left} {right}");
+        let kick = Nao::DYNAMIC_PROFILE.kicks.front.frames[1].pose.legs::<Nao>(Side::Left, &Nao::DYNAMIC_PROFILE.gait);
+        let mut limbs = Nao::DYNAMIC_PROFILE.gait.stand::<Nao>();
+        limbs.legs = kick;
+        let lifted = limbs.joints::<Nao>();
+        let [free, bears] = [Joint::LHipRoll, Joint::RHipRoll].map(|joint| of(&lifted, joint));
+        assert!(bears > 3.0 * free && bears > 3.0 * right, "{free} {bears}");
     }
 
     #[test]

@@ -72,6 +72,7 @@ export function Figure({ visible }) {
   };
   const now = shapes.value[row.value]?.shape;
   const margin = now && Number.isFinite(now.margin) ? `${Math.abs(now.margin * 1000).toFixed(0)} mm ${now.margin > 0 ? 'within' : 'beyond'} the edge of the soles on the ground` : 'no sole on the ground';
+  const loads = (now?.load ?? []).toSorted((a, b) => b[1] - a[1]).slice(0, 3).map(([joint, load]) => `${joint} ${(load * 100).toFixed(0)} %`);
   return html`<figure class="figure"><div class="space"><${Canvas} reads=${() => { void [shapes.value, row.value]; }} draw=${draw} visible=${visible} label="Posture of the keyframe" /></div>
-    <figcaption><b class="left">left</b> and <b class="right">right</b> limbs · ● centre of mass: ${now ? margin : ''}</figcaption></figure>`;
+    <figcaption><b class="left">left</b> and <b class="right">right</b> limbs · ● centre of mass: ${now ? margin : ''}${loads.length > 0 && html`<br /><span title="Current that holds the posture at rest, as a share of what the motor bears continuously">load at rest: ${loads.join(', ')}</span>`}</figcaption></figure>`;
 }

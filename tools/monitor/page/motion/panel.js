@@ -9,16 +9,7 @@ import { opened, redo, undo } from '../vicode/sources.js';
 import { Curves, moved } from './curves.js';
 import { Figure } from './figure.js';
 import { channel, chosen, draft, form, held, insert, keys, mirror, motions, openMotion, readMotions, remove, row, scaleTime, setSeconds, setValue, shapes, table, take } from './model.js';
-import { Trial } from './trial.js';
-
-/** The output with measured joints: [component, information]; null if the tree has none. */
-function jointsOf(shown) {
-  for (const [component, { info }] of (shown?.description.value?.components ?? []).entries()) {
-    const index = info.findIndex(({ shape }) => shape === 'Joints');
-    if (index >= 0) return [component, index];
-  }
-  return null;
-}
+import { Trial, jointsOf, reached } from './trial.js';
 
 const nameOf = ({ file, key }) => `${key} · ${file.split('/').slice(-2).join('/')}`;
 
@@ -43,12 +34,14 @@ function Channel({ own, index }) {
     await setValue(row.value, index, Number(event.target.value));
     draft.value = null;
   };
+  const load = Math.max(0, ...(shapes.value[row.value]?.shape.load ?? []).filter(([joint]) => own.moves.includes(joint)).map(([, share]) => share));
+  const now = reached(index, row.value);
   const digits = own.step >= 1 ? 0 : own.step >= 0.1 ? 1 : 3;
   return html`<li class=${`channel ${index === channel.value ? 'on' : ''} ${written[index] ? '' : 'rest'}`} onFocusIn=${() => { channel.value = index; }}>
     <label for=${`channel-${index}`} onClick=${() => { channel.value = index; }}><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${own.name}</label>
     <input id=${`channel-${index}`} aria-label=${own.name} type="range" min=${own.min} max=${own.max} step=${own.step} value=${value} disabled=${Boolean(held.value)} onInput=${drag} onChange=${drop} />
     <${Field} value=${value.toFixed(digits)} label=${`${own.name} in ${own.unit}`} width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (text.trim() !== '' && Number.isFinite(Number(text))) setValue(row.value, index, Number(text)); }} /><span class="dim">${own.unit}</span>
-    ${beyond ? html`<span class="warn" title="The motor stops there">limit ${beyond[2].toFixed(0)}°</span>` : fast ? html`<span class="warn" title="Faster than the motor: the joint arrives late">${fast[1].toFixed(0)} of ${fast[2].toFixed(0)} °/s</span>` : html`<span></span>`}
+    ${beyond ? html`<span class="warn" title="The motor stops there">limit ${beyond[2].toFixed(0)}°</span>` : fast ? html`<span class="warn" title="Faster than the motor: the joint arrives late">${fast[1].toFixed(0)} of ${fast[2].toFixed(0)} °/s</span>` : load > 1 ? html`<span class="warn" title="The motor holds this posture for a short time only">load ${(load * 100).toFixed(0)} %</span>` : html`<span class="dim">${now !== undefined && `measured ${now.toFixed(digits)}`}</span>`}
   </li>`;
 }
 

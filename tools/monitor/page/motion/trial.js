@@ -1,7 +1,7 @@
-// Trials of the open motion in a simulated body.
+// Trials of the open motion in a simulated body, or on the simulated robot of the session.
 
 import { computed, html, signal, useSignal } from '../lib/dom.js';
-import { notify } from '../lib/store.js';
+import { act, command, notify, session, sessions } from '../lib/store.js';
 import { chosen, form, keys, sent, tell } from './model.js';
 import { model } from '../vicode/sources.js';
 
@@ -31,6 +31,12 @@ export function measured(index, times) {
   });
 }
 
+/** What a channel measured when the keyframe with a number was to be reached; undefined if it is not known. */
+export const reached = (index, at) => {
+  const times = keys.value.map((_, key) => key + 1);
+  return isCurrent.value ? measured(index, times).findLast(([time]) => time <= at + 1)?.[1] : undefined;
+};
+
 /** Keyframes of another motion of the file, as they are written. */
 function written(key) {
   const [own, of] = [form.value, model.value.tables.find((one) => one.key === key)];
@@ -40,7 +46,41 @@ function written(key) {
   }));
 }
 
-async function attempt(mujoco, runs, start) {
+/** The output with measured joints: [component, information]; null if the tree has none. */
+export function jointsOf(shown) {
+  for (const [component, { info }] of (shown?.description.value?.components ?? []).entries()) {
+    const index = info.findIndex(({ shape }) => shape === 'Joints');
+    if (index >= 0) return [component, index];
+  }
+  return null;
+}
+
+/** Whether the session is a simulated world whose robot can be moved, with a form of that robot. */
+const canPlay = (own, shown) => Boolean(jointsOf(shown) && shown.info.value.can.pause && shown.description.value.actions.some(({ name }) => name === own.plays));
+
+/** Plays a motion on the robot of the session: actions of its world before one cycle. Returns what was measured; null if it ended early. */
+async function play(request) {
+  const shown = session.value;
+  const { calls, before, ends, seconds, wanted, unwanted } = await tell('plan', request);
+  if ((await command('pause')) === undefined) return null;
+  let isPlanned = true;
+  for (const [action, values] of calls) isPlanned &&= (await act('operate', { request: { type: 'world', action, arguments: values } })) !== undefined;
+  const begin = shown.live.value.time_us + before * 1e6;
+  const end = begin + (seconds - before) * 1e6;
+  await act('resume');
+  while (isPlanned && shown.live.value?.time_us < end) {
+    await new Promise((resolve) => { setTimeout(resolve, 100); });
+    isPlanned = sessions.value.has(shown.id) && shown.live.value?.time_us > begin - before * 1e6 - 1e5;
+  }
+  const { times, values } = shown.info_of(...jointsOf(shown));
+  const of = (time) => (time > begin && time <= end ? [(time - begin) / 1e6] : []);
+  const course = times.flatMap((time, at) => of(time).map((since) => [since, null, values[at].positions.map((angle) => (angle * 180) / Math.PI)]));
+  const first = (event) => shown.lines.flatMap(({ source, text, time_us }) => (event && source === 'world' && text.startsWith(event) ? of(time_us) : []))[0] ?? null;
+  const fell = first(unwanted);
+  return isPlanned && course.length > 0 ? { joints: values[0].names, runs: [{ fell, stands: wanted ? first(wanted) !== null : fell === null, load: [], ends, course }] } : null;
+}
+
+async function attempt(world, runs, start) {
   const own = form.value;
   const [, parts] = own.sequences[chosen.value.key] ?? [null, [chosen.value.key]];
   const lists = parts.map((key) => (key === chosen.value.key ? sent(keys.value, own) : written(key)));
@@ -48,8 +88,9 @@ async function attempt(mujoco, runs, start) {
   const [text, motion] = [textOf(), JSON.stringify(chosen.value)];
   running.value = runs;
   try {
-    const answer = await tell('try', { form: own.name, motion: chosen.value.key, keys: lists.flat(), start, mujoco, runs });
-    result.value = { ...answer, first, text, motion, mujoco };
+    const [request, mujoco] = [{ form: own.name, keys: lists.flat(), start }, world === 'mujoco'];
+    const answer = world === 'session' ? await play(request) : await tell('try', { ...request, motion: chosen.value.key, mujoco, runs });
+    if (answer) result.value = { ...answer, first, text, motion, mujoco };
   } catch (error) {
     notify('error', error.text ?? String(error), error.help ?? '');
   } finally {
@@ -69,16 +110,19 @@ function Runs({ runs, mujoco }) {
 }
 
 export function Trial() {
-  const [mujoco, start] = [useSignal(false), useSignal(null)];
+  const [chosenWorld, start] = [useSignal(null), useSignal(null)];
   const own = form.value;
   const [usual] = own.sequences[chosen.value.key] ?? ['stand'];
-  const go = (runs) => attempt(mujoco.value, runs, start.value ?? usual);
+  const worlds = [...(own.only ? [['mujoco', own.only]] : [['built-in', 'built-in world'], ['mujoco', 'MuJoCo']]), ...(canPlay(own, session.value) ? [['session', 'robot of the session']] : [])];
+  const world = worlds.some(([name]) => name === chosenWorld.value) ? chosenWorld.value : worlds[0][0];
+  const go = (runs) => attempt(world, runs, start.value ?? usual);
   const last = result.value?.motion === JSON.stringify(chosen.value) ? result.value : null;
+  const select = (label, value, list, set) => html`<select aria-label=${label} onChange=${(event) => set(event.target.value)}>${list.map(([name, text]) => html`<option value=${name} selected=${name === value}>${text}</option>`)}</select>`;
   return html`<div class="trial" role="group" aria-label="Trial">
-    ${own.only ? html`<span class="dim">${own.only}</span>` : html`<select aria-label="World of the trial" onChange=${(event) => { mujoco.value = event.target.value === 'mujoco'; }}><option value="built-in">built-in world</option><option value="mujoco" selected=${mujoco.value}>MuJoCo</option></select>
-    <select aria-label="Beginning of the trial" onChange=${(event) => { start.value = event.target.value; }}>${[['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']].map(([value, name]) => html`<option value=${value} selected=${value === (start.value ?? usual)}>${name}</option>`)}</select>`}
-    <button class="primary" disabled=${running.value > 0 || !keys.value?.length} onClick=${() => go(1)}>Try</button>
-    <button disabled=${running.value > 0 || !keys.value?.length} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
+    ${select('World of the trial', world, worlds, (name) => { chosenWorld.value = name; })}
+    ${!own.only && select('Beginning of the trial', start.value ?? usual, [['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']], (name) => { start.value = name; })}
+    <button class="primary" disabled=${running.value > 0 || !keys.value?.length} title=${world === 'session' ? 'Places the robot beside the way of the game; its program goes on afterwards' : ''} onClick=${() => go(1)}>Try</button>
+    <button disabled=${running.value > 0 || !keys.value?.length || world === 'session'} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
     <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.verdict ? html`<${Verdict} ...${last.verdict} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
       ${!isCurrent.value && html` <span class="warn">of an earlier version: try again</span>`}`}</span></div>`;
 }

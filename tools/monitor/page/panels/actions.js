@@ -81,7 +81,8 @@ export function ActionsMenu({ shown, list, known }) {
  * The menu at the pointer. `at(event)` returns the function `known(place, call)` of the place under the pointer. Returns the
  * handlers of the canvas and the menu.
  */
-export function useActions({ shown, list, at }) {
+export function useActions({ shown, list: all, at }) {
+  const list = all.filter((call) => call.arguments.some(({ place }) => place));
   const items = useRef(null);
   const open = useSignal({ known: () => null, opened: 0 });
   const handlers = {

@@ -5,6 +5,7 @@ import { listen, request } from '../lib/connection.js';
 import { resolve } from '../lib/curves.js';
 import { numberAt } from '../lib/format.js';
 import { act, ask, notify, seek, session } from '../lib/store.js';
+import { stored } from '../lib/stored.js';
 import { parsed, stateKey } from './machine.js';
 import { component, machine } from './sources.js';
 
@@ -53,6 +54,7 @@ export function toggleStop(key) {
   }
   const on = own.every((one) => stops.value.some((stop) => same(stop, one)));
   const rest = stops.value.filter((stop) => !own.some((one) => same(stop, one)));
+  if (on) setCondition(key, '');
   send(on ? rest : [...rest, ...own]);
 }
 
@@ -60,12 +62,18 @@ export const clearStops = () => send([]);
 
 // ---- conditions
 
-/** Conditions of breakpoints, as of watches, by session and breakpoint: of this page. */
-const conditions = signal(new Map());
-const nameOf = (id, { component: index, state = null, transition = null }) => `${id} ${index} ${state} ${transition}`;
+const remembered = stored('localStorage', 'jmanager-breakpoint-conditions');
+/** Conditions of breakpoints, as of watches, by the names of their places: of this browser, also after a reload and in a new run. */
+const conditions = signal(new Map(remembered.read() ?? []));
+
+function nameOf(of, { component: index, state = null, transition = null }) {
+  const { name, states, transitions } = of.description.value.components[index];
+  const arrow = transitions[transition];
+  return [name, ...(arrow ? [arrow.name, states[arrow.from]?.name, states[arrow.to]?.name] : [states[state]?.name])].join(' ');
+}
 
 /** The condition of the breakpoint at a key; empty without one. */
-export const conditionAt = (key) => stopsOf(key).map((stop) => conditions.value.get(nameOf(session.value.id, stop)))[0] ?? '';
+export const conditionAt = (key) => stopsOf(key).map((stop) => conditions.value.get(nameOf(session.value, stop)))[0] ?? '';
 
 export function setCondition(key, text) {
   try {
@@ -75,16 +83,17 @@ export function setCondition(key, text) {
     return;
   }
   const next = new Map(conditions.value);
-  for (const stop of stopsOf(key)) {
-    if (text) next.set(nameOf(session.value.id, stop), text);
-    else next.delete(nameOf(session.value.id, stop));
+  for (const name of stopsOf(key).map((stop) => nameOf(session.value, stop))) {
+    if (text) next.set(name, text);
+    else next.delete(name);
   }
   conditions.value = next;
+  remembered.write([...next]);
 }
 
 /** Whether the condition of a reached breakpoint held in its cycle. One whose outputs are not known then holds. */
 async function holds(of, reached) {
-  const text = conditions.value.get(nameOf(of.id, reached));
+  const text = conditions.value.get(nameOf(of, reached));
   if (!text) return true;
   const { inputs, begin } = resolve(of, text);
   const { info } = await request('at', { session: of.id, time_us: reached.time_us, info: inputs.map(({ place: one }) => one), image: false });

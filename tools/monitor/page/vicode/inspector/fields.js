@@ -45,7 +45,7 @@ export const Body = ({ of }) => {
 
 /** The breakpoint of a state or transition, with its condition. */
 export const Stop = ({ of, title }) => html`<${Toggle} on=${stopKeys.value.has(of)} label="Breakpoint" title=${title} onChange=${() => toggleStop(of)} />
-  ${stopKeys.value.has(of) && html`<${Field} value=${conditionAt(of)} label="Condition of the breakpoint" placeholder="only if Component.output > 0.5" title="The world goes on if it does not hold; of this page" spellcheck="false" onCommit=${(text) => setCondition(of, text.trim())} />`}`;
+  ${stopKeys.value.has(of) && html`<${Field} value=${conditionAt(of)} label="Condition of the breakpoint" placeholder="only if Component.output > 0.5" title="The world goes on if it does not hold; this browser keeps it" spellcheck="false" onCommit=${(text) => setCondition(of, text.trim())} />`}`;
 
 const PROMPTS = { entry: 'on_entry', exit: 'on_exit', start: 'on_start', stop: 'on_stop' };
 
