@@ -99,7 +99,7 @@ mod tests {
         assert!(tutorial.contains("\n-    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.111, 0.025], "));
         assert!(tutorial.contains("\n+    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.125, 0.025], "));
         let mut frames = Nao::DYNAMIC_PROFILE.kicks.lateral.frames.to_vec();
-        assert_eq!(frames[2].pose.foot.to_array(), [0.095, 0.111, 0.025]);
+        assert!((frames[2].pose.foot.y - 0.111).abs() < 1e-6);
         frames[2].pose.foot.y = 0.125;
         let own = kicked(KickKind::Lateral, Nao::DYNAMIC_PROFILE, RUNS).expect("valid physics");
         let farther =
