@@ -27,7 +27,13 @@ pub(crate) fn cargo(command: &str, more: &[&str], variables: &[(&str, &str)]) ->
     let workspace = workspace();
     let workspace = workspace.iter().map(String::as_str);
     let arguments: Vec<_> = [command].into_iter().chain(workspace).chain(more.iter().copied()).collect();
-    run("cargo", &arguments, variables)
+    let (name, folder) = libraries();
+    run("cargo", &arguments, &[variables, &[(name, &folder)]].concat())
+}
+
+/// Variable with the folder of MuJoCo's library, for the tests of a package that has no build script which names the folder.
+pub(crate) fn libraries() -> (&'static str, String) {
+    ("LD_LIBRARY_PATH", folder("mujoco").to_string_lossy().into_owned())
 }
 
 /// Builds the programs and examples, as the tests use them.

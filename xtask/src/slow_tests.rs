@@ -106,7 +106,8 @@ fn test(kind: Kind, options: &[String], variables: &[(&str, &str)]) -> Result<St
     eprintln!("xtask: {line}");
     let start = |error| format!("cannot start `{line}`: {error}");
     let mut command = Command::new("cargo");
-    command.args(&arguments).current_dir(root()).envs(variables.iter().copied()).stdout(Stdio::piped());
+    command.args(&arguments).current_dir(root()).envs(variables.iter().copied()).envs([build::libraries()]);
+    command.stdout(Stdio::piped());
     // Other tests mostly wait, so `.cargo/config.toml` sets more threads than there are processors; these compute.
     command.env("RUST_TEST_THREADS", available_parallelism().map_or(1, NonZero::get).to_string());
     let mut cargo = command.spawn().map_err(start)?;
