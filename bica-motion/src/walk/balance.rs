@@ -72,10 +72,10 @@ impl Balance {
 
 impl Parameters {
     /// The part of a displacement of the DCM that an undisturbed step does not have at this phase, beyond the deadband, m: forward, and
-    /// toward the swing foot.
-    pub(super) fn beyond_usual(&self, displacement: Vec2, phase: f32) -> Vec2 {
+    /// toward the swing foot. `offset` is the usual one at the middle of a step.
+    pub(super) fn beyond_usual(&self, displacement: Vec2, offset: Vec2, phase: f32) -> Vec2 {
         let sway = self.capture_sway * (2.0 * smooth(phase) - 1.0);
-        let error = displacement - (self.capture_offset + Vec2::new(0.0, sway));
+        let error = displacement - (offset + Vec2::new(0.0, sway));
         error - error.clamp(-self.capture_deadband, self.capture_deadband)
     }
 }

@@ -266,10 +266,14 @@ impl<M: RobotModel> Walk<M> {
         let seen = |at: Vec2| Vec2::new(at.x, side * at.y);
         let (place, frequency) = (seen(plan.landing()), pendulum.frequency(plan.duration));
         let planned = seen(pendulum.dcm(&plan.hips, phase));
-        let measured = self.mass.dcm(plan.support, frequency).filter(|_| M::LEG_LAGS.is_some());
+        let (measured, offset) = if M::LEG_LAGS.is_some() {
+            (self.mass.dcm(plan.support, frequency), self.gait.capture_offset)
+        } else {
+            (None, Vec2::ZERO)
+        };
         let error = measured.map_or_else(|| seen(self.balance.capture_error()), |dcm| seen(dcm) - planned);
         Some(Situation {
-            dcm: planned + self.gait.beyond_usual(error, phase),
+            dcm: planned + self.gait.beyond_usual(error, offset, phase),
             place,
             offset: seen(pendulum.dcm(&plan.hips, 1.0)) - place,
             elapsed: self.elapsed,
@@ -327,7 +331,11 @@ impl<M: RobotModel> Walk<M> {
 
     fn begin(&mut self, support: Side, feet: &[Foot; 2], phase: Phase, purpose: Purpose) {
         self.phase = phase;
-        self.plan = Some(Plan::new(support, feet, purpose, self.gait, self.adjustment.step_height));
+        let mut plan = Plan::new(support, feet, purpose, self.gait, self.adjustment.step_height);
+        if M::LEG_LAGS.is_some() && purpose == Purpose::Start {
+            plan.shift(self.gait.start_shift);
+        }
+        self.plan = Some(plan);
         self.time = 0.0;
         self.liftoff_delay = 0.0;
         (self.elapsed, self.pace, self.capture_step) = (0.0, 1.0, Vec2::ZERO);

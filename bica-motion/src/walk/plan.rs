@@ -86,15 +86,13 @@ impl Plan {
         }
         let needed = shifts[0].double_support + shifts[1].double_support + gait.min_swing_duration;
         let duration = nominal.max(needed);
-        let start_shift = if purpose == Purpose::Start { gait.start_shift } else { 0.0 };
-        let shifted = hips_after.position + Vec2::new(0.0, support.other().sign() * start_shift);
         let is_flat = matches!(purpose, Purpose::Start | Purpose::Stop);
         let step_height = if is_flat { 0.0 } else { gait.step_height * height_scale };
         let widest = hips.position.y.abs().max(hips_after.position.y.abs());
         Self {
             support,
             duration,
-            hips: [hips.position, shifted],
+            hips: [hips.position, hips_after.position],
             swing: [hips * swinging, hips_after * end[1]],
             step_height,
             kick_swing,
@@ -102,9 +100,15 @@ impl Plan {
             shifts,
             mid_step_hip_offset: gait.mid_step_hip_offset,
             pendulum: Pendulum::new(gait, duration),
-            only_shifts: start_shift > 0.0,
+            only_shifts: false,
             lean: gait.lean_gain * (widest - gait.half_spacing).max(0.0),
         }
+    }
+
+    /// Moves the hips to the next support foot, from rest to rest, by a distance that is 0 or greater, m.
+    pub(super) fn shift(&mut self, distance: f32) {
+        self.hips[1] += Vec2::new(0.0, self.support.other().sign() * distance);
+        self.only_shifts = distance > 0.0;
     }
 
     /// Whether the step ends with the feet side by side.
