@@ -81,12 +81,12 @@ impl Queue {
     }
 }
 
-/// The motions of all limbs. Limbs without one obey the robot's program.
+/// The motions of all limbs. Limbs without one follow the command of the robot's program.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LimbMotions([Queue; 5]);
 
 impl LimbMotions {
-    /// Adds a motion behind those of the limb that wait.
+    /// Adds a motion after those of the limb that wait.
     pub(crate) fn add(&mut self, limb: Limb, motion: Motion) -> Result<(), &'static str> {
         let Queue { waiting, .. } = &mut self.0[limb as usize];
         if waiting.len() >= MAX_MOTIONS {
