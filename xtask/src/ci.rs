@@ -2,7 +2,7 @@
 
 use std::env;
 use std::fs::{self, File};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
 use std::time::Instant;
 
@@ -170,9 +170,12 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
         return perform(&steps);
     }
     install(&steps, Step::install)?;
+    // Before the tests, which build this program again: then its first file is deleted, and another one has the same path.
+    let program = env::current_exe().map_err(|error| error.to_string())?;
     let (alone, [waiting, computing]) = lanes(&steps);
     perform(&alone)?;
-    let beside = (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&computing)).transpose()?;
+    let beside =
+        (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&program, &computing)).transpose()?;
     let result = perform(if waiting.is_empty() { &computing } else { &waiting });
     let beside = beside.map_or(Ok(()), Lane::wait);
     result.and(beside)?;
@@ -211,11 +214,11 @@ struct Lane {
 }
 
 impl Lane {
-    fn start(steps: &[Step]) -> Result<Self, String> {
+    fn start(program: &Path, steps: &[Step]) -> Result<Self, String> {
         let log = folder("ci.log");
         let failed = |error| format!("cannot start the steps {}: {error}", names(steps, ", "));
         let output = File::create(&log).map_err(failed)?;
-        let mut command = Command::new(env::current_exe().map_err(failed)?);
+        let mut command = Command::new(program);
         command.args(["ci", "--lane", "--only", &names(steps, ",")]).stdout(output.try_clone().map_err(failed)?);
         let process = command.stderr(output).spawn().map_err(failed)?;
         Ok(Self { process, log })
