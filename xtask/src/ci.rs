@@ -133,17 +133,21 @@ fn budget() -> Result<(), String> {
 fn tests() -> Result<(), String> {
     // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
     let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
-    build::cargo("test", &[], &cases)?;
+    let visits = folder("coverage");
+    // Of an earlier run.
+    let _ = fs::remove_dir_all(&visits);
+    let visits = visits.display().to_string();
+    build::cargo("test", &[], &[&cases[..], &[("BICA_COVERAGE", &visits)]].concat())?;
     slow_tests::run(&cases)?;
-    coverage()
+    coverage(&visits)
 }
 
-/// Prints how much of the forward's machine the recorded games of the tests visit.
-fn coverage() -> Result<(), String> {
+/// Prints how much of the forward's machine the tests and their recorded games visit.
+fn coverage(visits: &str) -> Result<(), String> {
     let games = ["game", "crowd", "images"].map(|name| format!("tools/player/tests/recordings/{name}.mcap"));
     let games = games.each_ref().map(String::as_str);
     let machine = ["coverage", "player/src/behaviour/player.rs"];
-    run(&build::program("vicode"), &[&machine[..], &games, &["--summary"]].concat(), &[])
+    run(&build::program("vicode"), &[&machine[..], &games, &[visits, "--summary"]].concat(), &[])
 }
 
 /// Installs MuJoCo if it is `wanted`, and returns the features of the packages with long tests that need it.

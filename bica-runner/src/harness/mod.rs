@@ -37,9 +37,13 @@
 //! test.tree_mut().get_mut::<Battery>().charge = 0.1;
 //! test.reaches::<Vacuum>("dock", Duration::from_millis(100));
 //! ```
+//!
+//! With the environment variable `BICA_COVERAGE` each harness writes the states that it visited into a file in that folder, which
+//! `vicode coverage` reads.
 
 mod history;
 mod stage;
+mod visits;
 
 use std::boxed::Box;
 use std::format;
@@ -49,6 +53,7 @@ use bica_core::{ComponentId, Duration, Has, Instant, Tree};
 
 pub use history::{History, Transition};
 pub use stage::{InWorld, Stage, Ticks};
+use visits::Visits;
 
 use crate::robot::Robot;
 use crate::world::World;
@@ -59,6 +64,7 @@ pub struct Harness<T, S = Ticks> {
     tree: Box<T>,
     stage: S,
     history: History,
+    visits: Option<Visits>,
 }
 
 impl<T: Tree> Harness<T> {
@@ -71,8 +77,13 @@ impl<T: Tree> Harness<T> {
 
     /// Creates a harness like [`new`](Self::new), for a tree that is too large for the stack.
     #[must_use]
-    pub const fn of_box(tree: Box<T>) -> Self {
-        Self { tree, stage: Ticks::new(T::GRAPH.cycle_hz), history: History::new(T::GRAPH) }
+    pub fn of_box(tree: Box<T>) -> Self {
+        Self {
+            tree,
+            stage: Ticks::new(T::GRAPH.cycle_hz),
+            history: History::new(T::GRAPH),
+            visits: Visits::wanted::<T>(),
+        }
     }
 
     /// Replaces the environment by a world that provides the sensor values and the time.
@@ -80,7 +91,7 @@ impl<T: Tree> Harness<T> {
     where
         T: Robot,
     {
-        Harness { tree: self.tree, stage: InWorld(world), history: self.history }
+        Harness { tree: self.tree, stage: InWorld(world), history: self.history, visits: self.visits }
     }
 }
 
@@ -120,7 +131,11 @@ impl<T: Tree, S: Stage<T>> Harness<T, S> {
 
     /// Runs one cycle.
     pub fn cycle(&mut self) {
+        let now = self.now();
         self.stage.cycle(&mut self.tree, &mut self.history);
+        if let Some(visits) = &mut self.visits {
+            visits.note(now, &*self.tree);
+        }
     }
 
     /// Runs `count` cycles.

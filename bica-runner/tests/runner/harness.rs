@@ -63,6 +63,23 @@ fn states_are_reached_and_kept_in_simulated_time() {
     assert_eq!(taken, [(1000, "greet"), (1300, "watch")]);
 }
 
+/// The test above, in a process with the variable.
+#[test]
+fn visited_states_are_written_for_coverage() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("coverage-{}", std::process::id()));
+    let test = "harness::states_are_reached_and_kept_in_simulated_time";
+    let mut run = std::process::Command::new(std::env::current_exe().unwrap());
+    let output = run.args([test, "--exact"]).env("BICA_COVERAGE", &folder).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let written: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let text = std::fs::read_to_string(&written[0]).unwrap();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert_eq!(
+        (written.len(), &*text),
+        (1, "0\tGuard\twatch\n1000000\tGuard\tgreet\n1300000\tGuard\twatch\n1300000\tGuard\twatch\n")
+    );
+}
+
 #[test]
 fn an_unreached_state_fails_with_history() {
     let text = message(|| {

@@ -37,7 +37,7 @@ pub use self::edit::{
     Edit, NewNumber, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan,
     reads, uses,
 };
-pub use self::files::{FileError, Folder, Layout, LayoutError, Position, save};
+pub use self::files::{FileError, Folder, Layout, LayoutError, Note, Position, save};
 pub use self::fix::{Fix, fixes};
 pub use self::read::{TreeSource, read, trees};
 

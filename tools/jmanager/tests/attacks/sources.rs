@@ -80,6 +80,7 @@ fn no_request_leads_out_of_the_folder_of_sources() {
             json!({ "type": "edit_file", "file": file, "version": 0, "edits": edit }),
             json!({ "type": "save_file", "file": file }),
             json!({ "type": "move_states", "file": file, "positions": positions }),
+            json!({ "type": "change_note", "file": file, "component": "A", "to": { "at": null, "text": "evil" } }),
             json!({ "type": "draw_file", "file": file, "component": "A", "format": "svg" }),
             json!({ "type": "uses", "file": file, "component": "A", "function": "step" }),
             json!({ "type": "new_component", "name": "Evil", "folder": file, "dry": false }),

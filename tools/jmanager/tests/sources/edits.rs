@@ -126,6 +126,37 @@ fn moved_states_are_written_beside_and_follow_a_new_name() {
 }
 
 #[test]
+fn notes_are_written_beside_and_stay_while_the_text_is_broken() {
+    let (sources, view) = Sources::shown();
+    let change = |from: &Value, to: &Value| {
+        view.ask(json!({ "type": "change_note", "file": "player.rs", "component": "Player", "from": from, "to": to }))
+    };
+    let note = |text: &str| json!({ "at": null, "text": text });
+    let (smuggled, placed) = (note("one\nEvil state 1 2"), json!({ "at": { "x": -8, "y": 16 }, "text": "two" }));
+    change(&Value::Null, &smuggled).unwrap();
+    change(&Value::Null, &placed).unwrap();
+    let both = "Player * - - \"one\\nEvil state 1 2\"\nPlayer * -8 16 \"two\"\n";
+    assert_eq!(sources.read("player.vicode"), both);
+    let drawing = view.ask(json!({ "type": "draw_file", "file": "player.rs", "component": "Player", "format": "svg" }));
+    assert!(drawing.unwrap()["text"].as_str().unwrap().contains(">Evil state 1 2<"));
+    // A brace that is not closed hides states and components.
+    view.type_behind("player.rs", "fn look(&mut self) {", " /* ").unwrap();
+    view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
+    assert_eq!(sources.read("player.vicode"), both);
+    view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
+    change(&placed, &Value::Null).unwrap();
+    assert_eq!(view.shown("player.rs").state["notes"][0]["text"], "one\nEvil state 1 2");
+    assert!(text_of(change(&placed, &note("late"))).contains("not as it was"));
+    for wrong in
+        [note(" "), note("\u{7}"), note(&"x".repeat(1001)), json!({ "at": { "x": i32::MIN, "y": 0 }, "text": "x" })]
+    {
+        text_of(change(&Value::Null, &wrong));
+    }
+    change(&smuggled, &Value::Null).unwrap();
+    assert!(!sources.path("player.vicode").exists());
+}
+
+#[test]
 fn opening_and_closing_changes_no_byte() {
     let hostile =
         "\u{feff}//! Text\r\n#[component]\r\nimpl A {\r\n  fn step(&mut self){ /* ä */ }\r\n}\r\nfn broken( {";
@@ -272,6 +303,7 @@ fn without_a_folder_and_read_only_nothing_is_edited() {
         json!({ "type": "resolve_file", "file": "player.rs", "keep": "ours" }),
         json!({ "type": "move_states", "file": "player.rs", "positions": [] }),
         json!({ "type": "arrange_states", "file": "player.rs", "component": "Player" }),
+        json!({ "type": "change_note", "file": "player.rs", "component": "Player", "to": { "at": null, "text": "x" } }),
         json!({ "type": "new_component", "name": "New", "folder": "", "dry": true }),
         json!({ "type": "rename_uses", "file": "player.rs", "component": "Player", "function": "steps", "to": "x", "places": [] }),
         json!({ "type": "check" }),

@@ -64,6 +64,15 @@ window.addEventListener('pointerup', () => { pointed = document.activeElement; }
 /** Whether an element was focused by a click. Then Space is a key of the page. */
 export const isPointed = (element) => element === pointed;
 
+// Escape closes the open menu wherever the focus is, and does nothing else then.
+window.addEventListener('keydown', (event) => {
+  const menu = event.key === 'Escape' && document.querySelector('.menu:popover-open');
+  if (!menu) return;
+  event.preventDefault();
+  event.stopPropagation();
+  menu.hidePopover();
+}, true);
+
 window.addEventListener('keydown', (event) => {
   if (event.defaultPrevented || isOrphan(event)) return;
   const name = nameOf(event);

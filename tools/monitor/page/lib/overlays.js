@@ -55,11 +55,12 @@ export function drawOverlay(context, shown, overlay, image, { at, live, taken })
 /** Height of a name, px. */
 const TALL = 18;
 
-/** Writes a name within the image, below names that were there. */
+/** Writes a name within the image and the panel, below names that were there. */
 function label(context, text, wantedX, wantedY, { colour, taken, right }) {
   const width = context.measureText(text).width + 10;
-  const x = Math.min(wantedX, right - width - 2);
-  let y = wantedY - TALL / 2;
+  const { clientWidth, clientHeight } = context.canvas;
+  const x = Math.max(2, Math.min(wantedX, right - width - 2, clientWidth - width - 2));
+  let y = Math.max(2, Math.min(wantedY - TALL / 2, clientHeight - TALL - 2));
   const covers = (one) => one.x < x + width && x < one.x + one.width && one.y < y + TALL && y < one.y + TALL;
   for (let one = taken.find(covers); one; one = taken.find(covers)) y = one.y + TALL + 1;
   taken.push({ x, y, width });

@@ -28,7 +28,9 @@ export async function readMotions() {
   forms.value = await tell('forms');
   const tables = await ask('tables', { types: [...new Set(forms.value.map(({ ty }) => ty))] });
   const formOf = ({ file, ty }) => forms.value.find((form) => form.ty === ty && file.includes(form.within));
-  if (tables) motions.value = tables.map((one) => ({ ...one, form: formOf(one) })).filter(({ form }) => form);
+  // Other constants of the type, such as the gains of all joints, are no posture.
+  const fits = ({ form, cells }) => form && (form.pace || cells.length === 0 || form.channels.every(({ cell }) => cells.includes(cell.split('/')[0])));
+  if (tables) motions.value = tables.map((one) => ({ ...one, form: formOf(one) })).filter(fits);
 }
 
 export async function openMotion(file, key) {

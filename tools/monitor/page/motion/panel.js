@@ -3,7 +3,7 @@
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { cursor, hello, session, watch } from '../lib/store.js';
 import { curveColour } from '../lib/theme.js';
-import { Bar, Empty, Field } from '../lib/ui.js';
+import { Bar, Empty, Field, Toggle } from '../lib/ui.js';
 import { Conflict } from '../vicode/conflict.js';
 import { opened, redo, undo } from '../vicode/sources.js';
 import { Curves, moved } from './curves.js';
@@ -59,7 +59,7 @@ function Numbers() {
       ${own.time ? html`<label>takes <${Field} value=${key.seconds.toFixed(2)} label="Duration in s" width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (Number(text) > 0) setSeconds([[row.value, Number(text)]]); }} /> s</label>` : html`<span class="dim">takes ${key.seconds.toFixed(2)} s by its way</span>`}
       ${least > key.seconds + 0.005 && html`<span class="warn">${own.stretches ? 'is played in' : 'the motors need'} ${least.toFixed(2)} s</span>`}
       ${indirect.length > 0 && html`<span class="warn" title="Faster than their motors, or beyond their ranges">! ${[...new Set(indirect)].join(', ')}</span>`}
-      <label><input type="checkbox" checked=${onlyMoved.value} onChange=${(event) => { onlyMoved.value = event.target.checked; }} /> only what moves</label></p>
+      <${Toggle} on=${onlyMoved.value} label="Only what moves" title="Leave out the numbers that no keyframe changes" onChange=${(on) => { onlyMoved.value = on; }} /></p>
     <ul>${list.map((index) => html`<${Channel} key=${index} own=${own.channels[index]} index=${index} />`)}</ul></section>`;
 }
 

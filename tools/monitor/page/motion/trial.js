@@ -10,6 +10,11 @@ export const result = signal(null);
 /** Number of runs that are being computed; 0 if none. */
 const running = signal(0);
 
+/** Whether a trial on the robot of the session is to end. */
+const cancelled = signal(false);
+/** Whether such a trial goes on. */
+const playing = signal(false);
+
 const textOf = () => JSON.stringify([chosen.value, keys.value]);
 /** Whether the shown keyframes are those of the last trial. */
 const isCurrent = computed(() => result.value?.text === textOf());
@@ -68,10 +73,12 @@ async function play(request) {
   const begin = shown.live.value.time_us + before * 1e6;
   const end = begin + (seconds - before) * 1e6;
   await act('resume');
+  [cancelled.value, playing.value] = [false, true];
   while (isPlanned && shown.live.value?.time_us < end) {
     await new Promise((resolve) => { setTimeout(resolve, 100); });
-    isPlanned = sessions.value.has(shown.id) && shown.live.value?.time_us > begin - before * 1e6 - 1e5;
+    isPlanned = !cancelled.value && sessions.value.has(shown.id) && shown.live.value?.time_us > begin - before * 1e6 - 1e5;
   }
+  playing.value = false;
   const { times, values } = shown.info_of(...jointsOf(shown));
   const of = (time) => (time > begin && time <= end ? [(time - begin) / 1e6] : []);
   const course = times.flatMap((time, at) => of(time).map((since) => [since, null, values[at].positions.map((angle) => (angle * 180) / Math.PI)]));
@@ -123,6 +130,7 @@ export function Trial() {
     ${!own.only && select('Beginning of the trial', start.value ?? usual, [['stand', 'from the stand'], ['front', 'lying on the front'], ['back', 'lying on the back']], (name) => { start.value = name; })}
     <button class="primary" disabled=${running.value > 0 || !keys.value?.length} title=${world === 'session' ? 'Places the robot beside the way of the game; its program goes on afterwards' : ''} onClick=${() => go(1)}>Try</button>
     <button disabled=${running.value > 0 || !keys.value?.length || world === 'session'} title="Friction, gains, dead time, sensor noise and the zeros of the joints differ in each but the first" onClick=${() => go(20)}>20 tries</button>
-    <span role="status" aria-label="Result of the trial">${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.verdict ? html`<${Verdict} ...${last.verdict} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
+    ${playing.value && html`<button onClick=${() => { cancelled.value = true; }} title="Wait no longer; the robot ends its motion when the world goes on">Cancel</button>`}
+    <span role="status" aria-label="Result of the trial">${playing.value && session.value?.info.value.paused && html`<b class="warn">The world is paused: continue it (key ,)</b> `}${running.value > 0 ? `${running.value === 1 ? 'trying' : `${running.value} tries`}…` : last && html`${last.verdict ? html`<${Verdict} ...${last.verdict} />` : html`<${Runs} runs=${last.runs} mujoco=${last.mujoco} />`}
       ${!isCurrent.value && html` <span class="warn">of an earlier version: try again</span>`}`}</span></div>`;
 }

@@ -7,9 +7,11 @@ import { CoverageSide } from '../vicode/coverage.js';
 import { DiffSide } from '../vicode/diff.js';
 import { ArrowFields } from '../vicode/inspector/arrow.js';
 import { ComponentFields } from '../vicode/inspector/component.js';
+import { Docs } from '../vicode/inspector/fields.js';
 import { StateFields } from '../vicode/inspector/state.js';
 import { mode } from '../vicode/mode.js';
-import { chosen, locked, machine, refusal, selection } from '../vicode/sources.js';
+import { removeNote, setNote } from '../vicode/notes.js';
+import { chosen, chosenNote, locked, machine, refusal, selection } from '../vicode/sources.js';
 
 const SIDES = { diff: DiffSide, try: TrySide, coverage: CoverageSide };
 
@@ -19,6 +21,8 @@ export function Inspector() {
   const own = machine.value;
   if (!own) return html`<${Empty} what="Nothing is selected" help="Open a component, then click a state or a transition." />`;
   const one = chosen.value;
+  const note = chosenNote.value;
+  if (note) return html`<article class="tab inspector" key=${note.key}><h2>Note</h2><${Docs} label="Text of the note" text=${note.text} onCommit=${(text) => setNote(text.trim())} /><button onClick=${() => removeNote()} title="Delete in the canvas">Delete the note</button></article>`;
   const several = selection.value.length;
   return html`<article class="tab inspector" key=${one?.key ?? own.name}>
     ${refusal.value && html`<p class="refusal" role="alert"><b>${refusal.value.text}</b> ${refusal.value.help} <button class="small" aria-label="Dismiss" onClick=${() => { refusal.value = null; }}>×</button></p>`}

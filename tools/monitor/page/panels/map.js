@@ -36,7 +36,7 @@ export function GroundMap({ visible, params, remember }) {
   const hidden = useSignal(new Set());
   const fixed = useSignal(null);
   const seen = useMemo(() => newMemory(), [shown, description, fixed.value]);
-  const mapIn = (width, height) => mapOf(seen.bounds ?? [-MARGIN, -MARGIN, MARGIN, MARGIN], width, height, turned.value);
+  const mapIn = (width, height) => mapOf(seen.bounds ?? [-MARGIN, -MARGIN, MARGIN, MARGIN], width, height - Math.min(seen.low, height / 3), turned.value);
   // What a world lets place is in its frame.
   const isFixed = fixed.value === null || fixed.value === shown?.scenery.value[0]?.frame;
   const geometry = useRef(null);
@@ -102,13 +102,19 @@ export function GroundMap({ visible, params, remember }) {
     for (const trail of trails(all)) for (const part of trail.parts) drawPart(context, map, part, IDENTITY, trail.style);
     for (const { parts, matrix, style } of all) for (const part of parts) drawPart(context, map, part, matrix, style);
     if (dragged.value) drawPart(context, map, { dots: [dragged.value] }, IDENTITY, { colour: css('--truth') });
-    legend(context, width, height, found, stated);
+    const low = legend(context, width, height, found, stated);
+    // The map is above its legend. It does not move when an output is missing for a while.
+    if (seen.width !== width) [seen.width, seen.low] = [width, 0];
+    if (low <= seen.low) return;
+    seen.low = context.canvas.dataset.legend = low;
+    context.clearRect(0, 0, width, height);
+    draw(context, width, height);
   };
   const legend = (context, width, height, found, stated) => {
     const drawn = new Map(outputs.filter((_, number) => found[number].parts.length > 0).map(({ component, name }) => [name, colour(component)]));
     if (stated.length > 0) drawn.set('truth (dashed)', css('--truth'));
     for (const { shown: of, beside } of others) drawn.set(of.info.value.name, besideColour(beside));
-    drawLegend(context, width, height, [...drawn]);
+    return drawLegend(context, width, height, [...drawn]);
   };
   /** The trails of layers that have one, at the newest time, as layers. */
   const trails = (all) => (cursor.value === null ? all.flatMap(trailOf) : []);
@@ -193,7 +199,7 @@ function mapOf([left, bottom, right, top], width, height, turned) {
 function newMemory() {
   const trails = new Map();
   const of = (key) => trails.get(key) ?? trails.set(key, []).get(key);
-  return { bounds: null, trails: of, clear: () => trails.clear() };
+  return { bounds: null, width: 0, low: 0, trails: of, clear: () => trails.clear() };
 }
 
 /** Adds the place of a pose to its trail; the trail as a layer. */

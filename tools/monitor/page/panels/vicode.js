@@ -8,6 +8,7 @@ import { NameField, naming } from '../vicode/ask.js';
 import { Drawn, Tips } from '../vicode/canvas/drawn.js';
 import { bindCanvasKeys } from '../vicode/canvas/keys.js';
 import { Minimap } from '../vicode/canvas/minimap.js';
+import { Notes } from '../vicode/canvas/notes.js';
 import { band, doubleClick, press, sketch, target, wheel } from '../vicode/canvas/pointer.js';
 import { ALL, NAMES } from '../vicode/canvas/rows.js';
 import { stage } from '../vicode/canvas/stage.js';
@@ -20,7 +21,7 @@ import { writeLive } from '../vicode/live.js';
 import { mode } from '../vicode/mode.js';
 import { paint } from '../vicode/paint.js';
 import { marked } from '../vicode/problems.js';
-import { component, forget, isBroken, list, machine, opened, openedFile, positions, selection } from '../vicode/sources.js';
+import { component, forget, isBroken, list, machine, notes, opened, openedFile, positions, selection } from '../vicode/sources.js';
 import { place, stopKeys } from '../vicode/stops.js';
 
 const { view } = stage;
@@ -67,7 +68,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   const before = useRef(mode.value);
   // Drawn from the machine and the places; kept while only the selection changes.
   const look = stage.look.value;
-  useMemo(() => stage.take(own, positions.value), [own, positions.value, look]);
+  useMemo(() => stage.take(own, positions.value, notes.value), [own, positions.value, notes.value, look]);
   const chosen = new Set(selection.value);
   const text = search.value.trim().toLowerCase();
   const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
@@ -85,6 +86,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
     return () => ends.forEach((end) => end());
   }, []);
   useLayoutEffect(() => stage.fit(), [shown]);
+  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length]);
   useLayoutEffect(() => stage.settle(), [look]);
   useLayoutEffect(() => {
     stage.collect(layer.current);
@@ -124,7 +126,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   return html`<div class="machine-canvas fill">
     <svg class=${`machine use-${mode.value} ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''} ${isStale ? 'stale' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
-      <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Sketch} /></g>
+      <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Notes} chosen=${chosen} /><${Sketch} /></g>
     </svg>
     ${own.states.length === 0 && html`<${Blank} machine=${own} />`}
     <${NameField} view=${view} /><${Minimap} chosen=${chosen} />

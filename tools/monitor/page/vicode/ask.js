@@ -17,7 +17,7 @@ const asking = (place, answerOf) => (question) => new Promise((resolve) => {
 export const askName = asking(naming, (name) => name && name.trim());
 
 /**
- * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, number, select or check, options, hint}], preview}.
+ * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, area, number, select or check, options, hint}], preview}.
  * `preview(values)` may return more to show. Null if it is given up.
  */
 export const askForm = asking(form, (values) => values);
@@ -83,13 +83,14 @@ function Fields({ asked, finish }) {
     finish(values);
   };
   // A list does not hand Enter on to its form.
-  const enter = (event) => event.key === 'Enter' && event.target.tagName === 'SELECT' && submit(event);
+  const enter = (event) => event.key === 'Enter' && (event.target.tagName === 'SELECT' || event.ctrlKey) && submit(event);
   return html`<form onSubmit=${submit} onKeyDown=${enter}>
     <header><h2>${asked.title}</h2><button type="button" aria-label="Close" onClick=${() => finish(null)}>×</button></header>
     ${asked.hint && html`<p class="dim">${asked.hint}</p>`}
     ${asked.fields.map((field, index) => html`<label class="field" key=${field.name}><span>${field.label}</span>
       ${field.kind === 'select'
         ? html`<select aria-label=${field.label} autofocus=${index === 0} onChange=${(event) => set(field.name, event.target.value)}>${field.options.map(([value, text]) => html`<option value=${value} selected=${value === values[field.name]}>${text}</option>`)}</select>`
+        : field.kind === 'area' ? html`<textarea class="docs-field" rows="4" aria-label=${field.label} autofocus=${index === 0} onInput=${(event) => set(field.name, event.target.value)} value=${values[field.name]}></textarea>`
         : field.kind === 'check' ? html`<input type="checkbox" aria-label=${field.label} checked=${values[field.name]} onChange=${(event) => set(field.name, event.target.checked)} />`
         : html`<input type="text" aria-label=${field.label} autofocus=${index === 0} spellcheck="false" autocomplete="off" inputmode=${field.kind === 'number' ? 'numeric' : undefined} list=${field.options && !field.kind ? `list-${field.name}` : undefined}
             value=${values[field.name]} onInput=${(event) => set(field.name, event.target.value)} />`}

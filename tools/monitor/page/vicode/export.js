@@ -3,7 +3,6 @@
 import { notify } from '../lib/store.js';
 import { css } from '../lib/theme.js';
 import { download } from '../lib/ui.js';
-import { bounds } from './canvas/boxes.js';
 import { stage } from './canvas/stage.js';
 import { ask, component, openedFile } from './sources.js';
 
@@ -12,7 +11,7 @@ const HIDDEN = '.hit, .handle, .stop, .live, title';
 
 /** The drawing as text: without what only serves the mouse. */
 function drawing() {
-  const area = bounds(stage.all(), 90);
+  const area = stage.covered(90);
   const original = stage.view.svg;
   const clone = original.cloneNode(true);
   const sources = [...original.querySelectorAll('*')];

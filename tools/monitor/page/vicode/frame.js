@@ -4,11 +4,12 @@ import { html, useEffect, useSignal } from '../lib/dom.js';
 import { command, cursor, hello, session } from '../lib/store.js';
 import { Bar, Menu } from '../lib/ui.js';
 import { align } from './canvas/actions.js';
-import { focusOn } from './canvas/keys.js';
+import { focusOn, middle } from './canvas/keys.js';
 import { createComponent } from './create.js';
 import { savePdf, saveSvg, savePng, saveText } from './export.js';
 import { functionsOf } from './machine.js';
 import { Modes } from './mode.js';
+import { addNote } from './notes.js';
 import { check, fixesOf, jump, mend, problems, startCheck } from './problems.js';
 import { Run } from './run.js';
 import { arrange, ask, choose, chosenStates, component, editedOutside, held, locked, machine, opened, redo, selection, undo } from './sources.js';
@@ -45,7 +46,8 @@ export function Tools({ search }) {
     ${several && html`<span class="join" role="group" aria-label="Align">
       <button title="One column: centres below each other" onClick=${() => align('x')}>Column</button><button title="One row: centres beside each other" onClick=${() => align('y')}>Row</button>
       <button title="Same distances from left to right" onClick=${() => align('across')}>Spread ↔</button><button title="Same distances from top to bottom" onClick=${() => align('down')}>Spread ↕</button></span>`}
-    <${Menu} label="More" title="More: layout and pictures">
+    <${Menu} label="More" title="More: notes, layout and pictures">
+      <button class="item" disabled=${Boolean(held.value)} onClick=${() => addNote(middle())}>Note…</button>
       <button class="item" onClick=${arrange}>Arrange all states automatically</button>
       <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button><button class="item" onClick=${savePdf}>Print, or PDF…</button>
       <button class="item" onClick=${() => saveText('mermaid', 'mmd')}>Mermaid</button><button class="item" onClick=${() => saveText('dot', 'dot')}>DOT (Graphviz)</button>

@@ -6,9 +6,10 @@ const nameOf = (one) => one.function.name.text;
 export const stateKey = (name) => `s:${name}`;
 export const arrowKey = (name, arrow, from) => `t:${name}:${arrow}:${from}`;
 
-/** What a key is of: {kind: 'state', name} or {kind: 'arrow', name, arrow, from}. */
+/** What a key is of: {kind: 'state', name}, {kind: 'arrow', name, arrow, from} or {kind: 'note'}. */
 export function parsed(key) {
   const [kind, name, arrow, from] = key.split(':');
+  if (kind === 'n') return { kind: 'note' };
   return kind === 's' ? { kind: 'state', name } : { kind: 'arrow', name, arrow: Number(arrow), from };
 }
 

@@ -32,10 +32,19 @@ export const positions = computed(() => opened.value?.positions ?? []);
 /** Whether the text is no Rust at present. */
 export const isBroken = computed(() => model.value?.problems.some(({ from }) => from === 'syntax') ?? false);
 
+const NONE = [];
+const allNotes = computed(() => opened.value?.notes ?? NONE);
+const noteKey = ({ at, text }) => `n:${at ? `${at.x} ${at.y}` : ''}:${text}`;
+/** Notes of the component: [{key, at: {x, y} or null, text}]. */
+export const notes = computed(() => allNotes.value.filter((one) => one.component === component.value).map(({ at, text }) => ({ key: noteKey({ at, text }), at, text })));
+
 export const offsets = computed(() => new Offsets(openedText.value));
 export const machine = computed(() => machineOf(model.value, component.value));
 /** What is selected last, as in the machine. */
 export const chosen = computed(() => machine.value?.byKey.get(selection.value.at(-1)) ?? null);
+/** The note that is selected last. */
+export const chosenNote = computed(() => notes.value.find(({ key }) => key === selection.value.at(-1)) ?? null);
+const isHere = (key) => machine.value?.byKey.has(key) || notes.value.some((note) => note.key === key);
 /** Whether the file can be edited, and if not, why. */
 export const locked = computed(() => {
   if (hello.value?.read_only) return 'This program lets pages only watch: start it without --read-only.';
@@ -112,7 +121,7 @@ effect(() => { if (openedFile.value) memory.write({ file: openedFile.value, name
 export function choose(keys, add = false) {
   forget();
   const wished = add ? [...selection.value.filter((key) => !keys.includes(key)), ...keys] : keys;
-  const next = wished.filter((key) => machine.value?.byKey.has(key));
+  const next = wished.filter(isHere);
   if (next.join() !== selection.value.join()) selection.value = next;
 }
 
@@ -151,7 +160,7 @@ export const replace = (file, version, edits) => request('source', { request: { 
 
 // ---- one history of text and places
 
-/** Steps of this page: {kind: 'text', typed, at} or {kind: 'move', before, after}. */
+/** Steps of this page: {kind: 'text', typed, at}, {kind: 'move', before, after} or {kind: 'note', before, after}. */
 let steps = [];
 let undone = [];
 /** Steps of typing that follow each other faster are undone together, ms. */
@@ -173,6 +182,14 @@ export const setTyping = (on) => { typing = on; };
 
 const belongs = (step, before) => step.kind === 'text' && before?.kind === 'text' && step.typed && before.typed && step.at - before.at < BURST;
 
+/** Undoes a step, or makes it again. */
+function replay(step, file, type, side) {
+  const { kind, component: name } = step;
+  if (kind === 'text') return ask(type, { file });
+  if (kind === 'note') return ask('change_note', { file, component: name, from: step[side === 'before' ? 'after' : 'before'], to: step[side] });
+  return step[side] ? ask('move_states', { file, positions: step[side] }) : ask('arrange_states', { file, component: name });
+}
+
 async function back(from, to, type, side) {
   await settle();
   const { file } = opened.value ?? {};
@@ -182,7 +199,7 @@ async function back(from, to, type, side) {
   for (;;) {
     from.pop();
     to.push(step);
-    const done = step.kind !== 'move' ? await ask(type, { file }) : step[side] ? await ask('move_states', { file, positions: step[side] }) : await ask('arrange_states', { file, component: step.component });
+    const done = await replay(step, file, type, side);
     const next = from.at(-1);
     const goesOn = next && (side === 'before' ? belongs(step, next) : belongs(next, step));
     if (done === undefined || !goesOn) return;
@@ -219,6 +236,14 @@ export async function move(places, own = true) {
   if (done !== undefined && own) remember({ kind: 'move', component: name, before, after });
 }
 
+/** Replaces a note {at, text} of the component; null instead of one adds or removes it. */
+export async function changeNote(before, after) {
+  if (held.value) return notify('error', held.value);
+  const name = component.value;
+  wish(after ? [noteKey(after)] : []);
+  if ((await ask('change_note', { file: opened.value.file, component: name, from: before, to: after })) !== undefined) remember({ kind: 'note', component: name, before, after });
+}
+
 /** Places all states of the component automatically. */
 export async function arrange() {
   const { file, positions: before } = opened.value;
@@ -238,7 +263,7 @@ function show(message) {
   batch(() => {
     opened.value = state;
     if (!machineOf(state.model, component.value)) component.value = state.model.components[0]?.key ?? null;
-    selection.value = selection.value.filter((key) => machine.value?.byKey.has(key));
+    selection.value = selection.value.filter(isHere);
     // Before any panel draws: places are those of the new text.
     watchers.forEach((watcher) => watcher({ message, before: null, text: state.text }));
   });
@@ -258,9 +283,10 @@ function changed(message) {
   const mine = page === hello.value?.page;
   batch(() => {
     const places = samePlaces(before.positions, state.positions) ? before.positions : state.positions;
-    opened.value = { ...before, ...state, text, model: state.model ?? before.model, positions: places };
+    const noted = JSON.stringify(before.notes) === JSON.stringify(state.notes) ? before.notes : state.notes;
+    opened.value = { ...before, ...state, text, model: state.model ?? before.model, positions: places, notes: noted };
     follow(before);
-    if (wished?.every((key) => machine.value?.byKey.has(key))) {
+    if (wished?.every(isHere)) {
       selection.value = wished;
       wished = null;
     }
@@ -284,7 +310,7 @@ function follow(before) {
     return;
   }
   const find = (key) => {
-    if (now.byKey.has(key)) return key;
+    if (isHere(key)) return key;
     const was = old?.byKey.get(key);
     const which = was && 'sources' in was ? 'arrows' : 'states';
     return old && old[which].length === now[which].length ? now[which][old[which].indexOf(was)]?.key : undefined;

@@ -27,7 +27,8 @@ pub use from_page::{FromPage, Request};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
 pub use source_file::{
-    ChangedBy, FileState, SourceChange, SourceComponent, SourceFile, SourceState, SourceTable, SourceUse, StatePosition,
+    ChangedBy, Drawn, FileState, PlacedNote, SourceChange, SourceComponent, SourceFile, SourceState, SourceTable,
+    SourceUse, StatePosition,
 };
 pub use source_request::{DrawingFormat, KeepSide, MovedState, SourcePlace, SourceRequest};
 pub use state::{Bar, ComponentCost, ComponentNow, Condition, Conditions, Costs, InfoSample, LogLine, Moment, Row};

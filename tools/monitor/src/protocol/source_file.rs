@@ -1,7 +1,7 @@
 //! Sources as a page sees them.
 
 use bica_vicode::model::{Model, Span};
-use bica_vicode::{Conflict, Splice};
+use bica_vicode::{Conflict, Note, Splice};
 use serde::Serialize;
 
 /// An open file, complete.
@@ -15,8 +15,9 @@ pub struct SourceState {
     pub text: String,
     /// Model of the text.
     pub model: Model,
-    /// Centres of all states.
-    pub positions: Vec<StatePosition>,
+    /// What is drawn where.
+    #[serde(flatten)]
+    pub drawn: Drawn,
     /// The file on disk beside it.
     #[serde(flatten)]
     pub state: FileState,
@@ -36,8 +37,9 @@ pub struct SourceChange {
     /// Model of the text; none if the text did not change.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<Model>,
-    /// Centres of all states.
-    pub positions: Vec<StatePosition>,
+    /// What is drawn where.
+    #[serde(flatten)]
+    pub drawn: Drawn,
     /// The file on disk beside it.
     #[serde(flatten)]
     pub state: FileState,
@@ -77,6 +79,25 @@ pub struct FileState {
     pub undo: bool,
     /// Whether there is a step to make again.
     pub redo: bool,
+}
+
+/// What is drawn where.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Drawn {
+    /// Centres of all states.
+    pub positions: Vec<StatePosition>,
+    /// Notes.
+    pub notes: Vec<PlacedNote>,
+}
+
+/// A note on the drawing of a component.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PlacedNote {
+    /// Component.
+    pub component: String,
+    /// The note.
+    #[serde(flatten)]
+    pub note: Note,
 }
 
 /// Centre of a state on the canvas, points; x to the right, y down.
@@ -128,6 +149,8 @@ pub struct SourceTable {
     pub key: String,
     /// Type of a row.
     pub ty: String,
+    /// Names of the cells of the first row.
+    pub cells: Vec<String>,
 }
 
 /// A use of a function.

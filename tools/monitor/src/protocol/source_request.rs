@@ -1,8 +1,8 @@
 //! Requests about sources.
 
-use bica_vicode::Edit;
 use bica_vicode::model::Span;
 use bica_vicode::trial::Step;
+use bica_vicode::{Edit, Note};
 use serde::{Deserialize, Serialize};
 
 /// What a page asks of the sources. In brackets: the `result` of the answer, if there is one. A `file` is a path below the folder of
@@ -71,6 +71,17 @@ pub enum SourceRequest {
         file: String,
         /// Component.
         component: String,
+    },
+    /// Replaces a note on the canvas. It is written to the layout file at once.
+    ChangeNote {
+        /// File.
+        file: String,
+        /// Component.
+        component: String,
+        /// The note as it is; none adds one.
+        from: Option<Note>,
+        /// The note as it will be; none removes it.
+        to: Option<Note>,
     },
     /// Lists uses of a function of a component in other files. [list of [`SourceUse`](super::SourceUse)]
     Uses {

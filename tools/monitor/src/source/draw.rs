@@ -7,7 +7,7 @@ use bica_vicode::draw::{Diagram, dot, mermaid, png, svg};
 use serde_json::{Value, json};
 
 use super::files::Files;
-use crate::protocol::{DrawingFormat, Failed};
+use crate::protocol::{DrawingFormat, Drawn, Failed};
 
 impl Files {
     /// Draws a machine as it is arranged on the canvas.
@@ -21,8 +21,12 @@ impl Files {
         };
         let machine = found.ok_or_else(none)?.clone();
         let mut layout = Layout::default();
-        for one in file.positions().iter().filter(|one| one.component == component && one.placed) {
+        let Drawn { positions, notes } = file.drawn();
+        for one in positions.iter().filter(|one| one.component == component && one.placed) {
             layout.set(component, &one.state, bica_vicode::Position { x: one.x, y: one.y });
+        }
+        for one in notes.iter().filter(|one| one.component == component) {
+            layout.add_note(component, one.note.clone());
         }
         drop(open);
         Ok(match format {

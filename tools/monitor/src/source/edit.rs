@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use bica_vicode::{Change, Edit, FileError, Keep, Refusal};
+use bica_vicode::{Change, Edit, FileError, Keep, Note, Refusal};
 use serde_json::{Value, json};
 
 use super::file::OpenFile;
@@ -142,6 +142,31 @@ impl Files {
         self.write_layout(&name, true).map(|()| Value::Null)
     }
 
+    /// Replaces a note of a component; writes the layout file.
+    pub(super) fn change_note(
+        &self,
+        page: PageId,
+        name: &str,
+        component: &str,
+        (from, to): (Option<Note>, Option<Note>),
+    ) -> Result<Value, Failed> {
+        let mut open = self.open();
+        let file = self.get(&mut open, name)?;
+        let found = file.document.model().component(component);
+        let key = found.ok_or_else(|| no_component(component, "it may have been renamed"))?.key.clone();
+        if let Some(to) = &to {
+            limits::note(to, file.drawn().notes.len())?;
+        }
+        if !file.layout.change_note(&key, from.as_ref(), to) {
+            return Err(Failed::new("the note is not as it was", "another page or program has changed it"));
+        }
+        file.publish(&self.pages, None, ChangedBy::Page, page);
+        let name = file.name.clone();
+        drop(open);
+        let _disk = lock(&self.disk);
+        self.write_layout(&name, true).map(|()| Value::Null)
+    }
+
     /// Forgets the positions of a component.
     pub(super) fn arrange(&self, page: PageId, name: &str, component: &str) -> Result<Value, Failed> {
         let mut open = self.open();
@@ -154,7 +179,7 @@ impl Files {
             file.layout.remove(component, &state);
         }
         file.publish(&self.pages, None, ChangedBy::Page, page);
-        let (name, positions) = (file.name.clone(), file.positions().to_vec());
+        let (name, positions) = (file.name.clone(), file.drawn().positions.clone());
         drop(open);
         let _disk = lock(&self.disk);
         self.write_layout(&name, true)?;

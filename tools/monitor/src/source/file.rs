@@ -10,7 +10,7 @@ use super::sidecar::Sidecar;
 use super::stamp::Stamp;
 use crate::pages::PageId;
 use crate::pages::Pages;
-use crate::protocol::{ChangedBy, FileState, SourceChange, SourceState, StatePosition, ToPage};
+use crate::protocol::{ChangedBy, Drawn, FileState, SourceChange, SourceState, ToPage};
 
 /// A file that is open, for all pages.
 pub(super) struct OpenFile {
@@ -37,9 +37,9 @@ pub(super) struct OpenFile {
     /// Time at which it is saved.
     pub(super) save_at: Option<Instant>,
     /// What pages know.
-    sent: (FileState, Vec<StatePosition>),
-    /// Positions of a version of the text and a revision of the layout: they are asked for at each look at the file.
-    placed: Option<((u64, u64), Vec<StatePosition>)>,
+    sent: (FileState, Drawn),
+    /// The drawing of a version of the text and a revision of the layout: it is asked for at each look at the file.
+    drawn: Option<((u64, u64), Drawn)>,
 }
 
 /// A change of the text with the version before it.
@@ -62,11 +62,11 @@ impl OpenFile {
             deleted: false,
             problem: String::new(),
             save_at: None,
-            sent: (FileState::default(), Vec::new()),
-            placed: None,
+            sent: <(FileState, Drawn)>::default(),
+            drawn: None,
         };
         file.layout.read();
-        file.sent = (file.state(), file.positions().to_vec());
+        file.sent = (file.state(), file.drawn().clone());
         file
     }
 
@@ -89,23 +89,27 @@ impl OpenFile {
         }
     }
 
-    /// Centres of all states.
-    pub(super) fn positions(&mut self) -> &[StatePosition] {
+    /// Centres of all states, and notes.
+    pub(super) fn drawn(&mut self) -> &Drawn {
         let key = (self.document.version(), self.layout.revision());
-        let known = self.placed.take().filter(|(of, _)| *of == key);
-        let placed = known.unwrap_or_else(|| (key, self.layout.positions(self.document.model())));
-        &self.placed.insert(placed).1
+        let known = self.drawn.take().filter(|(of, _)| *of == key);
+        let make = || {
+            let model = self.document.model();
+            (key, Drawn { positions: self.layout.positions(model), notes: self.layout.notes(model) })
+        };
+        let drawn = known.unwrap_or_else(make);
+        &self.drawn.insert(drawn).1
     }
 
     /// The complete file.
     pub(super) fn complete(&mut self) -> ToPage {
-        let positions = self.positions().to_vec();
+        let drawn = self.drawn().clone();
         ToPage::Source(Box::new(SourceState {
             file: self.name.clone(),
             version: self.document.version(),
             text: self.document.text().to_owned(),
             model: self.document.model().clone(),
-            positions,
+            drawn,
             state: self.state(),
         }))
     }
@@ -115,8 +119,7 @@ impl OpenFile {
         let version = self.document.version();
         let (from_version, splices) = changed.map_or((version, Vec::new()), |(from, change)| (from, change.splices));
         let state = self.state();
-        let positions = self.positions().to_vec();
-        let now = (state, positions);
+        let now = (state, self.drawn().clone());
         if from_version == version && now == self.sent {
             return;
         }
@@ -126,7 +129,7 @@ impl OpenFile {
             from_version,
             splices,
             model: (from_version != version).then(|| self.document.model().clone()),
-            positions: now.1.clone(),
+            drawn: now.1.clone(),
             state: now.0.clone(),
             by,
             page,

@@ -1,6 +1,6 @@
 //! Limits of what pages send.
 
-use bica_vicode::Edit;
+use bica_vicode::{Edit, Note};
 
 use crate::protocol::{Failed, MovedState};
 
@@ -15,7 +15,11 @@ const MAX_EDIT_TEXT: usize = 512 << 10;
 /// Largest number of states that are moved in one request.
 const MAX_MOVED: usize = 5000;
 /// Largest coordinate on the canvas, points.
-const MAX_COORDINATE: i32 = 1_000_000;
+const MAX_COORDINATE: u32 = 1_000_000;
+/// Largest number of notes of a file.
+const MAX_NOTES: usize = 200;
+/// Longest note, bytes.
+const MAX_NOTE: usize = 1000;
 /// Longest name, bytes.
 const MAX_NAME: usize = 500;
 
@@ -43,10 +47,24 @@ pub(super) fn name(name: &str) -> Result<(), Failed> {
     beyond("bytes of a name", name.len(), MAX_NAME, "choose a shorter one")
 }
 
+/// Refuses a note beside `number` others.
+pub(super) fn note(note: &Note, number: usize) -> Result<(), Failed> {
+    beyond("number of notes", number, MAX_NOTES, "delete some")?;
+    beyond("bytes of a note", note.text.len(), MAX_NOTE, "write less, or a comment in the code")?;
+    let is_text = !note.text.trim().is_empty() && !note.text.contains(|one: char| one.is_control() && one != '\n');
+    let is_far = note.at.is_some_and(|at| at.x.unsigned_abs().max(at.y.unsigned_abs()) > MAX_COORDINATE);
+    if is_far || !is_text {
+        let help =
+            format!("a note has text without control characters, and coordinates of at most {MAX_COORDINATE} points");
+        return Err(Failed::new("this is no note", help));
+    }
+    Ok(())
+}
+
 /// Refuses positions that are too many or too far away.
 pub(super) fn positions(moved: &[MovedState]) -> Result<(), Failed> {
     beyond("number of moved states", moved.len(), MAX_MOVED, "move fewer at a time")?;
-    let far = moved.iter().find(|one| one.x.abs().max(one.y.abs()) > MAX_COORDINATE);
+    let far = moved.iter().find(|one| one.x.unsigned_abs().max(one.y.unsigned_abs()) > MAX_COORDINATE);
     far.map_or(Ok(()), |one| {
         Err(Failed::new(
             format!("`{}` would be at {}, {}", one.state, one.x, one.y),

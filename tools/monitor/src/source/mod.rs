@@ -160,6 +160,9 @@ impl Editor {
             SourceRequest::ResolveFile { file, keep } => files.resolve(page, &file, keep),
             SourceRequest::MoveStates { file, positions } => files.shift(page, &file, &positions),
             SourceRequest::ArrangeStates { file, component } => files.arrange(page, &file, &component),
+            SourceRequest::ChangeNote { file, component, from, to } => {
+                files.change_note(page, &file, &component, (from, to))
+            }
             SourceRequest::RenameUses { file, component, function, to, places } => {
                 files.rename(page, &file, [component, function, to], &places)
             }

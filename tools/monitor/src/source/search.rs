@@ -94,7 +94,11 @@ impl Files {
                 continue;
             }
             let tables = read(&text).tables.into_iter().filter(|table| types.contains(&table.ty));
-            list.extend(tables.map(|table| SourceTable { file: file.clone(), key: table.key, ty: table.ty }));
+            list.extend(tables.map(|table| {
+                let first = table.rows.first().into_iter().flat_map(|row| &row.cells);
+                let cells = first.map(|cell| cell.name.clone()).collect();
+                SourceTable { file: file.clone(), key: table.key, ty: table.ty, cells }
+            }));
         }
         list
     }

@@ -6,20 +6,20 @@ use std::path::{Path, PathBuf};
 
 use bica_vicode::draw::automatic;
 use bica_vicode::model::{Model, Reporter};
-use bica_vicode::{Layout, Position};
+use bica_vicode::{Layout, Note, Position};
 
 use super::stamp::Stamp;
-use crate::protocol::{Failed, StatePosition};
+use crate::protocol::{Failed, PlacedNote, StatePosition};
 
 /// Largest layout file, bytes.
 const MAX_LAYOUT: u64 = 1 << 20;
 
-/// Positions of the states of a file. Those of states that are gone are remembered, so that undoing brings them back.
+/// Positions of the states of a file, and notes. Those of states that are gone are remembered, so that undoing brings them back.
 #[derive(Default)]
 pub(super) struct Sidecar {
     path: PathBuf,
     remembered: Layout,
-    /// Grows with each change of the positions.
+    /// Grows with each change.
     revision: u64,
     /// Text of the layout file; empty without one.
     written: String,
@@ -92,7 +92,26 @@ impl Sidecar {
         positions
     }
 
-    /// A number that is another one after each change of the positions.
+    /// Notes of all components.
+    pub(super) fn notes(&self, model: &Model) -> Vec<PlacedNote> {
+        let of = |component: &str| {
+            let placed = |note: &Note| PlacedNote { component: component.to_owned(), note: note.clone() };
+            self.remembered.notes(component).map(placed).collect::<Vec<_>>()
+        };
+        model.components.iter().flat_map(|component| of(&component.key)).collect()
+    }
+
+    /// Replaces a note, adds one, or removes one. Returns whether the old one was there.
+    pub(super) fn change_note(&mut self, component: &str, old: Option<&Note>, new: Option<Note>) -> bool {
+        let is_there = old.is_none_or(|old| self.remembered.remove_note(component, old));
+        if let Some(new) = new.filter(|_| is_there) {
+            self.remembered.add_note(component, new);
+        }
+        self.revision += 1;
+        is_there
+    }
+
+    /// A number that is another one after each change.
     pub(super) const fn revision(&self) -> u64 {
         self.revision
     }
@@ -115,18 +134,16 @@ impl Sidecar {
     }
 
     /// The text that the layout file should have: lines of the states that exist, and of components that are not in the source.
-    /// Code with a syntax error may hide states: all lines stay then.
+    /// Code with a syntax error may hide states: all lines of states stay then.
     fn wanted(&self, model: &Model, is_broken: bool) -> String {
-        let mut layout = Layout::default();
-        for line in self.written.lines() {
-            let words: Vec<&str> = line.split_whitespace().collect();
-            let [component, state, x, y] = words[..] else { continue };
-            let is_known = model.components.iter().any(|one| Layout::is_of(component, &one.key));
-            if let (false, Ok(x), Ok(y)) = (is_known && !is_broken, x.parse(), y.parse()) {
-                layout.set(component, state, Position { x, y });
-            }
-        }
+        // What was written can be read.
+        let mut layout = Layout::parse(&self.written).unwrap_or_default();
+        let is_known = |word: &str| model.components.iter().any(|one| Layout::is_of(word, &one.key));
+        layout.retain(|component, state| !is_known(component) || (is_broken && state.is_some()));
         for component in &model.components {
+            for note in self.remembered.notes(&component.key) {
+                layout.add_note(&component.key, note.clone());
+            }
             for state in &component.states {
                 let (component, state) = (&component.key, &state.function.name.text);
                 if let Some(position) = self.remembered.get(component, state) {

@@ -1,5 +1,6 @@
 //! `vicode coverage`
 
+use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -28,6 +29,7 @@ pub(super) fn run(
     let component = chosen(&model, component)?;
     let mut visits = Visits::default();
     for path in recordings {
+        let add = if path.is_dir() { add_tests } else { add };
         add(&mut visits, path, &component.name.text).map_err(|error| format!("`{}`: {error}", path.display()))?;
     }
     let coverage = Coverage::of(component, &visits);
@@ -43,8 +45,7 @@ pub(super) fn run(
 fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> {
     let mut recording = Recording::open(path).map_err(|error| error.to_string())?.without_blobs();
     let header = recording.header().clone();
-    let base = |name: &str| name.split('<').next().unwrap_or_default().to_owned();
-    let names: Vec<String> = header.tree.components.iter().map(|one| base(&one.name)).collect();
+    let names: Vec<&str> = header.tree.components.iter().map(|one| base(&one.name)).collect();
     let index = names
         .iter()
         .position(|name| *name == base(component))
@@ -55,4 +56,38 @@ fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> 
         visits.sample(header.nanoseconds(cycle.tick.instant) / 1000, state);
     }
     Ok(())
+}
+
+/// Adds what tests wrote into a folder. Those of robots without the component are left out.
+fn add_tests(visits: &mut Visits, folder: &Path, component: &str) -> Result<(), String> {
+    let mut is_known = false;
+    for entry in fs::read_dir(folder).map_err(|error| error.to_string())? {
+        let path = entry.map_err(|error| error.to_string())?.path();
+        if path.extension().is_none_or(|extension| extension != "states") {
+            continue;
+        }
+        let text = text_of(&path)?;
+        let mut begins = true;
+        for (index, line) in text.lines().enumerate() {
+            let words: Vec<&str> = line.split('\t').collect();
+            let parsed =
+                if let [time, name, state] = words[..] { time.parse().ok().zip(Some((name, state))) } else { None };
+            let (time_us, (name, state)) =
+                parsed.ok_or_else(|| format!("line {} of `{}` is `{line}`", index + 1, path.display()))?;
+            if base(name) != base(component) {
+                continue;
+            }
+            if std::mem::take(&mut begins) {
+                visits.begin();
+            }
+            visits.sample(time_us, (state != "-").then_some(state));
+            is_known = true;
+        }
+    }
+    let help = "run them with the variable BICA_COVERAGE, and with the harness of bica";
+    if is_known { Ok(()) } else { Err(format!("no test in it has run `{component}`: {help}")) }
+}
+
+fn base(name: &str) -> &str {
+    name.split('<').next().unwrap_or_default()
 }

@@ -50,12 +50,12 @@ pub enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Counts in recordings which states and transitions of a machine were visited, and for how long
+    /// Counts in recordings and tests which states and transitions of a machine were visited, and for how long
     #[cfg(feature = "recordings")]
     Coverage {
         /// Rust source
         file: PathBuf,
-        /// Recordings (MCAP), which are counted together
+        /// Recordings (MCAP), and folders that tests wrote with the variable `BICA_COVERAGE`; all are counted together
         #[arg(required = true)]
         recordings: Vec<PathBuf>,
         /// Component, if the file has several

@@ -81,7 +81,8 @@ impl Diagram {
     /// A component as it is arranged, states without a position automatically.
     #[must_use]
     pub fn of(component: &Component, layout: &Layout) -> Self {
-        Self::marked(component, layout, &Marks::default())
+        let notes = layout.notes(&component.key).flat_map(|note| note.text.lines()).map(str::to_owned).collect();
+        Self { notes, ..Self::marked(component, layout, &Marks::default()) }
     }
 
     /// The difference of two versions of a machine; `notes` are lines below it.

@@ -11,14 +11,21 @@ const FILL: [u8; 3] = [255, 243, 214];
 const BORDER: [u8; 3] = [191, 135, 0];
 const TEXT: [u8; 3] = [31, 35, 40];
 const GREY: [u8; 3] = [125, 133, 144];
+/// Height of a line below the drawing, points.
+const NOTE: f32 = 16.0;
 
 /// A drawing as a picture.
 #[must_use]
 pub fn png(diagram: &Diagram) -> Canvas {
-    let mut canvas = Canvas::new(diagram.width.ceil() as usize, diagram.height.ceil() as usize, PAPER);
+    let longest = diagram.notes.iter().map(|note| Font::Small.width(note) + 2.0 * NOTE).fold(diagram.width, f32::max);
+    let height = diagram.height + NOTE * diagram.notes.len() as f32;
+    let mut canvas = Canvas::new(longest.ceil() as usize, height.ceil() as usize, PAPER);
     diagram.edges.iter().for_each(|edge| arrow(&mut canvas, edge));
     diagram.nodes.iter().for_each(|node| state(&mut canvas, node));
     diagram.edges.iter().for_each(|edge| names(&mut canvas, edge));
+    for (index, note) in diagram.notes.iter().enumerate() {
+        canvas.write(Vec2::new(NOTE, diagram.height + NOTE * index as f32), Font::Small, TEXT, note);
+    }
     canvas
 }
 

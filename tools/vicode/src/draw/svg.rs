@@ -66,6 +66,7 @@ pub fn svg(diagram: &Diagram) -> String {
     if diagram.is_difference {
         legend(&mut out, diagram);
     }
+    below(&mut out, diagram);
     out + "</svg>\n"
 }
 
@@ -125,7 +126,7 @@ fn names(out: &mut String, edge: &Edge, style: &impl Fn(Option<Change>) -> Style
     }
 }
 
-/// What the marks mean, and the lines below the drawing.
+/// What the marks mean.
 fn legend(out: &mut String, diagram: &Diagram) {
     let words = [
         (Some(Change::Added), "+ added"),
@@ -137,9 +138,14 @@ fn legend(out: &mut String, diagram: &Diagram) {
         let at = (16.0 + 140.0 * index as f32, diagram.height);
         text(out, at, style(mark, true).text, "text-anchor=\"start\" font-weight=\"bold\"", word);
     }
+}
+
+/// The lines below the drawing.
+fn below(out: &mut String, diagram: &Diagram) {
     for (index, note) in diagram.notes.iter().enumerate() {
         // Lines at the margin are headings.
-        let mark = match note.strip_prefix(' ').and_then(|note| note.trim_start().chars().next()) {
+        let sign = note.strip_prefix(' ').filter(|_| diagram.is_difference);
+        let mark = match sign.and_then(|note| note.trim_start().chars().next()) {
             Some('+') => Some(Change::Added),
             Some('-') => Some(Change::Removed),
             Some('~') => Some(Change::Changed),

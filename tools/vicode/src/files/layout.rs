@@ -1,19 +1,21 @@
-//! Where the states of a machine are drawn: a file beside the source, one line a state, sorted, so that it merges in version
-//! control.
+//! Where the states of a machine are drawn, and notes on the drawing: a file beside the source, one line for each, sorted, so that it
+//! merges in version control.
 //!
 //! ```text
+//! Player * - - "Nobody has given this note a place."
+//! Player * 320 200 "The text is a string of JSON."
 //! Player approach 320 80
 //! Player look_for_ball 40 80
 //! ```
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 /// Centre of a state, points; x to the right, y down.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Position {
     /// To the right.
     pub x: i32,
@@ -21,10 +23,20 @@ pub struct Position {
     pub y: i32,
 }
 
-/// Positions of states that someone moved.
+/// A note on a drawing.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Note {
+    /// Centre; without one it stands below the machine.
+    pub at: Option<Position>,
+    /// Text.
+    pub text: String,
+}
+
+/// Positions of states that someone moved, and notes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Layout {
     positions: BTreeMap<(String, String), Position>,
+    notes: BTreeSet<(String, Note)>,
 }
 
 /// An invalid line of a layout.
@@ -41,7 +53,8 @@ impl fmt::Display for LayoutError {
         let Self { line, found } = self;
         write!(
             f,
-            "line {line} of the layout is `{found}`: a line is `Component state x y`, as in `Player approach 320 80`"
+            "line {line} of the layout is `{found}`: a line is `Component state x y`, as in `Player approach 320 80`, \
+             or of a note `Component * x y \"text\"`"
         )
     }
 }
@@ -63,12 +76,41 @@ impl Layout {
         let mut layout = Self::default();
         for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
             let error = || LayoutError { line: index + 1, found: line.to_owned() };
+            let number = |word: &str| word.parse().map_err(|_| error());
+            let words: Vec<&str> = line.splitn(5, ' ').collect();
+            if let [component, "*", x, y, text] = words[..] {
+                let text = serde_json::from_str(text).map_err(|_| error())?;
+                let at = if (x, y) == ("-", "-") { None } else { Some(Position { x: number(x)?, y: number(y)? }) };
+                layout.add_note(component, Note { at, text });
+                continue;
+            }
             let words: Vec<&str> = line.split_whitespace().collect();
             let [component, state, x, y] = words[..] else { return Err(error()) };
-            let number = |word: &str| word.parse().map_err(|_| error());
             layout.set(component, state, Position { x: number(x)?, y: number(y)? });
         }
         Ok(layout)
+    }
+
+    /// The notes of a component.
+    pub fn notes(&self, component: &str) -> impl Iterator<Item = &Note> {
+        let key = key(component);
+        self.notes.iter().filter(move |(component, _)| *component == key).map(|(_, note)| note)
+    }
+
+    /// Adds a note.
+    pub fn add_note(&mut self, component: &str, note: Note) {
+        self.notes.insert((key(component), note));
+    }
+
+    /// Removes a note; returns whether it was there.
+    pub fn remove_note(&mut self, component: &str, note: &Note) -> bool {
+        self.notes.remove(&(key(component), note.clone()))
+    }
+
+    /// Keeps the lines for which `is_kept` is true of the component and of the state, which is `None` for a note.
+    pub fn retain(&mut self, is_kept: impl Fn(&str, Option<&str>) -> bool) {
+        self.positions.retain(|(component, state), _| is_kept(component, Some(state)));
+        self.notes.retain(|(component, _)| is_kept(component, None));
     }
 
     /// The position of a state, if it has one.
@@ -92,12 +134,6 @@ impl Layout {
     pub fn is_of(word: &str, component: &str) -> bool {
         word == key(component)
     }
-
-    /// Whether it holds no position. An empty layout has no file.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.positions.is_empty()
-    }
 }
 
 /// `one::Eye#2` of `one::Eye<320, 240>#2`: a word of the file.
@@ -109,9 +145,14 @@ fn key(component: &str) -> String {
 
 impl fmt::Display for Layout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for ((component, state), Position { x, y }) in &self.positions {
-            writeln!(f, "{component} {state} {x} {y}")?;
-        }
-        Ok(())
+        let positions =
+            self.positions.iter().map(|((component, state), Position { x, y })| format!("{component} {state} {x} {y}"));
+        let notes = self.notes.iter().map(|(component, Note { at, text })| {
+            let at = at.map_or_else(|| "- -".to_owned(), |Position { x, y }| format!("{x} {y}"));
+            format!("{component} * {at} {}", serde_json::json!(text))
+        });
+        let mut lines: Vec<String> = positions.chain(notes).collect();
+        lines.sort();
+        lines.iter().try_for_each(|line| writeln!(f, "{line}"))
     }
 }

@@ -5,5 +5,5 @@ mod layout;
 mod save;
 
 pub use self::folder::{FileError, Folder};
-pub use self::layout::{Layout, LayoutError, Position};
+pub use self::layout::{Layout, LayoutError, Note, Position};
 pub use self::save::save;

@@ -1,5 +1,7 @@
 //! Which states and transitions of a machine were visited.
 
+use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 
 use bica_recording::Recording;
@@ -88,6 +90,21 @@ fn coverage_of_a_recorded_game_has_all_its_time() {
         assert!(own["us"].as_u64().unwrap().abs_diff(10_000 * number) <= 10_000, "{own} and {number} cycles");
         assert_eq!(own["visits"] == 0, *number == 0, "{own}");
     }
+    // A test of 2 s, and one of another robot.
+    let tests = crate::files::scratch();
+    let lines = "0\tPlayer\tlook_for_ball\n500000\tPlayer\tapproach\n1500000\tPlayer\t-\n2000000\tOther\tx\n";
+    fs::write(tests.join("1-0.states"), lines).unwrap();
+    fs::write(tests.join("1-1.states"), "0\tOther\tx\n").unwrap();
+    let summary = |from: &[&PathBuf]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_vicode"));
+        let output = command.arg("coverage").arg(&source).args(from).arg("--summary").output().unwrap();
+        String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap()
+    };
+    let alone = "Player: 2 of 8 states, 1 of 17 transitions, 1.50 s in 1 run\n";
+    assert_eq!(summary(&[&tests]), alone);
+    assert!(summary(&[&game, &tests]).ends_with(" in 2 runs\n"));
+    fs::remove_file(tests.join("1-0.states")).unwrap();
+    assert!(summary(&[&tests]).contains("no test in it has run `Player`"));
     let other = root.join("examples/goalkeeper/src/goalkeeper.rs");
     let refused = Command::new(env!("CARGO_BIN_EXE_vicode")).arg("coverage").args([&other, &game]).output().unwrap();
     assert_eq!(refused.status.code(), Some(2));

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use bica_vicode::{FileError, Folder, Layout, Position};
+use bica_vicode::{FileError, Folder, Layout, Note, Position};
 
 static COUNT: AtomicU64 = AtomicU64::new(0);
 
@@ -107,7 +107,14 @@ fn layout_lines_are_sorted_and_read_back() {
     assert_eq!(layout.to_string(), "Eye look 1 2\nPlayer kick 5 6\nPlayer walk 3 -4\n");
     assert_eq!(Layout::parse(&layout.to_string()), Ok(layout.clone()));
     layout.remove("Eye<1, 2>", "look");
-    assert_eq!(layout.to_string(), "Player kick 5 6\nPlayer walk 3 -4\n");
+    let note = |at, text: &str| Note { at, text: text.to_owned() };
+    layout.add_note("Player", note(Some(Position { x: -1, y: 2 }), "two\n\"lines\""));
+    layout.add_note("Player", note(None, "Other * 1 2"));
+    let text =
+        "Player * - - \"Other * 1 2\"\nPlayer * -1 2 \"two\\n\\\"lines\\\"\"\nPlayer kick 5 6\nPlayer walk 3 -4\n";
+    assert_eq!(layout.to_string(), text);
+    assert_eq!(Layout::parse(text), Ok(layout));
+    assert_eq!(Layout::parse("A * 1 2 no string\n").unwrap_err().line, 1);
     let error = Layout::parse("A b 1 2\n<<<<<<< HEAD\n").unwrap_err();
     assert_eq!((error.line, &*error.found), (2, "<<<<<<< HEAD"));
 }

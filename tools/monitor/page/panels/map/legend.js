@@ -2,7 +2,7 @@
 
 import { css } from '../../lib/theme.js';
 
-/** Draws entries, [text, colour]. */
+/** Draws entries, [text, colour]. Returns the height that they take. */
 export function drawLegend(context, width, height, entries) {
   context.font = `11px ${css('--font')}`;
   context.textBaseline = 'middle';
@@ -28,4 +28,5 @@ export function drawLegend(context, width, height, entries) {
       context.fillText(text, x + 12, y + 0.5);
     }
   });
+  return used > 0 ? lines.length * 17 + 4 : 0;
 }

@@ -2,8 +2,9 @@
 
 import { askForm, askName } from '../ask.js';
 import { freeName, parsed, stateKey } from '../machine.js';
-import { change, choose, chosen, chosenStates, component, list, held, machine, move, opened, selection, wish } from '../sources.js';
+import { change, choose, chosen, chosenNote, chosenStates, component, list, held, machine, move, opened, selection, wish } from '../sources.js';
 import { notify } from '../../lib/store.js';
+import { editNote, moveNote, removeNote } from '../notes.js';
 import { renameUsed } from '../rename.js';
 import { stage } from './stage.js';
 
@@ -80,8 +81,9 @@ export async function askTransition() {
   await change(...goOn(sources), { edit: 'add_transition', name, from: sources, to: values.to, ...(Number.isFinite(after) ? { after_ms: after } : {}) });
 }
 
-/** A new name, typed at its place. */
+/** A new name, typed at its place; a new text of a note. */
 export async function rename() {
+  if (chosenNote.value) return editNote();
   const one = chosen.value;
   if (!one || !editable()) return;
   const box = stage.boxes.get(one.name);
@@ -118,6 +120,9 @@ function deletions() {
 
 export async function remove() {
   if (selection.value.length === 0 || !editable()) return;
+  // What has the focus goes away.
+  stage.view.svg.focus({ preventScroll: true });
+  if (chosenNote.value) return removeNote();
   await change(...deletions());
 }
 
@@ -180,8 +185,10 @@ export function align(how) {
   move(places);
 }
 
-/** Moves the selected states by keys. */
+/** Moves the selected states, or a note, by keys. */
 export function nudge(dx, dy) {
+  const note = stage.notes.find(({ key }) => key === chosenNote.value?.key);
+  if (note) return moveNote(note, dx, dy);
   const places = {};
   for (const name of chosenStates()) {
     const { x, y } = stage.boxes.get(name);

@@ -3,10 +3,11 @@
 import { bind } from '../../lib/keys.js';
 import { open as openPanel } from '../../lib/dock.js';
 import { parsed } from '../machine.js';
-import { choose, chosenStates, machine, redo, selection, undo } from '../sources.js';
+import { choose, chosenNote, chosenStates, machine, redo, selection, undo } from '../sources.js';
 import { copy, paste } from '../clipboard.js';
 import { focusCode } from '../focus.js';
 import { toggleStop } from '../stops.js';
+import { addNote, editNote } from '../notes.js';
 import { descendFirst } from '../trail.js';
 import { addChild, addState, askTransition, chooseAll, nudge, remove, rename } from './actions.js';
 import { stage } from './stage.js';
@@ -18,7 +19,8 @@ const WHERE = '.machine-canvas';
 export function focusOn(key) {
   choose([key]);
   const { kind, name } = parsed(key);
-  if (kind === 'state') view.reveal(stage.boxes.get(name));
+  const box = kind === 'state' ? stage.boxes.get(name) : stage.notes.find((note) => note.key === key);
+  if (box) view.reveal(box);
   stage.elements.get(key)?.focus({ preventScroll: true });
 }
 
@@ -28,7 +30,7 @@ function walk(event) {
   const own = machine.value;
   const key = focused(event);
   if (!own || own.states.length === 0) return;
-  if (!key) return focusOn((own.states.find(({ initial }) => initial) ?? own.states[0]).key);
+  if (!key || key.startsWith('n:')) return focusOn((own.states.find(({ initial }) => initial) ?? own.states[0]).key);
   const { kind, name, from } = parsed(key);
   if (kind === 'arrow') {
     const { to } = own.byKey.get(key);
@@ -66,7 +68,7 @@ function free([x, y]) {
   return taken ? free([x, y + 24]) : [x, y];
 }
 
-const middle = () => {
+export const middle = () => {
   const state = chosenStates().at(-1);
   const box = state && stage.boxes.get(state);
   return free(box ? [box.x + 270, box.y] : view.point({ clientX: view.svg.getBoundingClientRect().x + view.svg.clientWidth / 2, clientY: view.svg.getBoundingClientRect().y + view.svg.clientHeight / 2 }));
@@ -84,10 +86,11 @@ const KEYS = [
   ['n', 'next transition of the state', around(1)], ['N', 'previous transition of the state', around(-1)],
   ['a', 'add a state', () => addState(middle())],
   ['r', 'add a transition from the selected states', on(askTransition)],
+  ['w', 'write a note', () => addNote(middle())],
   ['k', 'add a child to the state', on(() => addChild(chosenStates().at(-1)))],
   ['o', 'open the first child that is a machine', on(() => descendFirst(chosenStates().at(-1)))],
   ['F2', 'rename', on(rename)],
-  ['Enter', 'edit the code', on(() => { openPanel('code'); focusCode(); })],
+  ['Enter', 'edit the code', on(() => { if (chosenNote.value) return editNote(); openPanel('code'); focusCode(); })],
   ['e', 'edit its properties', on(() => { openPanel('inspector'); setTimeout(() => document.querySelector('.inspector input, .inspector textarea')?.focus(), 60); })],
   ['Delete', 'delete what is selected', on(remove)],
   ['b', 'breakpoint at the state or transition', on(() => selection.value.forEach(toggleStop))],

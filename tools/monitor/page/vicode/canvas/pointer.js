@@ -5,11 +5,13 @@ import { on } from '../../lib/listen.js';
 import { toggle } from '../attempt.js';
 import { parsed, stateKey } from '../machine.js';
 import { mode } from '../mode.js';
+import { moveNote } from '../notes.js';
 import { change, choose, chosenStates, held, machine, move, selection, wish } from '../sources.js';
 import { toggleStop } from '../stops.js';
 import { descend } from '../trail.js';
 import { addState, addTransition, rename, snapped } from './actions.js';
 import { courseTo } from './arrows.js';
+import { corner } from './notes.js';
 import { stage } from './stage.js';
 
 /** Distance from an edge within which a drag draws a transition, points; least length of a drag. */
@@ -101,6 +103,20 @@ function moveStates(event, names) {
   });
 }
 
+function dragNote(event, key) {
+  const note = stage.notes.find((one) => one.key === key);
+  const begin = view.point(event);
+  const way = (one) => view.point(one).map((value, axis) => value - begin[axis]);
+  const show = ([dx, dy]) => stage.elements.get(key)?.setAttribute('transform', corner({ ...note, x: note.x + dx, y: note.y + dy }));
+  follow(event, {
+    onMove(one) { if (!held.value) show(way(one)); },
+    onEnd(one, moved) {
+      if (moved && !held.value) moveNote(note, ...way(one));
+      else show([0, 0]);
+    },
+  });
+}
+
 function drawTransition(event, from) {
   const names = chosenStates().includes(from) ? chosenStates() : [from];
   let point = null;
@@ -180,7 +196,8 @@ export function press(event) {
   if (event.shiftKey) choose(selection.value.includes(key) ? selection.value.filter((one) => one !== key) : [...selection.value, key]);
   else if (!selection.value.includes(key)) choose([key]);
   else choose([key], true);
-  if (state && chosenStates().includes(state)) moveStates(event, chosenStates());
+  if (key.startsWith('n:')) dragNote(event, key);
+  else if (state && chosenStates().includes(state)) moveStates(event, chosenStates());
   else if (!state && !event.shiftKey) bendArrow(event, key);
 }
 

@@ -5,6 +5,7 @@ import { WIDTH, boxOf, bounds } from './boxes.js';
 import { courseOf, lanes } from './arrows.js';
 import { labelWidth } from './labels.js';
 import { Lifted } from './lifted.js';
+import { laidOut } from './notes.js';
 import { ALL, NAMES, arranged } from './rows.js';
 import { View } from './view.js';
 
@@ -45,13 +46,13 @@ class Stage {
   }
 
   clear() {
-    Object.assign(this, { machine: null, arrows: [], lanes: new Map(), elements: new Map(), labels: new Map(), area: null });
+    Object.assign(this, { machine: null, arrows: [], notes: [], lanes: new Map(), elements: new Map(), labels: new Map(), area: null });
     this.boxes.clear();
     this.courses.clear();
   }
 
-  /** Takes a machine and the centres of its states. */
-  take(machine, positions) {
+  /** Takes a machine, the centres of its states, and its notes. */
+  take(machine, positions, notes) {
     const places = new Map(positions.filter((one) => one.component === machine.name).map((one) => [one.state, one]));
     this.machine = machine;
     this.arrows = machine.arrows;
@@ -60,6 +61,7 @@ class Stage {
     if (this.view.isAutomatic) {
       const { level, shape } = this.look.value;
       Object.assign(this, arranged(machine, level, shape));
+      Object.assign(this, laidOut(notes, this.area, true));
       return;
     }
     this.area = null;
@@ -72,7 +74,11 @@ class Stage {
     const all = [...this.boxes.values()];
     for (const arrow of this.arrows) this.courses.set(arrow.key, this.course(arrow, all));
     this.placeLabels(all);
+    this.notes = laidOut(notes, bounds(all), false).notes;
   }
+
+  /** What the drawing covers, with a margin. */
+  covered(margin) { return bounds([...this.all(), ...this.notes], margin); }
 
   course(arrow, all) { return courseOf(arrow, this.lanes.get(arrow.key), (name) => this.boxes.get(name), all); }
 
@@ -110,7 +116,7 @@ class Stage {
     const { view } = this;
     if (view.isAutomatic && view.width > 0 && view.height > 0) {
       const shape = Math.round((view.width / view.height) * 10) / 10;
-      const fits = (level) => level === NAMES || (this.machine.states.length <= FEW && view.scaleFor(arranged(this.machine, level, shape).area) >= 1);
+      const fits = (level) => level === NAMES || (this.machine.states.length <= FEW && view.scaleFor(laidOut(this.notes, arranged(this.machine, level, shape).area, true).area) >= 1);
       const level = [ALL, ALL + 1, NAMES].find(fits);
       if (level !== this.look.value.level || shape !== this.look.value.shape) {
         [this.anchor, view.whole] = [null, true];
@@ -118,7 +124,7 @@ class Stage {
         return;
       }
     }
-    view.fit(this.area ?? bounds(this.all()));
+    view.fit(this.area ?? this.covered());
   }
 
   /** Shows more of an automatic drawing that was enlarged around a point of the window, and less of one that was made smaller. */
@@ -136,7 +142,7 @@ class Stage {
   settle() {
     const box = this.anchor && this.boxes.get(this.anchor.name);
     if (box) this.view.put([box.x, box.y], this.anchor.at);
-    else if (this.view.whole) this.view.fit(this.area ?? bounds(this.all()));
+    else if (this.view.whole) this.view.fit(this.area ?? this.covered());
     this.anchor = null;
   }
 

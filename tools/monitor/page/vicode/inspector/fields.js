@@ -7,14 +7,14 @@ import { addChild } from '../canvas/actions.js';
 import { change, offsets } from '../sources.js';
 import { conditionAt, setCondition, stopKeys, toggleStop } from '../stops.js';
 
-/** A doc comment. */
-export function Docs({ text, onCommit }) {
+/** A text, such as a doc comment. */
+export function Docs({ text, label = 'Documentation', onCommit }) {
   const [typed, setTyped] = useState(null);
   const commit = () => {
     if (typed !== null && typed !== text) onCommit(typed);
     setTyped(null);
   };
-  return html`<textarea class="docs-field" aria-label="Documentation" rows=${Math.min(5, Math.max(2, text.split('\n').length))} placeholder="What it does" value=${typed ?? text}
+  return html`<textarea class="docs-field" aria-label=${label} rows=${Math.min(5, Math.max(2, text.split('\n').length))} placeholder="What it does" value=${typed ?? text}
     onInput=${(event) => setTyped(event.target.value)} onBlur=${commit} onKeyDown=${(event) => {
       if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) commit();
       if (event.key === 'Escape') setTyped(null);

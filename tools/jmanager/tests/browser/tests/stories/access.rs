@@ -27,12 +27,17 @@ pub(crate) async fn load_axe(page: &Page) {
     page.run(&format!("{axe}; window.axe = axe;"), vec![]).await;
 }
 
+/// Sets a theme.
+pub(crate) async fn set_theme(page: &Page, theme: &str) {
+    if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
+        page.press("t").await;
+    }
+}
+
 async fn in_each_layout(page: &Page, check: &str) {
     for theme in ["dark", "light"] {
-        if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
-            page.press("t").await;
-        }
-        for key in ["1", "2", "3", "4", "5", "6"] {
+        set_theme(page, theme).await;
+        for key in ["1", "2", "3", "4", "5", "6", "7"] {
             page.press(key).await;
             page.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
             tokio::time::sleep(std::time::Duration::from_millis(400)).await;
@@ -63,5 +68,10 @@ async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
     page.until("the table has both", "return document.querySelectorAll('[aria-label=Values] thead th').length === 7")
         .await;
     assert_eq!((page.run(TARGETS, vec![]).await, page.run(AXE, vec![]).await), (json!([]), json!([])));
+    // Escape closes a menu also from where it is a key of the panel.
+    page.click("button", "What can be done here", "Map").await;
+    page.run("document.querySelector('.component').focus()", vec![]).await;
+    page.press("\u{e00c}").await;
+    page.until("the menu is closed", "return document.querySelector('.menu:popover-open') === null").await;
     page.close().await;
 }

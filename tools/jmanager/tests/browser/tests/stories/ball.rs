@@ -26,7 +26,9 @@ fn beside([x, y, heading]: [f64; 3], bearing: f64) -> (f64, f64) {
 /// The point of the window that shows a position of the field, as `panels/map.js` draws it.
 async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
     let map = page.find("img", "Map of the ground", "").await;
-    let ([_, _, width, height], (middle_x, middle_y)) = (map.place().await, map.middle().await);
+    let low = map.attribute("data-legend").await.parse::<f64>().expect("the height of the legend");
+    let ([_, top, width, height], (middle_x, _)) = (map.place().await, map.middle().await);
+    let (height, middle_y) = (height - low, top + (height - low) / 2.0);
     let scale = ((width - 8.0) / 7.4).min((height - 8.0) / 5.4);
     (middle_x + x * scale, middle_y - y * scale)
 }

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use jmanager_browser::{Page, Server, target};
 use serde_json::json;
 
+use crate::notes::write_note;
+
 const WIDE: (u32, u32) = (1440, 900);
 const SCOPE: &str = "";
 
@@ -14,7 +16,7 @@ const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// F
     pub struct Legs;\n\n#[component]\nimpl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
 
 /// A small crate in a folder of its own, that is removed at the end.
-struct Crate(PathBuf);
+pub(crate) struct Crate(PathBuf);
 
 impl Crate {
     fn new(name: &str) -> Self {
@@ -75,7 +77,7 @@ async fn open_legs(server: &Server) -> Page {
 }
 
 /// Waits until the file has a text; the page saves half a second after the last change.
-async fn saved(page: &Page, source: &Crate, file: &str, what: &[&str]) {
+pub(crate) async fn saved(page: &Page, source: &Crate, file: &str, what: &[&str]) {
     for _ in 0..300 {
         let text = source.read(file);
         if what.iter().all(|part| text.contains(part)) {
@@ -94,7 +96,7 @@ async fn canvas(page: &Page) -> (f64, f64) {
 }
 
 /// Gives a state or transition the focus; then keys are for it.
-async fn focus(page: &Page, name: &str) {
+pub(crate) async fn focus(page: &Page, name: &str) {
     page.find("button", name, SCOPE).await.focus().await;
 }
 
@@ -181,6 +183,8 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("button", "State block", "").await.click().await;
     page.click("button", "Add an entry hook", "").await;
     saved(&page, &source, "src/keeper.rs", &["#[entry(block)]", "fn enter_block"]).await;
+
+    write_note(&page, &source).await;
 
     // Code: Enter in the canvas leads into the braces.
     focus(&page, "State block").await;
@@ -283,19 +287,19 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
     page.close().await;
 }
 
-/// A component of 60 states and 200 transitions.
-fn large() -> String {
+/// A machine with so many states and transitions.
+fn large(states: usize, transitions: usize) -> String {
     let mut text =
         "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
             .to_owned();
-    for state in 0..60 {
+    for state in 0..states {
         let kind = if state == 0 { "(initial)" } else { "" };
         text +=
             &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
     }
-    for transition in 0..200 {
-        let from = transition % 60;
-        let to = (from + 1 + transition / 60 * 3) % 60;
+    for transition in 0..transitions {
+        let from = transition % states;
+        let to = (from + 1 + transition / states * 3) % states;
         text += &format!(
             "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
         );
@@ -307,7 +311,7 @@ fn large() -> String {
 #[tokio::test]
 async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     let source = Crate::new("small-states");
-    source.write("src/large.rs", &large());
+    source.write("src/large.rs", &large(60, 200));
     let server = source.server("small-states");
     let page = open(&server).await;
     page.find("button", "Large", "Sources").await;
@@ -328,7 +332,7 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
         to_x - x,
         to_y - y
     );
-    assert_eq!(source.read("src/large.rs"), large(), "no transition is drawn");
+    assert_eq!(source.read("src/large.rs"), large(60, 200), "no transition is drawn");
     page.close().await;
 }
 
@@ -342,16 +346,17 @@ async fn speed_of_the_designer_is_measured() {
         return;
     }
     let source = Crate::new("large");
-    source.write("src/large.rs", &large());
+    source.write("src/large.rs", &large(60, 200));
+    source.write("src/huge.rs", &large(200, 400).replace("Large", "Huge"));
     let server = source.server("designer-figures");
     let page = open(&server).await;
-    page.find("button", "Large", "Sources").await;
-    let opened = "const done = arguments[0]; const start = performance.now(); const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith('Large')); \
-        return new Promise((resolve) => { button.click(); const look = () => document.querySelectorAll('svg.machine .box').length === 60 ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
-    println!(
-        "a component of 60 states and 200 transitions is shown after {} ms",
-        page.run(opened, vec![json!(null)]).await
-    );
+    let opened = "const [name, states] = arguments; const start = performance.now(); const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith(name)); \
+        return new Promise((resolve) => { button.click(); const look = () => document.querySelectorAll('svg.machine .box').length === states ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
+    for (name, states) in [("Huge", 200), ("Large", 60)].repeat(5) {
+        page.find("button", name, "Sources").await;
+        let time = page.run(opened, vec![json!(name), json!(states)]).await;
+        println!("a component of {states} states is shown after {time} ms");
+    }
     let [left, top, width, height] = page.find("button", "State state_21", "").await.place().await;
     page.run(MEASURE, vec![]).await;
     let middle = (left + width / 2.0, top + height / 2.0);

@@ -1,10 +1,14 @@
-//! Pictures of the page in three widths and both themes, and what must hold in each.
+//! Pictures of the page in four sizes and both themes, and what must hold in each.
 
 use jmanager_browser::{Page, Server};
 use serde_json::json;
 
+use crate::access::set_theme;
+use crate::glance::{SMALL, show_in};
+use crate::{GOES_ON, open_in};
+
 /// Nothing is wider than the window, no text of a button is cut, and all controls have a name and contain no other control.
-const FAULTS: &str = r"
+pub(crate) const FAULTS: &str = r"
 const faults = [];
 if (document.documentElement.scrollWidth > innerWidth) faults.push(`the page is ${document.documentElement.scrollWidth} px wide`);
 for (const one of document.querySelectorAll('button, input, select, summary, canvas, [role=button], [role=tab]')) {
@@ -19,10 +23,10 @@ return faults;
 ";
 
 #[tokio::test]
-async fn the_page_looks_right_in_three_widths_and_both_themes() {
+async fn the_page_looks_right_in_four_sizes_and_both_themes() {
     let server = Server::start("looks", &[]);
     let mut page: Option<Page> = None;
-    for (width, height) in [(1600, 940), (1100, 800), (700, 900)] {
+    for (width, height) in [(1600, 1000), SMALL, (1100, 800), (700, 900)] {
         // Each URL works once; the browser is the same for a size.
         let shown = match page.take() {
             None => Page::open(&server, (width, height)).await,
@@ -62,4 +66,44 @@ async fn the_page_looks_right_in_three_widths_and_both_themes() {
         page = Some(shown);
     }
     page.expect("a page").close().await;
+}
+
+/// Opens a machine and a motion, which layouts show.
+const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), import('/motion/model.js')]).then(async ([{ readList, list, open }, { readMotions, motions, openMotion }]) => { \
+    await readList(); const file = list.value.find(({ components }) => components.some(({ machine }) => machine)); \
+    await open(file.file, file.components.find(({ machine }) => machine).key); \
+    await readMotions(); const { file: of, key } = motions.value[0]; if (arguments[0]) await openMotion(of, key); })";
+
+/// Pictures of all panels, to be looked at.
+#[tokio::test]
+#[ignore = "writes pictures of all panels"]
+async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
+    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../examples/therapy");
+    let server = Server::start("panels", &["--source", sources]);
+    let page = open_in(&server, SMALL).await;
+    page.run(GOES_ON, vec![]).await;
+    let names = "return import('/lib/panels.js').then(({ PANELS }) => Object.keys(PANELS))";
+    let names: Vec<String> = serde_json::from_value(page.run(names, vec![]).await).expect("names");
+    for size in [SMALL, (1600, 1000)] {
+        show_in(&page, size).await;
+        for theme in ["dark", "light"] {
+            set_theme(&page, theme).await;
+            for (at, name) in names.iter().enumerate() {
+                let layout = match &**name {
+                    "vicode" | "code" | "inspector" | "sources" => "designer",
+                    "motion" => "motions",
+                    _ => "overview",
+                };
+                if at == 0 || layout != "overview" {
+                    page.run(OPEN_SOURCES, vec![json!(layout == "motions")]).await;
+                }
+                let open = "return import('/lib/dock.js').then(({ preset, open }) => { preset(arguments[1]); open(arguments[0], {}); })";
+                page.run(open, vec![json!(name), json!(layout)]).await;
+                tokio::time::sleep(std::time::Duration::from_millis(700)).await;
+                page.screenshot(&format!("panel-{name}-{}-{theme}", size.0)).await;
+                assert_eq!(page.run(FAULTS, vec![]).await, json!([]), "{name} {size:?} {theme}");
+            }
+        }
+    }
+    page.close().await;
 }

@@ -15,6 +15,7 @@ mod hour;
 mod looks;
 mod moments;
 mod motions;
+mod notes;
 mod operating;
 mod panels;
 mod pictures;

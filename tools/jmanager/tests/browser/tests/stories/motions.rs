@@ -5,6 +5,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use jmanager_browser::{Page, Server, target};
+use serde_json::json;
+
+use crate::access::{AXE, TARGETS, load_axe, set_theme};
+use crate::looks::FAULTS;
 
 const WIDE: (u32, u32) = (1600, 1000);
 const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
@@ -89,6 +93,14 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     page.click("button", "Undo", "").await;
     sources.has(&page, "wave.rs", both).await;
 
+    load_axe(&page).await;
+    for theme in ["light", "dark"] {
+        set_theme(&page, theme).await;
+        for check in [AXE, TARGETS, FAULTS] {
+            assert_eq!(page.run(check, vec![]).await, json!([]), "{theme}");
+        }
+    }
+
     // The posture of the robot that plays in the world.
     page.click("button", "Take from the robot", "").await;
     sources.shows(&page, "wave.rs", "(RElbowRoll, 20.0)", false).await;
@@ -103,6 +115,8 @@ async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() 
     let (_server, page) = sources.open("motions-session").await;
     page.click("button", "SIT_UP_FROM_FRONT", "").await;
     page.find("combobox", "World of the trial", "").await.set("session").await;
+    // A game that is over stands still.
+    page.click("button", "Restart", "").await;
     page.click("button", "Try", "").await;
     page.until("it stands", "return document.querySelector('.trial .fine')?.textContent === 'stands'").await;
     page.screenshot("motion-session").await;
@@ -115,6 +129,13 @@ async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() 
         return measured ? [Math.abs(measured[1] - one.querySelector('input[type=range]').value)] : []; }); \
         return all.length > 15 && all.filter((error) => error > 12).length < 3";
     page.until("the measured angles are near", far).await;
+    // A world that stands still is named, and is not waited for.
+    page.click("button", "Try", "").await;
+    page.find("button", "Cancel", "").await;
+    page.press(",").await;
+    page.reads("The world is paused").await;
+    page.click("button", "Cancel", "").await;
+    page.until("it waits no more", "return !document.querySelector('.trial .primary').disabled").await;
     let control = "return import('/lib/store.js').then(({ session }) => session.value.info.value.control)";
     assert_eq!(page.run(control, vec![]).await, "yours");
     page.close().await;
