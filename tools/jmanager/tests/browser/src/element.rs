@@ -7,8 +7,9 @@ use serde_json::{Value, json};
 
 use crate::page::{LIMIT, Page, press};
 
-/// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press; `missed` tells
-/// whether something else was hit, as on a page that moves between the look and the press.
+/// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press. `pressed` waits
+/// for its end, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a page may move
+/// between the look and the press. The time is for controls that are gone before the button is released.
 const AIM: &str = r"
 const [one] = arguments;
 one.scrollIntoView({ block: 'nearest' });
@@ -21,14 +22,20 @@ return frame().then(frame).then(() => {
   const top = document.elementFromPoint(x + width / 2, y + height / 2);
   if (String(place()) !== String(before) || one.disabled || !one.contains(top)) return false;
   let captured = false;
-  window.missed = false;
+  let missed = false;
+  let ended;
+  const end = new Promise((done) => { ended = done; });
   const check = (event) => {
     if (event.type === 'gotpointercapture') captured = true;
-    else if (event.type === 'pointerdown' || (event.type === 'click' && !captured)) window.missed ||= !one.contains(event.target);
-    if (window.missed) { event.preventDefault(); event.stopImmediatePropagation(); }
+    else if (event.type === 'pointerdown' || (event.type === 'click' && !captured)) missed ||= !one.contains(event.target);
+    if (missed) { event.preventDefault(); event.stopImmediatePropagation(); }
+    if (event.type === 'click') ended();
   };
-  window.aimed = () => kinds.forEach((kind) => window.removeEventListener(kind, check, true));
   kinds.forEach((kind) => window.addEventListener(kind, check, true));
+  window.pressed = () => Promise.race([end, new Promise((done) => setTimeout(done, 1000))]).then(() => {
+    kinds.forEach((kind) => window.removeEventListener(kind, check, true));
+    return !missed;
+  });
   return true;
 });
 ";
@@ -67,8 +74,8 @@ impl<'a> Element<'a> {
         }
         let to = json!({ "type": "pointerMove", "duration": 0, "x": 0, "y": 0, "origin": self.value });
         self.page.mouse(&[&[to][..], &press()].concat()).await;
-        let missed = client.execute("window.aimed?.(); return window.missed === true", vec![]).await?;
-        Ok(missed != true)
+        // A press that leads to another page took its script away.
+        Ok(client.execute("return window.pressed?.() ?? true", vec![]).await? == true)
     }
 
     /// Gives it the focus.
