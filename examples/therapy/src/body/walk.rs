@@ -26,7 +26,6 @@ const STANDING: f32 = 0.75;
 const WALKING: f32 = 1.0;
 const LANDING: f32 = 0.5;
 const STIFFENING: f32 = 0.1;
-
 /// Time in which the gait comes to rest, by which the request ends earlier, s.
 const BRAKE: f32 = 0.4;
 

@@ -61,7 +61,7 @@ impl Session {
             let Some(step) = self.plan.step() else { return };
             match step {
                 // Raised arms could bring a walk off balance.
-                Step::Move(..) if walk.is_walking() => return,
+                Step::Move(..) if walk.is_walking() => return walk.halt(),
                 Step::Move(movement, tempo) => mover.begin(movement, tempo * self.ease, 0.0),
                 Step::Speak(clip) => sound.speech = Some((clip, self.plan.seconds(clip))),
                 Step::Play(clip) => sound.music = Some((clip, self.plan.seconds(clip))),
@@ -105,6 +105,7 @@ impl Session {
         if self.unseen.1 != pose.number {
             self.unseen = (0.0, pose.number);
         }
+        walk.halt();
         if let Some(Step::Exercise { movement, hold, .. }) = self.plan.step()
             && !mover.is_running()
             && !walk.is_walking()
