@@ -68,9 +68,7 @@ Examples:
   therapy play morning.session                play it in a simulated room
   therapy play morning.session --world mujoco the same with forces
   therapy play morning.session --page         the page of the therapist; needs the feature `monitor`
-  therapy play morning.session --realtime --option sound=FOLDER
-                                              speech (espeak-ng) and music (paplay)
-  therapy play morning.session --realtime --serve 127.0.0.1:7400
+  therapy play morning.session --realtime --option sound=FOLDER     with sound
   therapy play morning.session --option code=K-27 --option records=FOLDER
   therapy report FOLDER K-27 > page.html      what was done
   therapy judge FOLDER --json                 judge recorded exercises

@@ -113,7 +113,7 @@ fn parts(script: &Script, lines: &[&str]) -> Vec<Value> {
 const fn importance(step: Step) -> u8 {
     match step {
         Step::Exercise { .. } => 0,
-        Step::Move { .. } => 1,
+        Step::Move(..) => 1,
         Step::Walk(_) => 2,
         Step::Play(_) => 3,
         Step::Speak(_) => 4,

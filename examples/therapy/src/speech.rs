@@ -59,11 +59,8 @@ impl Player {
     /// A player of the clips of a session, whose files are relative to a folder. `program` is called as `paplay` is.
     pub(crate) fn new(script: &Script, folder: &Path, program: &str) -> Self {
         let file = |clip: &Clip| if let Clip::File(file) = clip { Some(folder.join(file)) } else { None };
-        Self {
-            program: program.to_owned(),
-            files: script.clips.iter().map(file).collect(),
-            channels: Default::default(),
-        }
+        let files = script.clips.iter().map(file).collect();
+        Self { program: program.to_owned(), files, channels: Default::default() }
     }
 
     /// Begins and ends what changes. A new volume holds from the next clip on.

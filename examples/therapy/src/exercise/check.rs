@@ -3,7 +3,6 @@
 use bica::prelude::*;
 
 use super::{Attempt, Counter, EXAMPLES, Example, Judging, Learner, Posture, Verdict};
-
 use crate::input::PatientPose;
 
 /// Counts the repetitions of a person and judges them. It first learns from three correct ones, which a therapist watches.
@@ -177,10 +176,6 @@ mod tests {
                 self.pass(Some(skeleton));
             }
         }
-
-        fn rest(&mut self) {
-            self.repeat(Person::STILL, 0.5, 1);
-        }
     }
 
     #[test]
@@ -196,7 +191,7 @@ mod tests {
         ] {
             let mut room = Room::new();
             room.repeat(person, seconds, seen);
-            room.rest();
+            room.repeat(Person::STILL, 0.5, 1);
             let [.., Some(Attempt { reasons: last, .. })] = room.check.attempts else { panic!("no repetition") };
             let names: Vec<_> = last.names().collect();
             assert_eq!((room.check.counts().repetitions, last.verdict(), &*names.join(", ")), (1, verdict, reasons));
@@ -208,7 +203,7 @@ mod tests {
         let mut room = Room::new();
         (0..10).for_each(|step| room.pass(Some(PERSON.at(0.1 * step as f32))));
         (0..600).for_each(|_| room.pass(None));
-        room.rest();
+        room.repeat(Person::STILL, 0.5, 1);
         assert_eq!(room.check.counts(), Counts { repetitions: 1, cannot_tell: 1, ..Counts::default() });
     }
 
@@ -216,7 +211,7 @@ mod tests {
     fn counts_begin_again_with_the_same_examples() {
         let mut room = Room::new();
         (0..4).for_each(|_| room.repeat(PERSON, 2.0, 1));
-        room.rest();
+        room.repeat(Person::STILL, 0.5, 1);
         let counts = Counts { repetitions: 4, correct: 4, ..Counts::default() };
         assert_eq!(room.check.counts(), counts);
         room.check.restart();

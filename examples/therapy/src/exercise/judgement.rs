@@ -8,13 +8,13 @@ use super::{Example, Repetition};
 #[derive(Clone, Debug, PartialEq, Params)]
 pub struct Judging {
     /// How far the arm may stay below the least peak of the examples.
-    #[param(default = 8.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
+    #[param(default = 10.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
     pub too_low: f32,
     /// How far the trunk may lean beyond the largest lean of the examples.
-    #[param(default = 1.25, range = 0.0..=45.0, unit = "°", step = 0.25)]
+    #[param(default = 1.5, range = 0.0..=45.0, unit = "°", step = 0.25)]
     pub leaning: f32,
     /// Largest angle between the plane of the movement and that of the examples.
-    #[param(default = 25.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
+    #[param(default = 16.0, range = 0.0..=90.0, unit = "°", step = 1.0)]
     pub direction: f32,
     /// Least share of the duration of the examples; 0: the tempo is not judged.
     #[param(default = 0.5, range = 0.0..=1.0, step = 0.05)]

@@ -1,8 +1,7 @@
 //! Counts the repetitions of an exercise and judges each against three correct ones of the same person.
 //!
 //! The check looks at one upper arm and at the trunk: how far the arm moves from its rest, in which plane, and how far the trunk leans.
-//! It does not judge the rotation of a shoulder, which depth cameras see badly. Rules and limits were chosen on five healthy people
-//! of UI-PRMD, each time on four of them and tested on the fifth; see `docs/therapy.md` for the figures.
+//! It does not judge the rotation of a shoulder, which depth cameras see badly. `docs/therapy.md` says how the limits were chosen.
 
 mod check;
 mod counter;

@@ -1,6 +1,6 @@
 //! One repetition of an exercise: its samples, and what is measured of it.
 
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 use heapless::Vec;
 
 use super::{Reference, Seen};
@@ -87,7 +87,7 @@ const NOISE_AT_90: f32 = 4.6;
 impl Repetition {
     pub(super) fn of(samples: &Samples, reference: &Reference) -> Self {
         let kept = &samples.kept[..];
-        let normal = kept.iter().map(|sample| reference.rest.cross(sample.arm)).sum::<Vec3>().normalize_or_zero();
+        let normal = normal(kept, reference.rest);
         let plane = Reference { normal: Some(reference.normal.unwrap_or(normal)), ..*reference };
         let angles = smoothed(kept, 7.min(kept.len() / 10), |sample| plane.angle(sample.arm));
         let sorted = sorted(&angles);
@@ -107,6 +107,16 @@ impl Repetition {
         let Samples { seconds, seen, missed, .. } = *samples;
         Self { peak, range: peak - low, lean, normal, noise, seconds, seen, missed }
     }
+}
+
+/// Normal of the plane through the shoulder that is nearest to the directions of the arm, by power iteration; it points as from the rest.
+fn normal(kept: &[Seen], rest: Vec3) -> Vec3 {
+    let square = |sample: &Seen| {
+        Mat3::from_cols(sample.arm * sample.arm.x, sample.arm * sample.arm.y, sample.arm * sample.arm.z)
+    };
+    let scatter = Mat3::from_diagonal(Vec3::splat(kept.len() as f32)) - kept.iter().map(square).sum::<Mat3>();
+    let first = kept.iter().map(|sample| rest.cross(sample.arm)).sum::<Vec3>();
+    (0..30).fold(first, |normal, _| (scatter * normal).normalize_or_zero())
 }
 
 /// Moving means over an odd number of samples, at least one.

@@ -62,8 +62,8 @@ impl Record {
     pub(crate) fn begin(folder: &Path, code: &str, session: &str, lines: Vec<usize>) -> Result<Self, Failure> {
         check_code(code)?;
         let begun = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-        let free = |number: &u32| !folder.join(name(code, *number)).exists();
-        let path = folder.join(name(code, (1..10_000).find(free).unwrap_or_default()));
+        let mut paths = (1..10_000).map(|number| folder.join(format!("{code}_{number:04}.jsonl")));
+        let path = paths.find(|path| !path.exists()).unwrap_or_default();
         let file = File::create_new(&path).map_err(|error| Failure::of_path("create", &path, &error, HELP))?;
         let mut record = Self { path, file, lines };
         record.write(&Head { code: code.to_owned(), session: session.to_owned(), begun })?;
@@ -82,10 +82,6 @@ impl Record {
         let text = serde_json::to_string(value).unwrap_or_default() + "\n";
         self.file.write_all(text.as_bytes()).map_err(|error| Failure::of_path("write", &self.path, &error, HELP))
     }
-}
-
-fn name(code: &str, number: u32) -> String {
-    format!("{code}_{number:04}.jsonl")
 }
 
 /// Files of a code in a folder, in order.

@@ -24,7 +24,7 @@ pub(super) const VERBS: [(&str, Read); 18] = [
     ("movement", |script, line| {
         let movement = line.choice("a movement", &Movement::NAMES)?;
         let tempo = if line.has("tempo") { line.number("a tempo in percent", 20.0..=100.0)? } else { 100.0 };
-        script.push(Step::Move { movement, tempo: tempo / 100.0 })
+        script.push(Step::Move(movement, tempo / 100.0))
     }),
     ("exercise", exercise),
     ("volume", |script, line| script.push(Step::Volume(line.number("a volume in percent", 0.0..=100.0)? / 100.0))),

@@ -12,11 +12,6 @@ fn next(script: &Script, index: usize) -> Vec<usize> {
     }
 }
 
-/// Whether time passes in a step.
-const fn takes_time(step: &Step) -> bool {
-    matches!(step, Step::Wait(..) | Step::Exercise { .. })
-}
-
 /// Finds steps that are never reached, and circles in which no time passes.
 pub(super) fn check(script: &Script) -> Vec<Problem> {
     let most = script.steps.len();
@@ -45,11 +40,10 @@ fn returns(script: &Script, start: usize) -> bool {
     }
     let mut index = start;
     for _ in 0..=script.steps.len() {
-        match script.steps.get(index) {
-            None => return false,
-            Some(step) if takes_time(step) => return false,
-            Some(_) => index = next(script, index)[0],
+        if let None | Some(Step::Wait(..) | Step::Exercise { .. }) = script.steps.get(index) {
+            return false;
         }
+        index = next(script, index)[0];
         if index == start {
             return true;
         }

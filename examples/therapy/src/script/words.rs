@@ -47,15 +47,14 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Splits a line without its comment. `number` is that of the line, from 1.
+    /// Splits a line up to its comment. `number` is that of the line, from 1.
     pub(super) fn new(number: usize, line: &'a str) -> Checked<Self> {
-        let text = without_comment(line);
-        let mut input = LocatingSlice::new(text);
+        let mut input = LocatingSlice::new(line);
         let words = words(&mut input).unwrap_or_default();
+        let (text, rest) = line.split_at(input.current_token_start());
         let line = Self { number, text, words: words.into_iter() };
-        let offset = input.current_token_start();
-        let Some(sign) = text[offset..].chars().next() else { return Ok(line) };
-        let at = line.place(offset);
+        let Some(sign) = rest.chars().next().filter(|sign| *sign != '#') else { return Ok(line) };
+        let at = line.place(text.len());
         if sign == '"' {
             return Err(Problem::at(at, "the text has no closing quote `\"`"));
         }
@@ -165,14 +164,4 @@ impl<'a> Line<'a> {
     pub(super) fn end(&self) -> Checked<()> {
         if self.is_done() { Ok(()) } else { Err(self.wrong("the end of the line", &[])) }
     }
-}
-
-/// Cuts `#` and what follows it, unless it is in a text.
-fn without_comment(line: &str) -> &str {
-    let mut quoted = false;
-    let comment = line.char_indices().find(|(_, sign)| {
-        quoted ^= *sign == '"';
-        *sign == '#' && !quoted
-    });
-    &line[..comment.map_or(line.len(), |(index, _)| index)]
 }

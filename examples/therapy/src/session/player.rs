@@ -5,8 +5,8 @@ mod wish;
 use bica::prelude::*;
 use bica_motion::robot::Light;
 
-use self::wish::{Wish, end, halt};
-use super::{Movement, Plan, Signal, Step, Task, Until};
+use self::wish::{Wish, end};
+use super::{Lamp, Movement, Plan, Signal, Step, Task, Until};
 use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
@@ -60,12 +60,17 @@ impl Session {
         for _ in 0..AT_ONCE {
             let Some(step) = self.plan.step() else { return };
             match step {
-                Step::Move { movement, tempo } => mover.begin(movement, tempo * self.ease, 0.0),
+                // Raised arms could bring a walk off balance.
+                Step::Move(..) if walk.is_walking() => return walk.halt(),
+                Step::Move(movement, tempo) => mover.begin(movement, tempo * self.ease, 0.0),
                 Step::Speak(clip) => sound.speech = Some((clip, self.plan.seconds(clip))),
                 Step::Play(clip) => sound.music = Some((clip, self.plan.seconds(clip))),
                 Step::Volume(volume) => sound.set_volume(volume),
                 Step::Light(lamp, light) => lights.set(lamp, light),
-                Step::Walk(way) => walk.begin(way),
+                Step::Walk(way) => {
+                    mover.rest();
+                    walk.begin(way);
+                }
                 Step::Stop(task) => end(task, mover, walk, sound),
                 Step::Stiffness(stiff) => motors.soften(!stiff),
                 Step::Wait(..) | Step::Exercise { .. } => return,
@@ -91,7 +96,7 @@ impl Session {
         mover: &mut Mover,
         _check: &mut ExerciseCheck,
         pose: &PatientPose,
-        _walk: &mut Walk,
+        walk: &mut Walk,
         _sound: &mut Sound,
     ) {
         self.hear();
@@ -100,8 +105,10 @@ impl Session {
         if self.unseen.1 != pose.number {
             self.unseen = (0.0, pose.number);
         }
+        walk.halt();
         if let Some(Step::Exercise { movement, hold, .. }) = self.plan.step()
             && !mover.is_running()
+            && !walk.is_walking()
         {
             mover.begin(movement, self.ease, hold);
         }
@@ -164,8 +171,9 @@ impl Session {
     }
 
     #[transition(stopped -> running)]
-    fn goes_on_after_stop(&self, signals: &Signals, guard: &Guard) -> bool {
-        (self.heard == Some(Wish::GoOn) || signals.chest > EXPRESS) && guard.trouble().is_none() && self.plan.loaded
+    fn goes_on_after_stop(&self, signals: &Signals, guard: &Guard, walk: &Walk) -> bool {
+        let wished = self.heard == Some(Wish::GoOn) || signals.chest > EXPRESS;
+        wished && guard.trouble().is_none() && self.plan.loaded && !walk.is_walking()
     }
 
     #[transition(running -> finished)]
@@ -229,14 +237,16 @@ impl Session {
 
     #[entry(paused)]
     fn pause_all(&mut self, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound, lights: &mut Lights) {
-        halt(walk, sound, lights, Light(1.0, 0.6, 0.0));
+        end(Task::All, mover, walk, sound);
         mover.rest();
+        lights.set(Lamp::Chest, Light(1.0, 0.6, 0.0));
     }
 
     #[entry(stopped)]
     fn stop_all(&mut self, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound, lights: &mut Lights) {
-        halt(walk, sound, lights, Light(1.0, 0.0, 0.0));
-        mover.freeze();
+        end(Task::All, mover, walk, sound);
+        walk.freeze();
+        lights.set(Lamp::Chest, Light(1.0, 0.0, 0.0));
     }
 
     #[exit(paused)]

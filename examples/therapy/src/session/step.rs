@@ -7,11 +7,8 @@ use bica_motion::robot::Light;
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// Begins a movement; `tempo` is a share of its usual one, 0.2 to 1.
-    Move {
-        movement: Movement,
-        tempo: f32,
-    },
+    /// Begins a movement, at a share of its usual tempo, 0.2 to 1.
+    Move(Movement, f32),
     /// Begins speech, which is a clip of sound.
     Speak(u16),
     /// Begins music, which is a clip of sound.
@@ -23,7 +20,7 @@ pub enum Step {
     Walk([f32; 3]),
     /// Waits, at most so many seconds.
     Wait(Until, f32),
-    /// Shows a movement, whose highest posture is held for `hold` seconds, until the person has repeated it, at most `limit` seconds.
+    /// Shows a movement, whose highest posture is held for `hold` s, until the person has repeated it, at most `limit` s.
     /// Goes on at one of three steps: done, not done, nobody there.
     Exercise {
         movement: Movement,

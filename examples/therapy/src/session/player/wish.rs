@@ -1,11 +1,9 @@
 //! What a person asks for, and what ends.
 
-use bica_motion::robot::Light;
-
 use super::Session;
-use crate::body::{Lights, Mover, Sound, Walk};
+use crate::body::{Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
-use crate::session::{Lamp, Signal, Step, Task, Until};
+use crate::session::{Signal, Step, Task, Until};
 
 /// Time without a skeleton after which nobody is there, s.
 const NOBODY: f32 = 15.0;
@@ -60,11 +58,4 @@ pub(super) fn end(task: Task, mover: &mut Mover, walk: &mut Walk, sound: &mut So
     if task.has(Task::Walk) {
         walk.halt();
     }
-}
-
-/// Ends all sound and the walk, and shows why.
-pub(super) fn halt(walk: &mut Walk, sound: &mut Sound, lights: &mut Lights, chest: Light) {
-    walk.halt();
-    sound.stop(Task::All);
-    lights.set(Lamp::Chest, chest);
 }
