@@ -1,8 +1,8 @@
 //! Getting up.
 //!
 //! A get-up is a list of key postures ([`RobotModel::GET_UP`]), linearly interpolated and slowed down where a joint would
-//! exceed its maximum speed. From the front, the arms push the hips up and back over the spread feet until the robot sits.
-//! From the back, the robot swings its legs and sits up. From sitting, both ways are the same: the robot kneels on one leg,
+//! exceed its maximum speed. From the front, the arms push the NAO's hips up and back over the spread feet until it sits.
+//! From the back, it swings its legs and sits up. From sitting, both ways are the same: it kneels on one leg,
 //! pushes with the opposite hand, pulls the other leg in and rises. Before it stands it passes a *tuck* with both knees bent
 //! beyond [`TUCK_KNEE_ANGLE`]. The last posture is [`RobotModel::STAND`], held for [`HOLD`] seconds.
 //!
@@ -30,7 +30,7 @@ const STAND_STIFFNESS: f32 = 0.8;
 /// Vertical component of the torso's axis (unit vector) above which the torso has risen.
 const RISEN_UPRIGHTNESS: f32 = 0.9;
 /// Vertical component of the torso's axis (unit vector) below which a risen robot has fallen again.
-const FALLEN_UPRIGHTNESS: f32 = 0.5;
+const FALLEN_UPRIGHTNESS: f32 = 0.4;
 /// Pitch of the torso above which the robot lies on its face, rad.
 const FACE_DOWN_PITCH: f32 = 1.0;
 
@@ -164,8 +164,7 @@ impl<M: RobotModel> GetUp<M> {
         let Some(frame) = self.first_frames().get(self.index).or_else(|| M::GET_UP.rise.get(rise)) else {
             return (if rise == M::GET_UP.rise.len() { STRETCH } else { HOLD }, M::STAND);
         };
-        let posture = frame.posture();
-        (frame.seconds(), if self.mirrored { posture.mirrored() } else { posture })
+        (frame.seconds(), frame.posture::<M>(self.mirrored))
     }
 
     /// Duration of the motion to the next posture, s: nominal, or as long as the slowest joint needs.

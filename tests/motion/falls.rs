@@ -1,11 +1,13 @@
 //! Falling, lying, getting up.
 
+use core::ops::RangeInclusive;
+
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, HOLD, TUCK_KNEE_ANGLE, protection};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{K1, Nao, RobotModel, T1};
 use bica_motion::robot::Inertial;
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
@@ -103,7 +105,7 @@ fn play(frames: &'static [Keyframe], from: Joints) -> Vec<Joints> {
 }
 
 /// Plays a get-up with a constant inertial reading; returns all targets.
-fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
+fn get_up<M: RobotModel>(mut movement: GetUp<M>, inertial: &Inertial) -> Vec<Joints> {
     let mut targets = Vec::new();
     while !movement.is_done() {
         targets.push(movement.step(inertial, CYCLE).0);
@@ -113,26 +115,32 @@ fn get_up(mut movement: GetUp, inertial: &Inertial) -> Vec<Joints> {
 
 #[test]
 fn get_ups_keep_to_limits_and_end_in_the_stand() {
-    let crumpled = Joints::all(0.3).clamp_to_limits::<Nao>();
+    check_get_ups::<Nao>(4.0..=11.0);
+    check_get_ups::<T1>(3.0..=5.5);
+    check_get_ups::<K1>(3.0..=5.5);
+}
+
+fn check_get_ups<M: RobotModel>(expected: RangeInclusive<f32>) {
+    let crumpled = Joints::all(0.3).clamp_to_limits::<M>();
     let attempts =
         Direction::ALL.into_iter().flat_map(|direction| [0, 1, 3, 4, 255].map(|failures| (direction, failures)));
     for (direction, failures) in attempts {
-        for start in [Nao::SIT, crumpled, protection::<Nao>(direction).posture] {
-            let targets = get_up(GetUp::<Nao>::new(direction, failures, start), &Inertial::default());
+        for start in [M::SIT, crumpled, protection::<M>(direction).posture] {
+            let targets = get_up(GetUp::<M>::new(direction, failures, start), &Inertial::default());
             let seconds = targets.len() as f32 * CYCLE;
-            assert!((4.0..=11.0).contains(&seconds), "{seconds} s");
-            assert_eq!(*targets.last().unwrap(), Nao::STAND);
-            keeps_to_limits_and_speeds(&targets);
+            assert!(expected.contains(&seconds), "{}: {seconds} s", M::NAME);
+            assert_eq!(*targets.last().unwrap(), M::STAND);
+            keeps_to_limits_and_speeds::<M>(&targets);
         }
     }
 }
 
-fn keeps_to_limits_and_speeds(targets: &[Joints]) {
+fn keeps_to_limits_and_speeds<M: RobotModel>(targets: &[Joints]) {
     for pair in targets.windows(2) {
-        assert!(pair[1].within_limits::<Nao>(), "{:?}", pair[1]);
+        assert!(pair[1].within_limits::<M>(), "{:?}", pair[1]);
         for joint in Joint::ALL {
             let speed = (pair[1][joint] - pair[0][joint]).abs() / CYCLE;
-            assert!(speed <= Nao::MAX_SPEEDS[joint] * 1.001, "{joint:?} at {speed} rad/s");
+            assert!(speed <= M::MAX_SPEEDS[joint] * 1.001, "{joint:?} at {speed} rad/s");
         }
     }
 }
@@ -142,7 +150,7 @@ fn every_third_attempt_turns_over_and_alternates_the_side() {
     let turn = |lying, failures| get_up(GetUp::<Nao>::new(lying, failures, Nao::STAND), &tilted(toward(lying, 1.5)));
     for lying in [Direction::Front, Direction::Back] {
         let targets = turn(lying, 2);
-        keeps_to_limits_and_speeds(&targets);
+        keeps_to_limits_and_speeds::<Nao>(&targets);
         assert!((0.5..2.5).contains(&(targets.len() as f32 * CYCLE)), "{} cycles", targets.len());
         let last = |failures| *turn(lying, failures).last().unwrap();
         let (one, other) = (last(2), last(5).mirrored());

@@ -8,8 +8,8 @@ use crate::joints::{JOINTS, Joint, Joints};
 use crate::keyframes::Keyframe;
 use crate::model::simulation::{Disc, Extents, Lying, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    Actuator, BodyShape, Capsule, FallLimits, FallPostures, GetUpFrames, HeadSpeed, LimbStiffness, Nao, Parameters,
-    Range, RobotModel, StiffnessTable, ThermalLimits, symmetric,
+    Actuator, BodyShape, Capsule, FallLimits, FallPostures, HeadSpeed, LimbStiffness, Nao, Parameters, Range,
+    RobotModel, StiffnessTable, ThermalLimits, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -85,14 +85,6 @@ pub(super) const STIFFNESS: StiffnessTable = StiffnessTable { stand: FIRM, walk:
 
 const BRACE: Keyframe = Keyframe { seconds: 0.4, posture: SIT, stiffness: 0.2 };
 pub(super) const FALL_POSTURES: FallPostures = FallPostures { front: BRACE, other: BRACE };
-pub(super) const NO_GET_UP: GetUpFrames = GetUpFrames {
-    sit_up_from_front: &[],
-    sit_up_from_back: &[],
-    rise: &[],
-    turn_from_front: &[],
-    turn_from_back: &[],
-    rolled_onto_back: 0,
-};
 
 /// Position gains, Nm/rad, with that of the legs as B-Human's for its walk.
 pub(super) const fn gains(leg: f32) -> Joints {

@@ -1,6 +1,7 @@
 //! Key postures of getting up.
 
-use crate::joints::{JOINTS, Joints};
+use crate::joints::{JOINTS, Joint, Joints};
+use crate::model::RobotModel;
 
 /// Number of joints in a frame: all but the hands, which stay closed.
 const FRAME_JOINTS: usize = JOINTS - 2;
@@ -19,18 +20,47 @@ impl GetUpFrame {
         Self { centiseconds, degrees }
     }
 
+    /// A frame whose right side mirrors the left one, for legs with a hip yaw of their own: the left arm (shoulder pitch and roll,
+    /// elbow yaw and roll), and the left leg (hip yaw, roll and pitch, knee, ankle pitch and roll). The others are 0.
+    #[must_use]
+    pub const fn symmetric(centiseconds: u8, arm: [i8; 4], leg: [i8; 6]) -> Self {
+        let ([pitch, roll, elbow_yaw, elbow], [yaw, hip_roll, hip, knee, ankle, ankle_roll]) = (arm, leg);
+        let left = [pitch, roll, elbow_yaw, elbow, 0, yaw, hip_roll, hip, knee, ankle, ankle_roll];
+        let right = [-hip_roll, hip, knee, ankle, -ankle_roll, pitch, -roll, -elbow_yaw, -elbow];
+        let mut degrees = [0; FRAME_JOINTS];
+        let mut i = 0;
+        while i < left.len() {
+            degrees[2 + i] = left[i];
+            i += 1;
+        }
+        i = 0;
+        while i < right.len() {
+            degrees[2 + left.len() + i] = right[i];
+            i += 1;
+        }
+        Self::new(centiseconds, degrees)
+    }
+
     /// Duration of the motion to the posture, s.
     #[must_use]
     pub fn seconds(&self) -> f32 {
         f32::from(self.centiseconds) / 100.0
     }
 
-    /// Joint angles at the end, rad.
+    /// Joint angles at the end, rad, or their mirror image. A robot with two hip yaws moves them symmetrically, keeps its waist
+    /// straight and stays within its limits: similar robots share frames.
     #[must_use]
-    pub fn posture(&self) -> Joints {
+    pub fn posture<M: RobotModel>(&self, mirrored: bool) -> Joints {
         let mut posture = Joints::all(0.0);
         for (angle, degrees) in posture.0.iter_mut().zip(self.degrees) {
             *angle = f32::from(degrees).to_radians();
+        }
+        if mirrored {
+            posture = posture.mirrored();
+        }
+        if !M::LEG.shares_hip_yaw() {
+            posture[Joint::RIGHT_HIP_YAW] = -posture[Joint::LEFT_HIP_YAW];
+            posture = posture.clamp_to_limits::<M>();
         }
         posture
     }

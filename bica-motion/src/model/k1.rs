@@ -8,6 +8,7 @@ use glam::{Vec2, Vec3};
 use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
 use crate::model::booster::{self, each_joint};
+use crate::model::booster_getup;
 use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
     Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
@@ -46,7 +47,7 @@ impl RobotModel for K1 {
     const SIT_STIFFNESS: f32 = 0.3;
     const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.0, posture: Self::STAND, stiffness: 0.8 }];
     const TO_SIT: &'static [Keyframe] = &[Keyframe { seconds: 2.0, posture: Self::SIT, stiffness: 0.8 }];
-    const GET_UP: &'static GetUpFrames = &booster::NO_GET_UP;
+    const GET_UP: &'static GetUpFrames = &booster_getup::K1;
     const FALL_POSTURES: &'static FallPostures = &booster::FALL_POSTURES;
     const KINEMATIC_PROFILE: &'static Profile = &PROFILE;
     const DYNAMIC_PROFILE: &'static Profile = &PROFILE;

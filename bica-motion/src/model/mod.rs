@@ -26,6 +26,7 @@ mod actuator;
 mod arm;
 mod body;
 mod booster;
+mod booster_getup;
 mod calibration;
 mod dimensions;
 mod gait;

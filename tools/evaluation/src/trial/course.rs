@@ -4,6 +4,8 @@ use bica_motion::model::simulation::MujocoModel;
 use bica_motion::model::{K1, Nao, T1};
 use bica_motion::walk::Velocity;
 
+use super::get_up::TIME_LIMIT;
+
 /// A robot model with requirements for its walk.
 pub(super) trait Course: MujocoModel {
     /// Commanded velocities.
@@ -12,6 +14,8 @@ pub(super) trait Course: MujocoModel {
     const PUSHES: &'static [PushCase];
     /// Forward velocity while it is pushed, m/s.
     const PUSHED_VELOCITY: f32;
+    /// Time in which it has to get up, s.
+    const TIME_TO_RISE: f32 = TIME_LIMIT;
 }
 
 /// A velocity, and what is required.
@@ -40,8 +44,9 @@ const fn exact(name: &'static str, forward: f32, left: f32, turn: f32) -> Veloci
     VelocityCase { name, velocity: Velocity::new(forward, left, turn), exact: true, needed: 20 }
 }
 
-const fn mostly(name: &'static str, forward: f32) -> VelocityCase {
-    VelocityCase { needed: 18, ..exact(name, forward, 0.0, 0.0) }
+/// As `exact`, with two failures in 20 runs.
+const fn mostly(name: &'static str, forward: f32, left: f32, turn: f32) -> VelocityCase {
+    VelocityCase { needed: 18, ..exact(name, forward, left, turn) }
 }
 
 const fn upright(name: &'static str, forward: f32, left: f32, turn: f32, needed: u32) -> VelocityCase {
@@ -93,20 +98,21 @@ const BOOSTER_PUSHES: [PushCase; 6] = [
 impl Course for T1 {
     const VELOCITIES: &'static [VelocityCase] = &[
         exact("forward 0.4 m/s", 0.4, 0.0, 0.0),
-        mostly("forward 0.6 m/s", 0.6),
-        exact("backward 0.2 m/s", -0.2, 0.0, 0.0),
-        exact("left 0.2 m/s", 0.0, 0.2, 0.0),
-        exact("right 0.2 m/s", 0.0, -0.2, 0.0),
-        exact("left turn 0.7 rad/s", 0.0, 0.0, 0.7),
-        exact("right turn 0.7 rad/s", 0.0, 0.0, -0.7),
+        mostly("forward 0.6 m/s", 0.6, 0.0, 0.0),
+        mostly("backward 0.2 m/s", -0.2, 0.0, 0.0),
+        mostly("left 0.2 m/s", 0.0, 0.2, 0.0),
+        mostly("right 0.2 m/s", 0.0, -0.2, 0.0),
+        mostly("left turn 0.7 rad/s", 0.0, 0.0, 0.7),
+        mostly("right turn 0.7 rad/s", 0.0, 0.0, -0.7),
     ];
     const PUSHES: &'static [PushCase] = &BOOSTER_PUSHES;
     const PUSHED_VELOCITY: f32 = 0.2;
+    const TIME_TO_RISE: f32 = 4.0;
 }
 
 impl Course for K1 {
     const VELOCITIES: &'static [VelocityCase] = &[
-        mostly("forward 0.3 m/s", 0.3),
+        mostly("forward 0.3 m/s", 0.3, 0.0, 0.0),
         upright("backward 0.15 m/s", -0.15, 0.0, 0.0, 0),
         upright("left 0.15 m/s", 0.0, 0.15, 0.0, 0),
         upright("left turn 0.6 rad/s", 0.0, 0.0, 0.6, 0),

@@ -9,6 +9,7 @@ mod get_up;
 mod kicks;
 mod obstacles;
 mod odometry;
+mod rising;
 mod rng;
 mod series;
 mod table;
@@ -49,7 +50,7 @@ fn run_with(
     for kind in if options.names.is_empty() { all } else { &options.names } {
         let name = kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
         let trial = trial(*kind).ok_or_else(|| {
-            let help = "this robot has the trials `walk`, `pushes` and `kicks`; `--robot nao` has all";
+            let help = "this robot has the trials `walk`, `pushes`, `kicks` and `get-up`; `--robot nao` has all";
             Failure::new(format!("this robot has no trial `{name}`"), help)
         })?;
         let table = Table { trial: name, rows: trial(series)? };
@@ -66,7 +67,7 @@ fn run_with(
 type Trial = fn(&Series) -> Result<Vec<table::Row>, Failure>;
 
 /// Trials of a robot without the forward.
-const BOOSTER: [Kind; 3] = [Kind::Walk, Kind::Pushes, Kind::Kicks];
+const BOOSTER: [Kind; 4] = [Kind::Walk, Kind::Pushes, Kind::Kicks, Kind::GetUp];
 
 /// A trial of a robot without the forward.
 fn booster<M: Course>(kind: Kind) -> Option<Trial> {
@@ -74,6 +75,7 @@ fn booster<M: Course>(kind: Kind) -> Option<Trial> {
         Kind::Walk => Some(walking::velocities::<M>),
         Kind::Pushes => Some(walking::pushes::<M>),
         Kind::Kicks => Some(kicks::any::<M>),
+        Kind::GetUp => Some(rising::rows::<M>),
         _ => None,
     }
 }

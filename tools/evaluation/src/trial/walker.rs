@@ -6,7 +6,7 @@ use bica_motion::limbs::Limbs;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
-use bica_motion::robot::{CameraId, Command, Lights};
+use bica_motion::robot::{CameraId, Command, Lights, Sensors};
 use bica_motion::senses::SenseEstimator;
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
@@ -59,9 +59,23 @@ impl<M: MujocoModel> Walker<M> {
 
     /// Walks for one control cycle.
     pub(super) fn cycle(&mut self, velocity: Velocity) {
-        let mut sensors = self.world.sensors();
+        let sensors = self.sense();
+        self.walk(velocity, &sensors);
+    }
+
+    /// Measures, once in each control cycle; estimates what the robot does not measure.
+    pub(super) fn sense(&mut self) -> Sensors<'static> {
+        let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } =
+            self.world.sensors();
+        let mut sensors =
+            Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };
         self.senses.complete(&mut sensors, CYCLE_SECONDS);
-        let limbs = self.gait.step(velocity, &Feedback::from(&sensors), CYCLE_SECONDS);
+        sensors
+    }
+
+    /// Walks for one control cycle with these measurements.
+    pub(super) fn walk(&mut self, velocity: Velocity, sensors: &Sensors) {
+        let limbs = self.gait.step(velocity, &Feedback::from(sensors), CYCLE_SECONDS);
         let moved = MotionInput {
             commanded: Some(&self.commanded),
             angles: &sensors.angles,
@@ -78,9 +92,18 @@ impl<M: MujocoModel> Walker<M> {
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
         }
-        let (lights, camera) = (Lights::default(), CameraId::Top);
-        self.commanded = limbs.joints::<M>();
-        self.world.act(&Command { targets: self.commanded, stiffness, lights, camera });
+        self.command(limbs.joints::<M>(), stiffness);
+    }
+
+    /// Moves all joints for one control cycle.
+    pub(super) fn command(&mut self, targets: Joints, stiffness: Joints) {
+        self.commanded = targets;
+        self.world.act(&Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top });
+    }
+
+    /// Begins a new gait from the stand.
+    pub(super) const fn stand(&mut self) {
+        self.gait = Walk::new(&M::DYNAMIC_PROFILE.gait);
     }
 
     /// Returns the time of the first fall, s.

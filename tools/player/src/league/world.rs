@@ -28,8 +28,8 @@ const CYCLE: u64 = 20;
 const STANDING_UP: u32 = 100;
 /// Tilt of a torso that lies, rad.
 const LYING: f32 = 1.0;
-/// Time on the ground after which a game is lost, s: the robot cannot get up.
-const LOST_AFTER: f64 = 3.0;
+/// Time on the ground after which a game is lost, s: the referee puts such a robot beside the field.
+const LOST_AFTER: f64 = 15.0;
 /// Distance of the players from the halfway line at a kick-off, and from each other, m.
 const KICK_OFF: Vec2 = Vec2::new(2.5, 3.0);
 
