@@ -115,7 +115,8 @@ mod tests {
 
     /// A plan of the get-up of the robot's model, performed in a world; the program of the robot lets it stand.
     fn rises(world: &mut dyn World, start: Start, first: &[GetUpFrame]) -> bool {
-        let key = |frame: &GetUpFrame| Key { seconds: frame.seconds(), posture: frame.posture(), stiffness: 1.0 };
+        let key =
+            |frame: &GetUpFrame| Key { seconds: frame.seconds(), posture: frame.posture::<Nao>(false), stiffness: 1.0 };
         let keys = first.iter().chain(Nao::GET_UP.rise).map(key).collect();
         let plan = Plan::new(&Play { keys, linear: true, stretches: true, start, mujoco: false, runs: 1 }, 1);
         assert_eq!(plan.ends.len(), first.len() + Nao::GET_UP.rise.len());
