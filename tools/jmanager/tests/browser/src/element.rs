@@ -9,7 +9,8 @@ use crate::page::{LIMIT, Page, press};
 
 /// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press. `pressed` waits
 /// for its end, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a page may move
-/// between the look and the press. The time is for controls that are gone before the button is released.
+/// between the look and the press. The time is for controls that are gone before the button is released. `happened` has the events of
+/// the page, for a story that fails.
 const AIM: &str = r"
 const [one] = arguments;
 one.scrollIntoView({ block: 'nearest' });
@@ -17,6 +18,12 @@ const place = () => { const { x, y, width, height } = one.getBoundingClientRect(
 const frame = () => new Promise((done) => requestAnimationFrame(done));
 const kinds = ['pointerdown', 'gotpointercapture', 'mousedown', 'pointerup', 'mouseup', 'click'];
 const before = place();
+if (!window.happened) {
+  window.happened = [];
+  const name = (target) => target.nodeName && `${target.nodeName} ${target.getAttribute?.('aria-label') ?? target.textContent?.slice(0, 20)}`;
+  const note = ({ type, target, newState, key }) => window.happened.push([performance.now() | 0, type, name(target), newState ?? key].join(' '));
+  [...kinds, 'keydown', 'submit', 'beforetoggle', 'cancel', 'close'].forEach((kind) => window.addEventListener(kind, note, true));
+}
 return frame().then(frame).then(() => {
   const [x, y, width, height] = place();
   const top = document.elementFromPoint(x + width / 2, y + height / 2);

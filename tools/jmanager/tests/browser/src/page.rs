@@ -155,7 +155,9 @@ impl Page {
     pub(crate) async fn may_wait(&self, start: Instant, limit: Duration, what: &str) {
         if start.elapsed() > limit {
             self.screenshot("failed").await;
-            panic!("not in time: {what}; the page shows: {}", self.text().await);
+            let happened = self.run("return (window.happened ?? []).slice(-40).join('\\n')", vec![]).await;
+            let happened = happened.as_str().unwrap_or_default().to_owned();
+            panic!("not in time: {what}; last events:\n{happened}\nthe page shows: {}", self.text().await);
         }
         sleep(POLL).await;
     }
