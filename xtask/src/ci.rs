@@ -131,14 +131,15 @@ fn budget() -> Result<(), String> {
 
 /// Runs all tests but those that need what a clone does not have, or an idle machine.
 fn tests() -> Result<(), String> {
-    // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
-    let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
     let visits = folder("coverage");
     // Of an earlier run.
     let _ = fs::remove_dir_all(&visits);
     let visits = visits.display().to_string();
-    build::cargo("test", &[], &[&cases[..], &[("BICA_COVERAGE", &visits)]].concat())?;
-    slow_tests::run(&cases)?;
+    // More random cases where a few hundred take seconds, and the same ones on each run: the result of CI is a property of the commit.
+    let cases = [("BICA_TEST_CASES", "1000"), ("PROPTEST_CASES", "256"), ("PROPTEST_RNG_SEED", "1")];
+    let variables = [&cases[..], &[("BICA_COVERAGE", &visits)]].concat();
+    build::cargo("test", &[], &variables)?;
+    slow_tests::run(&variables)?;
     coverage(&visits)
 }
 
