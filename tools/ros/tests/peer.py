@@ -72,11 +72,11 @@ class Peer:
             self.executor.spin_once(timeout_sec=0.05)
         raise AssertionError(f"{what}: not within {limit} s")
 
-    def call(self, service: str, kind: type, **fields: Any) -> Any:
+    def call(self, service: str, kind: type, during: Callable[[], Any] = lambda: None, **fields: Any) -> Any:
         # A new client may wait 3 s for its first answer, until both sides have found each other.
         if service not in self.clients:
             self.clients[service] = self.node.create_client(kind, service)
         client = self.clients[service]
-        self.until(client.service_is_ready, f"the service {service}")
+        self.until(lambda: (during(), client.service_is_ready())[1], f"the service {service}")
         future = client.call_async(kind.Request(**fields))
-        return self.until(lambda: future.done() and future.result(), f"the answer of {service}")
+        return self.until(lambda: (during(), future.done() and future.result())[1], f"the answer of {service}")

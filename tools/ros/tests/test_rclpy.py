@@ -148,9 +148,15 @@ def test_a_twist_drives_under_the_lease_only() -> None:
         assert not refused.success and "lease/acquire" in refused.message
         assert driver.call(f"{NODE}/lease/acquire", Trigger).success
         driver.until(lambda: drives(driver), "driving")
-        refused = other.call(f"{NODE}/lease/acquire", Trigger)
+
+        # The driver goes on driving: its silence of 3 s would end the lease, and the first answers may take as long.
+        def go_on() -> bool:
+            return drives(driver)
+
+        refused = other.call(f"{NODE}/lease/acquire", Trigger, go_on)
         assert not refused.success and "another ROS process" in refused.message
-        refused = other.call(f"{NODE}/set_parameters", SetParameters, parameters=[number("Explorer.speed", 0.2)])
+        speed = [number("Explorer.speed", 0.2)]
+        refused = other.call(f"{NODE}/set_parameters", SetParameters, go_on, parameters=speed)
         assert not refused.results[0].successful
         # Silence stops the robot after 0.5 s, and ends the lease after 3 s: then the tree drives again.
         driver.until(lambda: abs(odometry[-1].twist.twist.angular.z) < 0.01, "the stop")
