@@ -5,7 +5,10 @@ use std::sync::{Mutex, PoisonError};
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::{MjRenderer, RendererError};
 
-/// Held while a renderer is created or dropped: all renderers share one display, which is not thread-safe.
+/// Held while a renderer is created, draws or is dropped: all renderers share one display, which is not thread-safe.
+///
+/// Mesa's software renderer (22.3) looks for a texture in the unfinished scenes of *all* contexts of a display, without a
+/// lock: two threads that draw at the same time read freed memory.
 static DISPLAY: Mutex<()> = Mutex::new(());
 
 /// An off-screen renderer; `None` only while it is dropped.
@@ -24,6 +27,7 @@ impl Renderer {
         camera: MjvCamera,
     ) -> Result<&[[u8; 3]], RendererError> {
         data.forward_kinematics();
+        let _guard = DISPLAY.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(renderer) = &mut self.0 else { return Ok(&[]) };
         renderer.set_camera(camera);
         renderer.sync_data(data)?;
