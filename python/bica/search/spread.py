@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import time
 from concurrent import futures
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from bica.errors import BicaError
 from bica.program import ProgramError, stopping
 from bica.search.game import Game, Task, play_block
 
@@ -132,6 +134,8 @@ class Slurm:
         """Keep at most `workers` jobs in the queue of Slurm, by default 64, or one for each core of this computer."""
         import submitit
 
+        if not local and subprocess.run(["sacct"], check=False, stdout=subprocess.DEVNULL).returncode != 0:  # noqa: S607
+            raise BicaError("`sacct` fails\n  help: a search needs Slurm's accounting, to learn of jobs that were killed")
         self.slots = workers or ((os.cpu_count() or 1) if local else 64)
         self._executor = submitit.AutoExecutor(folder="slurm-jobs", cluster="local" if local else "slurm")
         self._executor.update_parameters(name="bica", timeout_min=60, cpus_per_task=1)
@@ -151,7 +155,7 @@ class Slurm:
             return Played(task, done[0].result())
         if "ProgramError" in str(error):
             raise ProgramError(str(error).strip().splitlines()[-1])
-        return Lost(task, str(error).strip().splitlines()[0])
+        return Lost(task, f"job {done[0].job_id} ended as {done[0].state}: {str(error).strip().splitlines()[-1]}")
 
     def close(self) -> None:
         """End all jobs."""
