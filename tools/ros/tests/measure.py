@@ -1,13 +1,15 @@
-"""Processor time of the robot's loop in a cycle, without the node, with it, and with ten nodes that listen to all its topics.
+"""Processor time of each cycle of the robot's loop, without the node, with it, and with nodes that listen to all its topics.
 
 Run it on an idle machine, in the environment of `cargo xtask ros`: `BICA_WALL_FOLLOWER=PROGRAM python measure.py [SECONDS]`.
 The arguments after that replace the program's own, as `play --size 640x480`.
 """
 
 import importlib
+import multiprocessing
 import os
 import sys
 import time
+from itertools import pairwise
 from pathlib import Path
 
 from peer import SENSOR, Peer, Robot
@@ -15,12 +17,20 @@ from peer import SENSOR, Peer, Robot
 PROGRAM = os.environ["BICA_WALL_FOLLOWER"]
 
 
-def loop_time(process: int) -> int:
-    """Processor time of the loop, ns: its thread is the first one that has the program's name, after that of `main`."""
+def sample(process: int, seconds: float, costs: multiprocessing.Queue) -> None:
+    """Puts the processor times of the loop's cycles, ns. The loop is the first thread that has the program's name, after `main`."""
     tasks = sorted(Path(f"/proc/{process}/task").iterdir(), key=lambda task: int(task.name))
     name = (tasks[0] / "comm").read_text()
     loop = next(task for task in tasks[1:] if (task / "comm").read_text() == name)
-    return int((loop / "schedstat").read_text().split()[0])
+    asleep, end = [], time.monotonic() + seconds
+    while time.monotonic() < end:
+        # Between two cycles the loop sleeps, and its time stands still.
+        if (loop / "stat").read_text().rsplit(")", 1)[1].split()[0] == "S":
+            used = int((loop / "schedstat").read_text().split()[0])
+            if not asleep or used != asleep[-1]:
+                asleep.append(used)
+        time.sleep(0.002)
+    costs.put(sorted(after - before for before, after in pairwise(asleep)))
 
 
 def message(kind: str) -> type:
@@ -28,7 +38,7 @@ def message(kind: str) -> type:
     return getattr(importlib.import_module(f"{package}.msg"), name)
 
 
-def measure(nodes: int, seconds: float, arguments: list[str]) -> float:
+def measure(nodes: int, seconds: float, arguments: list[str]) -> None:
     with Robot(PROGRAM, *arguments) as robot:
         peers = [Peer(f"measure_{index}") for index in range(nodes)]
         time.sleep(3.0)
@@ -38,17 +48,19 @@ def measure(nodes: int, seconds: float, arguments: list[str]) -> float:
                 if not kind.startswith("tf2_msgs"):
                     peer.listen(topic, message(kind), SENSOR)
         time.sleep(2.0)
-        begin = loop_time(robot.process.pid)
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
+        queue: multiprocessing.Queue = multiprocessing.get_context("spawn").Queue()
+        sampler = multiprocessing.get_context("spawn").Process(target=sample, args=(robot.process.pid, seconds, queue))
+        sampler.start()
+        while sampler.is_alive():
             for peer in peers:
                 peer.executor.spin_once(timeout_sec=0.0)
             time.sleep(0.001)
-        used = loop_time(robot.process.pid) - begin
+        costs = queue.get(timeout=1)
+        got = [sum(map(len, peer.got.values())) for peer in peers]
         for peer in peers:
             peer.close()
-        print(f"{nodes} nodes: {used / seconds * 1e-3:.0f} µs of processor time in a second")
-        return used / seconds
+        median, worst = (costs[int(part * len(costs))] * 1e-3 for part in (0.5, 0.99))
+        print(f"{nodes} nodes: {len(costs)} cycles, median {median:.0f} µs, p99 {worst:.0f} µs; messages received: {got}")
 
 
 def main() -> None:
@@ -59,4 +71,5 @@ def main() -> None:
         measure(nodes, seconds, [*own, "--ros"])
 
 
-main()
+if __name__ == "__main__":
+    main()
