@@ -238,3 +238,11 @@ fn sessions_keep_ranges_speed_and_time() {
         play_long(name, 1..=1, |_| Body::default());
     }
 }
+
+#[test]
+fn a_walk_ends_by_itself_in_a_room_without_forces() {
+    for text in ["walk forward 0.3 m", "walk backward 0.2 m", "walk left 0.2 m", "turn right 60"] {
+        let mut test = start(&format!("{text}\nwait walk at most 30 s"), Body::default());
+        test.reaches::<Session>("finished", ms(15_000));
+    }
+}
