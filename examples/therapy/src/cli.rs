@@ -101,12 +101,12 @@ pub fn run() -> ExitCode {
 /// Replaces `play FILE` by the command and the option of a run, and with `--page` by those of the page.
 fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<_> = given.collect();
-    if arguments.get(1).is_some_and(|command| command == "play") && arguments.len() > 2 {
-        let mut session = OsString::from("session=");
-        session.push(&arguments[2]);
+    if arguments.get(1).is_some_and(|command| command == "play") {
         let page = arguments.iter().position(|argument| argument == "--page");
         let command = if page.map(|at| arguments.remove(at)).is_some() { "monitor" } else { "run" };
-        arguments.splice(1..3, [command.into(), OsString::from("--option"), session]);
+        let mut session = OsString::from("session=");
+        arguments.get(2).into_iter().for_each(|file| session.push(file));
+        arguments.splice(1..arguments.len().min(3), [command.into(), OsString::from("--option"), session]);
         if command == "monitor" {
             arguments.extend(["--option", "start=false"].map(OsString::from));
         }
@@ -146,8 +146,7 @@ fn print(text: &str) -> Result<Outcome, Failure> {
 
 fn check(file: &Path) -> Result<Outcome, Failure> {
     let script = open(file)?;
-    let (steps, sounds) = (script.steps.len(), script.clips.len());
-    print(&format!("{}: {steps} steps, {sounds} sounds, no errors", file.display()))
+    print(&format!("{}: {} steps, {} sounds, no errors", file.display(), script.steps.len(), script.clips.len()))
 }
 
 fn new(file: &Path) -> Result<Outcome, Failure> {
@@ -160,9 +159,8 @@ fn new(file: &Path) -> Result<Outcome, Failure> {
 fn run_judge(folder: &Path, rate: f32, json: bool) -> Result<Outcome, Failure> {
     // Recordings have no times, so their tempo is not known.
     let judging = Judging { tempo: 0.0, ..Judging::DEFAULT };
-    let judged = judge::judge(folder, rate, &judging)?;
     let console = Console::new(json);
-    for each in &judged {
+    for each in &judge::judge(folder, rate, &judging)? {
         if json {
             console.print_json_line(each)?;
         } else {

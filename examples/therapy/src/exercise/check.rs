@@ -58,11 +58,9 @@ impl ExerciseCheck {
         if !is_new && self.waited < tuned.age {
             return;
         }
-        let posture =
-            pose.skeleton.as_ref().filter(|_| is_new).and_then(|skeleton| Posture::of(skeleton, tuned.confidence));
-        let dt = core::mem::replace(&mut self.waited, 0.0);
-        self.taken = pose.number;
-        self.take(posture.as_ref(), dt, tuned);
+        let posture = Posture::of(pose.skeleton.as_ref().filter(|_| is_new), tuned.confidence);
+        self.take(posture.as_ref(), self.waited, tuned);
+        (self.taken, self.waited) = (pose.number, 0.0);
     }
 
     fn take(&mut self, posture: Option<&Posture>, dt: f32, judging: &Judging) {

@@ -55,8 +55,7 @@ impl Counter {
     /// Takes trunk and arm, `dt` seconds after the previous ones. Returns a repetition that has ended.
     pub(crate) fn push(&mut self, seen: Option<Seen>, dt: f32) -> Option<Repetition> {
         self.samples.push(seen, dt);
-        let Seen { arm, .. } = seen?;
-        let angle = self.reference.angle(arm);
+        let angle = self.reference.angle(seen?.arm);
         let smooth = self.smooth.map_or(angle, |old| old + (1.0 - libm::expf(-dt / SMOOTHING)) * (angle - old));
         self.low = if self.smooth.is_none() { smooth } else { self.low };
         self.smooth = Some(smooth);

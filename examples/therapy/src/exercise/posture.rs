@@ -29,7 +29,8 @@ const SHOULDERS: [Point; 2] = [Point::LeftShoulder, Point::RightShoulder];
 
 impl Posture {
     /// Computes the directions from the points with at least this confidence, 0 to 1; `None` if the trunk is not seen.
-    pub(crate) fn of(skeleton: &Skeleton, confidence: f32) -> Option<Self> {
+    pub(crate) fn of(skeleton: Option<&Skeleton>, confidence: f32) -> Option<Self> {
+        let skeleton = skeleton?;
         let sure = |points: &[Point]| skeleton.is_sure(points, confidence);
         if !(sure(&UPPER) && sure(&LOWER) && sure(&SHOULDERS)) {
             return None;

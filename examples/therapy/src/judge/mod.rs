@@ -67,8 +67,7 @@ fn recordings(folder: &Path) -> Result<Vec<(PathBuf, String)>, Failure> {
     let paths = cli::files(folder, "give a folder with the folders `correct` and `incorrect`")?;
     let named = paths.into_iter().filter_map(|path| {
         let name = path.file_name()?.to_str()?;
-        let (group, _) = name.split_once("_positions.txt")?.0.rsplit_once("_e")?;
-        let group = group.to_owned();
+        let group = name.split_once("_positions.txt")?.0.rsplit_once("_e")?.0.to_owned();
         Some((path, group))
     });
     Ok(named.collect())
@@ -87,8 +86,7 @@ fn learn(examples: &[Recording], rate: f32, judging: &Judging) -> Option<Example
     let mut learner = Learner::new();
     for example in examples {
         for skeleton in example {
-            let posture = skeleton.as_ref().and_then(|skeleton| Posture::of(skeleton, judging.confidence));
-            learner.push(posture.as_ref(), 1.0 / rate);
+            learner.push(Posture::of(skeleton.as_ref(), judging.confidence).as_ref(), 1.0 / rate);
         }
         learner.finish();
     }
@@ -101,7 +99,7 @@ fn verdict(skeletons: &[Option<Skeleton>], rate: f32, example: &Example, judging
     let mut repetitions = Vec::new();
     let mut seen = 0;
     for skeleton in skeletons {
-        let posture = skeleton.as_ref().and_then(|skeleton| Posture::of(skeleton, judging.confidence));
+        let posture = Posture::of(skeleton.as_ref(), judging.confidence);
         let side = posture.and_then(|posture| posture.side(example.arm));
         seen += usize::from(side.is_some());
         repetitions.extend(counter.push(side, 1.0 / rate));

@@ -8,8 +8,10 @@ use bica_body::{
     random::Random,
 };
 use bica_motion::joints::{JOINTS, Joints};
+use bica_motion::kinematics::sole;
 use bica_motion::model::Nao;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
+use bica_motion::side::Side;
 #[cfg(feature = "mujoco")]
 use bica_motion::{pose::Pose2, robot};
 
@@ -20,6 +22,8 @@ use crate::robot::Command;
 const COOL: f32 = 38.0;
 /// Force of a standing robot on a sensor of a sole, N.
 const LOAD: f32 = 6.5;
+/// Height above the other sole from which a foot bears nothing, m: without it the odometry would not see steps.
+const SWING: f32 = 0.002;
 
 /// A body.
 pub(super) enum Body {
@@ -70,14 +74,18 @@ impl Body {
             #[cfg(feature = "mujoco")]
             Self::Forces(humanoid) => return humanoid.sensors(),
         };
-        let foot = FootPressure { front_left: LOAD, front_right: LOAD, rear_left: LOAD, rear_right: LOAD };
+        let [left, right] = Side::BOTH.map(|side| sole::<Nao>(side, &angles).translation.z);
+        let foot = |higher: f32| {
+            let load = if higher > SWING { 0.0 } else { LOAD };
+            FootPressure { front_left: load, front_right: load, rear_left: load, rear_right: load }
+        };
         Sensors {
             angles,
             temperatures: Joints([COOL; JOINTS]),
             currents: Joints([0.0; JOINTS]),
             inertial: Inertial { pitch: if fallen { 1.5 } else { 0.0 }, ..Inertial::default() },
-            left_foot: foot,
-            right_foot: foot,
+            left_foot: foot(left - right),
+            right_foot: foot(right - left),
             buttons: Buttons::default(),
             image: None,
         }
@@ -85,15 +93,15 @@ impl Body {
 
     /// Executes a command for a cycle. Returns whether the robot falls.
     pub(super) fn act(&mut self, command: &Command) -> bool {
-        let Command { targets, .. } = *command;
         match self {
             Self::Ideal { angles, .. } => {
-                *angles = angles.moved_toward::<Nao>(&targets, 0.01);
+                *angles = angles.moved_toward::<Nao>(&command.targets, 0.01);
                 false
             }
             #[cfg(feature = "mujoco")]
             Self::Forces(humanoid) => {
-                let command = robot::Command { stiffness: command.stiffness, ..robot::Command::new(targets, 1.0) };
+                let command =
+                    robot::Command { stiffness: command.stiffness, ..robot::Command::new(command.targets, 1.0) };
                 matches!(humanoid.act(&command), Some(Posture::Down(_)))
             }
         }

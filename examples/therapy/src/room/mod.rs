@@ -172,7 +172,10 @@ impl World<Therapist> for Room {
             self.log.push(format!("{seconds:8.2} s  the robot falls"));
         }
         if command.sound != self.sound {
-            self.log.push(format!("{seconds:8.2} s  {:?}", command.sound));
+            let Sounding { speech, music, volume } = command.sound;
+            let [speech, music] =
+                [speech, music].map(|clip| clip.map_or("none".to_owned(), |clip| format!("sound {}", clip + 1)));
+            self.log.push(format!("{seconds:8.2} s  speech: {speech}, music: {music}, volume {:.0} %", 100.0 * volume));
         }
         self.sound = command.sound;
         if let Some(Err(error)) = self.player.as_mut().map(|player| player.play(command.sound)) {

@@ -76,12 +76,10 @@ impl Builder {
         let number = self.script.clips.len();
         self.script.clips.push(clip);
         self.script.places.push(at);
-        self.push(step(number as u16))?;
         if number == MOST_CLIPS {
-            Err(self.wrong(format!("the script has more than {MOST_CLIPS} sounds")))
-        } else {
-            Ok(())
+            return Err(self.wrong(format!("the script has more than {MOST_CLIPS} sounds")));
         }
+        self.push(step(number as u16))
     }
 
     pub(super) fn place(&mut self, name: &str, at: Place) -> Result<(), Problem> {

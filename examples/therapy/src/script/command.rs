@@ -150,6 +150,6 @@ fn wait(script: &mut Builder, line: &mut Line<'_>) -> Result<(), Problem> {
 
 /// Reads the time limit, which each wait must have.
 fn at_most(line: &mut Line<'_>) -> Result<f32, Problem> {
-    line.expect(&["at", "most"])?;
+    line.expect(&["at", "most"]).map_err(|_| line.wrong("a time limit", &["at most 20 s"]))?;
     line.measure("a time in seconds", 0.1..=LONGEST, "s")
 }

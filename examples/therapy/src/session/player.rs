@@ -148,8 +148,7 @@ impl Session {
 
     #[transition(running | waiting | exercising -> paused)]
     fn is_paused(&self, signals: &Signals, guard: &Guard) -> bool {
-        let chest = Signal::Chest;
-        let pressed = self.awaited() != Some(chest) && signals.begins(chest);
+        let pressed = self.awaited() != Some(Signal::Chest) && signals.begins(Signal::Chest);
         self.heard == Some(Wish::Pause) || pressed || guard.trouble().is_some()
     }
 

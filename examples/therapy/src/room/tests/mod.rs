@@ -68,40 +68,40 @@ fn has_fallen(test: &Test) -> bool {
 }
 
 /// Asserts that a stop holds for so many ms: from 200 ms on nothing sounds and no target changes, and from 500 ms on joints are slower
-/// than 5 °/s and the robot stands. Returns the largest speed from then on, °/s.
-fn assert_stops(test: &mut Test, still: u64) -> f32 {
+/// than 5 °/s and the robot stands. Returns the largest speed from then on, °/s. `about` names the stop in a failure.
+fn assert_stops(test: &mut Test, still: u64, about: &str) -> f32 {
     test.run_for(ms(200));
     let (targets, mut fastest) = (*test.tree().get::<Motors>().targets(), 0.0_f32);
     for cycle in 20..still / 10 {
         let before = angles(test);
         test.cycle();
         let Sounding { speech, music, .. } = test.world().sound;
-        assert_eq!((test.state::<Session>(), speech, music), (Some("stopped"), None, None));
-        assert!(way(&targets, test.tree().get::<Motors>().targets()) < 1e-3, "{cycle}");
+        assert_eq!((test.state::<Session>(), speech, music), (Some("stopped"), None, None), "{about}");
+        assert!(way(&targets, test.tree().get::<Motors>().targets()) < 1e-3, "{about}: {cycle}");
         fastest = if cycle < 50 { 0.0 } else { fastest.max(100.0 * way(&before, &angles(test))) };
     }
-    assert!(fastest < 5.0 && !has_fallen(test), "{fastest} °/s");
+    assert!(fastest < 5.0 && !has_fallen(test), "{about}: {fastest} °/s, fell: {}", has_fallen(test));
     fastest
 }
 
 /// Stops lively sessions at random instants, and lets them go on. Returns how often each state was stopped, and a walk.
 fn stop_at_random(seeds: RangeInclusive<u64>, stops: u32, body: impl Fn(u64) -> Body) -> BTreeMap<&'static str, u32> {
-    let (mut random, mut seen, mut fastest) = (Random::new(29, 2_u64), BTreeMap::new(), 0.0_f32);
+    let (mut seen, mut fastest) = (BTreeMap::new(), 0.0_f32);
     for seed in seeds.clone() {
-        let mut test = start(LIVELY, body(seed));
+        let (mut random, mut test) = (Random::new(seed, 29_u64), start(LIVELY, body(seed)));
         for stop in 0..stops {
             let longest = if stop % 4 == 0 { 40_000.0 } else { 2000.0 };
             test.run_for(ms(random.between(20.0, longest) as u64));
             let walking = test.tree().get::<Walk>().is_walking().then_some("walking");
-            for state in test.state::<Session>().into_iter().chain(walking) {
-                *seen.entry(state).or_default() += 1;
-            }
+            let state = test.state::<Session>();
+            state.into_iter().chain(walking).for_each(|state| *seen.entry(state).or_default() += 1);
+            let about = format!("seed {seed}, stop {stop}, {:?}, {state:?}, {walking:?}", test.now());
             match stop % 2 {
                 0 => wish(&mut test, Session::stop),
                 // The bumper that is not waited for.
                 _ => test.world_mut().press(Signal::Right, 0.2),
             }
-            fastest = fastest.max(assert_stops(&mut test, 700));
+            fastest = fastest.max(assert_stops(&mut test, 700, &about));
             if test.tree().get::<Session>().plan.step().is_none() {
                 test = start(LIVELY, body(seed));
                 continue;
@@ -141,7 +141,7 @@ fn stop_holds_in_every_state_and_against_every_button() {
         test.reaches::<Session>("stopped", ms(50));
         for button in [Signal::Chest, Signal::Head, Signal::Left] {
             test.world_mut().press(button, 0.5);
-            assert_stops(&mut test, 2000);
+            assert_stops(&mut test, 2000, state);
         }
         test.world_mut().press(Signal::Chest, 2.5);
         test.stays::<Session>("stopped", ms(1900));
@@ -223,7 +223,7 @@ fn troubles_pause_or_stop_and_only_a_person_lets_it_go_on() {
     test.world_mut().push_over(true);
     test.reaches::<Session>("stopped", ms(50));
     test.world_mut().push_over(false);
-    assert_stops(&mut test, 3000);
+    assert_stops(&mut test, 3000, "after a fall");
     wish(&mut test, Session::go_on);
     test.reaches::<Session>("waiting", ms(100));
     test.tree_mut().get_mut::<Guard>().page_is_here();
@@ -236,5 +236,13 @@ fn troubles_pause_or_stop_and_only_a_person_lets_it_go_on() {
 fn sessions_keep_ranges_speed_and_time() {
     for name in ["physiotherapy", "music", "language"] {
         play_long(name, 1..=1, |_| Body::default());
+    }
+}
+
+#[test]
+fn a_walk_ends_by_itself_in_a_room_without_forces() {
+    for text in ["walk forward 0.3 m", "walk backward 0.2 m", "walk left 0.2 m", "turn right 60"] {
+        let mut test = start(&format!("{text}\nwait walk at most 30 s"), Body::default());
+        test.reaches::<Session>("finished", ms(15_000));
     }
 }

@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use crate::page::{LIMIT, Page, press};
 
 /// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press. `pressed` waits
-/// for its end, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a page may move
-/// between the look and the press. The time is for controls that are gone before the button is released. `happened` has the events of
-/// the page, for a story that fails.
+/// until the button is released, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a
+/// page may move between the look and the press. Scripts of a story click too (`GOES_ON`), which is no press. `happened` has the events
+/// of the page, for a story that fails.
 const AIM: &str = r"
 const [one] = arguments;
 one.scrollIntoView({ block: 'nearest' });
@@ -21,7 +21,7 @@ const before = place();
 if (!window.happened) {
   window.happened = [];
   const name = (target) => target.nodeName && `${target.nodeName} ${target.getAttribute?.('aria-label') ?? target.textContent?.slice(0, 20)}`;
-  const note = ({ type, target, newState, key }) => window.happened.push([performance.now() | 0, type, name(target), newState ?? key].join(' '));
+  const note = ({ type, target, newState, key, isTrusted }) => window.happened.push([performance.now() | 0, isTrusted ? type : `${type} by a script`, name(target), newState ?? key].join(' '));
   [...kinds, 'keydown', 'submit', 'beforetoggle', 'cancel', 'close'].forEach((kind) => window.addEventListener(kind, note, true));
 }
 return frame().then(frame).then(() => {
@@ -29,19 +29,23 @@ return frame().then(frame).then(() => {
   const top = document.elementFromPoint(x + width / 2, y + height / 2);
   if (String(place()) !== String(before) || one.disabled || !one.contains(top)) return false;
   let captured = false;
-  let missed = false;
+  let hit = false;
   let ended;
   const end = new Promise((done) => { ended = done; });
   const check = (event) => {
-    if (event.type === 'gotpointercapture') captured = true;
-    else if (event.type === 'pointerdown' || (event.type === 'click' && !captured)) missed ||= !one.contains(event.target);
-    if (missed) { event.preventDefault(); event.stopImmediatePropagation(); }
-    if (event.type === 'click') ended();
+    const { type, target, isTrusted } = event;
+    if (!isTrusted) return;
+    if (type === 'gotpointercapture') captured = true;
+    else if (type === 'pointerdown') hit = one.contains(target);
+    else if (type === 'click' && !captured) hit &&= one.contains(target);
+    if (!hit) { event.preventDefault(); event.stopImmediatePropagation(); }
+    // The click follows in the same task, unless the control is gone.
+    if (type === 'pointerup') setTimeout(ended);
   };
   kinds.forEach((kind) => window.addEventListener(kind, check, true));
-  window.pressed = () => Promise.race([end, new Promise((done) => setTimeout(done, 1000))]).then(() => {
+  window.pressed = () => Promise.race([end, new Promise((done) => setTimeout(done, 10e3))]).then(() => {
     kinds.forEach((kind) => window.removeEventListener(kind, check, true));
-    return !missed;
+    return hit;
   });
   return true;
 });
