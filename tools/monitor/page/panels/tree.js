@@ -10,6 +10,9 @@ import { LOW, TALL, drawBox, widthsOf } from './tree/boxes.js';
 import { placed } from './tree/places.js';
 import { wired } from './tree/wires.js';
 
+/** Least scale of a drawing that is shown whole. */
+const READABLE = 0.8;
+
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
   if (folded.size === 0) return new Set();
@@ -44,8 +47,8 @@ export function Tree({ visible }) {
   }
   if (!kinds?.length) return html`<${Empty} what="This tree is too large to draw" help="Use the search of the timeline, and the component tabs." />`;
   const found = description.components.filter((component) => matches(component, search.value)).length;
-  const fit = () => { box.value = null; };
-  const zoom = (factor) => { box.value = zoomed(box.value ?? whole(drawing), factor, 0.5, 0.5); };
+  const fit = () => { box.value = [0, 0, drawing.width, drawing.height]; };
+  const zoom = (factor) => { box.value = zoomed(box.value ?? first(drawing, size.value), factor, 0.5, 0.5); };
   return html`<${Bar} label="Activation tree">
       <input ref=${field} type="search" placeholder="Search ( / )" aria-label="Search components" value=${search.value} onInput=${(event) => { search.value = event.target.value; }}
         onKeyDown=${(event) => event.key === 'Enter' && openFirst(description, search)} />
@@ -81,7 +84,8 @@ function Holds({ shown }) {
 const matches = (component, text) => component.name.toLowerCase().includes(text.toLowerCase().trim());
 /** The text of a search, or an empty one if no component matches. */
 const foundAny = ({ components }, text) => (components.some((component) => matches(component, text)) ? text : '');
-const whole = (drawing) => [0, 0, drawing.width, drawing.height];
+/** What is shown first: all, or the upper part if nothing could be read otherwise. */
+const first = ({ width, height }, [wide, tall]) => [0, 0, width, tall / height < READABLE ? Math.min(height, (width * tall) / wide) : height];
 
 /** Opens the first component that is found; the search ends then. */
 function openFirst(description, search) {
@@ -104,7 +108,7 @@ function Counts({ shown }) {
 function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded, box, size, visible }) {
   const svg = useRef(null);
   const links = useMemo(() => description.components.flatMap((component, from) => component.links.map((one) => ({ from, ...one }))), [description]);
-  const [x, y, width, height] = box.value ?? whole(drawing);
+  const [x, y, width, height] = box.value ?? first(drawing, size.value);
 
   useEffect(() => {
     const observer = new ResizeObserver(([{ contentRect }]) => {
@@ -147,12 +151,12 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
   const wheel = (event) => {
     event.preventDefault();
     const bounds = svg.current.getBoundingClientRect();
-    box.value = zoomed(box.value ?? whole(drawing), event.deltaY > 0 ? 1.15 : 1 / 1.15, (event.clientX - bounds.x) / bounds.width, (event.clientY - bounds.y) / bounds.height);
+    box.value = zoomed(box.value ?? first(drawing, size.value), event.deltaY > 0 ? 1.15 : 1 / 1.15, (event.clientX - bounds.x) / bounds.width, (event.clientY - bounds.y) / bounds.height);
   };
   const drag = (event) => {
     if (event.target.closest('.component') || event.button !== 0) return;
     const start = [event.clientX, event.clientY];
-    const from = box.value ?? whole(drawing);
+    const from = box.value ?? first(drawing, size.value);
     const scale = from[2] / svg.current.clientWidth;
     const move = (moved) => { box.value = [from[0] - (moved.clientX - start[0]) * scale, from[1] - (moved.clientY - start[1]) * scale, from[2], from[3]]; };
     svg.current.setPointerCapture(event.pointerId);

@@ -197,7 +197,8 @@ function drawEvents(context, view, shown) {
   let free = LABELS;
   textStyle(context, '--dim');
   context.fillText('Events', 8, y);
-  for (const { time_us, source, text: full } of events(shown)) {
+  const all = events(shown);
+  for (const [index, { time_us, source, text: full }] of all.entries()) {
     const noted = source === 'note' ? spanOf(full) : null;
     const text = noted?.text ?? full;
     const x = noted ? Math.max(view.x(noted.begin), LABELS) : view.x(time_us);
@@ -211,8 +212,10 @@ function drawEvents(context, view, shown) {
     context.fillRect(x, room + EVENTS - 2, right - x, 2);
     if (x >= free) {
       context.fillStyle = colour;
-      context.fillText(text, x + 4, y);
-      free = x + 12 + context.measureText(text).width;
+      // It ends before the next line.
+      const fits = shortened(context, text, Math.min(view.x(all[index + 1]?.time_us ?? Infinity), view.width) - x - 8);
+      context.fillText(fits, x + 4, y);
+      free = x + 12 + context.measureText(fits).width;
     }
   }
 }

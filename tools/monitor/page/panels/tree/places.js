@@ -10,11 +10,13 @@ const SWEEPS = 8;
  * box is at most `tall`. The drawing is as large as the panel, and larger if its boxes need more.
  */
 export function placed(components, widths, [panelWidth, panelHeight], { low, tall }) {
-  const rows = rowsOf(components, widths);
-  sortRows(rows, components);
-  const needed = Math.max(...rows.map((row) => row.reduce((sum, index) => sum + widths[index] + LEAST, -LEAST))) + 2 * MARGIN;
-  const width = Math.max(panelWidth, needed);
-  const height = Math.max(panelHeight, rows.length * (low + CORRIDOR) - CORRIDOR + 2 * MARGIN);
+  const deep = rowsOf(components, widths);
+  sortRows(deep, components);
+  // Text is as large as the panel allows: a row that is wider than it becomes several.
+  const { rows, width, height } = [deep, broken(deep, widths, panelWidth - 2 * MARGIN)].map((some) => {
+    const size = [Math.max(...some.map((row) => lengthOf(row, widths))) + 2 * MARGIN, some.length * (low + CORRIDOR) - CORRIDOR + 2 * MARGIN];
+    return { rows: some, width: Math.max(panelWidth, size[0]), height: Math.max(panelHeight, size[1]), scale: Math.min(panelWidth / size[0], panelHeight / size[1], 1) };
+  }).reduce((one, other) => (other.scale > one.scale ? other : one));
   const pitch = (height - 2 * MARGIN) / rows.length;
   const boxHeight = Math.max(low, Math.min(tall, pitch - 3 * CORRIDOR));
   const step = rows.length > 1 ? (height - 2 * MARGIN - boxHeight) / (rows.length - 1) : 0;
@@ -23,6 +25,17 @@ export function placed(components, widths, [panelWidth, panelHeight], { low, tal
   rows.forEach((row, number) => row.forEach((index) => Object.assign(boxes[index], { row: number, y: MARGIN + boxHeight / 2 + number * step })));
   return { boxes, rows, width, height };
 }
+
+/** The length of a row with the least distances. */
+const lengthOf = (row, widths) => row.reduce((sum, index) => sum + widths[index] + LEAST, -LEAST);
+
+/** The rows, broken where they are longer than the room; no link joins two boxes of one row. */
+const broken = (rows, widths, room) => rows.flatMap((row) => row.reduce((parts, index) => {
+  const part = parts.at(-1);
+  if (part.length > 0 && lengthOf([...part, index], widths) > room) parts.push([index]);
+  else part.push(index);
+  return parts;
+}, [[]]));
 
 const targets = ({ links }) => [...new Set(links.map(({ to }) => to))];
 

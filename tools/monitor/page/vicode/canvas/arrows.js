@@ -3,6 +3,9 @@
 /** Distance of neighbouring curves between the same states, points. */
 const APART = 46;
 const LOOP = 30;
+/** Places on a curve where its name may stand, the best first, and their distances below it, points. */
+const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8, 0.14, 0.86];
+const BELOW = [0, -12, 12, -24, 24, -36, 36];
 
 /** Groups of arrows between the same two states, whatever their direction. */
 export function lanes(arrows) {
@@ -33,6 +36,12 @@ function border({ x, y, width, height }, [px, py], gap = 0) {
 }
 
 const at = (a, c, b, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t * b[0], (1 - t) ** 2 * a[1] + 2 * t * (1 - t) * c[1] + t * t * b[1]];
+
+/** Where the name of a course may stand, the best first. */
+export const placesOf = ({ start, control, end, label, others = [] }) => (!control ? [label, ...others] : BELOW.flatMap((below) => ALONG.map((t) => {
+  const [x, y] = at(start, control, end, t);
+  return [x, y + below];
+})));
 
 /** How many points of a curve lie in boxes that it does not join. */
 function hits(a, c, b, boxes, from, to) {
@@ -80,7 +89,7 @@ export function courseOf(arrow, lane, box, boxes) {
     const [x, y] = [to.x + to.width / 2, to.y];
     const reach = LOOP + lane.index * 26;
     const half = 9 + lane.index * 6;
-    return { d: `M${x + 1} ${y - half}C${x + reach * 1.4} ${y - half - 12} ${x + reach * 1.4} ${y + half + 12} ${x + 7} ${y + half}`, label: [x + reach + 8, y - 2 + lane.index * 30], anchor: 'start', start: [x, y - half] };
+    return { d: `M${x + 1} ${y - half}C${x + reach * 1.4} ${y - half - 12} ${x + reach * 1.4} ${y + half + 12} ${x + 7} ${y + half}`, label: [x + reach + 8, y - 2 + lane.index * 30], others: [-23, 12].map((away) => [x - 20, y + Math.sign(away) * to.height / 2 + away]), anchor: 'start', start: [x, y - half] };
   }
   const from = box(arrow.from);
   const length = Math.hypot(to.x - from.x, to.y - from.y);
@@ -94,7 +103,7 @@ export function courseOf(arrow, lane, box, boxes) {
     if (best.hits === 0) break;
   }
   const { a, b, c } = best;
-  return { d: path(a, c, b), label: at(a, c, b, 0.5), anchor: 'middle', start: a, control: c, end: b };
+  return { d: path(a, c, b), anchor: 'middle', start: a, control: c, end: b };
 }
 
 /** A curve from a box to a free point, while a transition is drawn. */

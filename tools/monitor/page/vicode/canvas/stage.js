@@ -2,28 +2,28 @@
 
 import { signal } from '../../lib/dom.js';
 import { WIDTH, boxOf, bounds } from './boxes.js';
-import { courseOf, lanes } from './arrows.js';
+import { courseOf, lanes, placesOf } from './arrows.js';
 import { labelWidth } from './labels.js';
 import { Lifted } from './lifted.js';
 import { laidOut } from './notes.js';
 import { ALL, NAMES, arranged } from './rows.js';
 import { View } from './view.js';
 
-/** Places on a curve where its name may stand, the best first. */
-const ALONG = [0.5, 0.42, 0.58, 0.34, 0.66, 0.27, 0.73, 0.2, 0.8, 0.14, 0.86];
 /** Least width that is kept free for the live text below a name, and the height of both, points. */
 const [LIVE, TALL] = [96, 30];
 
 const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
-/** The area of a rectangle that others cover. */
-function covered(area, others) {
+/** The area of a rectangle that others cover, at most about `most`. */
+function covered(area, others, most) {
   let sum = 0;
   for (const one of others) {
+    if (sum >= most) break;
     if (one.left < area.right && one.right > area.left && one.top < area.bottom && one.bottom > area.top) sum += overlap(area, one);
   }
   return sum;
 }
-const along = ({ start: a, control: c, end: b }, t) => [(1 - t) ** 2 * a[0] + 2 * t * (1 - t) * c[0] + t * t * b[0], (1 - t) ** 2 * a[1] + 2 * t * (1 - t) * c[1] + t * t * b[1]];
+/** Names with the fewest possible places are placed first. */
+const rank = ({ any, from, to }) => (any ? 0 : from === to ? 1 : 2);
 const boxRect = ({ x, y, width, height }) => ({ left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 });
 
 /** Number of states above which an automatic drawing begins with names only. */
@@ -85,21 +85,18 @@ class Stage {
   /** Puts names where they cover neither boxes nor each other. */
   placeLabels(all) {
     const taken = all.map(boxRect);
-    for (const arrow of this.arrows) {
+    for (const arrow of this.arrows.toSorted((a, b) => rank(a) - rank(b))) {
       const course = this.courses.get(arrow.key);
       const width = Math.max(labelWidth(arrow), LIVE);
       const rect = ([x, y]) => {
         const left = course.anchor === 'start' ? x : x - width / 2;
         return { left, right: left + width, top: y - 9, bottom: y - 9 + TALL };
       };
-      if (course.control) {
-        let least = Infinity;
-        for (const t of ALONG) {
-          const cost = covered(rect(along(course, t)), taken);
-          if (cost < least) [least, course.t] = [cost, t];
-          if (cost === 0) break;
-        }
-        course.label = along(course, course.t);
+      let least = Infinity;
+      for (const [number, place] of placesOf(course).entries()) {
+        const cost = covered(rect(place), taken, least);
+        if (cost < least) [least, course.label, course.named] = [cost, place, number];
+        if (cost === 0) break;
       }
       taken.push(rect(course.label));
     }
@@ -146,11 +143,11 @@ class Stage {
     this.anchor = null;
   }
 
-  /** The places of all states of an automatic drawing after some were moved, apart enough for whole boxes; the view stays. */
+  /** The places of all states of an automatic drawing after some were moved, apart enough for whole boxes and the names between them; the view stays. */
   fixed(places) {
     const all = this.all();
     const height = new Map(this.machine.states.map((state) => [state.name, boxOf(state).height]));
-    const needed = (a, b) => Math.min((WIDTH + 24) / Math.abs(a.x - b.x), ((height.get(a.name) + height.get(b.name)) / 2 + 24) / Math.abs(a.y - b.y));
+    const needed = (a, b) => Math.min((WIDTH + LIVE) / Math.abs(a.x - b.x), ((height.get(a.name) + height.get(b.name)) / 2 + 1.6 * TALL) / Math.abs(a.y - b.y));
     // What was moved may lie on another one.
     const still = all.filter(({ name }) => !places[name]);
     const factor = still.reduce((most, a, at) => still.slice(at + 1).reduce((more, b) => Math.max(more, needed(a, b)), most), 1);
@@ -183,9 +180,9 @@ class Stage {
     }
     for (const arrow of this.arrows) {
       if (!(arrow.from in places) && !(arrow.to in places)) continue;
-      const { t = 0.5 } = this.courses.get(arrow.key);
+      const { named } = this.courses.get(arrow.key);
       const course = this.course(arrow, all);
-      if (course.control) course.label = along(course, (course.t = t));
+      [course.label, course.named] = [placesOf(course)[named], named];
       this.courses.set(arrow.key, course);
       writeArrow(shown(arrow.key), this.labels.get(arrow.key), course);
     }
