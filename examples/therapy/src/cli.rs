@@ -150,9 +150,8 @@ fn check(file: &Path) -> Result<Outcome, Failure> {
 }
 
 fn new(file: &Path) -> Result<Outcome, Failure> {
-    let created = fs::File::create_new(file).and_then(|mut made| made.write_all(EXAMPLE.as_bytes()));
-    created
-        .map_err(|error| Failure::of_path("create", file, &error, "choose another name, in a folder that exists"))?;
+    let failed = |error| Failure::of_path("create", file, &error, "choose another name, in a folder that exists");
+    fs::File::create_new(file).and_then(|mut made| made.write_all(EXAMPLE.as_bytes())).map_err(failed)?;
     print(&format!("{}: change it, then run `therapy check` on it", file.display()))
 }
 

@@ -102,8 +102,7 @@ mod tests {
 
     #[test]
     fn texts_are_spoken_in_their_language_or_stay_texts_without_the_program() {
-        let mut script =
-            Script::parse("say \"- Hello.\"\nsay \"Guten Morgen, wie geht es?\" in de").expect("a right script");
+        let mut script = Script::parse("say \"- Hello.\"\nsay \"Guten Morgen, wie geht es?\" in de").expect("a script");
         let (folder, silent) = (Folder::new("speech"), script.clone());
         assert!(speak(&mut script, folder.path(), "no-such-program").is_err() && script == silent);
         let spoken = speak(&mut script, folder.path(), "espeak-ng");

@@ -109,10 +109,8 @@ fn verdict(skeletons: &[Option<Skeleton>], rate: f32, example: &Example, judging
         let not_seen = (seen as f32) < judging.seen * skeletons.len() as f32 || seen == 0;
         return (Reasons { not_seen, too_low: !not_seen, ..Reasons::default() }, 0);
     }
-    let judged: Vec<_> =
-        repetitions.iter().map(|repetition| (judging.judge(example, repetition), repetition.seconds)).collect();
-    let time =
-        |of: Verdict| judged.iter().filter(|(each, _)| each.verdict() == of).map(|(_, seconds)| seconds).sum::<f32>();
+    let judged: Vec<_> = repetitions.iter().map(|each| (judging.judge(example, each), each.seconds)).collect();
+    let time = |of| judged.iter().filter(|(each, _)| each.verdict() == of).map(|(_, seconds)| seconds).sum::<f32>();
     let all = [Verdict::Incorrect, Verdict::Correct, Verdict::CannotTell];
     let most = all.into_iter().max_by(|a, b| time(*a).total_cmp(&time(*b))).expect("three verdicts");
     let longest = judged.iter().filter(|(each, _)| each.verdict() == most).max_by(|a, b| a.1.total_cmp(&b.1));

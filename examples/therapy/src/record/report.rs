@@ -1,6 +1,6 @@
 //! A page about the records of a person.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, UNIX_EPOCH};
@@ -22,8 +22,7 @@ pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     let mut page =
         format!("<!doctype html><meta charset=\"utf-8\"><title>{code}</title><style>{STYLE}</style><h1>{code}</h1>\n");
     for file in files(folder, code)? {
-        let failed =
-            |error: &dyn std::fmt::Display| Failure::of_path("read", &file, error, "delete the file, or mend it");
+        let failed = |error: &dyn Display| Failure::of_path("read", &file, error, "delete the file, or mend it");
         let text = fs::read_to_string(&file).map_err(|error| failed(&error))?;
         let mut lines = text.lines();
         let head: Head = serde_json::from_str(lines.next().unwrap_or_default()).map_err(|error| failed(&error))?;

@@ -59,9 +59,8 @@ fn documentation_names_each_command_and_its_first_session_is_right() {
     let docs = include_str!("../../../../docs/therapy.md");
     let rows = docs.lines().skip_while(|line| *line != "| command | what it does |").skip(2);
     let rows: Vec<_> = rows.map_while(|line| line.strip_prefix("| ")?.split(" | ").next()).collect();
-    let named =
-        rows.iter().flat_map(|row| row.split('`').skip(1).step_by(2)).map(|line| line.replace("NAME", "arms_open"));
-    let named: Vec<_> = named.collect();
+    let quoted = rows.iter().flat_map(|row| row.split('`').skip(1).step_by(2));
+    let named: Vec<_> = quoted.map(|line| line.replace("NAME", "arms_open")).collect();
     let (_, problems) = build::build(&named.join("\n").replace("times", "times\nwait 1 s"));
     assert_eq!(problems, [], "{named:?}");
     let is_named = |verb| named.iter().any(|line| line.split(' ').next() == Some(verb));

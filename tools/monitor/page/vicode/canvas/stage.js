@@ -180,7 +180,7 @@ class Stage {
     }
     for (const arrow of this.arrows) {
       if (!(arrow.from in places) && !(arrow.to in places)) continue;
-      const { named } = this.courses.get(arrow.key);
+      const { named = 0 } = this.courses.get(arrow.key);
       const course = this.course(arrow, all);
       [course.label, course.named] = [placesOf(course)[named], named];
       this.courses.set(arrow.key, course);
