@@ -76,6 +76,7 @@ function selectArea(event) {
 function moveStates(event, names) {
   const begin = view.point(event);
   const before = Object.fromEntries(names.map((name) => [name, [stage.boxes.get(name).x, stage.boxes.get(name).y]]));
+  const courses = new Map(stage.courses);
   let frame = 0;
   let places = before;
   const write = () => {
@@ -93,7 +94,7 @@ function moveStates(event, names) {
     onEnd(one, moved) {
       cancelAnimationFrame(frame);
       stage.drop();
-      if (!moved || held.value) stage.drag(before);
+      if (!moved || held.value) stage.drag(before, courses);
       else {
         places = Object.fromEntries(names.map((name) => [name, snapped(places[name])]));
         stage.drag(places);

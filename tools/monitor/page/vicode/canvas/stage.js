@@ -169,8 +169,8 @@ class Stage {
     this.lifted = null;
   }
 
-  /** Moves boxes in the drawing only: {name: [x, y]}. */
-  drag(places) {
+  /** Moves boxes in the drawing only: {name: [x, y]}; back to where their arrows had known courses, if these are given. */
+  drag(places, courses = null) {
     const all = [...this.boxes.values()];
     const shown = (key) => this.lifted?.copies.get(key) ?? this.elements.get(key);
     for (const [name, [x, y]] of Object.entries(places)) {
@@ -181,8 +181,8 @@ class Stage {
     for (const arrow of this.arrows) {
       if (!(arrow.from in places) && !(arrow.to in places)) continue;
       const { named = 0 } = this.courses.get(arrow.key);
-      const course = this.course(arrow, all);
-      [course.label, course.named] = [placesOf(course)[named], named];
+      const course = courses?.get(arrow.key) ?? this.course(arrow, all);
+      if (!courses) [course.label, course.named] = [placesOf(course)[named], named];
       this.courses.set(arrow.key, course);
       writeArrow(shown(arrow.key), this.labels.get(arrow.key), course);
     }

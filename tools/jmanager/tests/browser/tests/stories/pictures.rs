@@ -142,7 +142,7 @@ async fn pictures_of_the_designer() {
     page.click("button", "edit states", "").await;
     page.find("button", "State search_net", "").await;
     page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
-    page.find("button", "Transition ball_reached", "").await.click().await;
+    page.find("button", "Transition ball_reached", "").await.focus().await;
     at(&page, 13.0).await;
     page.screenshot("docs-vicode-live").await;
     page.run("document.activeElement.blur()", vec![]).await;
