@@ -14,6 +14,10 @@ pub(super) trait Course: MujocoModel {
     const PUSHES: &'static [PushCase];
     /// Forward velocity while it is pushed, m/s.
     const PUSHED_VELOCITY: f32;
+    /// Least distance of a kicked ball if the kick counts, m; the robot must stand, too.
+    const LEAST_KICK: f32 = 1.0;
+    /// Least median distance of a ball kicked in the walk, m.
+    const LEAST_DRIBBLE: f32 = 1.5;
     /// Time in which it has to get up, s.
     const TIME_TO_RISE: f32 = TIME_LIMIT;
 }
@@ -83,6 +87,8 @@ impl Course for Nao {
         ten("ten of 0.8 m/s", 0.8, 0),
     ];
     const PUSHED_VELOCITY: f32 = 0.1;
+    const LEAST_KICK: f32 = 0.0;
+    const LEAST_DRIBBLE: f32 = 0.5;
 }
 
 /// Velocities and pushes of both Booster robots.

@@ -2,16 +2,16 @@
 
 use bica_app::Failure;
 use bica_motion::kick::{Kick, KickKind, KickMotion};
+use bica_motion::model::Profile;
 use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{Profile, RobotModel};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::side::Side;
 use bica_motion::walk::{Feedback, Velocity, in_walk_kick_foot};
-use bica_player::Model;
 use bica_sim::mujoco::Physics;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
+use super::course::Course;
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, median};
@@ -19,63 +19,31 @@ use super::walker::Walker;
 
 /// Largest error of the ball position along each axis, m.
 const BALL_ERROR: f32 = 0.01;
-/// Least distance of a ball kicked in the walk, m.
-const LEAST_DRIBBLE: f32 = 0.5;
 /// Largest error of the median direction, degrees.
 const MAX_DIRECTION_ERROR: f32 = 15.0;
 
-/// Distance that a ball has to roll in three of four runs, and in half of them, m.
-const LEAST_KICK: [f32; 2] = [1.0, 1.5];
-
-/// Kicks ahead, then the in-walk kicks, with either foot.
-pub(super) fn any<M: MujocoModel>(series: &Series) -> Result<Vec<Row>, Failure> {
-    let row = |name: String, runs: Vec<KickResult>| {
-        let way = median(runs.iter().map(|run| run.way).collect());
-        let stands = runs.iter().filter(|run| run.stands).count();
-        let [most, half] = LEAST_KICK;
-        Row {
-            name,
-            runs: runs.len(),
-            good: runs.iter().filter(|run| run.way >= most).count(),
-            needed: series.needed(15),
-            figures: format!("at least {most:.1} m; median distance {way:.2} m (at least {half:.1} m), {stands} stand"),
-            figures_hold: way >= half,
-        }
-    };
-    let mut rows = Vec::new();
-    for foot in Side::BOTH {
-        let kick = Kick { kind: KickKind::Front, foot };
-        rows.push(row(
-            format!("front, {} foot", name(foot)),
-            series.each(|seed| kick_ball::<M>(&series.physics, seed, kick, M::DYNAMIC_PROFILE))?,
-        ));
-        rows.push(row(format!("dribble, {} foot", name(foot)), series.each(|seed| dribble::<M>(series, seed, foot))?));
-    }
-    Ok(rows)
-}
-
 /// All six kicks, then the in-walk kicks.
-pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
-    let fixed = Kick::ALL.iter().map(|kick| row(series, *kick));
-    let in_walk = Side::BOTH.iter().map(|foot| dribble_row(series, *foot));
+pub(super) fn rows<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
+    let fixed = Kick::ALL.iter().map(|kick| row::<M>(series, *kick));
+    let in_walk = Side::BOTH.iter().map(|foot| dribble_row::<M>(series, *foot));
     fixed.chain(in_walk).collect()
 }
 
-fn dribble_row(series: &Series, foot: Side) -> Result<Row, Failure> {
-    let runs = series.each(|seed| dribble::<Model>(series, seed, foot))?;
+fn dribble_row<M: Course>(series: &Series, foot: Side) -> Result<Row, Failure> {
+    let runs = series.each(|seed| dribble::<M>(series, seed, foot))?;
     let name = format!("dribble, {} foot", name(foot));
-    Ok(summarize(series, name, &runs, LEAST_DRIBBLE))
+    Ok(summarize::<M>(series, name, &runs, M::LEAST_DRIBBLE))
 }
 
-fn row(series: &Series, kick: Kick) -> Result<Row, Failure> {
-    let runs = series.each(|seed| kick_ball::<Model>(&series.physics, seed, kick, Model::DYNAMIC_PROFILE))?;
+fn row<M: Course>(series: &Series, kick: Kick) -> Result<Row, Failure> {
+    let runs = series.each(|seed| kick_ball::<M>(&series.physics, seed, kick, M::DYNAMIC_PROFILE))?;
     let (kind, least) = match kick.kind {
         KickKind::Front => ("front", 2.0),
         KickKind::Diagonal => ("diagonal", 1.2),
         KickKind::Lateral => ("lateral", 1.0),
     };
     let name = format!("{kind}, {} foot", name(kick.foot));
-    Ok(summarize(series, name, &runs, least))
+    Ok(summarize::<M>(series, name, &runs, least))
 }
 
 const fn name(foot: Side) -> &'static str {
@@ -85,13 +53,13 @@ const fn name(foot: Side) -> &'static str {
     }
 }
 
-fn summarize(series: &Series, name: String, runs: &[KickResult], least: f32) -> Row {
+fn summarize<M: Course>(series: &Series, name: String, runs: &[KickResult], least: f32) -> Row {
     let way = median(runs.iter().map(|run| run.way).collect());
     let off = median(runs.iter().map(|run| run.off).collect());
     Row {
         name,
         runs: runs.len(),
-        good: runs.iter().filter(|run| run.stands).count(),
+        good: runs.iter().filter(|run| run.stands && run.way >= M::LEAST_KICK).count(),
         needed: series.needed(19),
         figures: format!("median distance {way:.2} m (at least {least:.1} m), median direction error {off:.0} degrees"),
         figures_hold: way >= least && off <= MAX_DIRECTION_ERROR,
@@ -101,7 +69,7 @@ fn summarize(series: &Series, name: String, runs: &[KickResult], least: f32) -> 
 /// What became of a kick.
 #[derive(Clone, Copy, Debug)]
 pub struct KickResult {
-    /// Distance of the ball, m.
+    /// Farthest distance of the ball, m.
     pub way: f32,
     /// Error of its direction, degrees.
     pub off: f32,
@@ -124,7 +92,7 @@ pub fn kick_ball<M: MujocoModel>(
     let mut beside = || rng.between(-BALL_ERROR, BALL_ERROR);
     let start = ground(&mut walker);
     let ball = start.place(kick.ball(&profile.kicks) + Vec2::new(beside(), beside()));
-    walker.world.set_ball(ball);
+    walker.put_ball(ball);
     let mut motion = KickMotion::<M>::new(kick, profile);
     while !motion.is_done() {
         let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
@@ -135,7 +103,7 @@ pub fn kick_ball<M: MujocoModel>(
     for _ in 0..800 {
         walker.cycle(Velocity::ZERO);
     }
-    let way = walker.world.referee().ball() - ball;
+    let way = walker.ball_way();
     let off = wrap(way.to_angle() - start.heading - kick.direction()).abs().to_degrees();
     Ok(KickResult { way: way.length(), off, stands })
 }
@@ -148,20 +116,20 @@ fn dribble<M: MujocoModel>(series: &Series, seed: u64, foot: Side) -> Result<Kic
     let half = M::DYNAMIC_PROFILE.gait.half_spacing;
     // The phase of the step in which the ball comes within reach is random.
     let ball = start.place(Vec2::new(rng.between(0.5, 0.6), foot.sign() * half + rng.between(-BALL_ERROR, BALL_ERROR)));
-    walker.world.set_ball(ball);
+    walker.put_ball(ball);
     let ahead = Velocity::new(0.15, 0.0, 0.0);
     for _ in 0..800 {
         if let Some(foot) = in_walk_kick_foot(ground(&mut walker).locate(ball), &M::DYNAMIC_PROFILE.gait) {
             walker.kick(foot);
         }
         walker.cycle(ahead);
-        if walker.world.referee().ball().distance(ball) > 0.02 {
+        if walker.ball_way().length() > 0.02 {
             break;
         }
     }
     walker.go(ahead, 1.0);
     walker.go(Velocity::ZERO, 7.0);
-    let way = walker.world.referee().ball() - ball;
+    let way = walker.ball_way();
     let off = wrap(way.to_angle() - start.heading).abs().to_degrees();
     Ok(KickResult { way: way.length(), off, stands: !walker.fell() })
 }

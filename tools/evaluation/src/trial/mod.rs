@@ -74,7 +74,7 @@ fn booster<M: Course>(kind: Kind) -> Option<Trial> {
     match kind {
         Kind::Walk => Some(walking::velocities::<M>),
         Kind::Pushes => Some(walking::pushes::<M>),
-        Kind::Kicks => Some(kicks::any::<M>),
+        Kind::Kicks => Some(kicks::rows::<M>),
         Kind::GetUp => Some(rising::rows::<M>),
         _ => None,
     }
@@ -88,7 +88,7 @@ fn nao(kind: Kind) -> Option<Trial> {
         Kind::Pushes => walking::pushes::<Nao>,
         Kind::Bodies => walking::bodies,
         Kind::Odometry => odometry::rows,
-        Kind::Kicks => kicks::rows,
+        Kind::Kicks => kicks::rows::<Nao>,
         Kind::Falls => falls::rows,
         Kind::GetUp => get_up::rows,
         Kind::Obstacles => obstacles::rows,

@@ -26,6 +26,8 @@ pub(super) struct Walker<M = Model> {
     odometry: Odometry<M>,
     /// Joint targets of the last cycle, rad.
     commanded: Joints,
+    /// Where the ball was put, and its farthest way from there, m.
+    ball: [Vec2; 2],
 }
 
 impl<M: MujocoModel> Walker<M> {
@@ -37,7 +39,8 @@ impl<M: MujocoModel> Walker<M> {
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let (gait, odometry) = (&M::DYNAMIC_PROFILE.gait, Odometry::new(&M::DYNAMIC_PROFILE.odometry));
         let commanded = gait.stand::<M>().joints::<M>();
-        let mut walker = Self { world, senses: SenseEstimator::new(), gait: Walk::new(gait), odometry, commanded };
+        let (senses, gait, ball) = (SenseEstimator::new(), Walk::new(gait), [Vec2::ZERO; 2]);
+        let mut walker = Self { world, senses, gait, odometry, commanded, ball };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -99,6 +102,22 @@ impl<M: MujocoModel> Walker<M> {
     pub(super) fn command(&mut self, targets: Joints, stiffness: Joints) {
         self.commanded = targets;
         self.world.act(&Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top });
+        let [from, farthest] = &mut self.ball;
+        let way = self.world.referee().ball() - *from;
+        if way.length() > farthest.length() {
+            *farthest = way;
+        }
+    }
+
+    /// Puts the ball to a place, field frame.
+    pub(super) fn put_ball(&mut self, at: Vec2) {
+        self.world.set_ball(at);
+        self.ball = [at, Vec2::ZERO];
+    }
+
+    /// Returns the farthest way of the ball since it was put, m: after a goal it comes back.
+    pub(super) const fn ball_way(&self) -> Vec2 {
+        self.ball[1]
     }
 
     /// Begins a new gait from the stand.
