@@ -148,7 +148,7 @@ pub(super) const GAIT: Parameters = Parameters {
     max_capture_step: Vec2::new(0.3, 0.2),
     max_capture_speed: 2.0,
     reported_capture_step: 0.06,
-    kick_swing: 0.12,
+    kick_swing: 0.16,
     kick_lateral_tolerance: 0.05,
     arm_swing_gain: 2.0,
     ..Nao::DYNAMIC_PROFILE.gait

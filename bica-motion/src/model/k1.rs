@@ -9,12 +9,12 @@ use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
 use crate::model::booster::{self, each_joint};
 use crate::model::booster_getup;
+use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
     Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
-    GetUpFrames, HeadPitchLimit, HeadSpeed, KickFrame, Kicks, LegGeometry, Mass, Masses, Nao, Parameters,
-    PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, StiffnessTable, Technique, ThermalLimits,
-    symmetric,
+    GetUpFrames, HeadPitchLimit, HeadSpeed, LegGeometry, Mass, Masses, Parameters, PitchFirstLeg, Profile, Range,
+    RobotModel, Senses, SidewaysArm, StiffnessTable, ThermalLimits, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -156,7 +156,7 @@ const MASSES: Masses = Masses::symmetric(
     ],
 );
 
-const PROFILE: Profile = Profile { gait: GAIT, kicks: KICKS, odometry: Calibration::EXACT };
+const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::K1, odometry: Calibration::EXACT };
 
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {
@@ -178,8 +178,8 @@ const GAIT: Parameters = Parameters {
     max_recovery_duration: 0.45,
     capture_deadband: Vec2::new(0.026, 0.0133),
     max_inward_step: 0.058,
-    kick_min_distance: 0.2,
-    kick_max_distance: 0.32,
+    kick_min_distance: 0.15,
+    kick_max_distance: 0.28,
     gyro_smoothing: 0.6,
     lag_compensation: 0.72,
     ankle_pitch_offset: 0.05,
@@ -187,16 +187,6 @@ const GAIT: Parameters = Parameters {
     capture_sway: 0.015,
     ..booster::GAIT
 };
-
-/// The NAO's kicks at this robot's size and pace.
-const KICKS: Kicks = Kicks {
-    front: Technique { ball: Vec2::new(1.85 * 0.170, 1.85 * 0.060), frames: &FRONT },
-    diagonal: Technique { ball: Vec2::new(1.85 * 0.158, 1.85 * -0.025), frames: &DIAGONAL },
-    lateral: Technique { ball: Vec2::new(1.85 * 0.156, 1.85 * -0.002), frames: &LATERAL },
-};
-const FRONT: [KickFrame; 7] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.front.frames, 1.85, 1.35);
-const DIAGONAL: [KickFrame; 8] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.diagonal.frames, 1.85, 1.35);
-const LATERAL: [KickFrame; 7] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.lateral.frames, 1.85, 1.35);
 
 /// Radii are our estimates.
 const SHAPE: BodyShape = BodyShape {

@@ -35,26 +35,6 @@ impl KickFrame {
         let pose = KickPose { hips: Vec3::from_array(hips), foot: Vec3::from_array(foot), yaw, roll, pitch };
         Self { duration, pose }
     }
-
-    /// The frames of a smaller robot's kick, with all lengths multiplied by `length` and all durations by `time`.
-    ///
-    /// # Panics
-    /// If there are fewer than `N` frames; in a constant, the compiler reports it.
-    #[must_use]
-    pub const fn scaled<const N: usize>(frames: &[Self], length: f32, time: f32) -> [Self; N] {
-        let mut scaled = [frames[0]; N];
-        let mut i = 0;
-        while i < N {
-            let Self { duration, pose: KickPose { hips, foot, yaw, roll, pitch } } = frames[i];
-            let (hips, foot) = (
-                [length * hips.x, length * hips.y, length * hips.z],
-                [length * foot.x, length * foot.y, length * foot.z],
-            );
-            scaled[i] = Self::new(time * duration, hips, foot, [yaw, roll, pitch]);
-            i += 1;
-        }
-        scaled
-    }
 }
 
 /// One kind of kick, with the left foot.

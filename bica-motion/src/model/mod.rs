@@ -27,6 +27,7 @@ mod arm;
 mod body;
 mod booster;
 mod booster_getup;
+mod booster_kicks;
 mod calibration;
 mod dimensions;
 mod gait;

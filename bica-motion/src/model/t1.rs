@@ -9,12 +9,12 @@ use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
 use crate::model::booster::{self, each_joint};
 use crate::model::booster_getup;
+use crate::model::booster_kicks;
 use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
     Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
-    GetUpFrames, HeadPitchLimit, HeadSpeed, KickFrame, Kicks, LegGeometry, Mass, Masses, Nao, Parameters,
-    PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, StiffnessTable, Technique, ThermalLimits,
-    symmetric,
+    GetUpFrames, HeadPitchLimit, HeadSpeed, LegGeometry, Mass, Masses, Parameters, PitchFirstLeg, Profile, Range,
+    RobotModel, Senses, SidewaysArm, StiffnessTable, ThermalLimits, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -154,7 +154,7 @@ const MASSES: Masses = Masses::symmetric(
     ],
 );
 
-const PROFILE: Profile = Profile { gait: GAIT, kicks: KICKS, odometry: Calibration::EXACT };
+const PROFILE: Profile = Profile { gait: GAIT, kicks: booster_kicks::T1, odometry: Calibration::EXACT };
 
 /// Orders of magnitude from B-Human's walk of 2025, tuned in `MuJoCo`.
 const GAIT: Parameters = Parameters {
@@ -178,8 +178,8 @@ const GAIT: Parameters = Parameters {
     max_recovery_duration: 0.50,
     capture_deadband: Vec2::new(0.022, 0.012),
     max_inward_step: 0.046,
-    kick_min_distance: 0.25,
-    kick_max_distance: 0.38,
+    kick_min_distance: 0.17,
+    kick_max_distance: 0.31,
     lag_compensation: 0.31,
     ankle_pitch_offset: -0.011,
     earliest_support_switch: 0.77,
@@ -188,16 +188,6 @@ const GAIT: Parameters = Parameters {
     capture_offset: Vec2::new(0.0365, -0.012),
     ..booster::GAIT
 };
-
-/// The NAO's kicks at this robot's size and pace.
-const KICKS: Kicks = Kicks {
-    front: Technique { ball: Vec2::new(2.2 * 0.170, 2.2 * 0.060), frames: &FRONT },
-    diagonal: Technique { ball: Vec2::new(2.2 * 0.158, 2.2 * -0.025), frames: &DIAGONAL },
-    lateral: Technique { ball: Vec2::new(2.2 * 0.156, 2.2 * -0.002), frames: &LATERAL },
-};
-const FRONT: [KickFrame; 7] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.front.frames, 2.2, 1.5);
-const DIAGONAL: [KickFrame; 8] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.diagonal.frames, 2.2, 1.5);
-const LATERAL: [KickFrame; 7] = KickFrame::scaled(Nao::DYNAMIC_PROFILE.kicks.lateral.frames, 2.2, 1.5);
 
 /// Radii are our estimates.
 const SHAPE: BodyShape = BodyShape {
