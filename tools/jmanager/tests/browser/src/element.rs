@@ -21,7 +21,9 @@ const before = place();
 if (!window.happened) {
   window.happened = [];
   const name = (target) => target.nodeName && `${target.nodeName} ${target.getAttribute?.('aria-label') ?? target.textContent?.slice(0, 20)}`;
-  const note = ({ type, target, newState, key, isTrusted }) => window.happened.push([performance.now() | 0, isTrusted ? type : `${type} by a script`, name(target), newState ?? key].join(' '));
+  const note = ({ type, target, newState, key, isTrusted }) => {
+    window.happened.push([performance.now() | 0, isTrusted ? type : `${type} by a script`, name(target), newState ?? key].join(' '));
+  };
   [...kinds, 'keydown', 'submit', 'beforetoggle', 'cancel', 'close'].forEach((kind) => window.addEventListener(kind, note, true));
 }
 return frame().then(frame).then(() => {

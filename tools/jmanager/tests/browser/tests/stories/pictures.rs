@@ -149,7 +149,8 @@ async fn pictures_of_the_designer() {
     page.press("t").await;
     // Not saved: the source is that of the repository.
     let note = "return import('/vicode/sources.js').then(({ opened }) => { \
-        const notes = [{ component: 'Player', at: null, text: 'Without a net, any goal will do: ask the referee.' }]; opened.value = { ...opened.value, notes }; })";
+        const notes = [{ component: 'Player', at: null, text: 'Without a net, any goal will do: ask the referee.' }]; \
+        opened.value = { ...opened.value, notes }; })";
     page.run(note, vec![]).await;
     page.find("button", "Note: Without a net", "").await;
     page.click("button", "Fit", "Zoom").await;
