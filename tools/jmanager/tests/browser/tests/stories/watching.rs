@@ -25,11 +25,15 @@ async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout
     watch(&page, "Odometry.wanders > 1").await;
     page.reads("there is no output or parameter “Odometry.wanders”").await;
     page.click("switch", "Pause the world", "Watches").await;
-    // 30 images a second: it begins some seconds later, and stays true while a busy page pauses the world.
+    // The condition cannot hold before it is watched. 30 images a second: it begins 3 s later, and stays true while a busy page
+    // pauses the world.
+    page.click("button", "Pause", "").await;
+    page.reads("world paused").await;
     let clock = "return document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
     let seconds = page.run(clock, vec![]).await.as_f64().expect("a time");
-    let text = &*format!("CameraInput.count > {:.0} for 500 ms", 30.0 * (seconds + 6.0));
+    let text = &*format!("CameraInput.count > {:.0} for 500 ms", 30.0 * (seconds + 3.0));
     watch(&page, text).await;
+    page.click("button", "Continue", "").await;
     page.reads("Watch fired at").await;
     page.reads("The world is paused; all panels show").await;
     let live = page.until("it fired once", &found(text)).await;
