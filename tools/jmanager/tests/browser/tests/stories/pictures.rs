@@ -153,6 +153,7 @@ async fn pictures_of_the_designer() {
         opened.value = { ...opened.value, notes }; })";
     page.run(note, vec![]).await;
     page.find("button", "Note: Without a net", "").await;
+    page.resize((1600, 1200)).await;
     page.click("button", "Fit", "Zoom").await;
     let state = page.find("button", "State search_net", "").await;
     state.click().await;
