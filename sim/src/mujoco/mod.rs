@@ -33,8 +33,10 @@ mod model;
 mod renderer;
 mod robot_camera;
 mod spectator;
+mod stage;
 mod world;
 
 pub use bica_body::mujoco::{Fault, Physics};
 pub use error::Error;
+pub use stage::{Shown, Stage};
 pub use world::MujocoWorld;

@@ -39,6 +39,20 @@ fn second_team_plays_in_the_same_server() {
 }
 
 #[test]
+#[cfg(feature = "mujoco")]
+#[ignore = "needs the league's server: cargo xtask ci --only league"]
+fn film_has_a_picture_for_each_moment() {
+    let file = std::env::temp_dir().join(format!("bica-league-{}.gif", std::process::id()));
+    let played = game("3", &["--film", &file.display().to_string()]);
+    let text = String::from_utf8_lossy(&played.stdout);
+    let count = text.lines().find_map(|line| line.strip_prefix("film")?.trim().split(' ').next()?.parse::<u32>().ok());
+    // 3 s with a picture each 70 ms.
+    assert!(played.status.code() == Some(1) && count.is_some_and(|count| (41..46).contains(&count)), "{played:?}");
+    assert!(std::fs::read(&file).expect("the film").starts_with(b"GIF89a"));
+    std::fs::remove_file(&file).expect("the film");
+}
+
+#[test]
 fn wrong_arguments_are_named() {
     for (arguments, expected) in [
         (&["--server", "nowhere"][..], "HOST:PORT"),
@@ -46,6 +60,7 @@ fn wrong_arguments_are_named() {
         (&["--server", "127.0.0.1:1", "--against"], "--against"),
         (&["--number", "100"], "0 to 99"),
         (&["--team", "two words"], "--team"),
+        (&["--film", "game.gif", "--record", "game.mcap"], "leave out --film"),
     ] {
         let refused = game("5", arguments);
         let text = String::from_utf8_lossy(&refused.stderr);

@@ -16,7 +16,7 @@ use super::model::{Drive, FreeJoint, Model, STEP};
 use super::motors::{Motors, currents};
 use super::physics::{Fault, Physics};
 use super::sensor_model::{Measurement, SensorModel};
-use super::state::{Data, angles, ideal_measurement, pose, stand};
+use super::state::{Data, angles, ideal_measurement, place, pose, stand};
 use crate::motor_heat::MotorHeat;
 use crate::random::Random;
 use crate::{CYCLE_SECONDS, Posture};
@@ -132,6 +132,13 @@ impl<M: MujocoModel> Humanoid<M> {
         self.data.forward();
         self.motors.hold(M::STAND);
         self.fall_monitor = FallMonitor::new(at.heading);
+    }
+
+    /// Puts the robot frame to a pose, world frame, and the joints to angles, rad, to be drawn so. It changes positions only: neither
+    /// velocities nor the commands of the motors.
+    pub fn place(&mut self, robot: &Affine3A, angles: &Joints) {
+        let (_, turn, at) = robot.to_scale_rotation_translation();
+        place(&mut self.data, self.torso, &self.drives, (turn, at), angles);
     }
 
     /// Adds a velocity, m/s, world frame, to that of the torso. Values that are not finite are ignored.

@@ -18,11 +18,15 @@ pub type Data = MjData<Box<MjModel>>;
 /// Sets the robot to its standing posture above a pose on the ground.
 pub(crate) fn stand<M: RobotModel>(data: &mut Data, torso: FreeJoint, drives: &[Drive], at: Pose2) {
     let sole = Skeleton::<M>::of(&M::STAND).sole(Side::Left);
-    let turn = Quat::from_rotation_z(at.heading);
-    let numbers = [at.position.x, at.position.y, -sole.translation.z, turn.w, turn.x, turn.y, turn.z];
-    write(&mut data.qpos_mut()[torso.position..], &numbers);
+    let (turn, at) = (Quat::from_rotation_z(at.heading), at.position.extend(-sole.translation.z));
+    place(data, torso, drives, (turn, at), &M::STAND);
+}
+
+/// Sets the rotation and the position of the robot frame, and the joint angles.
+pub(crate) fn place(data: &mut Data, torso: FreeJoint, drives: &[Drive], (turn, at): (Quat, Vec3), angles: &Joints) {
+    write(&mut data.qpos_mut()[torso.position..], &[at.x, at.y, at.z, turn.w, turn.x, turn.y, turn.z]);
     for drive in drives {
-        data.qpos_mut()[drive.position] = M::STAND[drive.joint].into();
+        data.qpos_mut()[drive.position] = angles[drive.joint].into();
     }
 }
 

@@ -7,6 +7,7 @@ mod shadows;
 use std::fmt::Write;
 
 use bica_body::mujoco::{Error, FreeJoint, Model, Physics, find};
+use bica_field::FIELD;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::robot::CameraId;
 use mujoco_rs::prelude::{MjModel, MjtObjBase};
@@ -75,7 +76,7 @@ fn world<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
     xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);
     shadows::write::<M>(&mut xml);
-    field::write(&mut xml);
+    field::write(&mut xml, &FIELD);
     for other in &layout.others {
         bystander::<M>(&mut xml, other);
     }

@@ -20,11 +20,16 @@ pub(crate) struct Paint {
 impl Paint {
     /// Returns the colours of a layout: the team that defends the yellow goal plays in red, the other in blue (rules of 2009).
     pub(crate) fn of(layout: &Layout) -> Self {
+        Self::attacking(layout.attacks)
+    }
+
+    /// Returns the colours of a game in which the goal at positive x has a colour.
+    pub(crate) fn attacking(attacks: GoalColour) -> Self {
         let both = |colour| match colour {
             GoalColour::Yellow => (YELLOW, RED_TEAM),
             GoalColour::SkyBlue => (SKY_BLUE, BLUE_TEAM),
         };
-        let ((attacked, opponents), (own, team)) = (both(layout.attacks), both(layout.attacks.other()));
+        let ((attacked, opponents), (own, team)) = (both(attacks), both(attacks.other()));
         Self { attacked, own, team, opponents }
     }
 

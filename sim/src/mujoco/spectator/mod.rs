@@ -2,7 +2,7 @@
 //! images.
 
 mod hall;
-mod scene;
+pub(super) mod scene;
 
 use bica_motion::kinematics::{Segment, Skeleton};
 use bica_motion::model::simulation::MujocoModel;
@@ -14,7 +14,7 @@ use super::renderer::{Renderer, describe};
 use crate::layout::Layout;
 use crate::setup::Setup;
 use crate::spectator::{Picture, RenderError, SpectatorCamera};
-use bica_body::mujoco::write;
+use bica_body::mujoco::{Data, write};
 
 /// Supersampling factor along each axis.
 const SUPERSAMPLING: usize = 2;
@@ -22,7 +22,7 @@ const SUPERSAMPLING: usize = 2;
 /// Renderer of spectator views.
 pub(crate) struct SpectatorRenderer {
     renderer: Renderer,
-    data: MjData<Box<MjModel>>,
+    data: Data,
     width: usize,
     height: usize,
 }
@@ -46,8 +46,7 @@ impl SpectatorRenderer {
     ) -> Result<Self, RenderError> {
         let model = MjModel::from_xml_string(&scene::write::<M>(setup, layout))
             .map_err(|error| RenderError(format!("MuJoCo rejects the model of the spectator view: {error}")))?;
-        let renderer =
-            Renderer::new(&model, SUPERSAMPLING * width, SUPERSAMPLING * height).map_err(|error| failed(&error))?;
+        let renderer = renderer(&model, width, height)?;
         Ok(Self { renderer, data: MjData::new(Box::new(model)), width, height })
     }
 
@@ -67,9 +66,7 @@ impl SpectatorRenderer {
         for segment in Segment::ALL {
             self.place(scene::ROBOT + segment.index(), &(moving.robot * moving.skeleton.pose(segment)));
         }
-        let camera = self.camera(spectator);
-        let drawn = self.renderer.draw(&mut self.data, camera).map_err(|error| failed(&error))?;
-        Ok(Picture { width: self.width, height: self.height, rgb: downsample(drawn, self.width, self.height) })
+        picture(&mut self.renderer, &mut self.data, spectator, (self.width, self.height))
     }
 
     fn place(&mut self, body: usize, pose: &Affine3A) {
@@ -77,17 +74,29 @@ impl SpectatorRenderer {
         write(&mut self.data.mocap_pos_mut()[body], &at.to_array());
         write(&mut self.data.mocap_quat_mut()[body], &[turn.w, turn.x, turn.y, turn.z]);
     }
+}
 
-    fn camera(&self, spectator: &SpectatorCamera) -> MjvCamera {
-        let offset = spectator.target - spectator.eye;
-        let (up, along) = (offset.z, offset.truncate());
-        let mut camera = MjvCamera::new_free(self.data.model());
-        camera.lookat = spectator.target.to_array().map(f64::from);
-        camera.distance = offset.length().into();
-        camera.azimuth = along.y.atan2(along.x).to_degrees().into();
-        camera.elevation = up.atan2(along.length()).to_degrees().into();
-        camera
-    }
+/// Returns a renderer for pictures of a size, pixels.
+pub(super) fn renderer(model: &MjModel, width: usize, height: usize) -> Result<Renderer, RenderError> {
+    Renderer::new(model, SUPERSAMPLING * width, SUPERSAMPLING * height).map_err(|error| failed(&error))
+}
+
+/// Renders a picture of a size, pixels.
+pub(super) fn picture(
+    renderer: &mut Renderer,
+    data: &mut Data,
+    spectator: &SpectatorCamera,
+    (width, height): (usize, usize),
+) -> Result<Picture, RenderError> {
+    let offset = spectator.target - spectator.eye;
+    let (up, along) = (offset.z, offset.truncate());
+    let mut camera = MjvCamera::new_free(data.model());
+    camera.lookat = spectator.target.to_array().map(f64::from);
+    camera.distance = offset.length().into();
+    camera.azimuth = along.y.atan2(along.x).to_degrees().into();
+    camera.elevation = up.atan2(along.length()).to_degrees().into();
+    let drawn = renderer.draw(data, camera).map_err(|error| failed(&error))?;
+    Ok(Picture { width, height, rgb: downsample(drawn, width, height) })
 }
 
 /// Averages squares of [`SUPERSAMPLING`] by [`SUPERSAMPLING`] pixels.

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use bica_field::FIELD;
 use bica_motion::kinematics::{Segment, Skeleton};
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::side::Side;
@@ -54,14 +55,14 @@ pub(super) fn write<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
         let _ = writeln!(xml, "<body mocap=\"true\">{}</body>", shell::<M>(segment, true));
     }
     layout.others.iter().for_each(|other| standing::<M>(&mut xml, other));
-    field::write(&mut xml);
+    field::write(&mut xml, &FIELD);
     hall::write(&mut xml);
     xml.push_str("</worldbody>\n</mujoco>\n");
     xml
 }
 
 /// Writes the rendering options.
-fn render_options(xml: &mut String) {
+pub(crate) fn render_options(xml: &mut String) {
     let angle = FIELD_OF_VIEW.to_degrees();
     let _ = writeln!(
         xml,
@@ -73,7 +74,7 @@ fn render_options(xml: &mut String) {
 }
 
 /// Writes lamps that follow the target, because shadows are cast only around them.
-fn lamps(xml: &mut String, light: &Light) {
+pub(crate) fn lamps(xml: &mut String, light: &Light) {
     let strength = LAMP_LIGHT / LAMPS.len() as f32;
     xml.push_str("<body mocap=\"true\">\n");
     for (x, y) in LAMPS {

@@ -3,7 +3,7 @@
 mod album;
 mod control;
 mod event;
-mod film;
+pub(crate) mod film;
 mod fingerprint;
 mod firmware;
 mod latency;

@@ -1,6 +1,8 @@
 //! Games in the league's server, `RCSSServerMJ`, which is neither a simulator of this workspace nor shows images.
 
 mod entry;
+#[cfg(feature = "mujoco")]
+mod film;
 mod opponent;
 mod play;
 mod robot;

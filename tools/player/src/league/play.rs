@@ -1,5 +1,6 @@
 //! `play --world league`.
 
+use std::path::Path;
 use std::sync::{Arc, PoisonError};
 
 use bica::Tree;
@@ -38,7 +39,34 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
 }
 
 fn play<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
-    if args.games.is_some() { series::<F>(args, &entry) } else { game::<F>(args, entry) }
+    match (&args.film, args.games) {
+        (None, None) => game::<F>(args, entry),
+        (None, Some(_)) => series::<F>(args, &entry),
+        (Some(film), _) => filmed::<F>(args, &entry, film),
+    }
+}
+
+/// Plays one game and films it.
+#[cfg(feature = "mujoco")]
+fn filmed<F: Footballer>(args: &Play, entry: &Entry, film: &Path) -> Result<Outcome, Failure> {
+    let layers = args.tuning.of_known_robot().layers(const { &F::Forward::GRAPH }, WORLD)?;
+    layers.apply(&mut *forward::<F>())?;
+    let console = Console::new(args.json);
+    let game = super::film::play::<F>(entry, &layers.settings(), args.seconds, film, console)?;
+    console.print_json(&game)?;
+    Ok(match game.goal_s {
+        _ if interrupt::requested() => Outcome::Interrupted,
+        Some(_) => Outcome::Success,
+        None => Outcome::Unsuccessful,
+    })
+}
+
+/// Refuses, since MuJoCo draws the pictures.
+#[cfg(not(feature = "mujoco"))]
+fn filmed<F: Footballer>(_args: &Play, _entry: &Entry, _film: &Path) -> Result<Outcome, Failure> {
+    let help = "install its library with `cargo xtask mujoco`, then run \
+                `cargo run --release --features mujoco -- play --world league --robot t1 --film FILE`";
+    Err(Failure::new("a film of the league needs MuJoCo, and this program was built without it", help))
 }
 
 /// Runs the code again on the recording of a game; `None` if it is not one of this robot.
@@ -128,12 +156,13 @@ fn series<F: Footballer>(args: &Play, entry: &Entry) -> Result<Outcome, Failure>
 
 /// Returns where and as whom the robot plays; refuses what this world does not have.
 fn entry(args: &Play) -> Result<Entry, Failure> {
-    if args.pictures.is_some() || args.film.is_some() || args.robots > 0 {
-        let what = "the league's server has no pictures, films and other robots here";
-        return Err(Failure::new(
-            what,
-            "leave out --pictures, --film and --robots; --against plays with a second team",
-        ));
+    if args.pictures.is_some() || args.robots > 0 {
+        let what = "the league's server has no pictures and other robots here";
+        return Err(Failure::new(what, "leave out --pictures and --robots; --against plays with a second team"));
+    }
+    if args.film.is_some() && (args.games.is_some() || args.record.record.is_some() || args.link.is_paced()) {
+        let what = "a game of the league that is filmed is neither recorded nor served, and is no series";
+        return Err(Failure::new(what, "leave out --film, or --games, --record and --serve"));
     }
     let entry = Entry {
         server: args.league.server.clone(),

@@ -7,10 +7,14 @@ use bica::runner::Robot;
 use bica::{Setting, Tree};
 use bica_app::App;
 use bica_league::{Body, Error};
+#[cfg(feature = "mujoco")]
+use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_player_t1::senses::Senses;
 use bica_recording::Recordable;
 use bica_tuning::Layers;
+#[cfg(feature = "mujoco")]
+use glam::Vec2;
 
 use super::entry::{Entry, failure};
 use super::world::{LeagueGame, LeagueWorld};
@@ -41,6 +45,23 @@ pub(crate) trait Footballer: Send + 'static {
 
     /// Sets the motions of the body in the league's server.
     fn set_profile(forward: &mut Self::Forward);
+
+    /// Its estimate of where it is on the field, and where ball and goal are from there.
+    #[cfg(feature = "mujoco")]
+    fn estimate(forward: &Self::Forward) -> Estimate;
+}
+
+/// What a forward estimates.
+#[cfg(feature = "mujoco")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Estimate {
+    /// Its pose in the frame where it began.
+    pub(crate) odometry: Pose2,
+    /// Its pose on the field, x towards the attacked goal, while it is located.
+    pub(crate) robot: Option<Pose2>,
+    /// The ball and the middle of the goal, m, ground frame, with whether the newest view shows them.
+    pub(crate) ball: Option<(Vec2, bool)>,
+    pub(crate) goal: Option<Vec2>,
 }
 
 macro_rules! footballer {
@@ -56,6 +77,20 @@ macro_rules! footballer {
 
             fn set_profile(forward: &mut Self::Forward) {
                 forward.get_mut::<$player::input::RobotProfile>().set(<Self::Model as Body>::PROFILE);
+            }
+
+            #[cfg(feature = "mujoco")]
+            fn estimate(forward: &Self::Forward) -> Estimate {
+                let (ball, place) = (
+                    forward.get::<$player::perception::BallDetector>(),
+                    forward.get::<$player::perception::Localization>(),
+                );
+                Estimate {
+                    odometry: forward.get::<$player::perception::Odometry>().pose(),
+                    robot: place.pose().filter(|_| forward.is_active::<$player::perception::Localization>()),
+                    ball: ball.position().map(|at| (at, ball.seen().is_some())),
+                    goal: place.posts().map(|[left, right]| 0.5 * (left + right)),
+                }
             }
         }
     };

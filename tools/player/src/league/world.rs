@@ -72,6 +72,9 @@ pub(crate) struct LeagueWorld<F: Footballer> {
     estimator: SenseEstimator<F::Model>,
     body: Sensors<'static>,
     view: Option<View>,
+    /// The newest view.
+    #[cfg(feature = "mujoco")]
+    last_view: View,
     cycles: u64,
     /// Cycle of the start, and the score then.
     start: (u64, [u32; 2]),
@@ -98,6 +101,8 @@ impl<F: Footballer> LeagueWorld<F> {
             estimator: SenseEstimator::new(),
             body: UNMEASURED,
             view: None,
+            #[cfg(feature = "mujoco")]
+            last_view: View::new(),
             cycles: 0,
             start: (0, [0; 2]),
             standing,
@@ -150,6 +155,10 @@ impl<F: Footballer> LeagueWorld<F> {
         self.perception = perception;
         let sights = self.perception.sights.as_ref();
         self.view = sights.map(|sights| sights.iter().filter_map(|sight| self.sight(sight)).collect());
+        #[cfg(feature = "mujoco")]
+        if let Some(view) = &self.view {
+            self.last_view.clone_from(view);
+        }
         let Perception { angles, gyro, acceleration, .. } = self.perception;
         self.body.angles = angles;
         self.body.inertial = Inertial { gyro, acceleration, roll: 0.0, pitch: 0.0 };
@@ -170,6 +179,18 @@ impl<F: Footballer> LeagueWorld<F> {
             Seen::Player { .. } => return None,
         };
         Some(Sight { object, at: vector(sight).into() })
+    }
+
+    /// What the body senses.
+    #[cfg(feature = "mujoco")]
+    pub(crate) const fn body(&self) -> &Sensors<'static> {
+        &self.body
+    }
+
+    /// The newest view.
+    #[cfg(feature = "mujoco")]
+    pub(crate) const fn last_view(&self) -> &View {
+        &self.last_view
     }
 
     fn is_right(&self) -> bool {

@@ -1,8 +1,8 @@
 //! Camera motion of a film: behind and beside the robot, so that the robot, the ball and the goal are visible.
 
-use bica_field::FIELD;
+use bica_field::{FIELD, FieldDimensions};
 use bica_motion::pose::rotate;
-use bica_sim::{Referee, SpectatorCamera};
+use bica_sim::SpectatorCamera;
 use glam::Vec2;
 
 /// Time constant of the camera motion, s.
@@ -23,14 +23,33 @@ const DISTANCES: [f32; 12] = [1.2, 1.35, 1.5, 1.65, 1.8, 2.0, 2.2, 2.4, 2.6, 2.9
 const ANGLES: [f32; 8] = [0.6, 0.85, 1.1, 1.4, -0.6, -0.85, -1.1, -1.4];
 /// Distance from the line of sight within which a post or a robot occludes what is behind it, m.
 const CLEARANCE: f32 = 0.3;
-/// The left post of the attacked goal.
-const POST: Vec2 = FIELD.goal_post();
-/// Limits of the camera position inside the hall, m.
-const LIMITS: Vec2 = Vec2::new(5.5, 4.5);
+
+/// Where a camera works.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Site {
+    /// The left post of the attacked goal.
+    post: Vec2,
+    /// Limits of the camera position, m.
+    limits: Vec2,
+    /// Height of the robot, as a multiple of a NAO's.
+    scale: f32,
+}
+
+impl Site {
+    /// The hall with the field of the NAO.
+    pub(super) const HALL: Self = Self { post: FIELD.goal_post(), limits: Vec2::new(5.5, 4.5), scale: 1.0 };
+
+    /// A field without a hall, and a robot that is `scale` times as high as a NAO.
+    #[cfg(feature = "mujoco")]
+    pub(crate) fn outdoors(field: &FieldDimensions, scale: f32) -> Self {
+        Self { post: field.goal_post(), limits: field.carpet_corner() + 5.0, scale }
+    }
+}
 
 /// Camera that follows robot and ball, and stands still while both are well visible.
 #[derive(Debug)]
-pub(super) struct CameraOperator {
+pub(crate) struct CameraOperator {
+    site: Site,
     /// Camera and target on the ground: current and after half the smoothing.
     now: Option<([Vec2; 2], [Vec2; 2])>,
     /// Index in [`ANGLES`].
@@ -40,14 +59,14 @@ pub(super) struct CameraOperator {
 
 impl CameraOperator {
     /// A camera before the first picture.
-    pub(super) const fn new() -> Self {
-        Self { now: None, angle: 1, moves: true }
+    pub(crate) const fn new(site: Site) -> Self {
+        Self { site, now: None, angle: 1, moves: true }
     }
 
-    /// Returns the camera, `dt` seconds after the previous call.
-    pub(super) fn follow(&mut self, referee: &Referee, dt: f32) -> SpectatorCamera {
-        let others: Vec<Vec2> = referee.others().iter().map(|other| other.position).collect();
-        let subjects = Subjects { robot: referee.robot().position, ball: referee.ball(), others };
+    /// Returns the camera that shows robot and ball, `dt` seconds after the previous call; other robots may be in its way. Positions on
+    /// the ground, m.
+    pub(crate) fn follow(&mut self, robot: Vec2, ball: Vec2, others: Vec<Vec2>, dt: f32) -> SpectatorCamera {
+        let subjects = Subjects { site: self.site, robot, ball, others };
         let best = self.choose(&subjects);
         let (now, next) = self.now.unwrap_or((best, best));
         let off = now[0].distance(best[0]).max(now[1].distance(best[1]));
@@ -57,12 +76,13 @@ impl CameraOperator {
         let next = if self.moves { towards(next, best) } else { next };
         let now = towards(now, next);
         self.now = Some((now, next));
-        SpectatorCamera { eye: now[0].extend(CAMERA_HEIGHT), target: now[1].extend(TARGET_HEIGHT) }
+        let scale = self.site.scale;
+        SpectatorCamera { eye: now[0].extend(scale * CAMERA_HEIGHT), target: now[1].extend(scale * TARGET_HEIGHT) }
     }
 
     /// Chooses the best view; another angle only if it is much better.
     fn choose(&mut self, subjects: &Subjects) -> [Vec2; 2] {
-        let views = |angle: usize| DISTANCES.map(|distance| subjects.view(ANGLES[angle], distance));
+        let views = |angle: usize| DISTANCES.map(|distance| subjects.view(ANGLES[angle], self.site.scale * distance));
         let best = |angle: usize| views(angle).into_iter().min_by(|a, b| a.cost.total_cmp(&b.cost));
         let habit = |angle: usize| if angle == self.angle { 0.0 } else { 0.6 };
         let all = (0..ANGLES.len()).filter_map(|angle| best(angle).map(|view| (angle, view)));
@@ -75,6 +95,7 @@ impl CameraOperator {
 
 /// Positions that the film shows, and of possible obstacles, m.
 struct Subjects {
+    site: Site,
     robot: Vec2,
     ball: Vec2,
     others: Vec<Vec2>,
@@ -89,15 +110,16 @@ struct View {
 
 impl Subjects {
     fn view(&self, angle_from_goal: f32, distance: f32) -> View {
-        let goal = Vec2::new(POST.x, 0.0);
+        let Site { post, limits, scale } = self.site;
+        let goal = Vec2::new(post.x, 0.0);
         let attack = (goal + Vec2::X - self.robot).normalize_or(Vec2::X);
-        let eye = (self.robot - distance * rotate(attack, angle_from_goal)).clamp(-LIMITS, LIMITS);
+        let eye = (self.robot - distance * rotate(attack, angle_from_goal)).clamp(-limits, limits);
         let axis = self.robot - eye;
         // Angles to the left of the robot.
         let angle = |point: Vec2| axis.angle_to(point - eye);
-        let body = 0.26 / axis.length().max(0.3);
+        let body = 0.26 * scale / axis.length().max(0.3);
         let (right, left) = (angle(self.ball).min(-body), angle(self.ball).max(body));
-        let posts = [POST.y, -POST.y].map(|y| angle(Vec2::new(POST.x, y)));
+        let posts = [post.y, -post.y].map(|y| angle(Vec2::new(post.x, y)));
         let (far_right, far_left) = (right.min(posts[0]).min(posts[1]), left.max(posts[0]).max(posts[1]));
         let (least, most) = (left - HALF_VIEW, right + HALF_VIEW);
         let aim = f32::midpoint(far_right, far_left).max(least.min(most)).min(most.max(least));
@@ -106,7 +128,7 @@ impl Subjects {
         let hidden = angle(self.ball).abs() < body / 2.0 && eye.distance(self.ball) > axis.length();
         let cost = 6.0 * lost
             + 3.0 * cut
-            + 0.55 * distance
+            + 0.55 / scale * distance
             + 0.9 * f32::from(u8::from(hidden))
             + 1.5 * self.obstacles(eye) as f32;
         View { eye, target: eye + rotate(axis, aim), cost }
@@ -114,13 +136,14 @@ impl Subjects {
 
     /// Number of obstacles in front of robot or ball, or close to the camera.
     fn obstacles(&self, eye: Vec2) -> usize {
-        let posts = [1.0, -1.0].map(|end| [POST.y, -POST.y].map(|y| Vec2::new(end * POST.x, y)));
+        let (post, clearance) = (self.site.post, self.site.scale * CLEARANCE);
+        let posts = [1.0, -1.0].map(|end| [post.y, -post.y].map(|y| Vec2::new(end * post.x, y)));
         let obstacles = posts.as_flattened().iter().chain(&self.others);
         let blocks = |obstacle: &&Vec2| {
             let near = |to: Vec2| distance_to_line(**obstacle, eye, to);
-            near(self.robot) < CLEARANCE
-                || near(self.ball) < CLEARANCE / 2.0
-                || eye.distance(**obstacle) < 3.0 * CLEARANCE
+            near(self.robot) < clearance
+                || near(self.ball) < clearance / 2.0
+                || eye.distance(**obstacle) < 3.0 * clearance
         };
         obstacles.filter(blocks).count()
     }
@@ -148,7 +171,7 @@ mod tests {
             let ball = Vec2::new(2.8 * part(i, 1), 1.8 * part(i, 2 + i / 101));
             let away = rotate(Vec2::new(1.2 + part(i, 3), 0.0), 3.1 * part(i, 4 + i / 101));
             let robot = (ball + away).clamp(Vec2::new(-2.9, -1.9), Vec2::new(2.9, 1.9));
-            Subjects { robot, ball, others: vec![Vec2::new(2.8, 0.2)] }
+            Subjects { site: Site::HALL, robot, ball, others: vec![Vec2::new(2.8, 0.2)] }
         })
     }
 
@@ -156,11 +179,12 @@ mod tests {
     fn the_picture_shows_robot_and_ball_and_mostly_the_goal() {
         let mut goals = 0;
         for subjects in situations() {
-            let view = CameraOperator::new().choose(&subjects);
+            let view = CameraOperator::new(Site::HALL).choose(&subjects);
             for point in [subjects.robot, subjects.ball] {
                 assert!(column(view, point).abs() < 0.98, "{} {} from {view:?}", subjects.robot, subjects.ball);
             }
-            goals += usize::from([0.7, -0.7].iter().all(|y| column(view, Vec2::new(POST.x, *y)).abs() < 1.0));
+            goals +=
+                usize::from([0.7, -0.7].iter().all(|y| column(view, Vec2::new(FIELD.goal_post().x, *y)).abs() < 1.0));
         }
         assert!(goals > 340, "{goals} of 400");
     }
@@ -168,9 +192,11 @@ mod tests {
     #[test]
     fn goal_posts_hardly_ever_occlude_the_robot() {
         let blocked = situations().filter(|subjects| {
-            let [eye, _] = CameraOperator::new().choose(subjects);
+            let [eye, _] = CameraOperator::new(Site::HALL).choose(subjects);
             [1.0, -1.0].iter().any(|end| {
-                [0.7, -0.7].iter().any(|y| distance_to_line(Vec2::new(end * POST.x, *y), eye, subjects.robot) < 0.15)
+                [0.7, -0.7]
+                    .iter()
+                    .any(|y| distance_to_line(Vec2::new(end * FIELD.goal_post().x, *y), eye, subjects.robot) < 0.15)
             })
         });
         assert!(blocked.count() < 8);

@@ -23,7 +23,7 @@ const TOLERANCE_OUTSIDE: u8 = 5;
 const TOLERANCE_CAMERA: u8 = 20;
 
 /// GIF that is being written.
-pub(super) struct Gif {
+pub(crate) struct Gif {
     path: PathBuf,
     encoder: Encoder<BufWriter<File>>,
     colours: Colours,
@@ -35,7 +35,7 @@ pub(super) struct Gif {
 
 impl Gif {
     /// A file without pictures.
-    pub(super) fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
+    pub(crate) fn new(path: &Path, width: usize, height: usize) -> Result<Self, Failure> {
         let colours = Colours::new();
         let mut palette: Vec<u8> = colours.all.iter().flatten().copied().collect();
         palette.resize(256 * 3, 0);
@@ -49,7 +49,7 @@ impl Gif {
     }
 
     /// Adds a picture that is shown for the time of `times` pictures.
-    pub(super) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
+    pub(crate) fn add(&mut self, canvas: &Canvas, times: u16) -> Result<(), Failure> {
         let pixels = canvas.bytes().as_chunks::<3>().0;
         let now: Vec<u8> = pixels.iter().enumerate().map(|(at, rgb)| self.colour(at, *rgb)).collect();
         let frame = self.change(&now, times * PICTURE_TIME);
@@ -102,7 +102,7 @@ impl Gif {
     }
 
     /// Closes the file and returns the number of pictures.
-    pub(super) fn finish(self) -> Result<usize, Failure> {
+    pub(crate) fn finish(self) -> Result<usize, Failure> {
         let file = self
             .encoder
             .into_inner()

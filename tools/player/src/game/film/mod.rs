@@ -1,16 +1,17 @@
 //! Film of a game: the world from outside, the robot's camera image, and the active components.
 
-mod camera_operator;
+pub(crate) mod camera_operator;
 mod colours;
-mod gif;
+pub(crate) mod gif;
 
 use std::path::Path;
 use std::time::Duration;
 
 use bica_app::Failure;
+use bica_drawing::TreeState;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
-use bica_drawing::polar::describe;
+use bica_drawing::polar::{Polar, describe};
 use bica_drawing::text::Font;
 use bica_evaluation::pictures::camera;
 use bica_motion::robot::Image;
@@ -19,21 +20,21 @@ use glam::Vec2;
 
 use crate::game::observer::{GameObserver, View};
 use crate::game::scene::Scene;
-use camera_operator::CameraOperator;
+use camera_operator::{CameraOperator, Site};
 use gif::{Gif, PICTURE_TIME};
 
 /// Time between two pictures.
-const INTERVAL: Duration = Duration::from_millis(10 * PICTURE_TIME as u64);
+pub(crate) const INTERVAL: Duration = Duration::from_millis(10 * PICTURE_TIME as u64);
 /// Number of pictures with the same camera image: its noise makes up most of a file.
 const CAMERA_REPEAT: u32 = 3;
 /// Duration of the last picture, as a number of pictures.
-const LAST_REPEAT: u16 = 35;
+pub(crate) const LAST_REPEAT: u16 = 35;
 /// Size of the view from outside, px.
 pub(crate) const OUTSIDE_WIDTH: usize = 480;
-const OUTSIDE_HEIGHT: usize = 360;
+pub(crate) const OUTSIDE_HEIGHT: usize = 360;
 /// Size of the camera image, px.
-const CAMERA_WIDTH: usize = 320;
-const CAMERA_HEIGHT: usize = 240;
+pub(crate) const CAMERA_WIDTH: usize = 320;
+pub(crate) const CAMERA_HEIGHT: usize = 240;
 /// Largest number of components that are named.
 const MAX_NAMES: usize = 8;
 
@@ -51,7 +52,7 @@ impl Film {
     /// A film without pictures; makes the file.
     pub(crate) fn new(path: &Path) -> Result<Self, Failure> {
         let gif = Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?;
-        Ok(Self { gif, operator: CameraOperator::new(), next: Duration::ZERO, last: None, camera_view: None })
+        Ok(Self { gif, operator: CameraOperator::new(Site::HALL), next: Duration::ZERO, last: None, camera_view: None })
     }
 
     /// Adds the last picture, closes the file, and returns the number of pictures.
@@ -69,7 +70,8 @@ impl GameObserver for Film {
             return None;
         }
         self.next += INTERVAL;
-        let camera = self.operator.follow(referee, INTERVAL.as_secs_f32());
+        let others = referee.others().iter().map(|other| other.position).collect();
+        let camera = self.operator.follow(referee.robot().position, referee.ball(), others, INTERVAL.as_secs_f32());
         Some(View { camera, width: OUTSIDE_WIDTH, height: OUTSIDE_HEIGHT })
     }
 
@@ -84,13 +86,20 @@ impl GameObserver for Film {
             *left -= 1;
             &*view
         });
-        self.last = Some(sheet(scene, picture, own));
+        let (ball, goal) = scene.positions();
+        self.last = Some(sheet(picture, own, scene.t, &scene.tree(), [ball, goal]));
         Ok(())
     }
 }
 
-/// Draws one picture: both views and the text.
-fn sheet(scene: &Scene<'_>, picture: &Picture, own: Option<&Canvas>) -> Canvas {
+/// Draws one picture: both views, and the time, the tree, and where ball and goal are.
+pub(crate) fn sheet(
+    picture: &Picture,
+    own: Option<&Canvas>,
+    t: f64,
+    tree: &TreeState<'_>,
+    positions: [Option<Polar>; 2],
+) -> Canvas {
     let mut sheet = Canvas::new(OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT, PAPER);
     let mut outside = Canvas::new(picture.width, picture.height, PAPER);
     for (i, rgb) in picture.rgb.iter().enumerate() {
@@ -100,7 +109,7 @@ fn sheet(scene: &Scene<'_>, picture: &Picture, own: Option<&Canvas>) -> Canvas {
     if let Some(own) = own {
         sheet.place(own, OUTSIDE_WIDTH, 0);
     }
-    write(&mut sheet, scene);
+    write(&mut sheet, t, tree, positions);
     sheet
 }
 
@@ -119,12 +128,10 @@ fn camera_view(scene: &Scene<'_>, image: &Image<'_>) -> Canvas {
     small
 }
 
-fn write(sheet: &mut Canvas, scene: &Scene<'_>) {
-    let tree = scene.tree();
+fn write(sheet: &mut Canvas, t: f64, tree: &TreeState<'_>, [ball, goal]: [Option<Polar>; 2]) {
     let state = tree.state(tree.tree.root).unwrap_or("-");
-    let (ball, goal) = scene.positions();
     let line = |row: usize| Vec2::new(OUTSIDE_WIDTH as f32 + 12.0, CAMERA_HEIGHT as f32 + 8.0 + 18.0 * row as f32);
-    sheet.write(line(0), Font::Title, TEXT, &format!("{:6.1} s  {state}", scene.t));
+    sheet.write(line(0), Font::Title, TEXT, &format!("{t:6.1} s  {state}"));
     sheet.write(line(1), Font::Normal, TEXT, &format!("ball {}", describe(ball)));
     sheet.write(line(2), Font::Normal, TEXT, &format!("goal {}", describe(goal)));
     let activates = |node: &usize| tree.active[*node] && *node != tree.tree.root;

@@ -1,0 +1,155 @@
+//! Film of a game in the league: the robot and the ball where the robot estimates them, and what its camera sees.
+
+use std::path::Path;
+use std::sync::{Arc, PoisonError};
+use std::time::Duration;
+
+use bica::runner::{Runner, World};
+use bica::{ComponentId, Setting, Tree};
+use bica_app::{Console, Failure, interrupt};
+use bica_drawing::TreeState;
+use bica_drawing::canvas::{Canvas, Rgb};
+use bica_drawing::polar::Polar;
+use bica_field::SSIM_2026;
+use bica_league::Body;
+use bica_motion::model::{Nao, RobotModel};
+use bica_motion::pose::Pose2;
+use bica_player_t1::senses::{Object, View};
+use bica_sim::mujoco::{Shown, Stage};
+use bica_wire::model::Description;
+use glam::Vec2;
+
+use super::entry::{Entry, failure};
+use super::robot::{Estimate, Footballer, Standing, forward};
+use super::start::Start;
+use super::world::{LeagueGame, LeagueWorld};
+use crate::game::film::camera_operator::{CameraOperator, Site};
+use crate::game::film::gif::Gif;
+use crate::game::film::{CAMERA_HEIGHT, CAMERA_WIDTH, INTERVAL, LAST_REPEAT, OUTSIDE_HEIGHT, OUTSIDE_WIDTH, sheet};
+
+/// Half of the angle of view of the league's camera in both directions, as a tangent (60°).
+const HALF_VIEW: f32 = 1.75;
+const GRASS: Rgb = [40, 104, 50];
+const MARK: Rgb = [245, 245, 245];
+const BALL: Rgb = [236, 120, 30];
+const OTHERS: Rgb = [60, 70, 90];
+/// Position of a ball that was not seen yet: outside the picture, m.
+const NOWHERE: Vec2 = Vec2::splat(200.0);
+
+/// Plays one game and films it.
+///
+/// # Errors
+/// If the server, the renderer or the file fails.
+pub(crate) fn play<F: Footballer>(
+    entry: &Entry,
+    settings: &[Setting],
+    seconds: f64,
+    path: &Path,
+    console: Console,
+) -> Result<LeagueGame, Failure> {
+    let mut film = Film::<F>::new(path, entry.server.is_none().then(|| Start::new(entry.seed)))?;
+    let standing = Standing::default();
+    let world = LeagueWorld::<F>::open(entry, Arc::clone(&standing)).map_err(|error| failure(&error))?;
+    let begin = World::<F::Forward>::now(&world);
+    let mut runner = Runner::new(forward::<F>(), world);
+    _ = runner.robot_mut().set_params(settings);
+    let limit = bica::Duration::from_micros((seconds * 1e6) as u64);
+    loop {
+        let t = World::<F::Forward>::now(runner.world()) - begin;
+        if interrupt::requested() || World::<F::Forward>::is_over(runner.world()) || t >= limit {
+            break;
+        }
+        // Infallible.
+        _ = runner.cycle();
+        film.watch(Duration::from_micros(t.as_micros()), runner.robot(), runner.world())?;
+    }
+    drop(runner);
+    let count = film.finish()?;
+    let (game, error) = core::mem::take(&mut *standing.lock().unwrap_or_else(PoisonError::into_inner));
+    error.map_or(Ok(()), |error| Err(failure(&error)))?;
+    console.print(&game.line())?;
+    console.print_row("film", &format!("{count} pictures in {}", path.display()))?;
+    Ok(game)
+}
+
+struct Film<F: Footballer> {
+    gif: Gif,
+    stage: Stage<F::Model>,
+    operator: CameraOperator,
+    description: Description,
+    next: Duration,
+    /// Where the odometry began on the field.
+    origin: Option<Pose2>,
+    /// Where the ball was last.
+    ball: Vec2,
+    last: Option<Canvas>,
+}
+
+impl<F: Footballer> Film<F> {
+    /// A film of a game whose start is known, unless others started the server.
+    fn new(path: &Path, start: Option<Start>) -> Result<Self, Failure> {
+        let scale = <F::Model as Body>::STANDING_HEIGHT / Nao::DYNAMIC_PROFILE.gait.hip_height;
+        let stage = Stage::new(&SSIM_2026, OUTSIDE_WIDTH, OUTSIDE_HEIGHT).map_err(|error| {
+            Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
+        })?;
+        Ok(Self {
+            gif: Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?,
+            stage,
+            operator: CameraOperator::new(Site::outdoors(&SSIM_2026, scale)),
+            description: Description::of(const { &F::Forward::GRAPH }),
+            next: Duration::ZERO,
+            origin: start.map(|start| start.robot),
+            ball: start.map_or(NOWHERE, |start| start.ball),
+            last: None,
+        })
+    }
+
+    /// Adds a picture when it is time for one.
+    fn watch(&mut self, t: Duration, forward: &F::Forward, world: &LeagueWorld<F>) -> Result<(), Failure> {
+        let Estimate { odometry, robot, ball, goal } = F::estimate(forward);
+        self.origin = robot.map(|robot| robot * odometry.inverse()).or(self.origin);
+        let Some(origin) = self.origin.filter(|_| t >= self.next) else { return Ok(()) };
+        let robot = origin * odometry;
+        self.next = (self.next + INTERVAL).max(t);
+        self.ball = ball.map_or(self.ball, |(at, _)| robot.place(at));
+        let subject = if self.ball == NOWHERE { robot.position } else { self.ball };
+        let camera = self.operator.follow(robot.position, subject, Vec::new(), INTERVAL.as_secs_f32());
+        let body = world.body();
+        let tilt = (body.inertial.roll, body.inertial.pitch);
+        let shown = Shown { at: robot, tilt, angles: &body.angles, ball: self.ball };
+        let picture = self.stage.draw(&shown, &camera).map_err(|error| {
+            Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
+        })?;
+        let each = || (0..F::Forward::GRAPH.nodes.len()).map(ComponentId::new);
+        let tree = TreeState {
+            tree: &self.description,
+            active: each().map(|id| forward.is_active_at(id)).collect(),
+            states: each().map(|id| forward.state(id)).collect(),
+        };
+        let positions = [ball.map(|(at, seen)| Polar::new(at, seen)), goal.map(|at| Polar::new(at, false))];
+        let sheet = sheet(&picture, Some(&seen(world.last_view())), t.as_secs_f64(), &tree, positions);
+        self.last.replace(sheet).map_or(Ok(()), |last| self.gif.add(&last, 1))
+    }
+
+    fn finish(mut self) -> Result<usize, Failure> {
+        self.last.take().map_or(Ok(()), |last| self.gif.add(&last, LAST_REPEAT))?;
+        self.gif.finish()
+    }
+}
+
+/// Draws what the camera sees: marks of the field, the ball, and feet of other players.
+fn seen(view: &View) -> Canvas {
+    let mut canvas = Canvas::new(CAMERA_WIDTH, CAMERA_HEIGHT, GRASS);
+    let (middle, scale) =
+        (0.5 * Vec2::new(CAMERA_WIDTH as f32, CAMERA_HEIGHT as f32), 0.5 * CAMERA_WIDTH as f32 / HALF_VIEW);
+    for sight in view.iter().filter(|sight| sight.at[0] > 0.0) {
+        let [ahead, left, up] = sight.at;
+        let (radius, colour) = match sight.object {
+            Object::Ball => ((scale * SSIM_2026.ball_radius() / ahead).max(3.0), BALL),
+            Object::Mark(_) => (2.5, MARK),
+            Object::Robot => (4.0, OTHERS),
+        };
+        canvas.disc(middle - scale * Vec2::new(left, up) / ahead, radius, colour);
+    }
+    canvas
+}
