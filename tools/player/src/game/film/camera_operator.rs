@@ -1,6 +1,8 @@
 //! Camera motion of a film: behind and beside the robot, so that the robot, the ball and the goal are visible.
 
-use bica_field::{FIELD, FieldDimensions};
+use bica_field::FIELD;
+#[cfg(feature = "mujoco")]
+use bica_field::FieldDimensions;
 use bica_motion::pose::rotate;
 use bica_sim::SpectatorCamera;
 use glam::Vec2;
