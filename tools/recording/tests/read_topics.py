@@ -4,6 +4,7 @@ Each topic is decoded by its own descriptors and by the official ones, and by Re
 are compared with the exact values in the same file.
 """
 
+import json
 import argparse
 import importlib
 import io
