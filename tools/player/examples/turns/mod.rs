@@ -72,7 +72,7 @@ impl Values {
                     with.sense(now, &sensors).expect("the image fits");
                     with.think(now);
                 }
-                times[index as usize].push((clock() - start).as_secs_f64() * 1e3);
+                times[index as usize].push(clock().saturating_sub(start).as_secs_f64() * 1e3);
             }
         }
         times.each_mut().into_iter().for_each(|times| times.sort_by(f64::total_cmp));
