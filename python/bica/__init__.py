@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+import importlib
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from bica.parameters import Parameter, Setting
 from bica.program import Program, ProgramError
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from bica.recording import Recording
+    from bica.search.series import series
 
 __all__ = ["Parameter", "Program", "ProgramError", "Recording", "Setting", "params", "play", "series"]
 
-
-def _program(program: Program | str | os.PathLike[str] | None) -> Program:
-    return program if isinstance(program, Program) else Program.find(program)
+#: What needs libraries that a worker of a search does not load.
+_LAZY = {"Recording": "bica.recording", "series": "bica.search.series"}
 
 
 def play(
@@ -35,7 +34,7 @@ def play(
     `set` maps names `Component.name` to values, `arguments` are further options of the program, `timeout` is in seconds. Raises
     ProgramError with the program's message.
     """
-    return _program(program).play(seed, world, set, arguments, timeout)
+    return Program.find(program).play(seed, world, set, arguments, timeout)
 
 
 def params(
@@ -45,33 +44,10 @@ def params(
     kind: str | None = None,
 ) -> dict[str, Parameter]:
     """Return the parameters of a program by their names `Component.name`, with ranges, units and values."""
-    return _program(program).params(set, kind)
-
-
-def series(
-    seeds: Iterable[int],
-    world: str | None = None,
-    set: Mapping[str, Setting] | None = None,  # noqa: A002
-    *,
-    program: Program | str | os.PathLike[str] | None = None,
-    arguments: Sequence[str] = (),
-    timeout: float | None = None,
-    address: str | None = None,
-    workers: int | None = None,
-) -> pd.DataFrame:
-    """Play a game for each seed and return a row for each, in the order of the seeds.
-
-    `address` distributes the games: see docs/search.md. A game that failed has its message in the column `error`.
-    """
-    from bica.search.series import play_series
-
-    return play_series(_program(program), seeds, world, set or {}, arguments, timeout, address=address, workers=workers)
+    return Program.find(program).params(set, kind)
 
 
 def __getattr__(name: str) -> Any:
-    # Recordings need a library of their own, which a search on a computer of a cluster does not load.
-    if name == "Recording":
-        from bica.recording import Recording
-
-        return Recording
+    if name in _LAZY:
+        return getattr(importlib.import_module(_LAZY[name]), name)
     raise AttributeError(f"module `bica` has no attribute `{name}`")

@@ -11,7 +11,6 @@ from types import FrameType
 
 from bica.errors import BicaError
 from bica.parameters import Setting
-from bica.program import Program
 
 INTERRUPTED = 130
 
@@ -23,8 +22,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, _interrupt)
     try:
-        run = _search if args.command == "search" else _series
-        return run(args)
+        if args.command == "series":
+            return _series(args)
+        from bica.search.main import search
+
+        return search(args)
     except KeyboardInterrupt:
         signal.setitimer(signal.ITIMER_REAL, 0)
         print("interrupted; the same command continues", file=sys.stderr)
@@ -64,30 +66,14 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _search(args: argparse.Namespace) -> int:
-    from bica.search.main import search
-
-    return search(args)
-
-
 def _series(args: argparse.Namespace) -> int:
-    from bica.search.series import play_series
+    from bica.search.series import series
     from bica.search.store import default_url, say, url_of
 
     url = url_of(args.store) if args.store else default_url(args.out)
-    seeds, program = range(args.seed, args.seed + args.games), Program.find(args.program)
-    frame = play_series(
-        program,
-        seeds,
-        args.world,
-        _settings(args.set),
-        args.argument,
-        args.timeout,
-        address=args.address,
-        workers=args.workers,
-        store=url,
-        report=say,
-    )
+    options = {"address": args.address, "workers": args.workers, "store": url, "report": say}
+    given = {"program": args.program, "arguments": args.argument, "timeout": args.timeout}
+    frame = series(range(args.seed, args.seed + args.games), args.world, _settings(args.set), **given, **options)
     frame.to_parquet(args.out)
     say(f"{len(frame)} games in {args.out}")
     return 0

@@ -54,24 +54,15 @@ def parsed(kind: str, value: str) -> Setting:
 
 def parameters_of(graph: Mapping[str, Any], report: Mapping[str, Any]) -> dict[str, Parameter]:
     """Join the ranges of `graph --json` and the values of `params --json`."""
-    described = {
-        f"{component['name']}.{param['name']}": param for component in graph["components"] for param in component["params"]
-    }
+    components = graph["components"]
+    described = {f"{component['name']}.{param['name']}": param for component in components for param in component["params"]}
     rows = ((f"{row['component']}.{row['name']}", row) for row in report["parameters"])
     return {name: _parameter(name, row, described[name]) for name, row in rows}
 
 
 def _parameter(name: str, row: Mapping[str, Any], described: Mapping[str, Any]) -> Parameter:
-    return Parameter(
-        name=name,
-        doc=row["doc"],
-        unit=row["unit"],
-        kind=row["kind"],
-        default=parsed(row["kind"], row["default"]),
-        value=parsed(row["kind"], row["value"]),
-        source=row["source"],
-        minimum=described.get("min"),
-        maximum=described.get("max"),
-        step=described.get("step"),
-        variants=tuple(variant["name"] for variant in described.get("variants", ())),
-    )
+    kind = row["kind"]
+    default, value = parsed(kind, row["default"]), parsed(kind, row["value"])
+    least, most, step = (described.get(key) for key in ("min", "max", "step"))
+    variants = tuple(variant["name"] for variant in described.get("variants", ()))
+    return Parameter(name, row["doc"], row["unit"], kind, default, value, row["source"], least, most, step, variants)

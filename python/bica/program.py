@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import ctypes
 import hashlib
 import json
 import os
 import shutil
 import signal
 import subprocess
-import sys
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -55,18 +53,16 @@ class Program:
         self.path = Path(found).resolve()
 
     @classmethod
-    def find(cls, path: str | os.PathLike[str] | None = None) -> Program:
+    def find(cls, path: Program | str | os.PathLike[str] | None = None) -> Program:
         """Return the program at `path`, else of the variable BICA_PROGRAM, in PATH, or in a checkout's target/release."""
-        named = path or os.environ.get("BICA_PROGRAM")
-        if named:
+        if isinstance(path, Program):
+            return path
+        if named := path or os.environ.get("BICA_PROGRAM") or shutil.which("player"):
             return cls(named)
-        folders = [Path.cwd(), *Path.cwd().parents]
-        built = (folder / "target/release/player" for folder in folders if (folder / "Cargo.toml").is_file())
-        if installed := shutil.which("player"):
-            return cls(installed)
-        for candidate in built:
-            if candidate.is_file():
-                return cls(candidate)
+        for folder in (Path.cwd(), *Path.cwd().parents):
+            built = folder / "target/release/player"
+            if built.is_file() and (folder / "Cargo.toml").is_file():
+                return cls(built)
         raise ProgramError(
             "no program was found\n  help: give its path, set BICA_PROGRAM, or run `cargo build --release` in a checkout"
         )
@@ -92,7 +88,7 @@ class Program:
                 raise ProgramError(f"{self.path.name} printed no JSON: {error}", code=code) from error
         what = f"was ended by {_signal(-code)}" if code < 0 else f"failed with exit code {code}"
         message = err.strip().removeprefix("error: ")
-        raise ProgramError(f"{self.path.name} {what}: {message}" if message else f"{self.path.name} {what}", code=code)
+        raise ProgramError(f"{self.path.name} {what}" + (f": {message}" if message else ""), code=code)
 
     def play(
         self,
@@ -141,55 +137,32 @@ _running: set[subprocess.Popen[str]] = set()
 _stopping = threading.Event()
 
 
-@lru_cache(maxsize=1)
-def _prctl() -> Any:
-    return ctypes.CDLL(None).prctl if sys.platform == "linux" else None
-
-
-def _die_with_parent() -> None:
-    """Ask Linux to end this process when the thread that started it ends, even if that is killed."""
-    set_parent_death_signal = 1
-    _prctl()(set_parent_death_signal, signal.SIGKILL)
+#: A program ends with the thread that started it, even if that is killed; only Linux has this.
+_PREFIX = ("setpriv", "--pdeathsig", "KILL") if shutil.which("setpriv") else ()
 
 
 def _run(command: Sequence[str], timeout: float | None) -> tuple[int, str, str]:
     """Run a command in a session of its own and return exit code and outputs; it never outlives this call."""
-    die = _die_with_parent if _prctl() else None
+    pipe = subprocess.PIPE
+    words = [*_PREFIX, *command]
     try:
-        process = subprocess.Popen(
-            command,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            start_new_session=True,
-            preexec_fn=die,  # noqa: PLW1509 - it calls only `prctl`, which was looked up before
-        )
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=pipe, stderr=pipe, text=True, start_new_session=True)
     except OSError as error:
         raise ProgramError(f"cannot start `{command[0]}`: {error.strerror}") from error
-    with _registered(process):
-        try:
-            out, err = process.communicate(timeout=timeout)
-        except subprocess.TimeoutExpired:
-            raise ProgramError(f"{Path(command[0]).name} took more than {timeout:g} s and was stopped") from None
-        if _stopping.is_set():
-            raise StoppedError("stopped")
-    return process.returncode, out, err
-
-
-@contextmanager
-def _registered(process: subprocess.Popen[str]) -> Iterator[None]:
     _running.add(process)
     try:
         # Only now: `stopping` kills those that were registered before.
-        if _stopping.is_set():
-            raise StoppedError("stopped")
-        yield
+        out, err = ("", "") if _stopping.is_set() else process.communicate(timeout=timeout)
+    except subprocess.TimeoutExpired:
+        raise ProgramError(f"{Path(command[0]).name} took more than {timeout:g} s and was stopped") from None
     finally:
         _running.discard(process)
         if process.poll() is None:
             _kill(process)
             process.communicate()
+    if _stopping.is_set():
+        raise StoppedError("stopped")
+    return process.returncode, out, err
 
 
 def _kill(process: subprocess.Popen[str]) -> None:

@@ -18,7 +18,6 @@ from conftest import StudyFile
 import bica
 from bica import Program
 from bica.cli import main
-from bica.search.series import play_series
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +35,7 @@ def cluster() -> Iterator[Any]:
 
 def series(robot: Program, count: int, address: str, lines: list[str], *words: str) -> pd.DataFrame:
     arguments = ["--slow", "0.1", *words]
-    return play_series(robot, range(count), None, {}, arguments, address=address, report=lines.append)
+    return bica.series(range(count), program=robot, arguments=arguments, address=address, report=lines.append)
 
 
 def test_every_fingerprint_is_that_of_one_computer(robot: Program, cluster: Any) -> None:

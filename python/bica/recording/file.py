@@ -45,7 +45,9 @@ class RecordingFile:
         self.ending: dict[str, Any] = self._json(records["bica.ending"]) if "bica.ending" in records else {}
         if self.header["format"] != FORMAT:
             raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {FORMAT}")
-        self._schemas = {schema.name: schema for schema in summary.schemas.values()}
+        #: Schemas by name, such as `bica.Tick` with one of postcard.
+        self.schemas = {schema.name: schema for schema in summary.schemas.values()}
+        self._decoders: Any = None
         self.topics = {channel.topic: channel for channel in summary.channels.values()}
 
     def _json(self, record: dict[str, str]) -> Any:
@@ -55,13 +57,8 @@ class RecordingFile:
         return json.loads(text)
 
     def _damaged(self, why: object) -> RecordingError:
-        help_text = f"player record recover {self.path} whole.mcap"
-        return RecordingError(f"`{self.path}` is cut, damaged or no MCAP file: {why}\n  help: `{help_text}` may mend it")
-
-    def schema(self, name: str) -> dict[str, Any]:
-        """Return a schema of postcard, such as `bica.Tick`."""
-        loaded: dict[str, Any] = json.loads(self._schemas[name].data)
-        return loaded
+        what = f"`{self.path}` is cut, damaged or no MCAP file: {why}"
+        return RecordingError(f"{what}\n  help: `player record recover {self.path} whole.mcap` may mend it")
 
     def messages(self, topic: str) -> Iterator[tuple[Schema | None, Channel, Message]]:
         """Return the messages of a topic in the order of their times."""
@@ -70,3 +67,19 @@ class RecordingFile:
                 yield from make_reader(file, validate_crcs=True).iter_messages(topics=[topic])
             except READ_ERRORS as error:
                 raise self._damaged(error) from None
+
+    def standard(self, topic: str) -> Iterator[tuple[float, Any]]:
+        """Return times and contents of a standard topic: JSON, or Protocol Buffers by the descriptors in the file."""
+        for schema, channel, message in self.messages(topic):
+            is_json = channel.message_encoding == "json"
+            yield message.log_time * 1e-9, json.loads(message.data) if is_json else self._protobuf(schema, channel, message)
+
+    def _protobuf(self, schema: Schema | None, channel: Channel, message: Message) -> Any:
+        from google.protobuf.json_format import MessageToDict
+        from mcap_protobuf.decoder import DecoderFactory
+
+        self._decoders = self._decoders or DecoderFactory()
+        decode = self._decoders.decoder_for(channel.message_encoding, schema)
+        if decode is None:
+            raise RecordingError(f"`{channel.topic}` is encoded as {channel.message_encoding}")
+        return MessageToDict(decode(message.data), preserving_proto_field_name=True, always_print_fields_with_no_presence=True)

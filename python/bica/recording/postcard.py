@@ -39,14 +39,10 @@ def decoder(schema: Mapping[str, Any], large_apart: bool = False) -> Callable[[b
 
 
 def _varint(data: bytes, at: int) -> tuple[int, int]:
-    byte = data[at]
-    if byte < 0x80:
-        return byte, at + 1
-    value, shift = byte & 0x7F, 7
-    while byte >= 0x80:
+    value, shift = data[at] & 0x7F, 7
+    while data[at] >= 0x80:
         at += 1
-        byte = data[at]
-        value |= (byte & 0x7F) << shift
+        value |= (data[at] & 0x7F) << shift
         shift += 7
     return value, at + 1
 
@@ -54,26 +50,6 @@ def _varint(data: bytes, at: int) -> tuple[int, int]:
 def _signed(data: bytes, at: int) -> tuple[int, int]:
     value, at = _varint(data, at)
     return (value >> 1) ^ -(value & 1), at
-
-
-def _bool(data: bytes, at: int) -> tuple[bool, int]:
-    return data[at] != 0, at + 1
-
-
-def _byte(data: bytes, at: int) -> tuple[int, int]:
-    return data[at], at + 1
-
-
-def _signed_byte(data: bytes, at: int) -> tuple[int, int]:
-    return data[at] - (256 if data[at] > 127 else 0), at + 1
-
-
-def _f32(data: bytes, at: int) -> tuple[float, int]:
-    return _F32(data, at)[0], at + 4
-
-
-def _f64(data: bytes, at: int) -> tuple[float, int]:
-    return _F64(data, at)[0], at + 8
 
 
 def _bytes(data: bytes, at: int) -> tuple[bytes, int]:
@@ -88,24 +64,18 @@ def _text(data: bytes, at: int) -> tuple[str, int]:
     return taken.decode(), at
 
 
-def _unit(data: bytes, at: int) -> tuple[None, int]:
-    return None, at
+def _packed(form: str) -> Decoder:
+    unpack, size = struct.Struct(f"<{form}").unpack_from, struct.calcsize(f"<{form}")
+    return lambda data, at: (unpack(data, at)[0], at + size)
 
 
-_F32, _F64 = struct.Struct("<f").unpack_from, struct.Struct("<d").unpack_from
 _PLAIN: dict[str, Decoder] = {
-    "Bool": _bool,
-    "U8": _byte,
-    "I8": _signed_byte,
-    "F32": _f32,
-    "F64": _f64,
-    "Unit": _unit,
-    "UnitStruct": _unit,
-    "Char": _text,
-    "String": _text,
-    "ByteArray": _bytes,
+    **{name: _packed(form) for name, form in (("Bool", "?"), ("U8", "B"), ("I8", "b"), ("F32", "f"), ("F64", "d"))},
     **dict.fromkeys(("U16", "U32", "U64", "U128", "Usize"), _varint),
     **dict.fromkeys(("I16", "I32", "I64", "I128", "Isize"), _signed),
+    **dict.fromkeys(("Unit", "UnitStruct", "UnitVariant"), lambda data, at: (None, at)),
+    **dict.fromkeys(("Char", "String"), _text),
+    "ByteArray": _bytes,
 }
 
 
@@ -116,35 +86,22 @@ def _compile(ty: Any, apart: bool) -> Decoder:
         return _apart(_PLAIN[ty]) if apart and ty in ("String", "ByteArray") else _PLAIN[ty]
     ((kind, inner),) = ty.items()
     match kind:
-        case "Struct":
+        case "Struct" | "StructVariant":
             return _struct([field["name"] for field in inner], [_compile(field["ty"]["ty"], apart) for field in inner])
-        case "Tuple" | "TupleStruct":
+        case "Tuple" | "TupleStruct" | "TupleVariant":
             return _tuple([_compile(part["ty"], apart) for part in inner])
-        case "NewtypeStruct":
+        case "NewtypeStruct" | "NewtypeVariant":
             return _compile(inner["ty"], apart)
         case "Option":
-            return _option(_compile(inner["ty"], apart))
+            part = _compile(inner["ty"], apart)
+            return lambda data, at: part(data, at + 1) if data[at] else (None, at + 1)
         case "Seq":
             return _bytes if inner["ty"] == "U8" else _sequence(_compile(inner["ty"], apart))
         case "Map":
-            return _map(_compile(inner["key"]["ty"], apart), _compile(inner["val"]["ty"], apart))
+            return _sequence(_tuple([_compile(inner[part]["ty"], apart) for part in ("key", "val")]), dict)
         case "Enum":
-            return _enum([(variant["name"], _variant(variant["ty"], apart)) for variant in inner])
+            return _enum([(variant["name"], _compile(variant["ty"], apart), variant["ty"] == "UnitVariant") for variant in inner])
     raise DecodeError(f"the type `{kind}` is unknown")
-
-
-def _variant(ty: Any, apart: bool) -> Decoder | None:
-    if ty == "UnitVariant":
-        return None
-    ((kind, inner),) = ty.items()
-    match kind:
-        case "NewtypeVariant":
-            return _compile(inner["ty"], apart)
-        case "TupleVariant":
-            return _tuple([_compile(part["ty"], apart) for part in inner])
-        case "StructVariant":
-            return _compile({"Struct": inner}, apart)
-    raise DecodeError(f"the variant `{kind}` is unknown")
 
 
 def _apart(plain: Decoder) -> Decoder:
@@ -156,7 +113,7 @@ def _apart(plain: Decoder) -> Decoder:
 
 
 def _struct(names: list[str], parts: list[Decoder]) -> Decoder:
-    if parts and all(part is _f32 for part in parts):
+    if parts and all(part is _PLAIN["F32"] for part in parts):
         floats = struct.Struct(f"<{len(parts)}f")
         return lambda data, at: (dict(zip(names, floats.unpack_from(data, at), strict=True)), at + floats.size)
     pairs = list(zip(names, parts, strict=True))
@@ -181,39 +138,23 @@ def _tuple(parts: list[Decoder]) -> Decoder:
     return decode
 
 
-def _option(part: Decoder) -> Decoder:
-    return lambda data, at: part(data, at + 1) if data[at] else (None, at + 1)
-
-
-def _sequence(part: Decoder) -> Decoder:
+def _sequence(part: Decoder, whole: Callable[[list[Any]], Any] = list) -> Decoder:
     def decode(data: bytes, at: int) -> tuple[Any, int]:
         count, at = _varint(data, at)
         values = []
         for _ in range(count):
             value, at = part(data, at)
             values.append(value)
-        return values, at
+        return whole(values), at
 
     return decode
 
 
-def _map(key: Decoder, value: Decoder) -> Decoder:
-    pairs = _sequence(_tuple([key, value]))
-
-    def decode(data: bytes, at: int) -> tuple[Any, int]:
-        items, at = pairs(data, at)
-        return dict(items), at
-
-    return decode
-
-
-def _enum(variants: list[tuple[str, Decoder | None]]) -> Decoder:
+def _enum(variants: list[tuple[str, Decoder, bool]]) -> Decoder:
     def decode(data: bytes, at: int) -> tuple[Any, int]:
         number, at = _varint(data, at)
-        name, part = variants[number]
-        if part is None:
-            return name, at
+        name, part, is_unit = variants[number]
         value, at = part(data, at)
-        return {name: value}, at
+        return name if is_unit else {name: value}, at
 
     return decode

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from bica.errors import BicaError
 from bica.search.game import Game, Task
-from bica.search.spread import Lost, Spread
+from bica.search.spread import Spread
 from bica.search.store import Store
 
 #: How often a block may be lost; a worker that dies more often dies because of it.
@@ -27,29 +28,19 @@ class Blocks:
         self.spread, self.store = spread, store
         self.new_games, self.repeated, self._game_s = 0, 0, 0.0
         self._began = time.monotonic()
-        self._idle_s = 0.0
-        self._lost: dict[Task, int] = {}
+        self._lost = Counter[Task]()
         self.running = 0
 
     @property
     def overhead(self) -> float:
         """Share of the time of all slots that was not spent in games, 0 to 1."""
-        available = (time.monotonic() - self._began - self._idle_s) * self.spread.slots
+        available = self.elapsed_s * self.spread.slots
         return max(0.0, 1 - self._game_s / available) if available > 0 else 0.0
 
     @property
     def elapsed_s(self) -> float:
         """Time since the first block could be played, s."""
-        return time.monotonic() - self._began - self._idle_s
-
-    @contextmanager
-    def not_counted(self) -> Iterator[None]:
-        """Leave out the time within it, such as that of a report."""
-        began = time.monotonic()
-        try:
-            yield
-        finally:
-            self._idle_s += time.monotonic() - began
+        return time.monotonic() - self._began
 
     def submit(self, task: Task) -> None:
         """Queue a block."""
@@ -58,21 +49,24 @@ class Blocks:
 
     def next(self) -> tuple[Task, list[Game]]:
         """Wait for a block and store its games; a lost one is played again."""
-        while True:
-            done = self.spread.next()
-            if not isinstance(done, Lost):
-                break
-            count = self._lost[done.task] = self._lost.get(done.task, 0) + 1
-            seeds = f"seeds {done.task.seeds[0]} to {done.task.seeds[-1]} of {done.task.candidate}"
-            if count == MAX_LOST:
-                raise BlockError(f"{seeds} were lost {count} times: {done.why}")
-            self.store.note_lost(f"{seeds} are played again, attempt {count + 1}: {done.why}")
-            self.spread.submit(done.task)
+        task, games = self.spread.next()
+        while isinstance(games, str):
+            self._again(task, games)
+            task, games = self.spread.next()
         self.running -= 1
-        self.new_games += self.store.add(done.games)
-        self.repeated += sum(len(game.repeated) for game in done.games)
-        self._game_s += sum(game.wall_s for game in done.games)
-        return done.task, done.games
+        self.new_games += self.store.add(games)
+        self.repeated += sum(len(game.repeated) for game in games)
+        self._game_s += sum(game.wall_s for game in games)
+        return task, games
+
+    def _again(self, task: Task, why: str) -> None:
+        self._lost[task] += 1
+        count = self._lost[task]
+        seeds = f"seeds {task.seeds[0]} to {task.seeds[-1]} of {task.candidate}"
+        if count == MAX_LOST:
+            raise BlockError(f"{seeds} were lost {count} times: {why}")
+        self.store.note_lost(f"{seeds} are played again, attempt {count + 1}: {why}")
+        self.spread.submit(task)
 
     def play_all(self, tasks: Sequence[Task], progress: Callable[[int, int], None]) -> None:
         """Play all games of these blocks that the store does not have; `progress` gets the games played and wanted."""
@@ -94,4 +88,4 @@ class Blocks:
         """Return the part of a block that the store does not have; None if it has all."""
         known = {game.seed for game in self.store.games(task.candidate) if game.world == (task.world or "")}
         seeds = tuple(seed for seed in task.seeds if seed not in known)
-        return None if not seeds else task if seeds == task.seeds else Task(**{**task.__dict__, "seeds": seeds})
+        return replace(task, seeds=seeds) if seeds else None

@@ -14,17 +14,23 @@ RESAMPLES = 2000
 
 
 @dataclass(frozen=True)
+class Estimate:
+    """A value with its 95 % confidence interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
 class Compared:
-    """An expression of both on the same seeds, with 95 % confidence intervals of the bootstrap over seeds."""
+    """An expression of both on the same seeds, with intervals of the bootstrap over seeds."""
 
     text: str
-    default: float
-    best: float
-    default_interval: tuple[float, float]
-    best_interval: tuple[float, float]
-    #: Difference relative to the default, negative if the best is less; None if the default is zero.
-    change: float | None
-    change_interval: tuple[float, float] | None
+    default: Estimate
+    best: Estimate
+    #: Difference relative to the default, %, negative if the best is less; None if the default is zero.
+    change: Estimate | None
 
 
 def compare(expressions: list[Expression], default: list[Game], best: list[Game]) -> list[Compared]:
@@ -44,28 +50,23 @@ def _columns(games: list[Game], seeds: list[int]) -> Columns:
 
 
 def _compare(expression: Expression, sides: list[Columns], draws: np.ndarray) -> Compared:
-    default, best = (expression.value(columns) for columns in sides)
-    samples = np.array([[expression.value(_drawn(columns, draw)) for columns in sides] for draw in draws])
-    change, interval = None, None
-    if default != 0 and np.all(samples[:, 0] != 0):
-        change = (best - default) / abs(default)
-        interval = _interval((samples[:, 1] - samples[:, 0]) / np.abs(samples[:, 0]))
-    return Compared(expression.text, default, best, _interval(samples[:, 0]), _interval(samples[:, 1]), change, interval)
+    def value(columns: Columns, draw: np.ndarray) -> float:
+        return expression.value({name: column[draw] for name, column in columns.items()})
+
+    samples = [[value(columns, draw) for columns in sides] for draw in draws]
+    # The first row has the values themselves.
+    default, best = np.array([[expression.value(columns) for columns in sides], *samples]).T
+    change = _estimate(100 * (best - default) / np.abs(default)) if np.all(default != 0) else None
+    return Compared(expression.text, _estimate(default), _estimate(best), change)
 
 
-def _drawn(columns: Columns, draw: np.ndarray) -> Columns:
-    return {name: column[draw] for name, column in columns.items()}
-
-
-def _interval(samples: np.ndarray) -> tuple[float, float]:
-    low, high = np.quantile(samples, [0.025, 0.975])
-    return float(low), float(high)
+def _estimate(values: np.ndarray) -> Estimate:
+    return Estimate(float(values[0]), *map(float, np.quantile(values[1:], [0.025, 0.975])))
 
 
 def shown(compared: Compared) -> str:
     """Return a comparison as a line of text."""
-    line = f"{compared.text}: default {compared.default:.4g}, best {compared.best:.4g}"
-    if compared.change is None or compared.change_interval is None:
+    line = f"{compared.text}: default {compared.default.value:.4g}, best {compared.best.value:.4g}"
+    if (change := compared.change) is None:
         return line
-    low, high = compared.change_interval
-    return f"{line}, change {100 * compared.change:+.1f} % (95 % interval {100 * low:+.1f} to {100 * high:+.1f} %)"
+    return f"{line}, change {change.value:+.1f} % (95 % interval {change.low:+.1f} to {change.high:+.1f} %)"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial, reduce
 from typing import Any
 
 import numpy as np
@@ -22,26 +23,16 @@ class ExpressionError(BicaError):
     """An expression is wrong, or cannot be evaluated on these results."""
 
 
-def _otherwise(values: Any, instead: Any) -> Any:
-    return np.where(np.isnan(values), instead, values)
-
-
+#: Functions with the number of their arguments.
 FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
-    "mean": (1, np.mean),
-    "median": (1, np.median),
+    **{name: (1, getattr(np, name)) for name in ("mean", "median", "std", "min", "max", "abs", "sqrt", "log")},
     "sum": (1, np.nansum),
-    "std": (1, np.std),
-    "min": (1, np.min),
-    "max": (1, np.max),
     "count": (1, lambda values: np.count_nonzero(np.nan_to_num(values))),
     "share": (1, lambda values: np.mean(np.nan_to_num(values) != 0)),
     "quantile": (2, np.quantile),
-    "abs": (1, np.abs),
-    "sqrt": (1, np.sqrt),
-    "log": (1, np.log),
     "least": (2, np.minimum),
     "most": (2, np.maximum),
-    "otherwise": (2, _otherwise),
+    "otherwise": (2, lambda values, instead: np.where(np.isnan(values), instead, values)),
     "where": (3, np.where),
 }
 OPERATORS: dict[type, Callable[..., Any]] = {
@@ -77,11 +68,20 @@ class Expression:
     def __init__(self, text: str) -> None:
         """Parse a text; raises ExpressionError if it has anything but numbers, columns, operators and functions."""
         self.text = text
-        self._tree = _parse(text)
+        self._evaluate = _compile(_parse(text))
 
     def value(self, columns: Columns) -> float:
         """Return the value; raises ExpressionError without such a column, or if the result is not one finite number."""
-        return _number(self.text, self._tree, columns)
+        try:
+            with np.errstate(all="ignore"):
+                value = np.asarray(self._evaluate(columns), dtype=float)
+        except (TypeError, ValueError, OverflowError, ZeroDivisionError) as error:
+            raise ExpressionError(f"`{self.text}` cannot be evaluated: {error}") from None
+        if value.size != 1:
+            raise ExpressionError(f"`{self.text}` is a value for each game\n  help: aggregate them, as `mean({self.text})`")
+        if not np.isfinite(value):
+            raise ExpressionError(f"`{self.text}` is {value.item()}\n  help: `otherwise(column, 120)` replaces missing values")
+        return float(value.item())
 
 
 class Constraint:
@@ -116,70 +116,45 @@ def _parse(text: str) -> ast.expr:
     if len(text) > MAX_LENGTH:
         raise ExpressionError(f"an expression has at most {MAX_LENGTH} characters, this one has {len(text)}")
     try:
-        tree = ast.parse(text.strip(), mode="eval").body
+        return ast.parse(text.strip(), mode="eval").body
     except (SyntaxError, ValueError, RecursionError) as error:
         raise ExpressionError(f"`{text}` is no expression: {error}") from None
-    _check(text, tree)
-    return tree
 
 
-def _check(text: str, node: ast.expr) -> None:
+def _compile(node: ast.expr) -> Callable[[Columns], Any]:
+    function: Callable[..., Any]
     match node:
-        case ast.Constant(value=bool() | int() | float() | str()) | ast.Name():
-            return
-        case ast.Call(func=ast.Name(id=name), keywords=[]) if name in FUNCTIONS:
-            if len(node.args) != FUNCTIONS[name][0]:
-                raise ExpressionError(f"`{name}` in `{text}` needs {FUNCTIONS[name][0]} arguments, not {len(node.args)}")
-            parts = node.args
-        case ast.Call(func=ast.Name(id=name)):
-            raise ExpressionError(f"there is no function `{name}`\n  help: functions are {', '.join(sorted(FUNCTIONS))}")
-        case ast.BinOp(op=op) if type(op) in OPERATORS:
-            parts = [node.left, node.right]
-        case ast.UnaryOp(op=op) if type(op) in OPERATORS:
-            parts = [node.operand]
-        case ast.BoolOp():
-            parts = node.values
-        case ast.Compare() if len(node.ops) == 1 and type(node.ops[0]) in OPERATORS:
-            parts = [node.left, *node.comparators]
-        case _:
-            what = ast.unparse(node)
-            raise ExpressionError(f"`{what}` is not allowed in `{text}`\n  help: use numbers, columns, + - * / **, functions")
-    for part in parts:
-        _check(text, part)
-
-
-def _number(text: str, tree: ast.expr, columns: Columns) -> float:
-    try:
-        with np.errstate(all="ignore"):
-            value = np.asarray(_evaluate(tree, columns), dtype=float)
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError) as error:
-        raise ExpressionError(f"`{text}` cannot be evaluated: {error}") from None
-    if value.size != 1:
-        raise ExpressionError(f"`{text}` is a value for each game\n  help: aggregate them, as `mean({text})`")
-    if not np.isfinite(value):
-        raise ExpressionError(f"`{text}` is {value.item()}\n  help: `otherwise(column, 120)` replaces missing values")
-    return float(value.item())
-
-
-def _evaluate(node: ast.expr, columns: Columns) -> Any:
-    match node:
-        case ast.Constant(value=value):
-            return value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
+        case ast.Constant(value=bool() | int() | float() as number):
+            return lambda columns: float(number)
+        case ast.Constant(value=str() as text):
+            return lambda columns: text
         case ast.Name(id=name):
-            if name not in columns:
-                raise ExpressionError(f"the results have no column `{name}`\n  help: they have {', '.join(columns)}")
-            return columns[name]
-        case ast.Call(func=ast.Name(id=name), args=arguments):
-            return FUNCTIONS[name][1](*(_evaluate(argument, columns) for argument in arguments))
-        case ast.BinOp(left=left, op=op, right=right):
-            return OPERATORS[type(op)](_evaluate(left, columns), _evaluate(right, columns))
-        case ast.UnaryOp(op=op, operand=operand):
-            return OPERATORS[type(op)](_evaluate(operand, columns))
-        case ast.BoolOp(op=op, values=values):
-            result = _evaluate(values[0], columns)
-            for part in values[1:]:
-                result = OPERATORS[type(op)](result, _evaluate(part, columns))
-            return result
-        case ast.Compare(left=left, ops=[op], comparators=[right]):
-            return OPERATORS[type(op)](_evaluate(left, columns), _evaluate(right, columns))
-    raise ExpressionError(f"`{ast.unparse(node)}` is not allowed")
+            return lambda columns: _column_of(columns, name)
+        case ast.Call(func=ast.Name(id=name), args=parts, keywords=[]):
+            if name not in FUNCTIONS:
+                raise ExpressionError(f"there is no function `{name}`\n  help: functions are {', '.join(sorted(FUNCTIONS))}")
+            count, function = FUNCTIONS[name]
+            if len(parts) != count:
+                raise ExpressionError(f"`{ast.unparse(node)}` needs {count} arguments, not {len(parts)}")
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
+            function, parts = OPERATORS[type(op)], [left, right]
+        case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
+            function, parts = OPERATORS[type(op)], [operand]
+        case ast.BoolOp(op=op, values=parts):
+            function = partial(_reduced, OPERATORS[type(op)])
+        case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in OPERATORS:
+            function, parts = OPERATORS[type(op)], [left, right]
+        case _:
+            raise ExpressionError(f"`{ast.unparse(node)}` is not allowed\n  help: use numbers, columns, + - * / **, functions")
+    values = [_compile(part) for part in parts]
+    return lambda columns: function(*(value(columns) for value in values))
+
+
+def _reduced(function: Callable[[Any, Any], Any], *values: Any) -> Any:
+    return reduce(function, values)
+
+
+def _column_of(columns: Columns, name: str) -> np.ndarray:
+    if name not in columns:
+        raise ExpressionError(f"the results have no column `{name}`\n  help: they have {', '.join(columns)}")
+    return columns[name]

@@ -8,6 +8,7 @@ import socket
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from bica.parameters import Setting
@@ -58,33 +59,39 @@ class Game:
         return {**self.values, **known, "error": self.error, "tries": self.tries, "wall_s": self.wall_s, "host": self.host}
 
 
-def candidate_of(settings: Mapping[str, Setting], arguments: tuple[str, ...], digest: str) -> str:
-    """Return a name for what determines the games of all seeds: settings, arguments and the program."""
-    text = json.dumps([dict(sorted(settings.items())), arguments, digest])
+def candidate_of(program: Program, settings: Mapping[str, Setting], arguments: Sequence[str]) -> str:
+    """Return a name for what determines the games of all seeds."""
+    text = json.dumps([dict(sorted(settings.items())), arguments, program.digest])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def blocks_of(seeds: Sequence[int], size: int) -> list[tuple[int, ...]]:
-    """Return the seeds in blocks of a size; the last may be smaller."""
-    return [tuple(seeds[start : start + size]) for start in range(0, len(seeds), size)]
+def tasks_of(
+    program: Program,
+    settings: Mapping[str, Setting],
+    seeds: Sequence[int],
+    size: int,
+    worlds: Sequence[str | None] = (None,),
+    arguments: Sequence[str] = (),
+    timeout: float | None = None,
+) -> list[Task]:
+    """Return the games of a candidate: for each `size` seeds a block in each world; the last blocks may be smaller."""
+    common = (candidate_of(program, settings, arguments), str(program.path), program.digest)
+    values, words = tuple(sorted(settings.items())), tuple(arguments)
+    blocks = [tuple(seeds[start : start + size]) for start in range(0, len(seeds), size)]
+    return [Task(*common, world, values, words, block, timeout) for block in blocks for world in worlds]
 
 
 def play_block(task: Task) -> list[Game]:
     """Play the games of a block one after the other."""
-    program = _program(task)
+    program = _program(task.program, task.digest)
     return [_play(program, task, seed) for seed in task.seeds]
 
 
-_checked: dict[str, Program] = {}
-
-
-def _program(task: Task) -> Program:
-    program = _checked.get(task.program)
-    if program is None or program.digest != task.digest:
-        program = Program(task.program)
-        if program.digest != task.digest:
-            raise ProgramError(f"`{task.program}` on {socket.gethostname()} is another build\n  help: copy the program there")
-        _checked[task.program] = program
+@lru_cache(maxsize=4)
+def _program(path: str, digest: str) -> Program:
+    program = Program(path)
+    if program.digest != digest:
+        raise ProgramError(f"`{path}` on {socket.gethostname()} is another build\n  help: copy the program there")
     return program
 
 
@@ -108,11 +115,8 @@ def _play(program: Program, task: Task, seed: int) -> Game:
 
 def _values(result: Mapping[str, Any]) -> dict[str, Any]:
     """Return the single values of a result, with a fingerprint if it has none."""
-    values = {
-        name: value
-        for name, value in result.items()
-        if not isinstance(value, list | dict) and name not in ("schema", "seed", "world")
-    }
+    known = ("schema", "seed", "world")
+    values = {name: value for name, value in result.items() if name not in known and not isinstance(value, list | dict)}
     if "fingerprint" not in values:
         whole = {name: value for name, value in result.items() if not name.startswith("wall")}
         values["fingerprint"] = hashlib.sha256(json.dumps(whole, sort_keys=True).encode()).hexdigest()[:16]

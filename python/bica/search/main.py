@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import argparse
 from contextlib import closing
-from pathlib import Path
 
 from bica.parameters import Setting
 from bica.search.blocks import Blocks
 from bica.search.comparison import Compared, compare, shown
-from bica.search.game import Game
 from bica.search.optimizer import Optimizer
-from bica.search.report import Results, write_report
-from bica.search.search import Search, tasks_of
+from bica.search.report import write_report
+from bica.search.search import Search
 from bica.search.spread import spread_to
 from bica.search.store import Store, default_url, say, url_of
-from bica.search.study import Study, read_study
+from bica.search.study import read_study
 
 
 def search(args: argparse.Namespace) -> int:
@@ -28,12 +26,14 @@ def search(args: argparse.Namespace) -> int:
         optimizer = Optimizer(study, store)
         with closing(spread_to(args.address, args.workers)) as spread:
             blocks = Blocks(spread, store)
-            Search(study, optimizer, blocks, say).run()
-            best, compared = _compare(study, optimizer, blocks)
-            facts = _facts(study, optimizer, blocks)
+            Search(optimizer, blocks, say).run()
+            best, compared = _compare(optimizer, blocks)
+            facts = _facts(optimizer, blocks)
         for line in [*facts, *map(shown, compared)]:
             say(line)
-        _report(args.report or args.study.with_suffix(".html"), study, optimizer, store, best, compared, facts)
+        path = args.report or args.study.with_suffix(".html")
+        write_report(path, optimizer, best, compared, facts)
+        say(f"report: {path}")
     if not best:
         say("no candidate met the constraints")
         return 1
@@ -43,14 +43,14 @@ def search(args: argparse.Namespace) -> int:
     return 0
 
 
-def _compare(study: Study, optimizer: Optimizer, blocks: Blocks) -> tuple[dict[str, Setting], list[Compared]]:
+def _compare(optimizer: Optimizer, blocks: Blocks) -> tuple[dict[str, Setting], list[Compared]]:
     """Play the best candidate and the default on the held-out seeds."""
-    trial = optimizer.best()
+    trial, study = optimizer.best(), optimizer.study
     if trial is None:
         return {}, []
     best = optimizer.settings(trial)
-    both = [tasks_of(study, settings, study.final_seeds) for settings in (study.defaults, best)]
-    tasks = [task for side in both for task in side] if both[0] != both[1] else both[0]
+    both = [study.tasks(settings, study.final_seeds) for settings in (study.defaults, best)]
+    tasks = list(dict.fromkeys(task for side in both for task in side))
     blocks.play_all(tasks, lambda played, wanted: say(f"held-out seeds: {played} of {wanted} games"))
     held_out = set(study.final_seeds)
     default, chosen = ([game for game in blocks.store.games(side[0].candidate) if game.seed in held_out] for side in both)
@@ -58,33 +58,15 @@ def _compare(study: Study, optimizer: Optimizer, blocks: Blocks) -> tuple[dict[s
     return best, compare(expressions, default, chosen)
 
 
-def _facts(study: Study, optimizer: Optimizer, blocks: Blocks) -> list[str]:
+def _facts(optimizer: Optimizer, blocks: Blocks) -> list[str]:
     games, ended = blocks.store.games(), optimizer.ended()
     pruned = sum(trial.state.name == "PRUNED" for trial in ended)
     refused = sum("refused" in trial.user_attrs for trial in optimizer.trials())
+    failed = sum(game.error is not None for game in games)
     return [
-        f"{study.sampler}: {len(ended)} candidates, {pruned} of them pruned, {refused} failed",
+        f"{optimizer.study.sampler.kind}: {len(ended)} candidates, {pruned} of them pruned, {refused} failed",
         f"{len(games)} games stored, {blocks.new_games} of them played by this run in {blocks.elapsed_s:.0f} s",
-        f"{sum(len(game.repeated) for game in games)} tries of programs repeated, {_failed(games)} games failed in all tries, "
+        f"{sum(len(game.repeated) for game in games)} tries of programs repeated, {failed} games failed in all tries, "
         f"{len(blocks.store.lost())} blocks lost and played again",
         f"{100 * blocks.overhead:.1f} % of the time of {blocks.spread.slots} slots was not spent in games",
     ]
-
-
-def _failed(games: list[Game]) -> int:
-    return sum(game.error is not None for game in games)
-
-
-def _report(
-    path: Path,
-    study: Study,
-    optimizer: Optimizer,
-    store: Store,
-    best: dict[str, Setting],
-    compared: list[Compared],
-    facts: list[str],
-) -> None:
-    failed = [f"seed {game.seed} of {game.candidate}: {game.error}" for game in store.games() if game.error]
-    importance = optimizer.importance()
-    write_report(path, Results(study, optimizer.trials(), importance, best, compared, failed, store.lost(), facts))
-    say(f"report: {path}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import optuna
@@ -35,50 +36,47 @@ class Optimizer:
         optuna.logging.set_verbosity(optuna.logging.ERROR)
         warnings.filterwarnings("ignore", category=optuna.exceptions.ExperimentalWarning)
         warnings.filterwarnings("ignore", module="optuna", category=UserWarning)
-        self._study, self._store = study, store
+        self.study, self.store = study, store
         self._optuna = store.patiently(self._open)
         self._distributions = {name: distribution(spread) for name, spread in study.parameters.items()}
         self._check()
         self._resume()
 
     def _open(self) -> optuna.Study:
-        options = {} if self._store.is_local else {"pool_pre_ping": True}
-        in_memory = self._store.is_in_memory
+        options = {} if self.store.is_local else {"pool_pre_ping": True}
+        in_memory = self.store.is_in_memory
         return optuna.create_study(
-            storage=None if in_memory else optuna.storages.RDBStorage(self._store.url, engine_kwargs=options),
-            study_name=self._study.name,
+            storage=None if in_memory else optuna.storages.RDBStorage(self.store.url, engine_kwargs=options),
+            study_name=self.study.name,
             load_if_exists=True,
-            directions=["minimize"] * len(self._study.objectives),
-            sampler=sampler(self._study),
-            pruner=optuna.pruners.MedianPruner(n_startup_trials=4, n_warmup_steps=(self._study.prune_after or 1) - 1),
+            directions=["minimize"] * len(self.study.objectives),
+            sampler=sampler(self.study),
+            pruner=optuna.pruners.MedianPruner(n_startup_trials=4, n_warmup_steps=(self.study.prune_after or 1) - 1),
         )
 
     def _check(self) -> None:
         stored = self._optuna.user_attrs.get("fingerprint")
         if stored is None:
-            self._store.patiently(lambda: self._optuna.set_user_attr("fingerprint", self._study.fingerprint))
-        elif stored != self._study.fingerprint:
+            self.store.patiently(lambda: self._optuna.set_user_attr("fingerprint", self.study.fingerprint))
+        elif stored != self.study.fingerprint:
             raise StudyChangedError(
-                f"the store has a study `{self._study.name}` with another program, objective, range, sampler or seeds\n"
+                f"the store has a study `{self.study.name}` with another program, objective, range, sampler or seeds\n"
                 "  help: give the study another name, or use another store"
             )
 
     def _resume(self) -> None:
+        """Queue the default first, and anew what was being played: games that are stored are not played again."""
         if not self.trials():
-            self._store.patiently(lambda: self._optuna.enqueue_trial(self._study.defaults, skip_if_exists=True))
+            self.store.patiently(lambda: self._optuna.enqueue_trial(self.study.defaults, skip_if_exists=True))
         for trial in self.trials():
             if trial.state == TrialState.RUNNING:
-                self._again(trial)
-
-    def _again(self, trial: FrozenTrial) -> None:
-        """Queue a candidate anew; its games that are stored are not played again."""
-        if len(trial.params) == len(self._study.parameters):
-            self._store.patiently(lambda: self._optuna.enqueue_trial(trial.params, skip_if_exists=False))
-        self.finish(trial.number, TrialState.FAIL)
+                if len(trial.params) == len(self.study.parameters):
+                    self.store.patiently(partial(self._optuna.enqueue_trial, trial.params))
+                self.finish(trial.number, TrialState.FAIL)
 
     def trials(self) -> list[FrozenTrial]:
         """Return all candidates, oldest first."""
-        return self._store.patiently(lambda: self._optuna.get_trials(deepcopy=False))
+        return self.store.patiently(lambda: self._optuna.get_trials(deepcopy=False))
 
     def ended(self) -> list[FrozenTrial]:
         """Return the candidates with all games, pruned, or refused by the program."""
@@ -86,19 +84,19 @@ class Optimizer:
 
     def ask(self) -> Trial:
         """Return the next candidate."""
-        return self._store.patiently(lambda: self._optuna.ask(self._distributions))
+        return self.store.patiently(lambda: self._optuna.ask(self._distributions))
 
     def settings(self, trial: Trial | FrozenTrial) -> dict[str, Setting]:
         """Return the values of a candidate as the program takes them."""
-        return {name: _value(spread, trial.params[name]) for name, spread in self._study.parameters.items()}
+        return {name: _value(spread, trial.params[name]) for name, spread in self.study.parameters.items()}
 
     def report(self, trial: Trial, block: int, values: list[float], violations: Mapping[str, float]) -> bool:
         """Store the values after a block; returns whether the candidate should be pruned."""
-        if self._study.prune_after is None:
+        if self.study.prune_after is None:
             return False
-        value = self._told(values, violations)[0] + CMA_PENALTY * sum(max(0.0, each) for each in violations.values())
-        self._store.patiently(lambda: trial.report(value, block))
-        return block + 1 >= self._study.prune_after and self._store.patiently(trial.should_prune)
+        value = values[0] + CMA_PENALTY * _total(violations)
+        self.store.patiently(lambda: trial.report(value, block))
+        return block + 1 >= self.study.prune_after and self.store.patiently(trial.should_prune)
 
     def tell(self, trial: Trial, values: list[float], violations: Mapping[str, float], pruned: bool) -> None:
         """End a candidate with its values."""
@@ -108,22 +106,23 @@ class Optimizer:
                 if name not in trial.constraints:
                     trial.set_constraint(name, violation)
             trial.set_user_attr("values", values)
-            trial.set_user_attr("violation", sum(max(0.0, each) for each in violations.values()))
+            trial.set_user_attr("violation", _total(violations))
 
-        self._store.patiently(describe)
+        self.store.patiently(describe)
         if pruned:
             self.finish(trial.number, TrialState.PRUNED)
         else:
-            self.finish(trial.number, TrialState.COMPLETE, self._told(values, violations))
+            penalty = CMA_PENALTY * _total(violations) if self.study.sampler.kind == "cma-es" else 0.0
+            self.finish(trial.number, TrialState.COMPLETE, [value + penalty for value in values])
 
     def fail(self, trial: Trial, why: str) -> None:
         """End a candidate that the program refuses."""
-        self._store.patiently(lambda: trial.set_user_attr("refused", why))
+        self.store.patiently(lambda: trial.set_user_attr("refused", why))
         self.finish(trial.number, TrialState.FAIL)
 
     def finish(self, number: int, state: TrialState, values: list[float] | None = None) -> None:
         """End a candidate; harmless if it has ended already, because the database was away after it had stored that."""
-        self._store.patiently(lambda: self._optuna.tell(number, values, state, skip_if_finished=True))
+        self.store.patiently(lambda: self._optuna.tell(number, values, state, skip_if_finished=True))
 
     def best(self) -> FrozenTrial | None:
         """Return the candidate with the least first objective that violates nothing; None without any."""
@@ -138,25 +137,21 @@ class Optimizer:
         except (ValueError, RuntimeError, ZeroDivisionError):
             return {}
 
-    def _told(self, values: list[float], violations: Mapping[str, float]) -> list[float]:
-        if self._study.sampler != "cma-es":
-            return values
-        penalty = CMA_PENALTY * sum(max(0.0, each) for each in violations.values())
-        return [value + penalty for value in values]
+
+def _total(violations: Mapping[str, float]) -> float:
+    return sum(max(0.0, each) for each in violations.values())
 
 
 def sampler(study: Study) -> optuna.samplers.BaseSampler:
     """Return Optuna's sampler of a study."""
-    seed = study.sampler_seed
-    match study.sampler:
-        case "cma-es":
-            return optuna.samplers.CmaEsSampler(seed=seed, consider_pruned_trials=True)
-        case "nsga-ii":
-            return optuna.samplers.NSGAIISampler(seed=seed, population_size=max(4, min(50, study.candidates // 4)))
-        case "random":
-            return optuna.samplers.RandomSampler(seed=seed)
-        case _:
-            return optuna.samplers.TPESampler(seed=seed, multivariate=True, constant_liar=True)
+    kind, seed = study.sampler.kind, study.sampler.seed
+    if kind == "cma-es":
+        return optuna.samplers.CmaEsSampler(seed=seed, consider_pruned_trials=True)
+    if kind == "nsga-ii":
+        return optuna.samplers.NSGAIISampler(seed=seed, population_size=max(4, min(50, study.sampler.candidates // 4)))
+    if kind == "random":
+        return optuna.samplers.RandomSampler(seed=seed)
+    return optuna.samplers.TPESampler(seed=seed, multivariate=True, constant_liar=True)
 
 
 def distribution(spread: Range) -> BaseDistribution:
@@ -173,5 +168,4 @@ def _value(spread: Range, value: Any) -> Setting:
         return parsed(spread.kind, value)
     if spread.kind != "f32":
         return int(value)
-    rounded = float(f"{value:.{DIGITS}g}")
-    return min(max(rounded, spread.minimum), spread.maximum)
+    return min(max(float(f"{value:.{DIGITS}g}"), spread.minimum), spread.maximum)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import html
 import io
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 import matplotlib as mpl
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from optuna.trial import FrozenTrial, TrialState
 
 from bica.parameters import Setting
-from bica.search.comparison import Compared
+from bica.search.comparison import Compared, Estimate
+from bica.search.optimizer import Optimizer
 from bica.search.study import Study
 
 STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}
@@ -23,80 +23,72 @@ table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;border-bo
 td:first-child,th:first-child{text-align:left}td{white-space:nowrap}svg{max-width:100%;height:auto}"""
 
 
-@dataclass(frozen=True)
-class Results:
-    """What a report shows."""
-
-    study: Study
-    trials: Sequence[FrozenTrial]
-    importance: dict[str, float]
-    #: Settings of the best candidate; empty if none met the constraints.
-    best: dict[str, Setting]
-    compared: Sequence[Compared]
-    failed_games: Sequence[str]
-    lost_blocks: Sequence[str]
-    #: Lines about games, repetitions and times.
-    facts: Sequence[str]
+#: Groups of candidates and their colours.
+COLOURS = {"meets the constraints": "tab:blue", "violates": "tab:red", "pruned": "0.7"}
 
 
-def write_report(path: Path, results: Results) -> None:
-    """Write the page."""
-    name = html.escape(results.study.name)
+def write_report(
+    path: Path, optimizer: Optimizer, best: dict[str, Setting], compared: Sequence[Compared], facts: Sequence[str]
+) -> None:
+    """Write the page. `best` is empty if no candidate met the constraints, `facts` are lines about games and times."""
+    study, store, trials = optimizer.study, optimizer.store, _judged(optimizer)
+    name = html.escape(study.name)
+    failed = [f"seed {game.seed} of {game.candidate}: {game.error}" for game in store.games() if game.error]
     parts = [
         f"<!doctype html><meta charset=utf-8><title>Search {name}</title><style>{STYLE}</style><h1>Search {name}</h1>",
-        _list(results.facts),
-        f"<h2>Best against default on {len(results.study.final_seeds)} held-out seeds</h2>",
-        _comparison(results),
+        _list(facts),
+        f"<h2>Best against default on {len(study.final_seeds)} held-out seeds</h2>",
+        _comparison(compared) if compared else "<p>No candidate met the constraints.</p>",
         "<h2>Parameters of the best</h2>",
-        _parameters(results),
-        f"<h2>History</h2>{_svg(lambda axes: _history(axes, results), (8, 4))}",
-        f"<h2>Importance</h2>{_importance(results)}",
+        _parameters(study, best) if best else "<p>None.</p>",
+        f"<h2>History</h2>{_svg(lambda axes: _history(axes, study, trials), (8, 4))}",
+        f"<h2>Importance</h2>{_importance(optimizer.importance())}",
         "<h2>Slices</h2><p>Each point is a candidate; the line is the default.</p>",
-        *(_slice(results, name) for name in results.study.parameters),
+        *(_svg(partial(_slice, study=study, trials=trials, name=name), (4, 3)) for name in study.parameters),
         "<h2>Games that failed in all tries</h2>",
-        _list(results.failed_games or ["None."]),
+        _list(failed or ["None."]),
         "<h2>Blocks that were lost and played again</h2>",
-        _list(results.lost_blocks or ["None."]),
+        _list(store.lost() or ["None."]),
     ]
     path.write_text("\n".join(parts), encoding="utf-8")
+
+
+def _judged(optimizer: Optimizer) -> pd.DataFrame:
+    """Return parameters, number, first objective and group of the candidates that have an objective."""
+    rows = []
+    for trial in optimizer.trials():
+        if "values" in trial.user_attrs:
+            is_pruned, violates = trial.state.name == "PRUNED", trial.user_attrs["violation"] > 0
+            group = "pruned" if is_pruned else "violates" if violates else "meets the constraints"
+            rows.append({**trial.params, "number": trial.number, "value": trial.user_attrs["values"][0], "group": group})
+    return pd.DataFrame(rows, columns=[*optimizer.study.parameters, "number", "value", "group"])
 
 
 def _list(lines: Iterable[str]) -> str:
     return "<ul>" + "".join(f"<li>{html.escape(line)}</li>" for line in lines) + "</ul>"
 
 
-def _table(rows: Iterable[Sequence[str]]) -> str:
-    first, *rest = rows
-    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in first)
-    body = ("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in rest)
-    return f"<table><tr>{head}</tr>{''.join(body)}</table>"
+def _table(columns: Sequence[str], rows: list[list[str]]) -> str:
+    return pd.DataFrame(rows, columns=list(columns)).to_html(index=False, border=0)
 
 
-def _comparison(results: Results) -> str:
-    if not results.compared:
-        return "<p>No candidate met the constraints.</p>"
-    rows = [("expression", "default", "95 %", "best", "95 %", "change", "95 %")]
-    for each in results.compared:
-        change = "" if each.change is None else f"{100 * each.change:+.1f} %"
-        interval = "" if each.change_interval is None else _interval([100 * end for end in each.change_interval], " %")
-        default, best = _interval(each.default_interval), _interval(each.best_interval)
-        rows.append((each.text, f"{each.default:.4g}", default, f"{each.best:.4g}", best, change, interval))
-    return _table(rows)
+def _comparison(compared: Sequence[Compared]) -> str:
+    def cells(estimate: Estimate | None, form: str, unit: str = "") -> list[str]:
+        if estimate is None:
+            return ["", ""]
+        return [f"{estimate.value:{form}}{unit}", f"{estimate.low:.4g} to {estimate.high:.4g}{unit}"]
+
+    rows = [[one.text, *cells(one.default, ".4g"), *cells(one.best, ".4g"), *cells(one.change, "+.1f", " %")] for one in compared]
+    return _table(("expression", "default", "95 %", "best", "95 %", "change", "95 %"), rows)
 
 
-def _interval(ends: Sequence[float], unit: str = "") -> str:
-    return f"{ends[0]:.4g} to {ends[1]:.4g}{unit}"
-
-
-def _parameters(results: Results) -> str:
-    if not results.best:
-        return "<p>None.</p>"
-    rows = [("parameter", "default", "best", "range", "unit")]
-    for name, spread in results.study.parameters.items():
-        described = results.study.described[name]
+def _parameters(study: Study, best: dict[str, Setting]) -> str:
+    rows = []
+    for name, spread in study.parameters.items():
+        described = study.described[name]
         limits = ", ".join(spread.variants) or f"{spread.minimum:g} to {spread.maximum:g}"
-        rows.append((name, str(described.value), str(results.best[name]), limits, described.unit or ""))
-    return _table(rows)
+        rows.append([name, str(described.value), str(best[name]), limits, described.unit or ""])
+    return _table(("parameter", "default", "best", "range", "unit"), rows)
 
 
 def _svg(draw: Callable[[Axes], None], size: tuple[float, float]) -> str:
@@ -108,51 +100,35 @@ def _svg(draw: Callable[[Axes], None], size: tuple[float, float]) -> str:
     return text.getvalue()[text.getvalue().index("<svg") :]
 
 
-def _value(trial: FrozenTrial) -> float:
-    return float(trial.user_attrs["values"][0])
+def _scatter(axes: Axes, trials: pd.DataFrame, x: str) -> None:
+    """Draw the first objective of all candidates over a column."""
+    for group, colour in COLOURS.items():
+        some = trials[trials["group"] == group]
+        axes.scatter(some[x], some["value"], s=14, c=colour, label=group)
 
 
-def _groups(results: Results) -> list[tuple[str, str, list[FrozenTrial]]]:
-    """Return labels, colours and candidates: those that meet the constraints, those that violate them, those pruned."""
-    judged = [trial for trial in results.trials if "values" in trial.user_attrs]
-    full = [trial for trial in judged if trial.state == TrialState.COMPLETE]
-    holds = [trial for trial in full if trial.user_attrs["violation"] <= 0]
-    violates = [trial for trial in full if trial.user_attrs["violation"] > 0]
-    pruned = [trial for trial in judged if trial.state == TrialState.PRUNED]
-    return [("meets the constraints", "tab:blue", holds), ("violates", "tab:red", violates), ("pruned", "0.7", pruned)]
-
-
-def _history(axes: Axes, results: Results) -> None:
-    groups = _groups(results)
-    for label, colour, trials in groups:
-        axes.scatter([trial.number for trial in trials], [_value(trial) for trial in trials], s=14, c=colour, label=label)
-    holds = sorted(groups[0][2], key=lambda trial: trial.number)
-    least = [min(map(_value, holds[: index + 1])) for index in range(len(holds))]
-    axes.step([trial.number for trial in holds], least, where="post", c="tab:blue")
-    axes.set(xlabel="candidate", ylabel=results.study.objectives[0].text)
+def _history(axes: Axes, study: Study, trials: pd.DataFrame) -> None:
+    _scatter(axes, trials, "number")
+    meets = trials[trials["group"] == "meets the constraints"]
+    axes.step(meets["number"], meets["value"].cummin(), where="post", c="tab:blue")
+    axes.set(xlabel="candidate", ylabel=study.objectives[0].text)
     axes.legend()
 
 
-def _importance(results: Results) -> str:
-    if not results.importance:
+def _importance(importance: dict[str, float]) -> str:
+    if not importance:
         return "<p>Too few candidates.</p>"
-    items = sorted(results.importance.items(), key=lambda item: item[1])
+    shares = pd.Series(importance).sort_values()
 
     def draw(axes: Axes) -> None:
-        axes.barh([name for name, _ in items], [share for _, share in items])
+        axes.barh(list(shares.index), shares)
         axes.set(xlabel="share of the variance of the objective (PED-ANOVA)", xlim=(0, None))
 
-    return _svg(draw, (8, 1 + 0.3 * len(items)))
+    return _svg(draw, (8, 1 + 0.3 * len(shares)))
 
 
-def _slice(results: Results, name: str) -> str:
-    def draw(axes: Axes) -> None:
-        for _, colour, trials in _groups(results):
-            values: list[Any] = [trial.params[name] for trial in trials]
-            axes.scatter(values, [_value(trial) for trial in trials], s=14, c=colour)
-        default = results.study.defaults[name]
-        axes.axvline(str(default).lower() if isinstance(default, bool | str) else default, c="0.5", lw=1)  # type: ignore[arg-type]
-        unit = results.study.described[name].unit
-        axes.set(xlabel=f"{name}, {unit}" if unit else name, ylabel="objective")
-
-    return _svg(draw, (4, 3))
+def _slice(axes: Axes, study: Study, trials: pd.DataFrame, name: str) -> None:
+    _scatter(axes, trials, name)
+    default, unit = study.defaults[name], study.described[name].unit
+    axes.axvline(str(default).lower() if isinstance(default, bool | str) else default, c="0.5", lw=1)  # type: ignore[arg-type]
+    axes.set(xlabel=f"{name}, {unit}" if unit else name, ylabel="objective")

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from optuna.trial import Trial
 
-from bica.parameters import Setting, assignments
+from bica.parameters import assignments
 from bica.program import ProgramError
 from bica.search.blocks import Blocks
-from bica.search.expression import Columns, columns_of
-from bica.search.game import Game, Task, blocks_of, candidate_of
+from bica.search.expression import columns_of
+from bica.search.game import Game, Task
 from bica.search.optimizer import Optimizer
-from bica.search.study import Study
 
 
 @dataclass
@@ -23,7 +21,6 @@ class Candidate:
     """A candidate that is being played."""
 
     trial: Trial
-    settings: dict[str, Setting]
     #: Blocks that are not played yet.
     waiting: list[Task]
     #: Blocks of one step, in different worlds, that are being played.
@@ -35,9 +32,9 @@ class Candidate:
 class Search:
     """A search; it can be interrupted at any time and continued from its store."""
 
-    def __init__(self, study: Study, optimizer: Optimizer, blocks: Blocks, report: Callable[[str], None]) -> None:
-        """Play the study's games in `blocks`."""
-        self._study, self._optimizer, self._blocks, self._report = study, optimizer, blocks, report
+    def __init__(self, optimizer: Optimizer, blocks: Blocks, report: Callable[[str], None]) -> None:
+        """Play the games of the optimizer's study in `blocks`."""
+        self._study, self._optimizer, self._blocks, self._report = optimizer.study, optimizer, blocks, report
         # Equal candidates wait for the same games.
         self._playing: dict[Task, list[Candidate]] = {}
         self._candidates: list[Candidate] = []
@@ -47,7 +44,8 @@ class Search:
 
     def run(self) -> None:
         """Play until the study has its number of candidates."""
-        while self._fill() or self._candidates:
+        self._fill()
+        while self._candidates:
             for candidate in [each for each in self._candidates if not each.running]:
                 self._advance(candidate)
             if self._playing:
@@ -55,28 +53,19 @@ class Search:
                 for candidate in self._playing.pop(task):
                     candidate.running.discard(task)
                     candidate.games += games
+            self._fill()
 
-    def _fill(self) -> bool:
-        """Begin candidates while there is room; returns whether any began."""
-        began = False
-        while len(self._candidates) < self._blocks.spread.slots and self._wanted > 0:
-            began = self._begin(self._optimizer.ask()) or began
-        return began
-
-    @property
-    def _wanted(self) -> int:
-        return self._study.candidates - self._ended - len(self._candidates)
-
-    def _begin(self, trial: Trial) -> bool:
-        settings = self._optimizer.settings(trial)
-        try:
-            self._study.program.call(["params", *assignments(settings)])
-        except ProgramError as error:
-            self._fail(trial, str(error))
-            return True
-        tasks = tasks_of(self._study, settings, self._study.search_seeds)
-        self._candidates.append(Candidate(trial, settings, tasks))
-        return True
+    def _fill(self) -> None:
+        """Begin candidates while there is room."""
+        while len(self._candidates) < min(self._blocks.spread.slots, self._study.sampler.candidates - self._ended):
+            trial = self._optimizer.ask()
+            settings = self._optimizer.settings(trial)
+            try:
+                self._study.program.call(["params", *assignments(settings)])
+            except ProgramError as error:
+                self._fail(trial, str(error))
+            else:
+                self._candidates.append(Candidate(trial, self._study.tasks(settings, self._study.search_seeds)))
 
     def _fail(self, trial: Trial, why: str) -> None:
         self._optimizer.fail(trial, why)
@@ -116,13 +105,13 @@ class Search:
             candidate.running.add(rest)
 
     def _judge(self, games: list[Game]) -> tuple[list[float], dict[str, float]]:
-        columns = columns_for(games)
+        columns = columns_of([game.row() for game in games])
         values = [expression.value(columns) for expression in self._study.objectives]
         violations = {each.text: each.violation(columns) for each in self._study.constraints}
         return values, violations
 
     def _progress(self, candidate: Candidate, values: list[float], violations: dict[str, float], pruned: bool) -> None:
-        done, wanted = self._ended, self._study.candidates
+        done, wanted = self._ended, self._study.sampler.candidates
         left = (time.monotonic() - self._began) / max(1, done - self._ended_before) * (wanted - done)
         worst = {name: f"{violation:g}" for name, violation in violations.items() if violation > 0}
         what = f"pruned after {len(candidate.games)} games" if pruned else f"{len(candidate.games)} games"
@@ -131,20 +120,3 @@ class Search:
             f"[{done}/{wanted}, {left / 60:.0f} min left] candidate {candidate.trial.number}: {shown}, {what}"
             + (f", violates {worst}" if worst else "")
         )
-
-
-def columns_for(games: list[Game]) -> Columns:
-    """Return the columns of games; those that failed have no values but `failed`."""
-    return columns_of([game.row() for game in games])
-
-
-def tasks_of(study: Study, settings: dict[str, Setting], seeds: tuple[int, ...]) -> list[Task]:
-    """Return the blocks of a candidate: for each block of seeds one in each world."""
-    candidate = candidate_of(settings, study.arguments, study.program.digest)
-    common = (candidate, os.fspath(study.program.path), study.program.digest)
-    values = tuple(sorted(settings.items()))
-    return [
-        Task(*common, world, values, study.arguments, block, study.timeout)
-        for block in blocks_of(seeds, study.block)
-        for world in study.worlds
-    ]

@@ -6,45 +6,14 @@ import os
 import subprocess
 import time
 from concurrent import futures
-from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from bica.errors import BicaError
 from bica.program import ProgramError, stopping
 from bica.search.game import Game, Task, play_block
 
-
-@dataclass(frozen=True)
-class Played:
-    """A block whose games were played."""
-
-    task: Task
-    games: list[Game]
-
-
-@dataclass(frozen=True)
-class Lost:
-    """A block whose worker, node or job failed; it has to be played again."""
-
-    task: Task
-    why: str
-
-
-class Spread(Protocol):
-    """Where blocks are played."""
-
-    @property
-    def slots(self) -> int:
-        """Number of blocks that are played at once."""
-
-    def submit(self, task: Task) -> None:
-        """Queue a block."""
-
-    def next(self) -> Played | Lost:
-        """Wait for a block; raises ProgramError if the program refuses its arguments."""
-
-    def close(self) -> None:
-        """End all blocks at once."""
+#: A block that has ended: its games, or why it was lost and has to be played again.
+Ended = tuple[Task, list[Game] | str]
 
 
 class Threads:
@@ -60,12 +29,11 @@ class Threads:
         """Queue a block."""
         self._tasks[self._pool.submit(play_block, task)] = task
 
-    def next(self) -> Played | Lost:
+    def next(self) -> Ended:
         """Wait for a block."""
         done, _ = futures.wait(self._tasks, return_when=futures.FIRST_COMPLETED)
         future = done.pop()
-        task = self._tasks.pop(future)
-        return Played(task, future.result())
+        return self._tasks.pop(future), future.result()
 
     def close(self) -> None:
         """End all blocks at once."""
@@ -84,16 +52,9 @@ class Ray:
         import ray
 
         self._ray = ray
-        options: dict[str, Any] = {"num_cpus": workers} if address == "local" else {}
         # Only this computer may reach the dashboard, and none is needed.
-        ray.init(
-            address=address,
-            include_dashboard=False if address == "local" else None,
-            log_to_driver=False,
-            logging_level="ERROR",
-            configure_logging=True,
-            **options,
-        )
+        options: dict[str, Any] = {"num_cpus": workers, "include_dashboard": False} if address == "local" else {}
+        ray.init(address=address, log_to_driver=False, logging_level="ERROR", **options)
         self._play = ray.remote(num_cpus=1, max_retries=0)(play_block)
         self._cores = workers
         self._tasks: dict[Any, Task] = {}
@@ -107,16 +68,16 @@ class Ray:
         """Queue a block."""
         self._tasks[self._play.remote(task)] = task
 
-    def next(self) -> Played | Lost:
+    def next(self) -> Ended:
         """Wait for a block."""
         done, _ = self._ray.wait(list(self._tasks), num_returns=1)
         task = self._tasks.pop(done[0])
         try:
-            return Played(task, self._ray.get(done[0]))
+            return task, self._ray.get(done[0])
         except self._ray.exceptions.RayTaskError as error:
             raise error.cause from None
         except self._ray.exceptions.RayError as error:
-            return Lost(task, f"{type(error).__name__}: {str(error).strip().splitlines()[0]}")
+            return task, f"{type(error).__name__}: {str(error).strip().splitlines()[0]}"
 
     def close(self) -> None:
         """End all blocks at once: a worker that is killed takes its program with it."""
@@ -145,22 +106,26 @@ class Slurm:
         """Queue a block."""
         self._tasks[self._executor.submit(play_block, task)] = task
 
-    def next(self) -> Played | Lost:
+    def next(self) -> Ended:
         """Wait for a block."""
         while not (done := [job for job in self._tasks if job.done()]):
             time.sleep(self.POLL_S)
         task = self._tasks.pop(done[0])
         error = done[0].exception()
         if error is None:
-            return Played(task, done[0].result())
+            return task, done[0].result()
         if "ProgramError" in str(error):
             raise ProgramError(str(error).strip().splitlines()[-1])
-        return Lost(task, f"job {done[0].job_id} ended as {done[0].state}: {str(error).strip().splitlines()[-1]}")
+        return task, f"job {done[0].job_id} ended as {done[0].state}: {str(error).strip().splitlines()[-1]}"
 
     def close(self) -> None:
         """End all jobs."""
         for job in self._tasks:
             job.cancel()
+
+
+#: Where blocks are played. `next` raises ProgramError if the program refuses its arguments.
+Spread = Threads | Ray | Slurm
 
 
 def spread_to(address: str | None, workers: int | None) -> Spread:

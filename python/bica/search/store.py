@@ -128,55 +128,36 @@ class Store:
             time.sleep(wait)
             wait = min(2 * wait, 5.0)
 
+    def _execute(self, action: Callable[[sa.Connection], T]) -> T:
+        def transaction() -> T:
+            with self.engine.begin() as connection:
+                return action(connection)
+
+        return self.patiently(transaction)
+
     def add(self, games: Iterable[Game]) -> int:
         """Store games; returns how many of them were new."""
-        rows = [
-            {"study": self.study, "candidate": game.candidate, "world": game.world, "seed": game.seed, "game": _text(game)}
-            for game in games
-        ]
-        insert = sqlite.insert(_games) if self.is_local else postgresql.insert(_games)
-
-        def write() -> int:
-            with self.engine.begin() as connection:
-                return sum(connection.execute(insert.on_conflict_do_nothing(), row).rowcount for row in rows)
-
-        return self.patiently(write)
+        insert = (sqlite.insert(_games) if self.is_local else postgresql.insert(_games)).on_conflict_do_nothing()
+        keys = ("candidate", "world", "seed")
+        rows = [{"study": self.study, "game": json.dumps(row), **{key: row[key] for key in keys}} for row in map(asdict, games)]
+        return self._execute(lambda connection: sum(connection.execute(insert, row).rowcount for row in rows))
 
     def games(self, candidate: str | None = None) -> list[Game]:
         """Return the stored games, of one candidate or of all."""
-        query = sa.select(_games.c.game).where(_games.c.study == self.study)
+        query = sa.select(_games.c.game).where(_games.c.study == self.study).order_by(_games.c.seed)
         if candidate is not None:
             query = query.where(_games.c.candidate == candidate)
-
-        def read() -> list[Game]:
-            with self.engine.connect() as connection:
-                return [Game(**json.loads(text)) for text in connection.scalars(query.order_by(_games.c.seed))]
-
-        return self.patiently(read)
+        return [Game(**json.loads(text)) for text in self._execute(lambda connection: list(connection.scalars(query)))]
 
     def note_lost(self, what: str) -> None:
         """Store that a block was lost and is played again."""
         self._report(what)
-
-        def write() -> None:
-            with self.engine.begin() as connection:
-                connection.execute(_lost.insert().values(study=self.study, what=what))
-
-        self.patiently(write)
+        self._execute(lambda connection: connection.execute(_lost.insert().values(study=self.study, what=what)))
 
     def lost(self) -> list[str]:
         """Return what was lost and played again, in its order."""
         query = sa.select(_lost.c.what).where(_lost.c.study == self.study).order_by(_lost.c.id)
-
-        def read() -> list[str]:
-            with self.engine.connect() as connection:
-                return list(connection.scalars(query))
-
-        return self.patiently(read)
-
-
-def _text(game: Game) -> str:
-    return json.dumps(asdict(game))
+        return self._execute(lambda connection: list(connection.scalars(query)))
 
 
 def _first_line(error: BaseException) -> str:

@@ -6,22 +6,82 @@ import hashlib
 import json
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from bica.errors import BicaError
-from bica.parameters import Parameter
+from bica.parameters import Parameter, Setting
 from bica.program import Program
 from bica.search.expression import Constraint, Expression, ExpressionError
-
-T = TypeVar("T")
-
-SAMPLERS = ("tpe", "cma-es", "nsga-ii", "random")
+from bica.search.game import Task, tasks_of
 
 
 class StudyError(BicaError):
     """A study file is wrong."""
+
+
+Count = Annotated[int, Field(ge=1)]
+#: A list of texts, or one of them.
+Texts = Annotated[tuple[str, ...], BeforeValidator(lambda value: tuple(value) if isinstance(value, list) else (value,))]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class _Seeds(_Table):
+    first: Annotated[int, Field(ge=0)]
+    count: Count
+
+    @property
+    def all(self) -> tuple[int, ...]:
+        return tuple(range(self.first, self.first + self.count))
+
+
+class _SeedsTable(_Table):
+    search: _Seeds
+    final: _Seeds
+    block: Count = 5
+
+
+class _Objective(_Table):
+    minimize: Annotated[Texts, Field(min_length=1)]
+    constraints: Texts = ()
+    report: Texts = ()
+
+
+class _Sampler(_Table):
+    kind: Literal["tpe", "cma-es", "nsga-ii", "random"] = "tpe"
+    seed: int = 0
+    candidates: Count = 50
+
+
+class _Pruning(_Table):
+    enabled: bool | None = None
+    after_blocks: Count = 1
+
+
+class _RangeTable(_Table):
+    min: float | None = None
+    max: float | None = None
+    log: bool = False
+
+
+class _File(_Table):
+    name: str | None = None
+    program: str | None = None
+    kind: str | None = None
+    worlds: Texts = ()
+    arguments: Texts = ()
+    timeout_s: float = 600.0
+    seeds: _SeedsTable
+    objective: _Objective
+    sampler: _Sampler = _Sampler()
+    pruning: _Pruning = _Pruning()
+    parameters: Annotated[dict[str, _RangeTable], Field(min_length=1)]
 
 
 @dataclass(frozen=True)
@@ -35,29 +95,28 @@ class Range:
     variants: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
 class Study:
     """A study file, checked against the program."""
 
-    name: str
-    program: Program
-    parameters: dict[str, Range]
-    worlds: tuple[str | None, ...]
-    search_seeds: tuple[int, ...]
-    final_seeds: tuple[int, ...]
-    block: int
-    objectives: tuple[Expression, ...]
-    constraints: tuple[Constraint, ...]
-    #: Further expressions that the report gives for the best and the default.
-    reported: tuple[Expression, ...]
-    sampler: str
-    sampler_seed: int
-    candidates: int
-    #: Number of blocks before a candidate may be pruned; None without pruning.
-    prune_after: int | None
-    arguments: tuple[str, ...] = ()
-    timeout: float | None = None
-    described: dict[str, Parameter] = field(default_factory=dict)
+    def __init__(self, file: _File, path: Path, program: str | None) -> None:
+        """Take what a file says; a program without a folder is looked for in PATH."""
+        own = str(path.parent / file.program) if file.program and "/" in file.program else file.program
+        self.name = file.name or path.stem
+        self.program = Program.find(program or own)
+        self.described = self.program.params(kind=file.kind)
+        self.parameters = {name: _range(name, table, self.described) for name, table in file.parameters.items()}
+        self.sampler, self.block = file.sampler, file.seeds.block
+        self.search_seeds, self.final_seeds = file.seeds.search.all, file.seeds.final.all
+        self.objectives = tuple(map(Expression, file.objective.minimize))
+        self.constraints = tuple(map(Constraint, file.objective.constraints))
+        #: Further expressions that the report gives for the best and the default.
+        self.reported = tuple(map(Expression, file.objective.report))
+        is_pruned = len(self.objectives) == 1 if file.pruning.enabled is None else file.pruning.enabled
+        #: Number of blocks before a candidate may be pruned; None without pruning.
+        self.prune_after = file.pruning.after_blocks if is_pruned else None
+        self.worlds: tuple[str | None, ...] = file.worlds or (None,)
+        self.arguments, self.timeout = file.arguments, file.timeout_s
+        self._check()
 
     @property
     def defaults(self) -> dict[str, Any]:
@@ -70,145 +129,53 @@ class Study:
         objective = [[each.text for each in self.objectives], [each.text for each in self.constraints]]
         seeds = [self.search_seeds, self.block, self.worlds, self.arguments]
         ranges = {name: vars(spread) for name, spread in sorted(self.parameters.items())}
-        text = json.dumps([objective, seeds, ranges, self.sampler, self.program.digest])
+        text = json.dumps([objective, seeds, ranges, self.sampler.kind, self.program.digest])
         return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+    def tasks(self, settings: Mapping[str, Setting], seeds: tuple[int, ...]) -> list[Task]:
+        """Return the games of a candidate: for each block of seeds one in each world."""
+        return tasks_of(self.program, settings, seeds, self.block, self.worlds, self.arguments, self.timeout)
+
+    def _check(self) -> None:
+        if shared := sorted(set(self.search_seeds) & set(self.final_seeds)):
+            raise StudyError(f"seeds.search and seeds.final share seed {shared[0]}: final seeds have to be held out")
+        is_cma = self.sampler.kind == "cma-es"
+        if len(self.objectives) > 1 and (is_cma or self.prune_after is not None):
+            raise StudyError("several objectives exclude cma-es and pruning\n  help: use nsga-ii")
+        if is_cma and (choices := [name for name, spread in self.parameters.items() if spread.variants]):
+            raise StudyError(f"cma-es needs numbers, and `{choices[0]}` is none\n  help: use tpe")
 
 
 def _clamped(value: Any, spread: Range) -> Any:
-    if spread.variants or isinstance(value, bool):
-        return value
-    return min(max(value, spread.minimum), spread.maximum)
+    return value if spread.variants else min(max(value, spread.minimum), spread.maximum)
 
 
 def read_study(path: Path, program: str | None = None) -> Study:
     """Read a study file; raises StudyError, naming the entry that is wrong."""
     try:
-        table = _Table(tomllib.loads(path.read_text()), "")
+        return Study(_File.model_validate(tomllib.loads(path.read_text())), path, program)
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise StudyError(f"cannot read `{path}`: {error}") from None
-    try:
-        study = _study(table, path, program)
-        table.finish()
+    except ValidationError as error:
+        lines = [f"`{'.'.join(map(str, each['loc']))}` is wrong: {each['msg']}" for each in error.errors()]
+        raise StudyError("\n".join([f"{path}:", *lines])) from None
     except (StudyError, ExpressionError) as error:
         raise StudyError(f"{path}: {error}") from None
-    return study
 
 
-def _study(table: _Table, path: Path, program: str | None) -> Study:
-    own = table.take("program", str, "")
-    named = program or (str(path.parent / own) if own and "/" in own else own or None)
-    robot = Program.find(named)
-    described = robot.params(kind=table.take("kind", str, "") or None)
-    seeds, objective = table.table("seeds"), table.table("objective")
-    sampler, pruning = table.table("sampler"), table.table("pruning")
-    search, final = seeds.seeds("search"), seeds.seeds("final")
-    if shared := sorted(set(search) & set(final)):
-        raise StudyError(f"seeds.search and seeds.final share seed {shared[0]}: final seeds have to be held out")
-    minimize = objective.texts("minimize")
-    study = Study(
-        name=table.take("name", str, path.stem),
-        program=robot,
-        parameters=_ranges(table.table("parameters"), described),
-        worlds=tuple(table.texts("worlds", ())) or (None,),
-        search_seeds=search,
-        final_seeds=final,
-        block=seeds.take("block", int, 5),
-        objectives=tuple(Expression(text) for text in minimize),
-        constraints=tuple(Constraint(text) for text in objective.texts("constraints", ())),
-        reported=tuple(Expression(text) for text in objective.texts("report", ())),
-        sampler=sampler.take("kind", str, "tpe"),
-        sampler_seed=sampler.take("seed", int, 0),
-        candidates=sampler.take("candidates", int, 50),
-        prune_after=pruning.take("after_blocks", int, 1) if pruning.take("enabled", bool, len(minimize) == 1) else None,
-        arguments=tuple(table.texts("arguments", ())),
-        timeout=table.take("timeout_s", float, 600.0),
-        described=described,
-    )
-    for part in (seeds, objective, sampler, pruning):
-        part.finish()
-    _check(study)
-    return study
-
-
-def _check(study: Study) -> None:
-    if not study.objectives or not study.parameters:
-        raise StudyError("objective.minimize and parameters need at least one entry")
-    if study.sampler not in SAMPLERS:
-        raise StudyError(f"sampler.kind is `{study.sampler}`\n  help: samplers are {', '.join(SAMPLERS)}")
-    if study.block < 1 or study.candidates < 1 or (study.prune_after is not None and study.prune_after < 1):
-        raise StudyError("seeds.block, sampler.candidates and pruning.after_blocks are at least 1")
-    if len(study.objectives) > 1 and (study.sampler == "cma-es" or study.prune_after is not None):
-        raise StudyError("several objectives exclude cma-es and pruning\n  help: use nsga-ii")
-    choices = [name for name, spread in study.parameters.items() if spread.kind in ("bool", "choice")]
-    if study.sampler == "cma-es" and choices:
-        raise StudyError(f"cma-es needs numbers, and `{choices[0]}` is none\n  help: use tpe")
-
-
-def _ranges(table: _Table, described: Mapping[str, Parameter]) -> dict[str, Range]:
-    ranges = {}
-    for name in table.names():
-        own, parameter = table.table(name), described.get(name)
-        if parameter is None:
-            near = [other for other in described if other.split(".")[0] == name.split(".")[0]] or list(described)[:10]
-            raise StudyError(f"the program has no parameter `{name}`\n  help: it has {', '.join(near)}")
-        if parameter.kind in ("bool", "choice"):
-            ranges[name] = Range(parameter.kind, variants=parameter.variants or ("false", "true"))
-        else:
-            ranges[name] = _number_range(own, parameter)
-        own.finish()
-    return ranges
-
-
-def _number_range(own: _Table, parameter: Parameter) -> Range:
+def _range(name: str, table: _RangeTable, described: Mapping[str, Parameter]) -> Range:
+    parameter = described.get(name)
+    if parameter is None:
+        near = [other for other in described if other.startswith(f"{name.partition('.')[0]}.")] or list(described)[:10]
+        raise StudyError(f"the program has no parameter `{name}`\n  help: it has {', '.join(near)}")
+    if parameter.kind in ("bool", "choice"):
+        if table != _RangeTable():
+            raise StudyError(f"`{name}` is no number and has no range\n  help: write {{}}")
+        return Range(parameter.kind, variants=parameter.variants or ("false", "true"))
     low, high = parameter.minimum or 0.0, parameter.maximum or 0.0
-    spread = Range(parameter.kind, own.take("min", float, low), own.take("max", float, high), own.take("log", bool, False))
-    if not low <= spread.minimum < spread.maximum <= high:
-        raise StudyError(f"the range of `{parameter.name}` has to be within {low:g} to {high:g}")
-    if spread.log and spread.minimum <= 0:
-        raise StudyError(f"a logarithmic range of `{parameter.name}` has to begin above 0")
-    return spread
-
-
-class _Table:
-    """A table of a TOML file that knows which of its entries were read."""
-
-    def __init__(self, entries: dict[str, Any], path: str) -> None:
-        self._entries, self._path, self._known = entries, path, set[str]()
-
-    def names(self) -> list[str]:
-        return list(self._entries)
-
-    def take(self, name: str, kind: type[T], default: T) -> T:
-        self._known.add(name)
-        value = self._entries.get(name, default)
-        if kind is float and isinstance(value, int) and not isinstance(value, bool):
-            value = float(value)
-        if not isinstance(value, kind) or (kind is int and isinstance(value, bool)):
-            raise StudyError(f"`{self._path}{name}` has to be of type {kind.__name__}")
-        return value
-
-    def texts(self, name: str, default: tuple[str, ...] | None = None) -> list[str]:
-        self._known.add(name)
-        value = self._entries.get(name, default)
-        if value is None:
-            raise StudyError(f"`{self._path}{name}` is missing")
-        texts = [value] if isinstance(value, str) else list(value)
-        if not all(isinstance(text, str) for text in texts):
-            raise StudyError(f"`{self._path}{name}` has to be a text or a list of texts")
-        return texts
-
-    def table(self, name: str) -> _Table:
-        return _Table(self.take(name, dict, {}), f"{self._path}{name}.")
-
-    def seeds(self, name: str) -> tuple[int, ...]:
-        table = self.table(name)
-        first, count = table.take("first", int, -1), table.take("count", int, 0)
-        table.finish()
-        if first < 0 or count < 1:
-            raise StudyError(f"`{self._path}{name}` needs `first`, at least 0, and `count`, at least 1")
-        return tuple(range(first, first + count))
-
-    def finish(self) -> None:
-        for name in self._entries:
-            if name not in self._known:
-                raise StudyError(f"`{self._path}{name}` is unknown\n  help: known are {', '.join(sorted(self._known))}")
+    least, most = low if table.min is None else table.min, high if table.max is None else table.max
+    if not low <= least < most <= high:
+        raise StudyError(f"the range of `{name}` has to be within {low:g} to {high:g}")
+    if table.log and least <= 0:
+        raise StudyError(f"a logarithmic range of `{name}` has to begin above 0")
+    return Range(parameter.kind, least, most, table.log)

@@ -4,6 +4,7 @@ Each topic is decoded by its own descriptors and by the official ones, and by Re
 are compared with the exact values in the same file.
 """
 
+import json
 import argparse
 import importlib
 import io
@@ -86,9 +87,9 @@ class Exact:
             for index, info in enumerate(owner["info"])
         }
         self.outputs = dict(self._outputs())
-        decode = decoder(self.file.schema("bica.TreeRecord"))
+        decode = decoder(json.loads(self.file.schemas["bica.TreeRecord"].data))
         self.trees = {message.log_time: decode(message.data) for _, _, message in self.file.messages("tree")}
-        decode = decoder(self.file.schema("bica.BlobRecord"))
+        decode = decoder(json.loads(self.file.schemas["bica.BlobRecord"].data))
         self.widths = {m.log_time: self._width(decode(m.data)) for _, _, m in self.file.messages("blobs")}
 
     @staticmethod
@@ -96,7 +97,7 @@ class Exact:
         return next(iter(blob["format"].values())).get("width") if isinstance(blob["format"], dict) else None
 
     def _outputs(self):
-        decode = decoder(self.file.schema("bica.InformationRecord"))
+        decode = decoder(json.loads(self.file.schemas["bica.InformationRecord"].data))
         schemas = [[output.get("schema") for output in owner["info"]] for owner in self.components]
         decoders = [[schema and decoder(schema) for schema in owner] for owner in schemas]
         for _, _, message in self.file.messages("information"):

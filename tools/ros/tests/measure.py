@@ -1,36 +1,21 @@
-"""Processor time of each cycle of the robot's loop, without the node, with it, and with nodes that listen to all its topics.
+"""Processor time of the cycles of the forward's loop without the node, with it, and with nodes that listen to it.
 
-Run it on an idle machine, in the environment of `cargo xtask ros`: `BICA_WALL_FOLLOWER=PROGRAM python measure.py [SECONDS]`.
-The arguments after that replace the program's own, as `play --size 640x480`.
+`python measure.py PROGRAM [WINDOWS]` in the environment of `cargo xtask ros`. The program is the example `link_cost`, which has the
+same loop without a node beside it, and prints a line for each window of 15 s. The nodes share the lowest priority: on another computer
+they would take nothing from the robot.
 """
 
 import importlib
 import multiprocessing
 import os
+import re
+import statistics
+import subprocess
 import sys
 import time
-from itertools import pairwise
-from pathlib import Path
+from multiprocessing.connection import Connection
 
-from peer import SENSOR, Peer, Robot
-
-PROGRAM = os.environ["BICA_WALL_FOLLOWER"]
-
-
-def sample(process: int, seconds: float, costs: multiprocessing.Queue) -> None:
-    """Puts the processor times of the loop's cycles, ns. The loop is the first thread that has the program's name, after `main`."""
-    tasks = sorted(Path(f"/proc/{process}/task").iterdir(), key=lambda task: int(task.name))
-    name = (tasks[0] / "comm").read_text()
-    loop = next(task for task in tasks[1:] if (task / "comm").read_text() == name)
-    asleep, end = [], time.monotonic() + seconds
-    while time.monotonic() < end:
-        # Between two cycles the loop sleeps, and its time stands still.
-        if (loop / "stat").read_text().rsplit(")", 1)[1].split()[0] == "S":
-            used = int((loop / "schedstat").read_text().split()[0])
-            if not asleep or used != asleep[-1]:
-                asleep.append(used)
-        time.sleep(0.002)
-    costs.put(sorted(after - before for before, after in pairwise(asleep)))
+from peer import SENSOR, Peer
 
 
 def message(kind: str) -> type:
@@ -38,37 +23,60 @@ def message(kind: str) -> type:
     return getattr(importlib.import_module(f"{package}.msg"), name)
 
 
-def measure(nodes: int, seconds: float, arguments: list[str]) -> None:
-    with Robot(PROGRAM, *arguments) as robot:
-        peers = [Peer(f"measure_{index}") for index in range(nodes)]
-        time.sleep(3.0)
+def listen(nodes: int, own: bool, pipe: Connection) -> None:
+    """Listens to the topics with standard names, and with `own` to all, until something comes through the pipe.
+
+    Then it sends the number of bytes that each node has taken.
+    """
+    os.nice(19)
+    peers, taken = [Peer(f"measure_{index}") for index in range(nodes)], [0] * nodes
+    for index, peer in enumerate(peers):
+
+        def take(data: bytes, index: int = index) -> None:
+            taken[index] += len(data)
+
+        peer.until(lambda peer=peer: len(peer.node.get_topic_names_and_types()) > 10, "the topics", 120)
+        for topic, [kind, *_] in peer.node.get_topic_names_and_types():
+            # The environment does not have the package `tf2_msgs`.
+            if kind.startswith("tf2_msgs") or (topic.startswith("/forward/") and not own):
+                continue
+            peer.node.create_subscription(message(kind), topic, take, SENSOR, raw=True)
+    time.sleep(5.0)
+    pipe.send(None)
+    while not pipe.poll():
         for peer in peers:
-            peer.until(lambda peer=peer: len(peer.node.get_topic_names_and_types()) > 10, "the topics")
-            for topic, [kind, *_] in peer.node.get_topic_names_and_types():
-                if not kind.startswith("tf2_msgs"):
-                    peer.listen(topic, message(kind), SENSOR)
-        time.sleep(2.0)
-        queue: multiprocessing.Queue = multiprocessing.get_context("spawn").Queue()
-        sampler = multiprocessing.get_context("spawn").Process(target=sample, args=(robot.process.pid, seconds, queue))
-        sampler.start()
-        while sampler.is_alive():
-            for peer in peers:
-                peer.executor.spin_once(timeout_sec=0.0)
-            time.sleep(0.001)
-        costs = queue.get(timeout=1)
-        got = [sum(map(len, peer.got.values())) for peer in peers]
-        for peer in peers:
-            peer.close()
-        median, worst = (costs[int(part * len(costs))] * 1e-3 for part in (0.5, 0.99))
-        print(f"{nodes} nodes: {len(costs)} cycles, median {median:.0f} µs, p99 {worst:.0f} µs; messages received: {got}")
+            peer.executor.spin_once(timeout_sec=0.0)
+        time.sleep(0.001)
+    pipe.send(taken)
+
+
+def windows(program: str, nodes: int, own: bool, count: int) -> None:
+    """Prints the medians over some windows."""
+    here, there = multiprocessing.Pipe()
+    robot = subprocess.Popen([program, "--ros"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    listener = multiprocessing.get_context("spawn").Process(target=listen, args=(nodes, own, there))
+    if nodes:
+        listener.start()
+        here.recv()
+    lines = (line for line in robot.stdout if line.startswith("without"))
+    # Nodes came in the middle of the first window.
+    found = [[float(value) for value in re.findall(r"(?:median|p99) ([\d.]+)", next(lines))] for _ in range(count + 1)][1:]
+    robot.stdin.close()
+    if nodes:
+        here.send(None)
+        print("  MB taken by each:", *(round(size * 1e-6) for size in here.recv()))
+        listener.join()
+    robot.wait(60)
+    median, worst, with_median, with_worst = map(statistics.median, zip(*found, strict=True))
+    topics = "all topics" if own else "standard topics"
+    print(f"{nodes} nodes, {topics}: median and p99 without {median:.3f} and {worst:.3f} ms,", end=" ")
+    print(f"with {with_median:.3f} and {with_worst:.3f} ms; windows {found}", flush=True)
 
 
 def main() -> None:
-    seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 20.0
-    own = sys.argv[2:] or ["run"]
-    measure(0, seconds, [*own, "--realtime"])
-    for nodes in (0, 1, 10):
-        measure(nodes, seconds, [*own, "--ros"])
+    program, count = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 5
+    for nodes, own in ((0, False), (1, False), (10, False), (1, True), (10, True)):
+        windows(program, nodes, own, count)
 
 
 if __name__ == "__main__":

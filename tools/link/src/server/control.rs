@@ -13,6 +13,7 @@ use bica_wire::server::Lease;
 use super::connection::Connection;
 use super::exchange::{Outgoing, Recipient};
 use super::hub::{Command, Hub, Inbound};
+use super::key::Key;
 use super::options::ServerOptions;
 use super::outbox::{AnswerKind, Message, OutputSchema};
 use super::pace::{LoopClock, Pace};
@@ -40,6 +41,8 @@ pub(super) struct Control {
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
+    /// What is due in a cycle; its memory is used again.
+    pub(super) due: Vec<Key>,
     pub(super) stops: Stops,
     pub(super) shown: WorldScenes,
     /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
@@ -69,6 +72,7 @@ impl Control {
             clock: LoopClock::new(),
             pace: Pace::default(),
             watchers: Watchers::default(),
+            due: Vec::new(),
             stops: Stops::default(),
             shown,
             stands: false,

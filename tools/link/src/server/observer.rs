@@ -211,7 +211,8 @@ impl Control {
         if self.watchers.is_snapshot_due(info.cycle) {
             data.snapshot.read(info, tree);
         }
-        for key in self.watchers.due(info.cycle) {
+        self.watchers.find_due(info.cycle, &mut self.due);
+        for &key in &self.due {
             match key {
                 Key::Info(component, index) => data.read(tree, component, index),
                 Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),

@@ -146,10 +146,13 @@ impl Watchers {
         self.list.iter().any(|watcher| watcher.is_due(cycle))
     }
 
-    /// What is due for anybody, each once, sorted.
-    pub(super) fn due(&self, cycle: u64) -> BTreeSet<Key> {
+    /// Finds what is due for anybody, each once, sorted.
+    pub(super) fn find_due(&self, cycle: u64, due: &mut Vec<Key>) {
         let watched = self.list.iter().flat_map(|watcher| watcher.watched.iter());
-        watched.filter(|(_, every)| cycle.is_multiple_of(u64::from(**every))).map(|(key, _)| *key).collect()
+        due.clear();
+        due.extend(watched.filter(|(_, every)| cycle.is_multiple_of(u64::from(**every))).map(|(key, _)| *key));
+        due.sort_unstable();
+        due.dedup();
     }
 
     /// Whether something is due for anybody.

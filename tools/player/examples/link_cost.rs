@@ -1,0 +1,65 @@
+//! What the link, or a ROS 2 node, costs the forward's loop: the processor time of its cycles with and without it in one run.
+//!
+//! `cargo run --release -p bica-player-program --features ros --example link_cost -- --ros`: images of 640×480 at 30/s, in real
+//! time, whose owner is shared with the link, as in a game. It prints a line for each window of time, until the end of its input.
+
+use std::io::{Read as _, stdin};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use bica::Tree as _;
+use bica::runner::Runner;
+use bica_app::{Console, STACK_BYTES, ServeArgs};
+use bica_link::{LinkServer, ServerOptions};
+use bica_player::tunable::Forward;
+use clap::Parser;
+use rustix::time::{ClockId, clock_gettime};
+
+mod turns;
+
+#[derive(Clone, Debug, Parser)]
+struct Args {
+    #[command(flatten)]
+    serve: ServeArgs,
+    /// Length of a window, s
+    #[arg(long, default_value_t = 15)]
+    window: u64,
+}
+
+fn main() {
+    let args = Args::parse();
+    let run = move || run(&args);
+    thread::Builder::new().stack_size(STACK_BYTES).spawn(run).expect("a thread").join().expect("no panic");
+}
+
+fn run(args: &Args) {
+    let address = args.serve.address().expect("--serve or --ros");
+    let mut values = turns::Values::new(None);
+    let options = ServerOptions { realtime: true, ..ServerOptions::default() };
+    let (server, mut requests, observer) = LinkServer::start::<Forward>(&address, options).expect("an address");
+    let started = args.serve.started(Console::new(false), const { &Forward::GRAPH }, &address, server.address());
+    let _node = started.expect("a network");
+    let mut with = Runner::new(turns::forward(), ()).with_observer(observer.sharing_images(values.owner()));
+    let mut without = Runner::new(turns::forward(), ());
+    let ended = Arc::new(AtomicBool::new(false));
+    let end = Arc::clone(&ended);
+    thread::spawn(move || {
+        let _ = stdin().read_to_end(&mut Vec::new());
+        end.store(true, Ordering::Relaxed);
+    });
+    let (mut cycle, window) = (0, 100 * args.window);
+    while !ended.load(Ordering::Relaxed) {
+        let cycles = cycle..cycle + window;
+        let times = values.take_turns((&mut requests, &mut with), &mut without, cycles, processor_time);
+        println!("without: {}; with: {}", turns::shown(&times[0]), turns::shown(&times[1]));
+        cycle += window;
+    }
+}
+
+/// Processor time of this thread: other programs do not count.
+fn processor_time() -> Duration {
+    let time = clock_gettime(ClockId::ThreadCPUTime);
+    Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
+}
