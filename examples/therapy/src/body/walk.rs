@@ -13,15 +13,16 @@ use super::motors::Motors;
 /// Low, quick steps, in which the body sways less and soon stands still. Found in trials in `MuJoCo`: lower ones scuff the floor, and
 /// with larger capture steps one of twenty robots marched on after its way.
 const GAIT: &Parameters = &Parameters {
-    step_duration: 0.18,
+    step_duration: 0.19,
     step_height: 0.018,
+    velocity_drift: Velocity::ZERO,
     max_capture_step: Vec2::splat(0.02),
     ..Nao::DYNAMIC_PROFILE.gait
 };
 /// Forward and lateral speed, m/s, and turn rate, rad/s: slow, beside people.
 const SPEED: [f32; 3] = [0.06, 0.02, 0.2];
 /// Speed against a displacement in a direction that is not wanted, m/s per m and rad/s per rad.
-const CORRECTION: f32 = 0.5;
+const CORRECTION: f32 = 0.2;
 /// Time in which the legs come to the stand of the gait before the first step, s.
 const RISE: f32 = 1.0;
 /// The same in a stop, s. The feet are at most 3 cm and 3° away from it.
@@ -53,8 +54,7 @@ pub struct Walk {
 impl Walk {
     pub(crate) const fn new() -> Self {
         let (gait, odometry) = (Gait::new(GAIT), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
-        let (from, way, stiffness) = (Pose2::ORIGIN, [0.0; 3], STANDING);
-        Self { gait, measured: None, odometry, from, way, left: None, stiffness }
+        Self { gait, measured: None, odometry, from: Pose2::ORIGIN, way: [0.0; 3], left: None, stiffness: STANDING }
     }
 
     /// Takes the measurements of this cycle, before it is stepped.

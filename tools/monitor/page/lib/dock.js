@@ -64,6 +64,7 @@ export function start(element) {
     for (const name of ['role', 'tabindex']) cross?.removeAttribute(name);
   });
   api.onDidLayoutChange(() => {
+    hideLoneTabs();
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();
   });
@@ -79,6 +80,14 @@ let presetArrangement = null;
 
 /** Whether the layout is for people who are not engineers: the page then leaves sessions, costs and worlds to its panel. */
 export const isPlain = () => Boolean(PRESETS[layoutName.value]?.plain);
+
+/** A plain layout shows no tab that has nothing beside it. */
+function hideLoneTabs() {
+  for (const { header, panels } of api.groups) {
+    const hidden = isPlain() && panels.length === 1;
+    if (header.hidden !== hidden) header.hidden = hidden;
+  }
+}
 
 /** Whether the layout is the preset that was applied last, but for sizes. */
 export const isPreset = () => Boolean(PRESETS[layoutName.peek()]) && arrangement() === presetArrangement;
@@ -183,6 +192,7 @@ export function preset(name) {
     });
   }
   layoutName.value = name;
+  hideLoneTabs();
   presetArrangement = arrangement();
   return undefined;
 }
