@@ -10,26 +10,28 @@ use glam::Vec2;
 
 use super::motors::Motors;
 
-/// Quick steps, in which the body sways less and soon stands still. Found in trials in `MuJoCo`. Short capture steps: with larger ones
-/// one of twenty robots marched on after its way, and a stop in such a step left 9 °/s half a second later.
+/// Low, quick steps, in which the body sways less and soon stands still. Found in trials in `MuJoCo`: lower ones scuff the floor, and
+/// with larger capture steps one of twenty robots marched on after its way.
 const GAIT: &Parameters = &Parameters {
-    step_duration: 0.2,
+    step_duration: 0.19,
+    step_height: 0.018,
     velocity_drift: Velocity::ZERO,
     max_capture_step: Vec2::splat(0.02),
     ..Nao::DYNAMIC_PROFILE.gait
 };
 /// Forward and lateral speed, m/s, and turn rate, rad/s: slow, beside people.
-const SPEED: [f32; 3] = [0.08, 0.03, 0.3];
+const SPEED: [f32; 3] = [0.06, 0.02, 0.2];
+/// Speed against a displacement in a direction that is not wanted, m/s per m and rad/s per rad.
+const CORRECTION: f32 = 0.2;
 /// Time in which the legs come to the stand of the gait before the first step, s.
 const RISE: f32 = 1.0;
-/// The same in a stop, s. The feet are at most 3 cm and 3.5° away from it.
+/// The same in a stop, s. The feet are at most 3 cm and 3° away from it.
 const LAND: f32 = 0.04;
-/// Stiffness of the legs; after a stop less, and more each second. With more the robot rocks about its ankles, with less the knees are
-/// slow: in trials in `MuJoCo` with a landing of 0.06 s, half a second after a stop, 0.5 left 5 °/s, 0.36 3.6 °/s, and 0.3 6 °/s.
+/// Stiffness of the legs; after a stop less, and slowly more. With more the robot rocks about its ankles, with less the knees are slow.
 const STANDING: f32 = 0.75;
 const WALKING: f32 = 1.0;
 const LANDING: f32 = 0.36;
-const STIFFENING: f32 = 0.1;
+const STIFFENING: f32 = 0.02;
 /// Time in which the gait comes to rest, by which the request ends earlier, s.
 const BRAKE: f32 = 0.4;
 
@@ -52,8 +54,7 @@ pub struct Walk {
 impl Walk {
     pub(crate) const fn new() -> Self {
         let (gait, odometry) = (Gait::new(GAIT), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
-        let (from, way, stiffness) = (Pose2::ORIGIN, [0.0; 3], STANDING);
-        Self { gait, measured: None, odometry, from, way, left: None, stiffness }
+        Self { gait, measured: None, odometry, from: Pose2::ORIGIN, way: [0.0; 3], left: None, stiffness: STANDING }
     }
 
     /// Takes the measurements of this cycle, before it is stepped.
@@ -64,8 +65,7 @@ impl Walk {
     fn step(&mut self, time: &Time, motors: &mut Motors) {
         let Some((feedback, angles)) = self.measured else { return };
         let (feet, gyro_turn) = ([&feedback.left_foot, &feedback.right_foot], Some(feedback.gyro.z * time.dt()));
-        let commanded = Some(motors.targets());
-        self.odometry.step(&MotionInput { commanded, angles: &angles, feet, gyro_turn });
+        self.odometry.step(&MotionInput { commanded: Some(motors.targets()), angles: &angles, feet, gyro_turn });
         let mut legs = *motors.targets();
         if let Some(left) = self.left {
             let share = (time.dt() / left).min(1.0);
@@ -83,20 +83,20 @@ impl Walk {
         motors.set_legs(&legs, self.stiffness);
     }
 
-    /// The velocity to the end of the way, which ends once that is near.
+    /// The velocity to the end of the way, which ends once that is near: zero then.
     fn request(&mut self) -> Velocity {
         let at = self.from.inverse() * self.odometry.pose();
         let mut request = [0.0; 3];
         for (axis, at) in [at.position.x, at.position.y, at.heading].into_iter().enumerate() {
-            let rest = self.way[axis] - at;
-            if self.way[axis] != 0.0 && rest * self.way[axis].signum() > BRAKE * SPEED[axis] {
-                request[axis] = SPEED[axis].copysign(rest);
-            } else {
+            let (rest, speed) = (self.way[axis] - at, SPEED[axis]);
+            if rest * self.way[axis].signum() <= BRAKE * speed {
                 self.way[axis] = 0.0;
             }
+            let correction = (CORRECTION * rest).clamp(-speed, speed);
+            request[axis] = if self.way[axis] == 0.0 { correction } else { speed.copysign(rest) };
         }
         let [forward, left, turn] = request;
-        Velocity::new(forward, left, turn)
+        if self.has_way() { Velocity::new(forward, left, turn) } else { Velocity::ZERO }
     }
 
     /// Begins to walk once the arms rest: forward and left, m, and a turn to the left, rad.

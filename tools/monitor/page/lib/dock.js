@@ -64,9 +64,11 @@ export function start(element) {
     for (const name of ['role', 'tabindex']) cross?.removeAttribute(name);
   });
   api.onDidLayoutChange(() => {
+    hideLoneTab();
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();
   });
+  effect(hideLoneTab);
   effect(() => {
     if (watches.value.length > 0 || memory.read()?.watches?.length > 0) saveSoon();
   });
@@ -79,6 +81,14 @@ let presetArrangement = null;
 
 /** Whether the layout is for people who are not engineers: the page then leaves sessions, costs and worlds to its panel. */
 export const isPlain = () => Boolean(PRESETS[layoutName.value]?.plain);
+
+/** A plain layout shows no tab while it has one panel only. Other layouts show all tabs, also if they were saved from a plain one. */
+function hideLoneTab() {
+  const hidden = isPlain() && api.panels.length === 1;
+  for (const { header } of api.groups) {
+    if (header.hidden !== hidden) header.hidden = hidden;
+  }
+}
 
 /** Whether the layout is the preset that was applied last, but for sizes. */
 export const isPreset = () => Boolean(PRESETS[layoutName.peek()]) && arrangement() === presetArrangement;
@@ -221,11 +231,11 @@ const saveSoon = () => { saving ??= setTimeout(save, 500); };
 function save() {
   clearTimeout(saving);
   saving = null;
-  memory.write(layout());
+  memory.write({ ...layout(), name: layoutName.peek() });
 }
 
-/** Restores the layout of the last visit; returns whether there was one. */
+/** Restores the layout of the last visit, which stays plain; returns whether there was one. */
 export function restore() {
   const data = memory.read();
-  return data !== null && applyLayout(data, 'last');
+  return data !== null && applyLayout(data, PRESETS[data.name]?.plain ? data.name : 'last');
 }

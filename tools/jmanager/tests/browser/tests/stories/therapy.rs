@@ -20,6 +20,10 @@ const FILM: &str = "title \"Arms and shoulders\"\nsay \"Let us move our arms.\"\
     exercise arms_open reps 10 at most 600 s\nsay \"Goodbye.\"\nwait speech at most 9 s";
 const WRONG: &str = "sya \"Hello.\"";
 
+/// How many tabs can be seen.
+const TABS: &str =
+    "[...document.querySelectorAll('[role=tab]')].filter((tab) => tab.getClientRects().length > 0).length";
+
 /// Sessions in a folder, removed at the end.
 struct Sessions(PathBuf);
 
@@ -85,6 +89,10 @@ async fn a_therapist_operates_a_session_with_every_control() {
     let server = Server::start_other("therapy", &["play", &sessions.file("first"), "--page"]);
     let page = Page::open(&server, SIZE).await;
     show_in(&page, SIZE).await;
+    page.until("no tab", &format!("return {TABS} === 0")).await;
+    // The page stays plain for the next visit.
+    page.run("location.reload()", vec![]).await;
+    page.until("no tab", &format!("return document.querySelector('.therapist') !== null && {TABS} === 0")).await;
     load_axe(&page).await;
     page.reads("All 4 parts of the session can be played.").await;
     shows(&page, "Ready", "1. Says: “Hello.”").await;
@@ -160,6 +168,8 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.press("1").await;
     page.reads("operator: nobody").await;
     page.find("button", "Session", "Activation tree").await;
+    // A panel without another one beside it has a tab, too.
+    page.find("tab", "Activation tree", "").await;
     assert_eq!(page.run(AXE, vec![]).await, json!([]), "the whole bar");
     page.screenshot("therapist-engineer").await;
     page.close().await;
