@@ -19,7 +19,7 @@ def test_ranges_are_those_of_the_descriptions(study_file: StudyFile) -> None:
         ("first = 900", "first = 103", "share seed 103"),
         ("Walk.gain", "Walk.gian", "no parameter `Walk.gian`"),
         ("max = 4.5", "max = 9.0", "within 0.1 to 5"),
-        ("max = 4.5", "most = 4.5", "`parameters.Walk.gain.most` is wrong: Extra"),
+        ("max = 4.5", "most = 4.5", "`parameters.Walk.gain.most` is wrong: Extra.*\n  help: docs/search.md"),
         ('"tpe"', '"best"', "`sampler.kind` is wrong: Input should be 'tpe', 'cma-es'"),
         ("block = 2", 'block = "2"', "`seeds.block` is wrong: Input should be a valid integer"),
         ("mean(cost)", "cost.real", "not allowed"),

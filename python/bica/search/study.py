@@ -158,7 +158,7 @@ def read_study(path: Path, program: str | None = None) -> Study:
         raise StudyError(f"cannot read `{path}`: {error}") from None
     except ValidationError as error:
         lines = [f"`{'.'.join(map(str, each['loc']))}` is wrong: {each['msg']}" for each in error.errors()]
-        raise StudyError("\n".join([f"{path}:", *lines])) from None
+        raise StudyError("\n".join([f"{path}:", *lines, "  help: docs/search.md lists all entries"])) from None
     except (StudyError, ExpressionError) as error:
         raise StudyError(f"{path}: {error}") from None
 
