@@ -4,12 +4,15 @@ use std::hint::black_box;
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{Nao, RobotModel, T1};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
+use bica_motion::walk::recovery::Situation;
 use bica_motion::walk::{Feedback, Velocity, Walk};
+use glam::Vec2;
 
 use crate::case::Case;
+use crate::quadratic_program::Program;
 
 const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
 
@@ -36,6 +39,12 @@ fn step_repeatedly(walk: &mut Walk, cycles: usize) {
     }
 }
 
+/// A step after a push of 0.5 m/s from behind.
+fn pushed() -> Situation {
+    let [dcm, place, offset] = [Vec2::new(0.12, 0.02), Vec2::new(0.06, 0.2), Vec2::new(0.01, -0.05)];
+    Situation { dcm, place, offset, elapsed: 0.1, remaining: 0.2, frequency: 4.5 }
+}
+
 /// All benchmarks of the motion.
 pub(crate) fn cases() -> Vec<Case> {
     let ankles = || [Side::Left, Side::Right].map(|side| ankle::<Nao>(side, &pose()));
@@ -51,5 +60,12 @@ pub(crate) fn cases() -> Vec<Case> {
             black_box(legs_angles::<Nao>(left, right, YawFrom::Mean));
         }),
         Case::new("walk.second", new_walk, |walk| step_repeatedly(walk, 100)),
+        Case::new("recovery.step", pushed, |now| {
+            black_box(T1::DYNAMIC_PROFILE.gait.recovery(black_box(now)));
+        }),
+        Case::new("recovery_by_matrices.step", pushed, |now| {
+            let now = black_box(now);
+            black_box(Program::of(&T1::DYNAMIC_PROFILE.gait, now).best_step(now));
+        }),
     ]
 }

@@ -6,6 +6,8 @@ mod body;
 mod case;
 mod forward;
 mod framework;
+#[path = "../../tests/motion/quadratic_program.rs"]
+mod quadratic_program;
 mod slow;
 mod vision;
 

@@ -15,6 +15,8 @@ mod model;
 mod nao;
 mod odometry;
 mod pose;
+mod quadratic_program;
+mod recovery;
 mod senses;
 mod simulated;
 mod tall;

@@ -13,7 +13,7 @@ mod in_walk_kick;
 mod mass_motion;
 mod pendulum;
 mod plan;
-mod recovery;
+pub mod recovery;
 mod sag_compensation;
 mod stand;
 mod sway;

@@ -19,33 +19,34 @@ const BISECTIONS: usize = 18;
 
 /// A step in progress. Positions in m from the support ankle, x forward, y toward the swing side.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Situation {
+pub struct Situation {
     /// Measured DCM.
-    pub(super) dcm: Vec2,
+    pub dcm: Vec2,
     /// Planned place of the swing foot.
-    pub(super) place: Vec2,
+    pub place: Vec2,
     /// Planned offset of the DCM from that place at touchdown.
-    pub(super) offset: Vec2,
+    pub offset: Vec2,
     /// Time since the step began, s.
-    pub(super) elapsed: f32,
+    pub elapsed: f32,
     /// Planned time until touchdown, s.
-    pub(super) remaining: f32,
+    pub remaining: f32,
     /// Natural frequency of the pendulum, 1/s.
-    pub(super) frequency: f32,
+    pub frequency: f32,
 }
 
 /// Correction of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Recovery {
+pub struct Recovery {
     /// Displacement of the swing foot from its planned place, m.
-    pub(super) displacement: Vec2,
+    pub displacement: Vec2,
     /// Time until touchdown, s.
-    pub(super) remaining: f32,
+    pub remaining: f32,
 }
 
 impl Parameters {
-    /// The best step: the planned one if the DCM is as planned.
-    pub(super) fn recovery(&self, now: &Situation) -> Recovery {
+    /// The best step: the planned one if the DCM is as planned. Pure; it allocates nothing.
+    #[must_use]
+    pub fn recovery(&self, now: &Situation) -> Recovery {
         let [place, time, offset] = self.recovery_weights;
         let growth = |remaining: f32| expf(now.frequency * remaining);
         let (planned, wanted) = (growth(now.remaining), now.place + now.offset);
