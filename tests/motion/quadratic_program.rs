@@ -72,13 +72,12 @@ impl Program {
         right.fixed_rows_mut::<EQUATIONS>(N).copy_from(&self.constant);
         for (i, choice) in active.into_iter().enumerate() {
             let row = N + EQUATIONS + i;
-            match choice {
+            if choice == 0 {
                 // The multiplier of a free variable is zero.
-                0 => matrix[(row, row)] = 1.0,
-                _ => {
-                    (matrix[(row, i)], matrix[(i, row)]) = (1.0, 1.0);
-                    right[row] = self.bounds[i][choice - 1];
-                }
+                matrix[(row, row)] = 1.0;
+            } else {
+                (matrix[(row, i)], matrix[(i, row)]) = (1.0, 1.0);
+                right[row] = self.bounds[i][choice - 1];
             }
         }
         matrix.full_piv_lu().solve(&right).map(|x| x.fixed_rows::<N>(0).into_owned())
