@@ -89,9 +89,7 @@ impl<F: Footballer> Film<F> {
     /// A film of a game whose start is known, unless others started the server.
     fn new(path: &Path, start: Option<Start>) -> Result<Self, Failure> {
         let scale = <F::Model as Body>::STANDING_HEIGHT / Nao::DYNAMIC_PROFILE.gait.hip_height;
-        let stage = Stage::new(&SSIM_2026, OUTSIDE_WIDTH, OUTSIDE_HEIGHT).map_err(|error| {
-            Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
-        })?;
+        let stage = Stage::new(&SSIM_2026, OUTSIDE_WIDTH, OUTSIDE_HEIGHT).map_err(cannot_draw)?;
         Ok(Self {
             gif: Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?,
             stage,
@@ -117,9 +115,7 @@ impl<F: Footballer> Film<F> {
         let body = world.body();
         let tilt = (body.inertial.roll, body.inertial.pitch);
         let shown = Shown { at: robot, tilt, angles: &body.angles, ball: self.ball };
-        let picture = self.stage.draw(&shown, &camera).map_err(|error| {
-            Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
-        })?;
+        let picture = self.stage.draw(&shown, &camera).map_err(cannot_draw)?;
         let each = || (0..F::Forward::GRAPH.nodes.len()).map(ComponentId::new);
         let tree = TreeState {
             tree: &self.description,
@@ -135,6 +131,11 @@ impl<F: Footballer> Film<F> {
         self.last.take().map_or(Ok(()), |last| self.gif.add(&last, LAST_REPEAT))?;
         self.gif.finish()
     }
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "it maps errors")]
+fn cannot_draw(error: impl ToString) -> Failure {
+    Failure::new(error.to_string(), "`cargo xtask mujoco` installs what MuJoCo needs to draw")
 }
 
 /// Draws what the camera sees: marks of the field, the ball, and feet of other players.

@@ -56,8 +56,8 @@ fn filmed<F: Footballer>(args: &Play, entry: &Entry, film: &Path) -> Result<Outc
     console.print_json(&game)?;
     Ok(match game.goal_s {
         _ if interrupt::requested() => Outcome::Interrupted,
-        Some(_) => Outcome::Success,
-        None => Outcome::Unsuccessful,
+        None if entry.server.is_none() => Outcome::Unsuccessful,
+        _ => Outcome::Success,
     })
 }
 
