@@ -8,14 +8,14 @@ use std::time::Duration;
 
 use bica::runner::Request;
 use bica::runner::{Runner, World};
-use bica_link::{Client, ClientOptions, Error, Event, LinkServer, MAX_MONITORS, ServerOptions};
+use bica_link::{Error, Event, LinkServer, MAX_MONITORS, ServerOptions};
 use bica_wire::message::{Hold, LeaseAction};
 use bica_wire::{Encoder, FromMonitor};
 
 use crate::faults::{assert_served, monitor_packet, raw};
 use crate::proxy::Proxy;
 use crate::robot::{CART, OtherTree};
-use crate::session::{CYCLE_US, LIMIT, Session, event, snapshot};
+use crate::session::{CYCLE_US, LIMIT, Session, connect, event, snapshot};
 
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 
@@ -87,8 +87,7 @@ fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
 fn a_lease_of_an_earlier_run_is_void() {
     let first = Session::start();
     let proxy = Proxy::start(first.server.address());
-    let options = ClientOptions { timeout: LIMIT, ..ClientOptions::default() };
-    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    let mut client = connect(&proxy.address.parse().unwrap());
     client.acquire(false).unwrap();
     let old = client.lease().lease;
     let second = Session::start();
@@ -124,8 +123,7 @@ impl World<OtherTree> for Still {
 fn a_client_does_not_continue_with_another_robot() {
     let session = Session::start();
     let proxy = Proxy::start(session.server.address());
-    let options = ClientOptions { timeout: LIMIT, ..ClientOptions::default() };
-    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    let mut client = connect(&proxy.address.parse().unwrap());
     client.acquire(false).unwrap();
     let (server, requests, observer) =
         LinkServer::start::<OtherTree>(&"127.0.0.1:0".parse().unwrap(), ServerOptions::default()).unwrap();

@@ -13,7 +13,7 @@ use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
 use crate::robot::CART;
-use crate::session::{Session, event, snapshot};
+use crate::session::{Session, connect, event, snapshot};
 
 /// A connection without a client.
 pub(crate) fn raw(session: &Session) -> TcpStream {
@@ -159,8 +159,7 @@ fn other_addresses_than_loopback_need_permission() {
 fn a_client_connects_again_and_continues_watching_and_its_lease() {
     let session = Session::start();
     let proxy = Proxy::start(session.server.address());
-    let options = ClientOptions { timeout: Duration::from_mins(1), ..ClientOptions::default() };
-    let mut client = Client::connect(&proxy.address.parse().unwrap(), options).unwrap();
+    let mut client = connect(&proxy.address.parse().unwrap());
     client.watch(1).unwrap();
     client.acquire(false).unwrap();
     client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();

@@ -13,7 +13,7 @@ use nix::pty::openpty;
 use nix::unistd::ttyname;
 
 use crate::robot::CART;
-use crate::session::{Session, snapshot};
+use crate::session::{Session, connect, snapshot};
 
 /// Opens two terminals; what is written to one is read from the other.
 fn line() -> [Address; 2] {
@@ -54,8 +54,7 @@ fn a_server_in_this_process_is_reached_while_it_runs() {
 
 fn carries_the_link(robot: &Address, monitor: &Address) {
     let session = Session::start_with(robot, Duration::from_secs(1_000_000));
-    let options = ClientOptions { timeout: Duration::from_mins(1), ..ClientOptions::default() };
-    let mut client = Client::connect(monitor, options).unwrap();
+    let mut client = connect(monitor);
     assert_eq!(client.description().components.len(), 3);
     client.acquire(false).unwrap();
     client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();

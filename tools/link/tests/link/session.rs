@@ -9,7 +9,7 @@ use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
 use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
 use bica::{Blob, Format, Probe, Value, world_actions};
-use bica_link::{Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
+use bica_link::{Address, Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
 use bica_wire::message::Offers;
 
 use crate::robot::CartTree;
@@ -215,10 +215,7 @@ impl Session {
     }
 
     pub(crate) fn client(&self) -> Client {
-        let address = self.server.address().parse().unwrap();
-        // The robot's time here is faster than the clock, from which a client computes an expiry.
-        let options = ClientOptions { timeout: LIMIT, expiry: Duration::from_secs(1_000_000) };
-        Client::connect(&address, options).expect("a robot answers")
+        connect(&self.server.address().parse().unwrap())
     }
 
     /// Number of cycles so far.
@@ -280,6 +277,13 @@ impl Drop for Session {
 
 /// Waits for an event.
 #[track_caller]
+/// A client of a session, also through a proxy or a line.
+pub(crate) fn connect(address: &Address) -> Client {
+    // The robot's time is faster than the clock, from which a client computes an expiry: the usual one would pass in a few milliseconds.
+    let options = ClientOptions { timeout: LIMIT, expiry: Duration::from_secs(1_000_000) };
+    Client::connect(address, options).expect("a robot answers")
+}
+
 pub(crate) fn event<T>(client: &mut Client, expected: &str, mut select: impl FnMut(Event) -> Option<T>) -> T {
     let began = Instant::now();
     while began.elapsed() < LIMIT {

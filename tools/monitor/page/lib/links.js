@@ -31,7 +31,8 @@ async function unpacked(text) {
 
 /** Applies the layout of a link. Its watches pause nothing: a link may be anybody's. */
 async function applyShared(text) {
-  if (PRESETS[text]) return dock.preset(text);
+  // The shown preset stays: to make its panels again would take longer than all else that a link to a moment does.
+  if (PRESETS[text]) return dock.isPreset() && dock.layoutName.value === text ? undefined : dock.preset(text);
   try {
     const { watches = [], ...layout } = await unpacked(text);
     if (dock.applyLayout({ ...layout, watches: watches.map((one) => ({ ...one, pause: false })) }, 'link')) return undefined;
