@@ -43,11 +43,11 @@ pub(crate) enum Step {
     Miri,
     /// Instructions of the benchmarks
     Budget,
+    /// Builds of the robot's crates for a Cortex-M, without a heap
+    NoStd,
     Mujoco,
     /// Plays in the server of the simulation league
     League,
-    /// Builds of the robot's crates for a Cortex-M, without a heap
-    NoStd,
     Firmware,
     /// JManager's page in a browser; one of its stories plays the firmware
     Browser,
@@ -208,7 +208,7 @@ fn perform(steps: &[Step]) -> Result<(), String> {
 /// emulator, and of the others.
 fn lanes(steps: &[Step]) -> (Vec<Step>, [Vec<Step>; 2]) {
     let (alone, rest): (Vec<_>, Vec<_>) = steps.iter().partition(|step| **step <= Step::Tests);
-    let (computing, waiting) = rest.into_iter().partition(|step| *step < Step::NoStd);
+    let (computing, waiting) = rest.into_iter().partition(|step| *step < Step::Firmware);
     (alone, [waiting, computing])
 }
 
@@ -282,7 +282,7 @@ mod tests {
     fn each_step_is_in_one_lane() {
         let (alone, [waiting, computing]) = lanes(Step::value_variants());
         assert_eq!([alone, computing, waiting.clone()].concat(), Step::value_variants());
-        assert_eq!(waiting, [Step::NoStd, Step::Firmware, Step::Browser]);
+        assert_eq!(waiting, [Step::Firmware, Step::Browser]);
     }
 
     #[test]
