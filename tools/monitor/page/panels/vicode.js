@@ -35,7 +35,10 @@ const USES = {
   try: { Legend: TryLegend, write: writeTrial },
   coverage: { Legend: CoverageLegend, write: writeCoverage },
 };
-const write = () => USES[mode.value].write();
+const write = () => {
+  USES[mode.value].write();
+  stage.placeNames();
+};
 
 export function Designer({ visible, retitle }) {
   const valid = useRef(null);

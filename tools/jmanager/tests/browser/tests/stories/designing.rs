@@ -19,7 +19,7 @@ const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// F
 pub(crate) struct Crate(PathBuf);
 
 impl Crate {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let folder = target().join(format!("browser/run/crate-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("src")).expect("a folder");
         let this = Self(folder);
@@ -36,7 +36,7 @@ impl Crate {
         self.0.join(file)
     }
 
-    fn write(&self, file: &str, text: &str) {
+    pub(crate) fn write(&self, file: &str, text: &str) {
         fs::write(self.path(file), text).expect("a file");
     }
 
@@ -44,7 +44,7 @@ impl Crate {
         fs::read_to_string(self.path(file)).unwrap_or_default()
     }
 
-    fn server(&self, name: &str) -> Server {
+    pub(crate) fn server(&self, name: &str) -> Server {
         Server::start(name, &["--source", &self.0.display().to_string()])
     }
 }
@@ -288,7 +288,7 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
 }
 
 /// A machine with so many states and transitions.
-fn large(states: usize, transitions: usize) -> String {
+pub(crate) fn large(states: usize, transitions: usize) -> String {
     let mut text =
         "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
             .to_owned();

@@ -3,6 +3,7 @@
 use jmanager_browser::{Page, Server};
 use serde_json::{Value, json};
 
+use crate::designing::{Crate, large};
 use crate::glance::{SMALL, show_in};
 use crate::open_in;
 
@@ -33,6 +34,9 @@ for (const one of shown('text, tspan')) {
 }
 return faults;
 ";
+
+/// Boxes, lines and names of the designer's drawing.
+const MACHINE: [&str; 4] = ["svg.machine", ".box > .body", ".arrow > .line", ".label > .ground"];
 
 /// Lays machines of a range of numbers out, which have 5 to 200 states, and lists the faults.
 const GENERATED: &str = r"
@@ -77,6 +81,30 @@ return faults.slice(0, 8);
 }));
 ";
 
+/// Chooses each fourth state of the machine, one after the other, while only names of states are drawn. Returns the faults, and how many
+/// names of transitions are shown of those that touch a chosen state.
+const CHOSEN: &str = r"
+const [faults, ...selectors] = arguments;
+const find = new Function(faults);
+const frame = () => new Promise((done) => requestAnimationFrame(done));
+const names = ['/vicode/sources.js', '/vicode/canvas/stage.js', '/vicode/canvas/rows.js'];
+return Promise.all(names.map((one) => import(one))).then(async ([{ machine, selection }, { stage }, { NAMES }]) => {
+  const found = [];
+  let [shown, all] = [0, 0];
+  stage.look.value = { ...stage.look.value, level: NAMES };
+  for (const { key, name } of machine.value.states.filter((_, at) => at % 4 === 0)) {
+    selection.value = [key];
+    await frame().then(frame);
+    // The size of letters follows from that of the window.
+    found.push(...find(...selectors).filter((fault) => !fault.endsWith('px')).map((fault) => `${name} is chosen: ${fault}`));
+    const labels = [...document.querySelectorAll('.machine.names .label.near')];
+    shown += labels.filter((one) => one.getClientRects().length > 0).length;
+    all += new Set(labels.map(({ dataset }) => stage.courses.get(dataset.key).owner)).size;
+  }
+  return { found, shown, all };
+});
+";
+
 /// The faults of a drawing on the page.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
     page.run(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]).await
@@ -113,7 +141,8 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
         // A busy machine takes some time to open a file, and to choose how much is shown.
         for _ in 0..20 {
             tokio::time::sleep(std::time::Duration::from_millis(300)).await;
-            found = faults(&page, "svg.machine", ".box > .body", ".arrow > .line", ".label > .ground").await;
+            let [root, boxes, lines, names] = MACHINE;
+            found = faults(&page, root, boxes, lines, names).await;
             if found == json!([]) && page.run(shown, vec![]).await == *one {
                 break;
             }
@@ -123,5 +152,38 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
         }
         assert_eq!((found, page.run(shown, vec![]).await), (json!([]), one.clone()));
     }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn names_of_a_chosen_state_cover_nothing_where_only_names_of_states_are_drawn() {
+    let source = Crate::new("chosen");
+    let text = large(60, 200).replace("(state_3 ->", "(* ->").replace("(state_5 -> state_6)", "(state_5 -> state_5)");
+    source.write("src/large.rs", &text);
+    let server = source.server("chosen");
+    let page = open_in(&server, SMALL).await;
+    page.press("6").await;
+    page.click("button", "Large", "Sources").await;
+    page.until("it is drawn", "return document.querySelectorAll('svg.machine.names .box').length === 60").await;
+    let arguments = [&[FAULTS][..], &MACHINE].concat().into_iter().map(|one| json!(one)).collect();
+    let chosen = page.run(CHOSEN, arguments).await;
+    page.screenshot("chosen").await;
+    assert_eq!(chosen["found"], json!([]));
+    let [shown, all] = ["shown", "all"].map(|one| chosen[one].as_u64().expect("a number"));
+    assert!(shown * 10 >= all * 9, "{shown} of {all} names have room");
+    let (x, y) = page.find("button", "State state_21", "").await.middle().await;
+    page.drag((x, y), (x + 4.0, y + 4.0)).await;
+    page.until("states have places", "return !document.querySelector('svg.machine.names')").await;
+    for _ in 0..8 {
+        page.click("button", "Zoom in", "").await;
+    }
+    let [root, boxes, _, names] = MACHINE;
+    let found = faults(&page, root, boxes, "none", names).await;
+    page.screenshot("placed").await;
+    let covers: Vec<_> =
+        found.as_array().expect("faults").iter().filter(|one| one.to_string().contains(" covers ")).collect();
+    assert!(covers.is_empty(), "{covers:?}");
+    let left_out = "return document.querySelectorAll('.label.crowded').length";
+    assert!(page.run(left_out, vec![]).await.as_u64() < Some(40), "{}", page.run(left_out, vec![]).await);
     page.close().await;
 }
