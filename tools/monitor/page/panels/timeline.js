@@ -172,7 +172,7 @@ function pointers({ place, press, pointer, selection, scroll, listed }) {
     onDblClick: () => zoomAt(shownTime.value, 4),
     onWheel(event) {
       event.preventDefault();
-      if (event.offsetX < LABELS) scroll.value = Math.max(0, Math.min(scroll.value + event.deltaY, view().rows.length * view().row - view().room));
+      if (event.offsetX < LABELS) scroll.value = Math.max(0, Math.min(scroll.value + event.deltaY, view().last));
       else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) pan(((event.deltaX || event.deltaY) / (view().width - LABELS)) * (visibleRange.value[1] - visibleRange.value[0]));
       else zoomAt(range.value.end === null && cursor.value === null ? visibleRange.value[1] : view().time(event.offsetX), event.deltaY > 0 ? 1.25 : 0.8);
     },

@@ -13,11 +13,14 @@ const [root, boxes, lines, names] = arguments;
 const svg = document.querySelector(root);
 const faults = [];
 const shown = (selector) => [...svg.querySelectorAll(selector)].filter((one) => one.getClientRects().length > 0);
-const placed = (selector) => shown(selector).map((one) => ({ name: one.parentElement.ariaLabel ?? one.parentElement.textContent, ...one.getBoundingClientRect().toJSON() }));
+const placed = (selector) => shown(selector).map((one) => ({ name: one.parentElement.ariaLabel ?? one.parentElement.textContent,
+  ...one.getBoundingClientRect().toJSON() }));
 const [all, labels] = [placed(boxes), placed(names)];
 const around = svg.getBoundingClientRect();
-for (const a of [...all, ...labels]) if (a.left < around.left || a.right > around.right || a.top < around.top || a.bottom > around.bottom) faults.push(`${a.name} is outside`);
-const covers = (a, others) => others.filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom).forEach((b) => faults.push(`${a.name} covers ${b.name}`));
+for (const a of [...all, ...labels]) if (a.left < around.left || a.right > around.right || a.top < around.top ||
+  a.bottom > around.bottom) faults.push(`${a.name} is outside`);
+const covers = (a, others) => others.filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+  .forEach((b) => faults.push(`${a.name} covers ${b.name}`));
 all.forEach((a, at) => covers(a, all.slice(at + 1)));
 labels.forEach((a, at) => covers(a, [...labels.slice(at + 1), ...all]));
 for (const line of svg.querySelectorAll(lines)) {
@@ -40,14 +43,18 @@ const MACHINE: [&str; 4] = ["svg.machine", ".box > .body", ".arrow > .line", ".l
 
 /// Lays machines of a range of numbers out, which have 5 to 200 states, and lists the faults.
 const GENERATED: &str = r"
-return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js').then(({ labelWidth }) => {
+return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js')
+  .then(({ labelWidth }) => {
 let seed = 1; const random = (n) => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed % n; };
 const WORDS = ['look', 'ball', 'goal', 'approach', 'kick', 'wait', 'turn', 'search', 'far', 'lost', 'reached', 'penalized', 'again'];
 const word = () => Array.from({ length: 1 + random(3) }, () => WORDS[random(WORDS.length)]).join('_');
 const machine = (count) => {
-  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '', initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }], children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
+  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '',
+    initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }],
+    children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
   const arrows = [];
-  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, from, to, any, after_ms: random(5) ? null : 1500 });
+  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, from, to, any,
+    after_ms: random(5) ? null : 1500 });
   for (let at = 0; at < count * 2 + random(count); at += 1) add(word(), states[random(count)].name, states[random(count)].name, false);
   for (let at = 0; at < random(3); at += 1) add(word(), '*', states[random(count)].name, true);
   const to = states[random(count)].name; for (const { name } of states.filter(() => random(3) === 0)) add('sent_off', name, to, false);
@@ -64,16 +71,21 @@ for (let number = from; number < until; number += 1) {
   for (const level of [ALL, CONDITIONS, NAMES]) {
     const { boxes, courses, area } = arranged(own, level, 0.8 + random(12) / 10);
     const all = [...boxes.values()].map((box) => ({ name: box.name, ...rect(box.x, box.y, box.width, box.height) }));
-    const labels = level === NAMES ? [] : own.arrows.filter(({ key }) => courses.get(key).owner === key).map((arrow) => ({ name: arrow.name, ...rect(...courses.get(arrow.key).label, labelWidth(arrow), 16) }));
+    const labels = level === NAMES ? [] : own.arrows.filter(({ key }) => courses.get(key).owner === key).map((arrow) => ({
+      name: arrow.name, ...rect(...courses.get(arrow.key).label, labelWidth(arrow), 16) }));
     const say = (text) => faults.push(`machine ${number} of ${count} states, level ${level}: ${text}`);
     const inside = { left: area.x, right: area.x + area.width, top: area.y, bottom: area.y + area.height };
-    for (const one of [...all, ...labels]) if (one.left < inside.left || one.right > inside.right || one.top < inside.top || one.bottom > inside.bottom) say(`${one.name} is outside`);
+    for (const one of [...all, ...labels]) if (one.left < inside.left || one.right > inside.right || one.top < inside.top ||
+      one.bottom > inside.bottom) say(`${one.name} is outside`);
     all.forEach((a, at) => all.slice(at + 1).forEach((b) => hit(a, b) && say(`${a.name} covers ${b.name}`)));
-    labels.forEach((a, at) => { labels.slice(at + 1).forEach((b) => hit(a, b) && say(`the name ${a.name} covers ${b.name}`)); all.forEach((b) => hit(a, b) && say(`the name ${a.name} covers the state ${b.name}`)); });
+    labels.forEach((a, at) => { labels.slice(at + 1).forEach((b) => hit(a, b) && say(`the name ${a.name} covers ${b.name}`));
+      all.forEach((b) => hit(a, b) && say(`the name ${a.name} covers the state ${b.name}`)); });
     for (const [key, { d }] of courses) {
       const points = [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
-      points.slice(1).forEach(([x, y], at) => { const [px, py] = points[at]; const part = { left: Math.min(x, px), right: Math.max(x, px), top: Math.min(y, py), bottom: Math.max(y, py) };
-        all.forEach((box) => part.left < box.right - 0.5 && part.right > box.left + 0.5 && part.top < box.bottom - 0.5 && part.bottom > box.top + 0.5 && say(`${key} crosses ${box.name}`)); });
+      points.slice(1).forEach(([x, y], at) => { const [px, py] = points[at];
+        const part = { left: Math.min(x, px), right: Math.max(x, px), top: Math.min(y, py), bottom: Math.max(y, py) };
+        all.forEach((box) => part.left < box.right - 0.5 && part.right > box.left + 0.5 && part.top < box.bottom - 0.5 &&
+          part.bottom > box.top + 0.5 && say(`${key} crosses ${box.name}`)); });
     }
   }
 }
@@ -128,7 +140,8 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
     show_in(&page, SMALL).await;
     page.press("6").await;
     // Those of the compiler's tests that fail are no machines.
-    let list = "return import('/vicode/sources.js').then(({ list }) => list.value?.filter(({ file }) => !file.includes('/fail/')).flatMap(({ file, components = [] }) => components.filter(({ machine }) => machine).map(({ key }) => [file, key])))";
+    let list = "return import('/vicode/sources.js').then(({ list }) => list.value?.filter(({ file }) => !file.includes('/fail/'))\
+        .flatMap(({ file, components = [] }) => components.filter(({ machine }) => machine).map(({ key }) => [file, key])))";
     let machines = page.until("the sources are read", list).await;
     let machines = machines.as_array().expect("a list");
     assert!(machines.len() > 20, "{machines:?}");
@@ -137,7 +150,8 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
             "const [file, key] = arguments[0]; return import('/vicode/sources.js').then(({ open }) => open(file, key))";
         page.run(open, vec![one.clone()]).await;
         let mut found = Value::Null;
-        let shown = "return [document.querySelector('.bar .file')?.title, document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
+        let shown = "return [document.querySelector('.bar .file')?.title, \
+            document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
         // A busy machine takes some time to open a file, and to choose how much is shown.
         for _ in 0..20 {
             tokio::time::sleep(std::time::Duration::from_millis(300)).await;
