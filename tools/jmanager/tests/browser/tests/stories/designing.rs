@@ -335,6 +335,11 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     let [_, _, _, height] = state.place().await;
     assert!(height < 30.0, "all states are in view: {height} points high");
     let (x, y) = state.middle().await;
+    let courses = "return [...document.querySelectorAll('.arrow > .line')].map((one) => one.getAttribute('d'))";
+    let before = page.run(courses, vec![]).await;
+    page.click_at((x, y)).await;
+    page.until("it is chosen", "return document.querySelector('.box.chosen')?.dataset.state === 'state_21'").await;
+    assert_eq!(page.run(courses, vec![]).await, before, "a click moves no transition");
     page.drag((x, y), (x + 40.0, y + 30.0)).await;
     saved(&page, &source, "src/large.vicode", &["Large state_21 "]).await;
     let (to_x, to_y) = page.find("button", "State state_21", "").await.middle().await;
