@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use jmanager_browser::{Page, Server, target};
 use serde_json::json;
 
+use crate::geometry::large;
 use crate::notes::write_note;
 
 const WIDE: (u32, u32) = (1440, 900);
@@ -296,27 +297,6 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
     page.until("the world has gone through the state", passed).await;
     page.click("button", "Remove all breakpoints", "").await;
     page.close().await;
-}
-
-/// A machine with so many states and transitions.
-pub(crate) fn large(states: usize, transitions: usize) -> String {
-    let mut text =
-        "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
-            .to_owned();
-    for state in 0..states {
-        let kind = if state == 0 { "(initial)" } else { "" };
-        text +=
-            &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
-    }
-    for transition in 0..transitions {
-        let from = transition % states;
-        let to = (from + 1 + transition / states * 3) % states;
-        text += &format!(
-            "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
-        );
-    }
-    text.truncate(text.len() - 1);
-    text + "}\n"
 }
 
 #[tokio::test]

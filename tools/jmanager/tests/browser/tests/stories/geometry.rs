@@ -3,7 +3,7 @@
 use jmanager_browser::{Page, Server};
 use serde_json::{Value, json};
 
-use crate::designing::{Crate, large};
+use crate::designing::Crate;
 use crate::glance::{SMALL, show_in};
 use crate::open_in;
 
@@ -116,6 +116,27 @@ return Promise.all(names.map((one) => import(one))).then(async ([{ machine, sele
   return { found, shown, all };
 });
 ";
+
+/// A machine with so many states and transitions.
+pub(crate) fn large(states: usize, transitions: usize) -> String {
+    let mut text =
+        "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
+            .to_owned();
+    for state in 0..states {
+        let kind = if state == 0 { "(initial)" } else { "" };
+        text +=
+            &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
+    }
+    for transition in 0..transitions {
+        let from = transition % states;
+        let to = (from + 1 + transition / states * 3) % states;
+        text += &format!(
+            "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
+        );
+    }
+    text.truncate(text.len() - 1);
+    text + "}\n"
+}
 
 /// The faults of a drawing on the page.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
