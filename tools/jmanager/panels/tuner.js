@@ -102,7 +102,7 @@ function Tuner({ visible }) {
   const measure = async () => { score.value = (await act('extension', tuner('score'))) ?? null; };
   return html`<${Bar} label="Colour tuner">
       <div class="classes" role="radiogroup" aria-label="Class">${classes.map((one, index) => html`<button role="radio" aria-checked=${chosen.value === index} class=${chosen.value === index ? 'on' : ''} onClick=${() => { chosen.value = index; }}>
-        <i class="dot" ref=${(dot) => { if (dot) dot.style.background = classColour(index); }}></i>${one.name}</button>`)}</div>
+        <i class="dot edged" ref=${(dot) => { if (dot) dot.style.background = classColour(index); }}></i>${one.name}</button>`)}</div>
       <${Toggle} on=${remove.value} label="Take away" title="Picked pixels are not of the class (or hold Alt)" onChange=${(on) => { remove.value = on; }} />
       <select aria-label="How to pick" onChange=${(event) => { brush.value = event.target.value; }}>${['pixel', 'region', 'paint'].map((name) => html`<option selected=${brush.value === name}>${name}</option>`)}</select>
       <button onClick=${() => replace('undo')}>Undo</button>

@@ -110,6 +110,9 @@ effect(() => {
   document.title = name ? `${name} · JManager` : 'JManager';
 });
 
+// Gives the page's modules to drivers of browsers that run scripts apart from it.
+window.load = (name) => import(name);
+
 const place = document.getElementById('app');
 place.replaceChildren();
 render(html`<${App} />`, place);

@@ -109,7 +109,7 @@ function Control({ plain }) {
   const info = store.session.value?.info.value;
   if (!info) return null;
   const { control } = info;
-  return html`<span class=${`chip control ${control}`} role="status" aria-label="Control">${(plain ? PLAIN_CONTROL : CONTROL)[control]}
+  return html`<span class=${`chip control ${control}`} role="status" aria-label="Control"><span class="who">${(plain ? PLAIN_CONTROL : CONTROL)[control]}</span>
     ${control === 'free' && html`<button onClick=${() => store.act('acquire')} title="Key c">Take control</button>`}
     ${(control === 'other_page' || control === 'other_monitor') && html`<button onClick=${() => store.act('take', {}, 'control was taken')}>Take control</button>`}
     ${control === 'yours' && html`<button onClick=${() => store.act('release', {}, 'control was given back')} title="Key g: holds, rates and modulations end, parameters stay">Give back</button>`}

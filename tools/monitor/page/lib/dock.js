@@ -68,6 +68,8 @@ export function start(element) {
     opened.value = new Set(api.panels.map((panel) => panel.id));
     saveSoon();
   });
+  // The list of tabs without room takes some of the room itself, once the tab is there.
+  api.onDidActivePanelChange(() => requestAnimationFrame(() => api.activePanel?.view.tab.element.scrollIntoView({ block: 'nearest', inline: 'nearest' })));
   effect(hideLoneTab);
   effect(() => {
     if (watches.value.length > 0 || memory.read()?.watches?.length > 0) saveSoon();

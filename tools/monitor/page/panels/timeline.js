@@ -67,11 +67,11 @@ export function Timeline({ visible }) {
     <div class="fill" ref=${place}><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Activation timeline" ...${handlers} /></div>`;
 }
 
-/** Reads the rows of the visible interval: at once when another one is shown, else twice a second. */
+/** Reads the rows of the visible interval: at once when another one is shown or a component changes, else twice a second. */
 function useReading(shown, rows, others, visible, place) {
   useEffect(() => {
     if (!shown) return undefined;
-    let [busy, again, stopped, lastEnd] = [false, false, false, null];
+    let [busy, again, stopped, lastKey, known] = [false, false, false, null, null];
     const read = async () => {
       if (busy || !visible.peek() || stopped || !shown.description.peek()) {
         again = busy;
@@ -96,12 +96,11 @@ function useReading(shown, rows, others, visible, place) {
     };
     const stop = effect(() => {
       const { span, end } = range.value;
-      void shown.description.value;
-      const key = `${span} ${end} ${visible.value} ${companions.value.map(({ of, shift }) => `${of.id}+${shift}`)}`;
-      if (key !== lastEnd || end === null) {
-        lastEnd = key;
-        setTimeout(read);
-      }
+      const now = end === null && shown.live.value?.components?.map(([active, , state]) => `${active}:${state}`);
+      const key = `${span} ${end} ${visible.value} ${companions.value.map(({ of, shift }) => `${of.id}+${shift}`)} ${now}`;
+      if (key === lastKey && known === shown.description.value) return;
+      [lastKey, known] = [key, shown.description.value];
+      setTimeout(read);
     });
     const timer = setInterval(() => range.peek().end === null && read(), READ_MS);
     return () => {
@@ -172,7 +171,7 @@ function pointers({ place, press, pointer, selection, scroll, listed }) {
     onDblClick: () => zoomAt(shownTime.value, 4),
     onWheel(event) {
       event.preventDefault();
-      if (event.offsetX < LABELS) scroll.value = Math.max(0, Math.min(scroll.value + event.deltaY, view().rows.length * view().row - view().room));
+      if (event.offsetX < LABELS) scroll.value = Math.max(0, Math.min(scroll.value + event.deltaY, view().last));
       else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) pan(((event.deltaX || event.deltaY) / (view().width - LABELS)) * (visibleRange.value[1] - visibleRange.value[0]));
       else zoomAt(range.value.end === null && cursor.value === null ? visibleRange.value[1] : view().time(event.offsetX), event.deltaY > 0 ? 1.25 : 0.8);
     },

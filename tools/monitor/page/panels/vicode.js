@@ -35,7 +35,10 @@ const USES = {
   try: { Legend: TryLegend, write: writeTrial },
   coverage: { Legend: CoverageLegend, write: writeCoverage },
 };
-const write = () => USES[mode.value].write();
+const write = () => {
+  USES[mode.value].write();
+  stage.placeNames();
+};
 
 export function Designer({ visible, retitle }) {
   const valid = useRef(null);
@@ -86,7 +89,8 @@ function Canvas({ machine: own, isStale, search, visible }) {
     return () => ends.forEach((end) => end());
   }, []);
   useLayoutEffect(() => stage.fit(), [shown]);
-  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length]);
+  // The drawing of both versions comes after its legend, with which the panel gets another size.
+  useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length]);
   useLayoutEffect(() => stage.settle(), [look]);
   useLayoutEffect(() => {
     stage.collect(layer.current);

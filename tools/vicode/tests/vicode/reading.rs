@@ -4,7 +4,13 @@ use bica_vicode::model::{Input, LinkKind, Model, Reporter, Sources};
 use bica_vicode::{read, trees};
 
 /// A machine with everything that makes reading hard.
-const HOSTILE: &str = "\u{feff}//! File.\r\n\r\nuse bica::prelude::*;\r\n\r\n#[cfg(all())] /* odd */ #[component( hz=30 , // thirty\r\n   resume,)]\r\nimpl Player\r\n{\r\n  const N: u8 = 1; #[state(initial)] // why\r\n  /// Looks.\r\n  fn look ( &mut self, ball : & Ball , r#mod: &mut Head,) {}\r\n\r\n\t#[doc = \" Kicks. \"]\r\n  #[state(last)] fn r#loop(&mut self) { let s = \"}\r\n\"; }\r\n  #[transition(look -> r#loop, after_ms = 1_500)]\r\n  #[transition(* /* all */ -> look)] fn seen(&self, t: &Time, rate: &Tuned<A>) -> bool { true }\r\n  #[exit(look | r#loop)] fn out(&mut self, r: &mut Rate<Ball>) {}\r\n  unknown! { fn x() {} }\r\n}\r\n";
+const HOSTILE: &str = "\u{feff}//! File.\r\n\r\nuse bica::prelude::*;\r\n\r\n\
+    #[cfg(all())] /* odd */ #[component( hz=30 , // thirty\r\n   resume,)]\r\nimpl Player\r\n\
+    {\r\n  const N: u8 = 1; #[state(initial)] // why\r\n  /// Looks.\r\n  \
+    fn look ( &mut self, ball : & Ball , r#mod: &mut Head,) {}\r\n\r\n\t#[doc = \" Kicks. \"]\r\n  \
+    #[state(last)] fn r#loop(&mut self) { let s = \"}\r\n\"; }\r\n  #[transition(look -> r#loop, after_ms = 1_500)]\r\n  \
+    #[transition(* /* all */ -> look)] fn seen(&self, t: &Time, rate: &Tuned<A>) -> bool { true }\r\n  \
+    #[exit(look | r#loop)] fn out(&mut self, r: &mut Rate<Ball>) {}\r\n  unknown! { fn x() {} }\r\n}\r\n";
 
 fn whole(model: &Model, text: &str) {
     for problem in &model.problems {
@@ -56,7 +62,9 @@ fn no_prefix_of_a_file_panics() {
 
 #[test]
 fn mistake_hides_no_other_function() {
-    let text = "use a::{B};\n\nstruct A { a: u8 }\n\n#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> two)]\n    fn go(&self) -> bool {\n        true\n    }\n\n    #[state]\n    fn two(&mut self) {}\n}\n";
+    let text = "use a::{B};\n\nstruct A { a: u8 }\n\n\
+        #[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> two)]\n    \
+        fn go(&self) -> bool {\n        true\n    }\n\n    #[state]\n    fn two(&mut self) {}\n}\n";
     for (from, to, has_go) in [
         ("true", "let x =", true),
         ("true", "self.", true),
@@ -83,7 +91,9 @@ fn mistake_hides_no_other_function() {
 
 #[test]
 fn only_component_blocks_are_components() {
-    let text = "mod inner { #[component] impl A { fn step(&mut self, b: &super::B) {} } }\nimpl A { fn step2() {} }\n#[bica::component(hz = 5)] impl B<4> {}\nstruct C;\n#[component] impl Trait for C {}\nmacro_rules! m { () => { #[component] impl D {} } }\n";
+    let text = "mod inner { #[component] impl A { fn step(&mut self, b: &super::B) {} } }\nimpl A { fn step2() {} }\n\
+        #[bica::component(hz = 5)] impl B<4> {}\nstruct C;\n#[component] impl Trait for C {}\n\
+        macro_rules! m { () => { #[component] impl D {} } }\n";
     let model = read(text);
     let names: Vec<_> = model.components.iter().map(|component| &*component.name.text).collect();
     assert_eq!(names, ["A", "B<4>"]);
@@ -91,7 +101,9 @@ fn only_component_blocks_are_components() {
 
 #[test]
 fn mistakes_have_words_and_places_of_the_macro() {
-    let text = "/* ä */ #[component(hz = fast)]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self, a: &mut B) {}\n    #[transition(one -> tow)]\n    fn go(&self, head: &mut Head) -> bool { true }\n    #[state]\n    fn two(&mut self) {}\n}\n";
+    let text = "/* ä */ #[component(hz = fast)]\n\
+        impl A {\n    #[state(initial)]\n    fn one(&mut self, a: &mut B) {}\n    #[transition(one -> tow)]\n    \
+        fn go(&self, head: &mut Head) -> bool { true }\n    #[state]\n    fn two(&mut self) {}\n}\n";
     let model = read(text);
     let found: Vec<_> =
         model.problems.iter().map(|one| (one.span.of(text), one.message.split(':').next().unwrap())).collect();
@@ -106,7 +118,8 @@ fn mistakes_have_words_and_places_of_the_macro() {
 
 #[test]
 fn parameters_and_trees_are_checked() {
-    let text = "#[derive(Clone, Params)]\nstruct P { #[param(default = 1, rnge = 2)] x: f32 }\nactivation_tree! { struct T { root: A, cycle_hz: 0, components: [A, A] } }\n";
+    let text = "#[derive(Clone, Params)]\nstruct P { #[param(default = 1, rnge = 2)] x: f32 }\n\
+        activation_tree! { struct T { root: A, cycle_hz: 0, components: [A, A] } }\n";
     let found: Vec<_> = read(text).problems.into_iter().map(|one| one.span.of(text).to_owned()).collect();
     assert_eq!(found, ["P", "rnge", "x", "0", "A"]);
 }
@@ -119,7 +132,9 @@ fn script_with_a_byte_order_mark_is_rust() {
 
 #[test]
 fn trees_are_found_in_any_text() {
-    let text = "//! activation_tree! { struct Not {} }\nactivation_tree! {\n    /// Looks.\n    pub struct Robot {\n        root: A,\n        cycle_hz: 1_000,\n        components: [A, Eye<4> = Eye::new()],\n";
+    let text = "//! activation_tree! { struct Not {} }\n\
+        activation_tree! {\n    /// Looks.\n    pub struct Robot {\n        root: A,\n        cycle_hz: 1_000,\n        \
+        components: [A, Eye<4> = Eye::new()],\n";
     let [tree] = &trees(text)[..] else { panic!("one tree") };
     assert_eq!((&*tree.name, tree.cycle_hz), ("Robot", 1000.0));
     assert!(["A", "Eye"].iter().all(|name| tree.components.iter().any(|one| one == name)));

@@ -98,6 +98,8 @@ impl Page {
     /// # Panics
     /// If the script fails.
     pub async fn run(&self, script: &str, arguments: Vec<Value>) -> Value {
+        // Firefox runs scripts apart from the page, where `import` gives modules of their own.
+        let script = &if is_firefox() { script.replace("import(", "window.load(") } else { script.to_owned() };
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
     }
 
@@ -181,8 +183,10 @@ impl Page {
         let arguments = vec![json!(role), json!(name), json!(scope)];
         let start = Instant::now();
         loop {
-            let value = self.run(FIND, arguments.clone()).await;
-            if !value.is_null() {
+            // A control that is drawn again at this moment is no longer there when Firefox names it.
+            if let Ok(value) = self.client.execute(FIND, arguments.clone()).await
+                && !value.is_null()
+            {
                 return Element::new(self, value);
             }
             self.may_wait(start, LIMIT, &format!("{role} “{name}” in “{scope}”")).await;

@@ -20,11 +20,11 @@ export function drawLegend(context, width, height, entries) {
   lines.forEach((line, number) => {
     const y = height - 12 - (lines.length - 1 - number) * 17;
     for (const { text, colour, x, wide } of line) {
-      context.fillStyle = css('--shade');
+      context.fillStyle = css('--panel');
       context.fillRect(x - 3, y - 8, wide, 17);
       context.fillStyle = colour;
       context.fillRect(x, y - 4, 8, 8);
-      context.fillStyle = css('--shade-text');
+      context.fillStyle = css('--text');
       context.fillText(text, x + 12, y + 0.5);
     }
   });

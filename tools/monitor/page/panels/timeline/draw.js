@@ -11,6 +11,8 @@ import { findings, watches } from '../../lib/watches.js';
 /** Width of the names, and heights of the rows below the bars, px. */
 export const [LABELS, AXIS] = [118, 22];
 const [EVENTS, OVERRUNS, ALERTS] = [18, 16, 18];
+/** White above the first row, and the least height of a row that can be read, px. */
+const [TOP, LEAST] = [3, 14];
 /** Width of a column of late cycles, px. */
 const COLUMN = 4;
 
@@ -31,18 +33,19 @@ export function drawTimeline(context, view, { shown, pointer, selection }) {
 export function viewOf(width, height, rows, scroll) {
   const [from, until] = visibleRange.value;
   const alerts = watches.value.length > 0 ? ALERTS : 0;
-  const most = height - AXIS - EVENTS - OVERRUNS - alerts;
-  const row = Math.max(13, Math.min(22, most / Math.max(rows.length, 1)));
+  const most = height - AXIS - EVENTS - OVERRUNS - alerts - TOP;
+  const row = Math.max(LEAST, Math.min(22, most / Math.max(rows.length, 1)));
   // Only whole rows are shown.
-  const room = Math.max(1, Math.floor(most / row + 0.01)) * row;
-  const offset = Math.min(scroll, Math.max(0, rows.length * row - room));
+  const room = TOP + Math.max(1, Math.floor(most / row + 0.01)) * row;
+  const last = Math.max(0, TOP + rows.length * row - room);
+  const offset = Math.min(scroll, last);
   const scale = (width - LABELS) / (until - from);
   return {
-    width, height, rows, row, room, offset, from, until, alerts,
+    width, height, rows, row, room, last, offset, from, until, alerts,
     x: (time) => LABELS + (time - from) * scale,
     time: (x) => from + (x - LABELS) / scale,
-    y: (index) => index * row - offset,
-    rowAt: (y) => (y < room ? Math.floor((y + offset) / row) : -1),
+    y: (index) => TOP + index * row - offset,
+    rowAt: (y) => (y < room ? Math.floor((y - TOP + offset) / row) : -1),
   };
 }
 
@@ -51,7 +54,7 @@ function drawRows(context, view, shown, pointer) {
   const kinds = shown.kinds.value;
   context.font = `${Math.min(11.5, row - 2)}px ${css('--font')}`;
   context.textBaseline = 'middle';
-  within(context, 0, 0, width, room, () => rows.forEach(({ component, index, own, of = shown, place, bars }, line) => {
+  within(context, 0, TOP, width, room - TOP, () => rows.forEach(({ component, index, own, of = shown, place, bars }, line) => {
     const y = view.y(line);
     if (y + row < 0 || y > room) return;
     const colour = kindColour(kinds[index]);
@@ -83,9 +86,9 @@ function drawBars(context, view, { bars, component, colour, y, now, last }) {
     const width = Math.max(right - left - 1, 1);
     context.globalAlpha = state === null ? 0.42 : 0.5 + 0.32 * ((state * 0.618) % 1);
     context.fillStyle = colour;
-    rounded(context, left, y + 1.5, width, row - 3, Math.min(3, width / 2));
+    rounded(context, left, y + 1, width, row - 2, Math.min(3, width / 2));
     context.globalAlpha = 1;
-    if (view.x(begin) > LABELS) context.fillRect(left, y + 1.5, 1.5, row - 3);
+    if (view.x(begin) > LABELS) context.fillRect(left, y + 1, 1.5, row - 2);
     const name = state === null ? null : component.states[state]?.name;
     const text = name && shortened(context, name, width - 9);
     if (text) {

@@ -8,6 +8,8 @@ export const [LOW, TALL] = [26, 44];
 /** Shares of the budget from which the cost is drawn as a warning, and as an error. */
 const [NEAR, OVER] = [0.8, 1];
 const PADDING = 14;
+/** Usual width of a letter of a rate, px. */
+const LETTER = 6.2;
 
 const context = document.createElement('canvas').getContext('2d');
 
@@ -34,7 +36,9 @@ export function drawBox(element, box, { component, now, cost, window, gone, fold
   const state = now?.[2] === null || now?.[2] === undefined ? null : component.states[now[2]]?.name;
   write(title.lastElementChild, state ?? '');
   title.lastElementChild.setAttribute('dx', state ? '6' : '0');
-  write(sub, box.height >= TALL ? rateText(component, now, runs, active) : '');
+  const rate = box.height >= TALL ? rateText(component, now, runs, active) : '';
+  // A narrow box has the reached rate only.
+  write(sub, rate.length * LETTER > box.width ? rate.replace(/ of .*/, ' Hz') : rate);
   const share = component.budget_us && cost?.[0] ? cost[1] / component.budget_us : 0;
   bar.setAttribute('width', String(Math.min(share, 1) * (box.width - 12)));
   bar.setAttribute('class', `cost ${share > OVER ? 'over' : share > NEAR ? 'nearly' : ''}`);

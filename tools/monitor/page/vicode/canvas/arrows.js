@@ -83,7 +83,7 @@ export function courseOf(arrow, lane, box, boxes) {
     const x = to.x + to.width / 2 - 26 - lane.index * 26;
     const top = to.y - to.height / 2;
     const rise = 30 + lane.index * 27;
-    return { d: `M${round(x)} ${round(top - rise)}L${round(x)} ${round(top - 7)}`, label: [x + 6, top - rise - 5], anchor: 'middle', start: [x, top - rise] };
+    return { d: `M${round(x)} ${round(top - rise)}L${round(x)} ${round(top - 7)}`, label: [x + 6, top - rise - 5], others: [-70, 70].flatMap((aside) => [[x + aside, top - rise], [x + aside, top - rise - 20]]), anchor: 'middle', start: [x, top - rise] };
   }
   if (arrow.from === arrow.to) {
     const [x, y] = [to.x + to.width / 2, to.y];

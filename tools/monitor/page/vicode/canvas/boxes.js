@@ -53,6 +53,10 @@ export function boxOf(state, level = 1) {
   return { ...box, width: WIDTH, height: Math.max(46, y + END) };
 }
 
+export const boxRect = ({ x, y, width, height }) => ({ left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 });
+/** The area that two rectangles share. */
+export const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+
 /** Smallest rectangle around boxes {x, y, height} with centres; with a margin. */
 export function bounds(boxes, margin = 52) {
   if (boxes.length === 0) return { x: -200, y: -120, width: 400, height: 240 };

@@ -56,15 +56,15 @@ function Arrow({ arrow, chosen, near, found, stop }) {
   return html`<g class=${arrowFlags({ arrow, chosen, near, found, stop })} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
     <path class="hit" d=${course.d} /><path class="line" d=${course.d} marker-end=${`url(#tip${chosen ? '-chosen' : ''})`} />
-    <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} /></g>`;
+    <circle class="stop" r="5" cx=${course.start[0]} cy=${course.start[1]} /><title>${name}</title></g>`;
 }
 
-/** The name of an arrow; those of one bundle have it in the same place. */
+/** The name of an arrow; those of one bundle have it in the same place. Without room it is shown under the pointer only, as the arrow's title. */
 function Name({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
   const timer = timerText(arrow.after_ms);
   const width = labelWidth(arrow);
-  return html`<g class=${`label ${arrowFlags({ arrow, chosen, near, found, stop })} ${(course.owner ?? arrow.key) === arrow.key ? '' : 'shared'}`} data-key=${arrow.key} aria-hidden="true" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
+  return html`<g class=${`label ${arrowFlags({ arrow, chosen, near, found, stop })} ${(course.owner ?? arrow.key) === arrow.key ? '' : 'shared'} ${course.crowded ? 'crowded' : ''}`} data-key=${arrow.key} aria-hidden="true" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
     <title>${arrow.docs || arrow.name}</title>
     <rect class="ground" x=${course.anchor === 'start' ? -4 : -width / 2} y="-8" width=${width} height="16" rx="3" />
     <text y="4">${arrow.sign && html`<tspan class="sign">${arrow.sign} </tspan>`}${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>

@@ -1,10 +1,11 @@
 // What is drawn where: boxes of states and courses of arrows, and their elements while something is dragged.
 
 import { signal } from '../../lib/dom.js';
-import { WIDTH, boxOf, bounds } from './boxes.js';
+import { WIDTH, boxOf, boxRect, bounds, overlap } from './boxes.js';
 import { courseOf, lanes, placesOf } from './arrows.js';
 import { labelWidth } from './labels.js';
 import { Lifted } from './lifted.js';
+import { apart, wanted } from './names.js';
 import { laidOut } from './notes.js';
 import { ALL, NAMES, arranged } from './rows.js';
 import { View } from './view.js';
@@ -12,7 +13,6 @@ import { View } from './view.js';
 /** Least width that is kept free for the live text below a name, and the height of both, points. */
 const [LIVE, TALL] = [96, 30];
 
-const overlap = (a, b) => Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) * Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
 /** The area of a rectangle that others cover, at most about `most`. */
 function covered(area, others, most) {
   let sum = 0;
@@ -24,7 +24,9 @@ function covered(area, others, most) {
 }
 /** Names with the fewest possible places are placed first. */
 const rank = ({ any, from, to }) => (any ? 0 : from === to ? 1 : 2);
-const boxRect = ({ x, y, width, height }) => ({ left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2 });
+
+/** How much larger names are where a drawing is small. */
+const SMALLER = 1.6;
 
 /** Number of states above which an automatic drawing begins with names only. */
 const FEW = 30;
@@ -35,6 +37,7 @@ class Stage {
   constructor() {
     this.view = new View();
     this.view.onZoom = (x, y) => this.zoomed(x, y);
+    this.view.listeners.add(() => this.placeNames());
     /** How much an automatic drawing shows, and width by height of its panel. */
     this.look = signal({ level: ALL, shape: 1.3 });
     /** The state that stays in its place when more or less is shown: {name, at}. */
@@ -42,6 +45,8 @@ class Stage {
     this.lifted = null;
     this.boxes = new Map();
     this.courses = new Map();
+    /** Which names have places of their own, and these by key. */
+    Object.assign(this, { named: null, names: new Map() });
     this.clear();
   }
 
@@ -82,30 +87,51 @@ class Stage {
 
   course(arrow, all) { return courseOf(arrow, this.lanes.get(arrow.key), (name) => this.boxes.get(name), all); }
 
-  /** Puts names where they cover neither boxes nor each other. */
+  /** Puts names where they cover neither boxes nor each other; those that would are left out. */
   placeLabels(all) {
     const taken = all.map(boxRect);
+    const names = all.map(boxRect);
     for (const arrow of this.arrows.toSorted((a, b) => rank(a) - rank(b))) {
       const course = this.courses.get(arrow.key);
-      const width = Math.max(labelWidth(arrow), LIVE);
-      const rect = ([x, y]) => {
-        const left = course.anchor === 'start' ? x : x - width / 2;
-        return { left, right: left + width, top: y - 9, bottom: y - 9 + TALL };
+      const rect = ([x, y], width, height) => {
+        const left = course.anchor === 'start' ? x - 4 : x - width / 2;
+        return { left, right: left + width, top: y - 9, bottom: y - 9 + height };
       };
+      const [name, withLive] = [labelWidth(arrow) * 1.06, Math.max(labelWidth(arrow), LIVE)];
       let least = Infinity;
       for (const [number, place] of placesOf(course).entries()) {
-        const cost = covered(rect(place), taken, least);
-        if (cost < least) [least, course.label, course.named] = [cost, place, number];
+        const hidden = covered(rect(place, name, 18), names, 1);
+        const cost = hidden > 0 ? 1e6 + hidden : covered(rect(place, withLive, TALL), taken, least);
+        if (cost < least) [least, course.label, course.named, course.crowded] = [cost, place, number, hidden > 0];
         if (cost === 0) break;
       }
-      taken.push(rect(course.label));
+      if (course.crowded) continue;
+      names.push(rect(course.label, name, 18));
+      taken.push(rect(course.label, withLive, TALL));
     }
   }
 
   /** Finds the elements that a rendering made. */
   collect(layer) {
     const found = (selector) => new Map([...layer.querySelectorAll(selector)].map((element) => [element.dataset.key, element]));
-    [this.elements, this.labels] = [found('[data-key]:not(.label)'), found('.label')];
+    [this.elements, this.labels, this.named] = [found('[data-key]:not(.label)'), found('.label'), null];
+  }
+
+  /** Where only names of states are drawn, places those of arrows that are shown all the same. */
+  placeNames() {
+    const { view, labels, courses } = this;
+    const isSparse = view.small || (view.isAutomatic && this.look.peek().level === NAMES);
+    const shown = isSparse ? wanted(this.arrows, labels, courses) : [];
+    const named = `${view.small} ${shown.map(({ key }) => key)}`;
+    if (named === this.named) return;
+    const before = this.names;
+    const scale = view.small ? SMALLER : 1;
+    [this.named, this.names] = [named, apart(shown, { courses, taken: [...this.all(), ...this.notes].map(boxRect), area: this.area }, scale)];
+    for (const key of new Set([...before.keys(), ...this.names.keys()])) {
+      const [x, y] = this.names.get(key) ?? courses.get(key)?.label ?? [0, 0];
+      labels.get(key)?.classList.toggle('placed', this.names.has(key));
+      labels.get(key)?.setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})${this.names.has(key) ? ` scale(${scale})` : ''}`);
+    }
   }
 
   /** Shows the whole machine; an automatic drawing shows as much as can be read. */

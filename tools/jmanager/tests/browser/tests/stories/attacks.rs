@@ -25,7 +25,10 @@ fn foreign() -> (SocketAddr, Receiver<String>) {
             let mut buffer = [0; 4096];
             let count = stream.read(&mut buffer).unwrap_or_default();
             let _ = sender.send(String::from_utf8_lossy(&buffer[..count]).to_lowercase());
-            let _ = stream.write_all(b"HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: 35\r\nConnection: close\r\n\r\n<!doctype html><title>evil</title>\n");
+            let _ = stream.write_all(
+                b"HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: 35\r\nConnection: close\r\n\r\n\
+                <!doctype html><title>evil</title>\n",
+            );
         }
     });
     (address, requests)
@@ -61,10 +64,14 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
       const socket = new WebSocket(own.replace('http', 'ws') + '/socket');
       socket.onopen = () => { seen.socket = 'open'; };
       socket.onerror = () => { seen.socket = 'refused'; };
-      fetch(own + '/', { mode: 'no-cors', credentials: 'include' }).then((one) => { seen.fetch = one.type; }, () => { seen.fetch = 'refused'; });
-      fetch(own + '/enter', { method: 'POST', mode: 'no-cors', credentials: 'include', body: 'x' }).then((one) => { seen.post = one.type; }, () => { seen.post = 'refused'; });
-      const image = new Image(); image.onload = () => { seen.image = 'loaded'; }; image.onerror = () => { seen.image = 'refused'; }; image.src = own + '/icon.svg';
-      const module = document.createElement('script'); module.onload = () => { seen.script = 'loaded'; }; module.onerror = () => { seen.script = 'refused'; }; module.src = own + '/vendor/htm.js'; document.head.append(module);
+      fetch(own + '/', { mode: 'no-cors', credentials: 'include' }).then((one) => { seen.fetch = one.type; }, () => {
+        seen.fetch = 'refused'; });
+      fetch(own + '/enter', { method: 'POST', mode: 'no-cors', credentials: 'include', body: 'x' }).then((one) => { seen.post = one.type;
+        }, () => { seen.post = 'refused'; });
+      const image = new Image(); image.onload = () => { seen.image = 'loaded'; }; image.onerror = () => { seen.image = 'refused'; };
+        image.src = own + '/icon.svg';
+      const module = document.createElement('script'); module.onload = () => { seen.script = 'loaded'; }; module.onerror = () => {
+        seen.script = 'refused'; }; module.src = own + '/vendor/htm.js'; document.head.append(module);
     ";
     page.run(script, vec![json!(own)]).await;
     page.until("all attempts have ended", "return Object.keys(window.seen).length === 5").await;
@@ -74,7 +81,12 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
     }
     assert_ne!(seen["fetch"], "basic", "{seen}");
     // The page in a frame of the foreign page is not shown.
-    page.run("const frame = document.createElement('iframe'); frame.src = arguments[0]; document.body.append(frame); frame.onload = () => { window.framed = true; }", vec![json!(own)]).await;
+    page.run(
+        "const frame = document.createElement('iframe'); frame.src = arguments[0]; document.body.append(frame); \
+        frame.onload = () => { window.framed = true; }",
+        vec![json!(own)],
+    )
+    .await;
     page.until("the frame has ended loading", "return window.framed === true").await;
     assert_eq!(page.run_in_frame(0, "return location.href").await, "chrome-error://chromewebdata/");
 }
@@ -88,7 +100,8 @@ async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
       window.ran = false;
       setTimeout(() => {
         const inline = document.createElement('script'); inline.textContent = 'window.ran = true'; document.body.append(inline);
-        const holder = document.createElement('div'); holder.innerHTML = '<img src=x onerror=window.ran=true>'; document.body.append(holder);
+        const holder = document.createElement('div'); holder.innerHTML = '<img src=x onerror=window.ran=true>';
+          document.body.append(holder);
         try { (0, eval)('window.ran = true'); } catch {}
         window.tried = true;
       });";

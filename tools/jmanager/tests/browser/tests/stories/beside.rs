@@ -8,11 +8,13 @@ use crate::{GOES_ON, open, tab};
 fn drawn(least: usize) -> String {
     format!(
         "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); if (!canvas || canvas.width < 50) return null; \
-        const probe = new OffscreenCanvas(1, 1).getContext('2d'); probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--curve5').trim(); \
+        const probe = new OffscreenCanvas(1, 1).getContext('2d'); probe.fillStyle = getComputedStyle(document.documentElement)\
+            .getPropertyValue('--curve5').trim(); \
         probe.fillRect(0, 0, 1, 1); const wanted = probe.getImageData(0, 0, 1, 1).data; const {{ width, height }} = canvas; \
         const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
         const {{ data }} = copy.getImageData(0, 0, width, height - 60); let count = 0; \
-        for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => Math.abs(data[at + one] - wanted[one]) < 12); return count > {least}"
+        for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => \
+            Math.abs(data[at + one] - wanted[one]) < 12); return count > {least}"
     )
 }
 
@@ -29,7 +31,8 @@ async fn list(page: &Page, names: &[&str]) {
 fn cells(name: &str) -> String {
     format!(
         "return [...document.querySelectorAll('[aria-label=Values] tbody tr')].find((row) => row.cells[0].textContent === {name:?}) \
-        ? [...[...document.querySelectorAll('[aria-label=Values] tbody tr')].find((row) => row.cells[0].textContent === {name:?}).cells].slice(1, -1).map((cell) => cell.textContent.trim()) : null"
+        ? [...[...document.querySelectorAll('[aria-label=Values] tbody tr')].find((row) => row.cells[0].textContent === {name:?})\
+            .cells].slice(1, -1).map((cell) => cell.textContent.trim()) : null"
     )
 }
 
@@ -38,7 +41,12 @@ async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
     let server = Server::start("beside", &[]);
     let page = open(&server).await;
     page.run(GOES_ON, vec![]).await;
-    page.run("import('/lib/store.js').then(({ ask }) => ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, options: {} } }))", vec![]).await;
+    page.run(
+        "import('/lib/store.js').then(({ ask }) => ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, \
+        options: {} } }))",
+        vec![],
+    )
+    .await;
     page.click("button", "Show built-in, seed 7 beside the chosen session", "").await;
     page.until("the other robot is on the map", &drawn(15)).await;
     page.reads("from built-in, seed 7").await;
@@ -91,7 +99,8 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     page.press("\u{e010}").await;
     page.until("the other run is on the map", &drawn(15)).await;
     // A step moves both.
-    let times = "return import('/lib/store.js').then(({ companions, session }) => { const [one, two] = [session.value, companions.value[0].of].map((of) => of.moment.value?.time_us); \
+    let times = "return import('/lib/store.js').then(({ companions, session }) => { \
+        const [one, two] = [session.value, companions.value[0].of].map((of) => of.moment.value?.time_us); \
         return one === two && one })";
     let before = page.until("both show one cycle", times).await;
     page.press("\u{e012}").await;
@@ -103,7 +112,12 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     // The link has both.
     page.until("the address has both", "return location.hash.includes('beside=')").await;
     page.run("location.reload()", vec![]).await;
-    page.until("both are shown again", "return import('/lib/store.js').then(({ companions, session }) => session.value?.info.value.name === 'two.mcap' && companions.value.length === 1)").await;
+    page.until(
+        "both are shown again",
+        "return import('/lib/store.js').then(({ companions, session }) => \
+        session.value?.info.value.name === 'two.mcap' && companions.value.length === 1)",
+    )
+    .await;
     page.screenshot("beside").await;
     page.close().await;
 }

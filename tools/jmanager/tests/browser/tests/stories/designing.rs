@@ -6,20 +6,24 @@ use std::path::{Path, PathBuf};
 use jmanager_browser::{Page, Server, target};
 use serde_json::json;
 
+use crate::geometry::large;
 use crate::notes::write_note;
 
 const WIDE: (u32, u32) = (1440, 900);
 const SCOPE: &str = "";
 
-const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// Finds the ball.\n#[derive(Debug)]\npub struct Ball;\n\n#[component]\nimpl Ball {\n    \
-    /// Whether it is seen.\n    #[info]\n    pub fn is_seen(&self) -> bool {\n        true\n    }\n\n    fn step(&mut self) {}\n}\n\n/// Moves.\n#[derive(Debug)]\n\
-    pub struct Legs;\n\n#[component]\nimpl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
+const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// Finds the ball.\n#[derive(Debug)]\npub struct Ball;\n\n\
+    #[component]\nimpl Ball {\n    \
+    /// Whether it is seen.\n    #[info]\n    pub fn is_seen(&self) -> bool {\n        true\n    }\n\n    fn step(&mut self) {}\n}\n\n\
+    /// Moves.\n#[derive(Debug)]\n\
+    pub struct Legs;\n\n#[component]\n\
+    impl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
 
 /// A small crate in a folder of its own, that is removed at the end.
 pub(crate) struct Crate(PathBuf);
 
 impl Crate {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let folder = target().join(format!("browser/run/crate-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("src")).expect("a folder");
         let this = Self(folder);
@@ -36,7 +40,7 @@ impl Crate {
         self.0.join(file)
     }
 
-    fn write(&self, file: &str, text: &str) {
+    pub(crate) fn write(&self, file: &str, text: &str) {
         fs::write(self.path(file), text).expect("a file");
     }
 
@@ -44,7 +48,7 @@ impl Crate {
         fs::read_to_string(self.path(file)).unwrap_or_default()
     }
 
-    fn server(&self, name: &str) -> Server {
+    pub(crate) fn server(&self, name: &str) -> Server {
         Server::start(name, &["--source", &self.0.display().to_string()])
     }
 }
@@ -91,7 +95,13 @@ pub(crate) async fn saved(page: &Page, source: &Crate, file: &str, what: &[&str]
 
 /// The middle of the canvas.
 async fn canvas(page: &Page) -> (f64, f64) {
-    let place = page.run("const { x, y, width, height } = document.querySelector('svg.machine').getBoundingClientRect(); return [x + width / 2, y + height / 2]", vec![]).await;
+    let place = page
+        .run(
+            "const { x, y, width, height } = document.querySelector('svg.machine').getBoundingClientRect(); \
+        return [x + width / 2, y + height / 2]",
+            vec![],
+        )
+        .await;
     (place[0].as_f64().unwrap_or_default(), place[1].as_f64().unwrap_or_default())
 }
 
@@ -279,33 +289,14 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
     page.press("\u{e007}").await;
     page.click("button", "Restart", "").await;
     page.click("button", "Continue", "Simulated world").await;
-    let passed = "return Promise.all(['lib/store', 'vicode/stops'].map((name) => import(`/${name}.js`))).then(([{ session }, { hit }]) => { \
+    let passed = "return Promise.all(['lib/store', 'vicode/stops'].map((name) => import(`/${name}.js`))) \
+        .then(([{ session }, { hit }]) => { \
         const { live, description } = session.value; const index = session.value.find('Player'); \
-        return hit.value === null && ['kick', 'go_round'].includes(description.value.components[index].states[live.value?.components[index][2]]?.name); })";
+        return hit.value === null && ['kick', 'go_round']\
+            .includes(description.value.components[index].states[live.value?.components[index][2]]?.name); })";
     page.until("the world has gone through the state", passed).await;
     page.click("button", "Remove all breakpoints", "").await;
     page.close().await;
-}
-
-/// A machine with so many states and transitions.
-fn large(states: usize, transitions: usize) -> String {
-    let mut text =
-        "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
-            .to_owned();
-    for state in 0..states {
-        let kind = if state == 0 { "(initial)" } else { "" };
-        text +=
-            &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
-    }
-    for transition in 0..transitions {
-        let from = transition % states;
-        let to = (from + 1 + transition / states * 3) % states;
-        text += &format!(
-            "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
-        );
-    }
-    text.truncate(text.len() - 1);
-    text + "}\n"
 }
 
 #[tokio::test]
@@ -316,13 +307,19 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     let page = open(&server).await;
     page.find("button", "Large", "Sources").await;
     // Not by the mouse: the bar above may still become higher, and the list would lie elsewhere.
-    let shown = "const [large] = [...document.querySelectorAll('.sources button.name')].filter((one) => one.textContent.startsWith('Large')); large.click(); \
+    let shown = "const [large] = [...document.querySelectorAll('.sources button.name')].filter((one) => \
+        one.textContent.startsWith('Large')); large.click(); \
         return document.querySelectorAll('svg.machine .box').length === 60 && document.querySelector('.cm-content') !== null";
     page.until("the machine and its code are shown", shown).await;
     let state = page.find("button", "State state_21", "").await;
     let [_, _, _, height] = state.place().await;
     assert!(height < 30.0, "all states are in view: {height} points high");
     let (x, y) = state.middle().await;
+    let courses = "return [...document.querySelectorAll('.arrow > .line')].map((one) => one.getAttribute('d'))";
+    let before = page.run(courses, vec![]).await;
+    page.click_at((x, y)).await;
+    page.until("it is chosen", "return document.querySelector('.box.chosen')?.dataset.state === 'state_21'").await;
+    assert_eq!(page.run(courses, vec![]).await, before, "a click moves no transition");
     page.drag((x, y), (x + 40.0, y + 30.0)).await;
     saved(&page, &source, "src/large.vicode", &["Large state_21 "]).await;
     let (to_x, to_y) = page.find("button", "State state_21", "").await.middle().await;
@@ -336,7 +333,8 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     page.close().await;
 }
 
-const MEASURE: &str = "window.frames_ = []; let last = performance.now(); const count = () => { const now = performance.now(); window.frames_.push(now - last); last = now; \
+const MEASURE: &str = "window.frames_ = []; let last = performance.now(); const count = () => { const now = performance.now(); \
+    window.frames_.push(now - last); last = now; \
     requestAnimationFrame(count); }; requestAnimationFrame(count)";
 
 #[tokio::test]
@@ -350,8 +348,10 @@ async fn speed_of_the_designer_is_measured() {
     source.write("src/huge.rs", &large(200, 400).replace("Large", "Huge"));
     let server = source.server("designer-figures");
     let page = open(&server).await;
-    let opened = "const [name, states] = arguments; const start = performance.now(); const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith(name)); \
-        return new Promise((resolve) => { button.click(); const look = () => document.querySelectorAll('svg.machine .box').length === states ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
+    let opened = "const [name, states] = arguments; const start = performance.now(); \
+        const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith(name)); \
+        return new Promise((resolve) => { button.click(); const look = () => document.querySelectorAll('svg.machine .box')\
+            .length === states ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
     for (name, states) in [("Huge", 200), ("Large", 60)].repeat(5) {
         page.find("button", name, "Sources").await;
         let time = page.run(opened, vec![json!(name), json!(states)]).await;
@@ -372,7 +372,8 @@ async fn speed_of_the_designer_is_measured() {
         )
         .await;
     println!("{frames} frames/s while a state with its transitions is dragged");
-    let edited = "const { change } = await import('/vicode/sources.js'); const start = performance.now(); await change({ edit: 'add_state', name: `more_${Math.round(start)}` }); return performance.now() - start";
+    let edited = "const { change } = await import('/vicode/sources.js'); const start = performance.now(); \
+        await change({ edit: 'add_state', name: `more_${Math.round(start)}` }); return performance.now() - start";
     println!(
         "an edit is answered after {} ms",
         page.run(&format!("return (async () => {{ {edited} }})()"), vec![]).await

@@ -3,6 +3,7 @@
 use jmanager_browser::{Page, Server};
 use serde_json::{Value, json};
 
+use crate::designing::Crate;
 use crate::glance::{SMALL, show_in};
 use crate::open_in;
 
@@ -12,11 +13,14 @@ const [root, boxes, lines, names] = arguments;
 const svg = document.querySelector(root);
 const faults = [];
 const shown = (selector) => [...svg.querySelectorAll(selector)].filter((one) => one.getClientRects().length > 0);
-const placed = (selector) => shown(selector).map((one) => ({ name: one.parentElement.ariaLabel ?? one.parentElement.textContent, ...one.getBoundingClientRect().toJSON() }));
+const placed = (selector) => shown(selector).map((one) => ({ name: one.parentElement.ariaLabel ?? one.parentElement.textContent,
+  ...one.getBoundingClientRect().toJSON() }));
 const [all, labels] = [placed(boxes), placed(names)];
 const around = svg.getBoundingClientRect();
-for (const a of [...all, ...labels]) if (a.left < around.left || a.right > around.right || a.top < around.top || a.bottom > around.bottom) faults.push(`${a.name} is outside`);
-const covers = (a, others) => others.filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom).forEach((b) => faults.push(`${a.name} covers ${b.name}`));
+for (const a of [...all, ...labels]) if (a.left < around.left || a.right > around.right || a.top < around.top ||
+  a.bottom > around.bottom) faults.push(`${a.name} is outside`);
+const covers = (a, others) => others.filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+  .forEach((b) => faults.push(`${a.name} covers ${b.name}`));
 all.forEach((a, at) => covers(a, all.slice(at + 1)));
 labels.forEach((a, at) => covers(a, [...labels.slice(at + 1), ...all]));
 for (const line of svg.querySelectorAll(lines)) {
@@ -34,16 +38,23 @@ for (const one of shown('text, tspan')) {
 return faults;
 ";
 
+/// Boxes, lines and names of the designer's drawing.
+const MACHINE: [&str; 4] = ["svg.machine", ".box > .body", ".arrow > .line", ".label > .ground"];
+
 /// Lays machines of a range of numbers out, which have 5 to 200 states, and lists the faults.
 const GENERATED: &str = r"
-return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js').then(({ labelWidth }) => {
+return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js')
+  .then(({ labelWidth }) => {
 let seed = 1; const random = (n) => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed % n; };
 const WORDS = ['look', 'ball', 'goal', 'approach', 'kick', 'wait', 'turn', 'search', 'far', 'lost', 'reached', 'penalized', 'again'];
 const word = () => Array.from({ length: 1 + random(3) }, () => WORDS[random(WORDS.length)]).join('_');
 const machine = (count) => {
-  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '', initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }], children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
+  const states = Array.from({ length: count }, (_, at) => ({ name: `${word()}_${at}`, docs: random(2) ? 'Some words on it.' : '',
+    initial: at === 0, last: false, hooks: random(6) ? [] : [{ role: 'entry', name: word() }],
+    children: Array.from({ length: random(4) }, () => ({ child: word(), kind: 'requirement' })) }));
   const arrows = [];
-  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, from, to, any, after_ms: random(5) ? null : 1500 });
+  const add = (name, from, to, any) => arrows.push({ key: `t:${name}:${arrows.length}:${from}`, name, from, to, any,
+    after_ms: random(5) ? null : 1500 });
   for (let at = 0; at < count * 2 + random(count); at += 1) add(word(), states[random(count)].name, states[random(count)].name, false);
   for (let at = 0; at < random(3); at += 1) add(word(), '*', states[random(count)].name, true);
   const to = states[random(count)].name; for (const { name } of states.filter(() => random(3) === 0)) add('sent_off', name, to, false);
@@ -60,22 +71,72 @@ for (let number = from; number < until; number += 1) {
   for (const level of [ALL, CONDITIONS, NAMES]) {
     const { boxes, courses, area } = arranged(own, level, 0.8 + random(12) / 10);
     const all = [...boxes.values()].map((box) => ({ name: box.name, ...rect(box.x, box.y, box.width, box.height) }));
-    const labels = level === NAMES ? [] : own.arrows.filter(({ key }) => courses.get(key).owner === key).map((arrow) => ({ name: arrow.name, ...rect(...courses.get(arrow.key).label, labelWidth(arrow), 16) }));
+    const labels = level === NAMES ? [] : own.arrows.filter(({ key }) => courses.get(key).owner === key).map((arrow) => ({
+      name: arrow.name, ...rect(...courses.get(arrow.key).label, labelWidth(arrow), 16) }));
     const say = (text) => faults.push(`machine ${number} of ${count} states, level ${level}: ${text}`);
     const inside = { left: area.x, right: area.x + area.width, top: area.y, bottom: area.y + area.height };
-    for (const one of [...all, ...labels]) if (one.left < inside.left || one.right > inside.right || one.top < inside.top || one.bottom > inside.bottom) say(`${one.name} is outside`);
+    for (const one of [...all, ...labels]) if (one.left < inside.left || one.right > inside.right || one.top < inside.top ||
+      one.bottom > inside.bottom) say(`${one.name} is outside`);
     all.forEach((a, at) => all.slice(at + 1).forEach((b) => hit(a, b) && say(`${a.name} covers ${b.name}`)));
-    labels.forEach((a, at) => { labels.slice(at + 1).forEach((b) => hit(a, b) && say(`the name ${a.name} covers ${b.name}`)); all.forEach((b) => hit(a, b) && say(`the name ${a.name} covers the state ${b.name}`)); });
+    labels.forEach((a, at) => { labels.slice(at + 1).forEach((b) => hit(a, b) && say(`the name ${a.name} covers ${b.name}`));
+      all.forEach((b) => hit(a, b) && say(`the name ${a.name} covers the state ${b.name}`)); });
     for (const [key, { d }] of courses) {
       const points = [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
-      points.slice(1).forEach(([x, y], at) => { const [px, py] = points[at]; const part = { left: Math.min(x, px), right: Math.max(x, px), top: Math.min(y, py), bottom: Math.max(y, py) };
-        all.forEach((box) => part.left < box.right - 0.5 && part.right > box.left + 0.5 && part.top < box.bottom - 0.5 && part.bottom > box.top + 0.5 && say(`${key} crosses ${box.name}`)); });
+      points.slice(1).forEach(([x, y], at) => { const [px, py] = points[at];
+        const part = { left: Math.min(x, px), right: Math.max(x, px), top: Math.min(y, py), bottom: Math.max(y, py) };
+        all.forEach((box) => part.left < box.right - 0.5 && part.right > box.left + 0.5 && part.top < box.bottom - 0.5 &&
+          part.bottom > box.top + 0.5 && say(`${key} crosses ${box.name}`)); });
     }
   }
 }
 return faults.slice(0, 8);
 }));
 ";
+
+/// Chooses each fourth state of the machine, one after the other, while only names of states are drawn. Returns the faults, and how many
+/// names of transitions are shown of those that touch a chosen state.
+const CHOSEN: &str = r"
+const [faults, ...selectors] = arguments;
+const find = new Function(faults);
+const frame = () => new Promise((done) => requestAnimationFrame(done));
+const names = ['/vicode/sources.js', '/vicode/canvas/stage.js', '/vicode/canvas/rows.js'];
+return Promise.all(names.map((one) => import(one))).then(async ([{ machine, selection }, { stage }, { NAMES }]) => {
+  const found = [];
+  let [shown, all] = [0, 0];
+  stage.look.value = { ...stage.look.value, level: NAMES };
+  for (const { key, name } of machine.value.states.filter((_, at) => at % 4 === 0)) {
+    selection.value = [key];
+    await frame().then(frame);
+    // The size of letters follows from that of the window.
+    found.push(...find(...selectors).filter((fault) => !fault.endsWith('px')).map((fault) => `${name} is chosen: ${fault}`));
+    const labels = [...document.querySelectorAll('.machine.names .label.near')];
+    shown += labels.filter((one) => one.getClientRects().length > 0).length;
+    all += new Set(labels.map(({ dataset }) => stage.courses.get(dataset.key).owner)).size;
+  }
+  return { found, shown, all };
+});
+";
+
+/// A machine with so many states and transitions.
+pub(crate) fn large(states: usize, transitions: usize) -> String {
+    let mut text =
+        "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
+            .to_owned();
+    for state in 0..states {
+        let kind = if state == 0 { "(initial)" } else { "" };
+        text +=
+            &format!("    /// Part {state} of the work.\n    #[state{kind}]\n    fn state_{state}(&mut self) {{}}\n\n");
+    }
+    for transition in 0..transitions {
+        let from = transition % states;
+        let to = (from + 1 + transition / states * 3) % states;
+        text += &format!(
+            "    #[transition(state_{from} -> state_{to})]\n    fn change_{transition}(&self) -> bool {{\n        false\n    }}\n\n"
+        );
+    }
+    text.truncate(text.len() - 1);
+    text + "}\n"
+}
 
 /// The faults of a drawing on the page.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
@@ -100,7 +161,8 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
     show_in(&page, SMALL).await;
     page.press("6").await;
     // Those of the compiler's tests that fail are no machines.
-    let list = "return import('/vicode/sources.js').then(({ list }) => list.value?.filter(({ file }) => !file.includes('/fail/')).flatMap(({ file, components = [] }) => components.filter(({ machine }) => machine).map(({ key }) => [file, key])))";
+    let list = "return import('/vicode/sources.js').then(({ list }) => list.value?.filter(({ file }) => !file.includes('/fail/'))\
+        .flatMap(({ file, components = [] }) => components.filter(({ machine }) => machine).map(({ key }) => [file, key])))";
     let machines = page.until("the sources are read", list).await;
     let machines = machines.as_array().expect("a list");
     assert!(machines.len() > 20, "{machines:?}");
@@ -109,11 +171,13 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
             "const [file, key] = arguments[0]; return import('/vicode/sources.js').then(({ open }) => open(file, key))";
         page.run(open, vec![one.clone()]).await;
         let mut found = Value::Null;
-        let shown = "return [document.querySelector('.bar .file')?.title, document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
+        let shown = "return [document.querySelector('.bar .file')?.title, \
+            document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
         // A busy machine takes some time to open a file, and to choose how much is shown.
         for _ in 0..20 {
             tokio::time::sleep(std::time::Duration::from_millis(300)).await;
-            found = faults(&page, "svg.machine", ".box > .body", ".arrow > .line", ".label > .ground").await;
+            let [root, boxes, lines, names] = MACHINE;
+            found = faults(&page, root, boxes, lines, names).await;
             if found == json!([]) && page.run(shown, vec![]).await == *one {
                 break;
             }
@@ -123,5 +187,38 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
         }
         assert_eq!((found, page.run(shown, vec![]).await), (json!([]), one.clone()));
     }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn names_of_a_chosen_state_cover_nothing_where_only_names_of_states_are_drawn() {
+    let source = Crate::new("chosen");
+    let text = large(60, 200).replace("(state_3 ->", "(* ->").replace("(state_5 -> state_6)", "(state_5 -> state_5)");
+    source.write("src/large.rs", &text);
+    let server = source.server("chosen");
+    let page = open_in(&server, SMALL).await;
+    page.press("6").await;
+    page.click("button", "Large", "Sources").await;
+    page.until("it is drawn", "return document.querySelectorAll('svg.machine.names .box').length === 60").await;
+    let arguments = [&[FAULTS][..], &MACHINE].concat().into_iter().map(|one| json!(one)).collect();
+    let chosen = page.run(CHOSEN, arguments).await;
+    page.screenshot("chosen").await;
+    assert_eq!(chosen["found"], json!([]));
+    let [shown, all] = ["shown", "all"].map(|one| chosen[one].as_u64().expect("a number"));
+    assert!(shown * 10 >= all * 9, "{shown} of {all} names have room");
+    let (x, y) = page.find("button", "State state_21", "").await.middle().await;
+    page.drag((x, y), (x + 4.0, y + 4.0)).await;
+    page.until("states have places", "return !document.querySelector('svg.machine.names')").await;
+    for _ in 0..8 {
+        page.click("button", "Zoom in", "").await;
+    }
+    let [root, boxes, _, names] = MACHINE;
+    let found = faults(&page, root, boxes, "none", names).await;
+    page.screenshot("placed").await;
+    let covers: Vec<_> =
+        found.as_array().expect("faults").iter().filter(|one| one.to_string().contains(" covers ")).collect();
+    assert!(covers.is_empty(), "{covers:?}");
+    let left_out = "return document.querySelectorAll('.label.crowded').length";
+    assert!(page.run(left_out, vec![]).await.as_u64() < Some(40), "{}", page.run(left_out, vec![]).await);
     page.close().await;
 }

@@ -36,6 +36,9 @@ async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
         let header = page.run("return document.querySelector('header.top').offsetHeight", vec![]).await;
         assert!(header.as_f64().is_some_and(|height| height < 50.0), "the header has one line: {header} px");
     }
+    // A narrow tree is broken into rows whose names can be read.
+    show_in(&page, (900, 1200)).await;
+    assert_eq!(faults(&page, "svg.tree", ".frame", ".link", ".no-names").await, json!([]));
     page.close().await;
 }
 

@@ -1,6 +1,6 @@
 //! Pictures of the page in four sizes and both themes, and what must hold in each.
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::{Page, Server, player};
 use serde_json::json;
 
 use crate::access::set_theme;
@@ -106,4 +106,50 @@ async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
         }
     }
     page.close().await;
+}
+
+/// Pictures of the first layout of other programs, of two sessions and of a recording, to be looked at.
+#[tokio::test]
+#[ignore = "writes pictures of other programs"]
+async fn other_programs_and_sessions_look_right_in_two_sizes_and_both_themes() {
+    let pair = Server::start("pair", &[]);
+    std::fs::create_dir_all(pair.folder.join("recordings")).expect("a folder");
+    let file = pair.folder.join("recordings/one.mcap").display().to_string();
+    player(&["play", "--seconds", "6", "--size", "160x120", "--seed", "1", "--record", &file]);
+    for (name, server) in [
+        ("follower", Server::start_example("wall_follower")),
+        ("keeper", Server::start_other("goalkeeper", &["monitor"])),
+        ("pair", pair),
+    ] {
+        let page = Page::open(&server, SMALL).await;
+        page.until("a tree is shown", "return document.querySelectorAll('.component').length > 2").await;
+        if name == "pair" {
+            let open = "return import('/lib/store.js').then(({ ask, putBeside }) => ask('open', { source: { kind: 'world', \
+                world: 'built-in', seed: 7, options: {} } }).then(({ session }) => setTimeout(() => putBeside(session), 2000)))";
+            page.run(open, vec![]).await;
+            page.until("it is beside", "return document.querySelector('.beside[aria-pressed=true]')").await;
+        }
+        tokio::time::sleep(std::time::Duration::from_secs(4)).await;
+        in_both(&page, name).await;
+        if name == "pair" {
+            page.click("tab", "Recordings", "").await;
+            page.click("button", "one", "Recordings").await;
+            page.press("5").await;
+            in_both(&page, "recording").await;
+        }
+        page.close().await;
+    }
+}
+
+/// Pictures in both sizes and themes.
+async fn in_both(page: &Page, name: &str) {
+    for size in [SMALL, (1600, 1000)] {
+        show_in(page, size).await;
+        for theme in ["dark", "light"] {
+            set_theme(page, theme).await;
+            tokio::time::sleep(std::time::Duration::from_millis(700)).await;
+            page.screenshot(&format!("other-{name}-{}-{theme}", size.0)).await;
+            assert_eq!(page.run(FAULTS, vec![]).await, json!([]), "{name} {size:?} {theme}");
+        }
+    }
 }

@@ -4,8 +4,10 @@ use crate::{game, tab};
 
 /// Whether a canvas shows more than one colour.
 const DRAWN: &str = "const canvas = [...document.querySelectorAll('canvas')].find((one) => one.getAttribute('aria-label') === NAME); \
-    if (!canvas || canvas.width < 20) return false; const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data; \
-    const seen = new Set(); for (let at = 0; at < data.length; at += 4 * 97) seen.add(data[at] << 16 | data[at + 1] << 8 | data[at + 2]); return seen.size > 3";
+    if (!canvas || canvas.width < 20) return false; const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height)\
+        .data; \
+    const seen = new Set(); for (let at = 0; at < data.length; at += 4 * 97) seen.add(data[at] << 16 | data[at + 1] << 8 | data[at + 2]); \
+        return seen.size > 3";
 
 fn drawn(name: &str) -> String {
     DRAWN.replace("NAME", &format!("{name:?}"))
@@ -21,7 +23,12 @@ async fn the_tree_is_searched_folded_and_opens_a_component() {
     page.reads("0 found").await;
     assert_eq!(page.run("return document.querySelectorAll('.component.other').length", vec![]).await, 0);
     search.set("").await;
-    page.until("a component runs", "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description').startsWith('active')").await;
+    page.until(
+        "a component runs",
+        "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description')\
+        .startsWith('active')",
+    )
+    .await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.find("slider", "gain", "Parameters").await;
     page.click("switch", "Active only", "").await;
@@ -48,9 +55,19 @@ async fn the_camera_shows_images_and_toggles_overlays() {
     page.click("button", "Findings", "Camera").await;
     let overlay = page.find("switch", "BallDetector", "Camera").await;
     overlay.click().await;
-    page.until("the overlay is off", "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'BallDetector' && one.ariaChecked === 'false')").await;
+    page.until(
+        "the overlay is off",
+        "return [...document.querySelectorAll('[role=switch]')].some((one) => \
+        one.textContent === 'BallDetector' && one.ariaChecked === 'false')",
+    )
+    .await;
     page.click("switch", "Freeze", "Camera").await;
-    page.until("it is frozen", "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'Freeze' && one.ariaChecked === 'true')").await;
+    page.until(
+        "it is frozen",
+        "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'Freeze' && \
+        one.ariaChecked === 'true')",
+    )
+    .await;
     page.find("button", "Save the image", "Camera").await;
     page.close().await;
 }
@@ -103,7 +120,8 @@ async fn curves_are_added_to_a_plot_and_removed() {
     page.click("button", "Add", "Plot").await;
     page.until(
         "an expression over outputs and a parameter has a value",
-        "return /^\\d/.test([...document.querySelectorAll('.curve')].at(-1).querySelector('b').textContent) && document.querySelectorAll('.u-axis').length === 3",
+        "return /^\\d/.test([...document.querySelectorAll('.curve')].at(-1).querySelector('b').textContent) && \
+            document.querySelectorAll('.u-axis').length === 3",
     )
     .await;
     field.set("hypot(Odometry.walked.x, ").await;
@@ -212,7 +230,8 @@ async fn a_link_leads_to_its_moment_layout_and_watches() {
     page.until("the layout is there", &format!("{tabs} === {before}")).await;
     page.reads("Head.pan").await;
     page.find("button", "Time: paused", "").await;
-    let shared = "return Promise.all([import('/lib/watches.js'), import('/lib/store.js')]).then(([{ watches }, { cursor }]) => [watches.value, cursor.value])";
+    let shared = "return Promise.all([import('/lib/watches.js'), import('/lib/store.js')]).then(([{ watches }, { cursor }]) => \
+        [watches.value, cursor.value])";
     // A link may be anybody's: its watches pause nothing.
     assert_eq!(
         page.run(shared, vec![]).await,
