@@ -4,7 +4,7 @@ import { Canvas, line } from '../lib/canvas.js';
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { IDENTITY, applied } from '../lib/frames.js';
 import { css, curveColour } from '../lib/theme.js';
-import { course, handlesOf, kept, near, valueNear, wayOf } from './handles.js';
+import { course, handlesOf, kept, moved, near, valueNear, wayOf } from './handles.js';
 import { channel, draft, form, held, keys, row, rounded, setValue, shapes } from './model.js';
 
 /** Directions of views: to where it looks, seen from above, and how far down, rad. */
@@ -81,11 +81,11 @@ function drawWays(context, { ways, points, at, values }, width, height) {
   });
 }
 
-function drawHandles(context, handles, to, chosen) {
-  for (const handle of handles) {
-    const [x, y] = to(handle.at);
+function drawHandles(context, handles, to, radius = 5) {
+  for (const { at } of handles) {
+    const [x, y] = to(at);
     context.beginPath();
-    context.arc(x, y, handle === chosen ? 7 : 5, 0, 2 * Math.PI);
+    context.arc(x, y, radius, 0, 2 * Math.PI);
     context.fillStyle = css('--panel');
     context.fill();
     [context.strokeStyle, context.lineWidth] = [css('--text'), 2];
@@ -114,8 +114,11 @@ export function Figure({ visible }) {
     const chosen = handle ?? (pointed.value && near(all, seen.to, pointed.value));
     const ways = way ? [way] : chosen?.ways ?? [];
     const points = ways.map((one) => course(chosen.at, one, form.value.channels[one.channel], value?.[one.channel] ?? valuesNow()[one.channel], seen.to));
-    if (chosen) drawWays(context, { ways, points, at: seen.to(chosen.at), values: valuesNow() }, width, height);
-    drawHandles(context, handle ? [] : all, seen.to, chosen);
+    drawHandles(context, handle ? [] : all, seen.to);
+    if (!chosen) return;
+    const at = way ? moved({ at: chosen.at, way }, valuesNow()[way.channel] - value[way.channel]) : chosen.at;
+    drawWays(context, { ways, points, at: seen.to(at), values: valuesNow() }, width, height);
+    drawHandles(context, [{ at }], seen.to, 7);
   };
   const leaveDrag = () => {
     drag.current = null;

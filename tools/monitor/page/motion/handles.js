@@ -14,7 +14,7 @@ const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b
 const length = (a) => Math.hypot(...a);
 
 /** Where a handle is after a change of its number. */
-function moved({ at, way: { origin, turn, along } }, change) {
+export function moved({ at, way: { origin, turn, along } }, change) {
   const rate = length(turn);
   const from = plus(at, origin, -1);
   if (rate === 0) return plus(at, along, change);
