@@ -15,10 +15,10 @@ const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
 /// Sources with motions, in a folder of their own that is removed at the end.
-struct Sources(PathBuf);
+pub(crate) struct Sources(PathBuf);
 
 impl Sources {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let folder = target().join(format!("browser/run/motions-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("nao")).expect("a folder");
         fs::write(folder.join("wave.rs"), WAVE).expect("a file");
@@ -48,7 +48,7 @@ impl Sources {
         panic!("`{part}` in {file} is to be {wanted}:\n{}\nthe page shows: {}", self.read(file), page.text().await);
     }
 
-    async fn open(&self, name: &str) -> (Server, Page) {
+    pub(crate) async fn open(&self, name: &str) -> (Server, Page) {
         let server = Server::start(name, &["--source", &self.0.display().to_string()]);
         let page = Page::open(&server, WIDE).await;
         page.find("button", "FaceBall", "Activation tree").await;
@@ -110,7 +110,7 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
 }
 
 /// Where a handle of a joint is in the window.
-async fn handle(page: &Page, joint: &str) -> (f64, f64) {
+pub(crate) async fn handle(page: &Page, joint: &str) -> (f64, f64) {
     let script = format!(
         "const one = document.querySelector('.figure canvas'), {{ left, top }} = one.getBoundingClientRect(); \
         const found = JSON.parse(one.dataset.handles ?? '[]').find(({{ names }}) => names.includes('{joint}')); \
