@@ -41,7 +41,8 @@ const KICK_PARTS: usize = 6;
 enum Message {
     /// All forms.
     Forms {},
-    /// Each key posture in space, and what of the motion to it is beyond the motors: list of `{"shape", "limits", "joints"}`.
+    /// Each key posture in space, and what of the motion to it is beyond the motors: list of
+    /// `{"shape", "handles", "anchor", "limits"}`; `anchor` is the pose of the frame of the handles.
     Shapes { form: String, keys: Vec<Row> },
     /// What plays a motion on the robot of the session: a [`Plan`].
     Plan { form: String, keys: Vec<Row>, start: Start },
@@ -90,7 +91,9 @@ impl Motions {
             let peak = if form.linear { 1.0 } else { 1.5 };
             let limits = (form.robot.limits)(&from, &to, peak / key.seconds);
             from = to;
-            json!({ "shape": (form.robot.shape)(&to), "limits": limits, "joints": to.0 })
+            let shape = (form.robot.shape)(&to);
+            let anchor = if form.kicks { shape.right_sole } else { shape.torso };
+            json!({ "shape": shape, "handles": form.handles(&to), "anchor": anchor, "limits": limits })
         });
         Ok(shapes.collect())
     }

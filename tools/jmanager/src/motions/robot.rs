@@ -5,7 +5,7 @@ use bica_motion::kinematics::{Segment, Skeleton, ground_from_robot};
 use bica_motion::model::RobotModel;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::side::Side;
-use glam::{Affine3A, Vec2, Vec3, Vec3Swizzles as _};
+use glam::{Affine3A, Quat, Vec2, Vec3, Vec3Swizzles as _};
 use serde::Serialize;
 
 use super::play::{self, Play, Run};
@@ -18,12 +18,15 @@ const ROUNDING: f32 = 0.01;
 const GRAVITY: f32 = 9.81;
 /// Half of the step of derivatives, rad.
 const STEP: f32 = 0.005;
+/// Distance of a handle from the axis of a joint below which the joint does not move it, m.
+const LEVER: f32 = 0.02;
 
 /// A model of a robot as values.
 #[derive(Clone, Copy)]
 pub(super) struct Robot {
     pub(super) stand: Joints,
     pub(super) shape: fn(&Joints) -> Shape,
+    pub(super) handles: fn(&Joints) -> Vec<Handle>,
     pub(super) limits: fn(&Joints, &Joints, f32) -> Limits,
     pub(super) play: fn(&Play) -> Result<Vec<Run>, bica_wire::model::Invalid>,
 }
@@ -37,11 +40,36 @@ pub(super) struct Shape {
     soles: Vec<Vec<[f32; 3]>>,
     /// Centre of mass.
     centre: [f32; 3],
+    /// Poses of the torso and of the right sole, as three rows of four numbers.
+    #[serde(skip)]
+    pub(super) torso: [f32; 12],
+    #[serde(skip)]
+    pub(super) right_sole: [f32; 12],
     /// Distance of the centre of mass, seen from above, from the edge of what the soles on the ground span; negative beyond it.
     margin: f32,
     /// Current that each joint needs to hold the posture on the soles, as a multiple of what its motor bears continuously; none if the
     /// robot does not stand on its soles.
     load: Vec<(String, f32)>,
+}
+
+/// A point of a limb that can be dragged, robot frame, m.
+pub(super) struct Handle {
+    pub(super) point: Point,
+    pub(super) at: Vec3,
+    /// The joints that move it most directly, each with a point on its axis and the direction of the axis.
+    pub(super) joints: Vec<(Joint, Vec3, Vec3)>,
+}
+
+/// Where on the body a handle is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Point {
+    Hips,
+    Face,
+    Elbow,
+    Hand,
+    Knee,
+    Ankle(Side),
+    Toes(Side),
 }
 
 /// What of a motion from one posture to the next the motors cannot do.
@@ -57,7 +85,7 @@ pub(super) struct Limits {
 
 impl Robot {
     pub(super) const fn of<M: MujocoModel>() -> Self {
-        Self { stand: M::STAND, shape: shape::<M>, limits: limits::<M>, play: play::play::<M> }
+        Self { stand: M::STAND, shape: shape::<M>, handles: handles::<M>, limits: limits::<M>, play: play::play::<M> }
     }
 }
 
@@ -89,9 +117,62 @@ fn shape<M: MujocoModel>(angles: &Joints) -> Shape {
         lines: lines.iter().map(all).collect(),
         soles: soles.iter().map(all).collect(),
         centre: centre.to_array(),
+        torso: rows(ground),
+        right_sole: rows(ground * skeleton.sole(Side::Right)),
         margin,
         load: if margin > 0.0 { load::<M>(angles, &skeleton, ground) } else { Vec::new() },
     }
+}
+
+/// Rotation and translation as three rows.
+fn rows(pose: Affine3A) -> [f32; 12] {
+    let [x, y, z, at] = pose.to_cols_array_2d();
+    core::array::from_fn(|index| [x, y, z, at][index % 4][index / 4])
+}
+
+fn handles<M: MujocoModel>(angles: &Joints) -> Vec<Handle> {
+    let skeleton = Skeleton::<M>::of(angles);
+    let origin = |segment| Vec3::from(skeleton.pose(segment).translation);
+    let on = |segment, point: Vec3| skeleton.pose(segment).transform_point3(point);
+    let toes = M::DIMENSIONS.sole_outline.iter().map(|point| point.x).fold(0.0, f32::max);
+    let face = on(Segment::Head, M::DIMENSIONS.top_camera.position);
+    let head = &[Joint::HeadYaw, Joint::HeadPitch];
+    let mut handles = vec![
+        handle::<M>(angles, Point::Hips, Segment::Torso, Vec3::ZERO, &[]),
+        handle::<M>(angles, Point::Face, Segment::Head, face, head),
+    ];
+    for side in Side::BOTH {
+        let (arm, leg) = (side.arm(), M::leg_joints(side));
+        let hand = on(Segment::Hand(side), M::DIMENSIONS.hand * Vec3::new(1.0, side.sign(), 1.0));
+        let tip = skeleton.sole(side).transform_point3(Vec3::X * toes);
+        handles.extend([
+            handle::<M>(angles, Point::Elbow, Segment::Biceps(side), origin(Segment::Elbow(side)), &arm[..2]),
+            handle::<M>(angles, Point::Hand, Segment::Hand(side), hand, &arm[2..5]),
+            handle::<M>(angles, Point::Knee, Segment::Thigh(side), origin(Segment::Tibia(side)), &leg[..3]),
+            handle::<M>(angles, Point::Ankle(side), Segment::Tibia(side), origin(Segment::Ankle(side)), &leg[3..4]),
+            handle::<M>(angles, Point::Toes(side), Segment::Foot(side), tip, &leg[4..]),
+        ]);
+    }
+    handles
+}
+
+/// A handle at a point of a segment. The axes are those of the motion of the segment by small steps of the joints, so that any order of
+/// joints and any direction of axes is right.
+fn handle<M: MujocoModel>(angles: &Joints, point: Point, segment: Segment, at: Vec3, joints: &[Joint]) -> Handle {
+    let of = |&joint: &Joint| {
+        let pose = |step: f32| {
+            let mut moved = *angles;
+            moved[joint] += step;
+            Skeleton::<M>::of(&moved).pose(segment)
+        };
+        let own = pose(0.0).inverse().transform_point3(at);
+        let [after, before] = [pose(STEP), pose(-STEP)];
+        let turn = Quat::from_mat3a(&(after.matrix3 * before.matrix3.transpose())).to_scaled_axis() / (2.0 * STEP);
+        let speed = (after.transform_point3(own) - before.transform_point3(own)) / (2.0 * STEP);
+        let moves = turn.length() > 0.5 && speed.length() > LEVER;
+        moves.then(|| (joint, at + turn.cross(speed) / turn.length_squared(), turn.normalize()))
+    };
+    Handle { point, at, joints: joints.iter().filter_map(of).collect() }
 }
 
 /// Loads of a posture at rest, by the principle of virtual work: the torque of a joint is the derivative by its angle of the potential

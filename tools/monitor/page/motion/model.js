@@ -1,7 +1,7 @@
 // The store of the motion editor: the motions of the sources, and the one that is open as keyframes. Its text, history and conflicts
 // are those of the designer.
 
-import { batch, computed, effect, signal } from '../lib/dom.js';
+import { batch, computed, effect, signal, untracked } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
 import { session } from '../lib/store.js';
 import { ask, edit, locked, model, offsets, open, openedFile } from '../vicode/sources.js';
@@ -85,27 +85,31 @@ export const sent = (list, of) => list.map(({ seconds, values, written }) => ({
 
 /** Each keyframe in space, and what of the way to it is beyond the motors. */
 export const shapes = signal([]);
-let asked = 0;
-let waits = null;
-effect(() => {
-  const [list, own] = [keys.value, form.value];
-  if (!list?.length || !own) {
-    shapes.value = [];
-    return;
+/** Whether they are being asked for, and whether the numbers have changed since. */
+let [asking, changed] = [false, false];
+async function askShapes() {
+  asking = true;
+  while (changed) {
+    changed = false;
+    const [list, own] = [keys.value, form.value];
+    const found = list?.length && own ? await tell('shapes', { form: own.name, keys: sent(list, own) }).catch(() => []) : [];
+    shapes.value = form.value === own && keys.value?.length === list?.length ? found : [];
+    await new Promise((resolve) => { setTimeout(resolve, 40); });
   }
-  const rows = sent(list, own);
-  clearTimeout(waits);
-  waits = setTimeout(async () => {
-    const mine = (asked += 1);
-    const found = await tell('shapes', { form: own.name, keys: rows }).catch(() => []);
-    if (mine === asked) shapes.value = found;
-  }, 40);
+  asking = false;
+}
+// They follow a drag.
+effect(() => {
+  void [keys.value, form.value];
+  changed = true;
+  if (!asking) untracked(askShapes);
 });
 
 /** Whether it can be edited, and if not, why. */
 export const held = computed(() => (table.value ? locked.value : 'No motion is open.'));
 
-const rounded = (value, { min, max, step }) => Number((Math.round(Math.min(max, Math.max(min, value)) / step) * step).toFixed(6));
+/** A value within the range of a channel, in its steps. */
+export const rounded = (value, { min, max, step }) => Number((Math.round(Math.min(max, Math.max(min, value)) / step) * step).toFixed(6));
 
 /** Edits that give keyframes numbers: [{row, channel, value}], with `null` where there is to be none. */
 function numbers(list) {

@@ -246,14 +246,17 @@ impl Page {
 
     /// Drags with the mouse from a point of the window to another, in steps as a hand does.
     pub async fn drag(&self, from: (f64, f64), to: (f64, f64)) {
-        let mut actions = vec![moved(from), button("pointerDown"), pause(PRESS_MS)];
-        for step in 1..=8 {
-            let part = f64::from(step) / 8.0;
-            actions.push(moved((from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part)));
-            actions.push(pause(STEP_MS));
-        }
-        actions.push(button("pointerUp"));
-        self.mouse(&actions).await;
+        self.mouse(&[drawn(from, to), vec![button("pointerUp")]].concat()).await;
+    }
+
+    /// Drags as [`drag`](Self::drag), and leaves the button down.
+    pub async fn hold(&self, from: (f64, f64), to: (f64, f64)) {
+        self.mouse(&drawn(from, to)).await;
+    }
+
+    /// Lets the button of the mouse go.
+    pub async fn release(&self) {
+        self.mouse(&[button("pointerUp")]).await;
     }
 
     /// Presses the button of the mouse at a point of the window, as long as a person does.
@@ -310,6 +313,17 @@ impl Page {
         assert!(errors.is_empty(), "the console has errors: {errors:#?}");
         let _ = self.client.close().await;
     }
+}
+
+/// A press and the way of a drag.
+fn drawn(from: (f64, f64), to: (f64, f64)) -> Vec<Value> {
+    let mut actions = vec![moved(from), button("pointerDown"), pause(PRESS_MS)];
+    for step in 1..=8 {
+        let part = f64::from(step) / 8.0;
+        actions.push(moved((from.0 + (to.0 - from.0) * part, from.1 + (to.1 - from.1) * part)));
+        actions.push(pause(STEP_MS));
+    }
+    actions
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a point of a window")]

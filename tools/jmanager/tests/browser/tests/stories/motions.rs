@@ -15,10 +15,10 @@ const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
 /// Sources with motions, in a folder of their own that is removed at the end.
-struct Sources(PathBuf);
+pub(crate) struct Sources(PathBuf);
 
 impl Sources {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let folder = target().join(format!("browser/run/motions-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("nao")).expect("a folder");
         fs::write(folder.join("wave.rs"), WAVE).expect("a file");
@@ -48,7 +48,7 @@ impl Sources {
         panic!("`{part}` in {file} is to be {wanted}:\n{}\nthe page shows: {}", self.read(file), page.text().await);
     }
 
-    async fn open(&self, name: &str) -> (Server, Page) {
+    pub(crate) async fn open(&self, name: &str) -> (Server, Page) {
         let server = Server::start(name, &["--source", &self.0.display().to_string()]);
         let page = Page::open(&server, WIDE).await;
         page.find("button", "FaceBall", "Activation tree").await;
@@ -106,6 +106,59 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     sources.shows(&page, "wave.rs", "(RElbowRoll, 20.0)", false).await;
     page.click("button", "Undo", "").await;
     sources.has(&page, "wave.rs", both).await;
+    page.close().await;
+}
+
+/// Where a handle of a joint is in the window.
+pub(crate) async fn handle(page: &Page, joint: &str) -> (f64, f64) {
+    let script = format!(
+        "const one = document.querySelector('.figure canvas'), {{ left, top }} = one.getBoundingClientRect(); \
+        const found = JSON.parse(one.dataset.handles ?? '[]').find(({{ names }}) => names.includes('{joint}')); \
+        const at = found && [left + found.at[0], top + found.at[1]], before = window.before; window.before = String(at); \
+        return at && String(at) === before ? at : null"
+    );
+    let at = page.until(&format!("the handle of {joint} rests"), &script).await;
+    (at[0].as_f64().expect("a number"), at[1].as_f64().expect("a number"))
+}
+
+#[tokio::test]
+async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
+    let sources = Sources::new("handles");
+    let (_server, page) = sources.open("motions-handles").await;
+    page.click("button", "WAVE", "").await;
+    page.click("button", "Insert", "").await;
+    page.find("slider", "RElbowRoll", "").await.set("60").await;
+    sources.has(&page, "wave.rs", "&[(RElbowRoll, 60.0)]").await;
+    let before = sources.read("wave.rs");
+
+    // Seen from the right the robot looks to the right: dragged there, the elbow goes ahead by the pitch of the shoulder.
+    page.click("button", "Right", "View of the posture").await;
+    let (x, y) = handle(&page, "RShoulderPitch").await;
+    page.hold((x, y), (x + 60.0, y - 10.0)).await;
+    page.until("the slider follows", "return document.querySelector('[aria-label=RShoulderPitch]').value < 70").await;
+    page.screenshot("motion-handle").await;
+    page.press("\u{e00c}").await;
+    page.until("it is as before", "return document.querySelector('[aria-label=RShoulderPitch]').value > 80").await;
+    page.release().await;
+    page.drag((x, y), (x + 60.0, y - 10.0)).await;
+    sources.has(&page, "wave.rs", "(RShoulderPitch, ").await;
+    let changed = sources.read("wave.rs");
+    let angle: f32 = changed
+        .split("(RShoulderPitch, ")
+        .nth(1)
+        .and_then(|rest| rest.split(')').next()?.parse().ok())
+        .expect("an angle");
+    assert!((0.0..70.0).contains(&angle), "{angle}");
+    assert_eq!(changed.matches("(R").count() - before.matches("(R").count(), 1, "one joint has changed: {changed}");
+    page.click("button", "Undo", "").await;
+    sources.shows(&page, "wave.rs", "RShoulderPitch", false).await;
+    assert_eq!(sources.read("wave.rs"), before);
+
+    // From behind the same handle dragged aside is the roll.
+    page.click("button", "Behind", "View of the posture").await;
+    let (x, y) = handle(&page, "RShoulderRoll").await;
+    page.drag((x, y), (x + 40.0, y - 20.0)).await;
+    sources.has(&page, "wave.rs", "(RShoulderRoll, ").await;
     page.close().await;
 }
 

@@ -2,10 +2,16 @@
 //! pictures -- --ignored`, after a release build of the programs and of the example `wall_follower`, and with
 //! `JMANAGER_PROFILE=release`. They are written beside the other screenshots, 1280 × 800 px; in docs/ they have 256 colours.
 
+use std::time::Duration;
+
 use jmanager_browser::{Page, Server, player};
 
 use crate::glance::{SMALL, show_in};
+use crate::motions::{Sources, handle};
 use crate::open_in;
+
+/// Longest time of 20 tries in physics.
+const LONG: Duration = Duration::from_secs(300);
 
 /// Waits until the game has lasted some seconds.
 async fn at(page: &Page, seconds: f64) {
@@ -208,5 +214,26 @@ async fn picture_of_two_runs() {
     page.click("switch", "Different", "Timeline").await;
     tokio::time::sleep(std::time::Duration::from_secs(2)).await;
     page.screenshot("docs-jmanager-beside").await;
+    page.close().await;
+}
+
+#[tokio::test]
+#[ignore = "makes a picture of the documentation again"]
+async fn picture_of_a_motion() {
+    let sources = Sources::new("picture");
+    let (_server, page) = sources.open("picture-motion").await;
+    page.click("button", "LATERAL", "").await;
+    for _ in 0..2 {
+        page.click("button", "Next keyframe", "").await;
+    }
+    page.find("textbox", "foot y in m", "").await.focus().await;
+    page.find("textbox", "foot y in m", "").await.set("0.125").await;
+    page.press("\u{e007}").await;
+    page.click("button", "20 tries", "").await;
+    page.until_within("it was tried", "return Boolean(document.querySelector('.trial b'))", LONG).await;
+    // The pointer is on the handle.
+    let (x, y) = handle(&page, "foot y").await;
+    page.click_at((x, y)).await;
+    page.screenshot("docs-jmanager-motion").await;
     page.close().await;
 }
