@@ -22,6 +22,19 @@ pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
     Some((Cow::Borrowed(bytes), media))
 }
 
+/// Modules that the page imports when it needs them first.
+const LATER: [&str; 2] = ["panels/map/scene.js", "vendor/three.js"];
+
+/// Returns the page, with a link to each module that it needs at once. Without them a browser learns of a module when it has read the
+/// one that imports it, level by level.
+pub(crate) fn page() -> (String, &'static str) {
+    let (bytes, media) = file("index.html").unwrap_or_default();
+    let modules = FILES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".js") && !LATER.contains(name));
+    let links: String = modules.map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
+    let text = String::from_utf8_lossy(&bytes);
+    (text.replace("<script", &(links + "<script")), media)
+}
+
 fn media_type(name: &str) -> Option<&'static str> {
     Some(match name.rsplit_once('.')?.1 {
         "html" => "text/html; charset=utf-8",

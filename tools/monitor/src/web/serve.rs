@@ -58,7 +58,7 @@ async fn connection(stream: TcpStream, routes: Router, place: Arc<Place>) {
 
 fn routes(shared: &Arc<Shared>, stop: &watch::Receiver<bool>) -> Router {
     Router::new()
-        .route("/", get(|| async { file("index.html") }))
+        .route("/", get(page))
         .route("/socket", get(socket::upgrade))
         .route("/extensions.js", get(modules))
         .route("/extensions/{name}", get(module))
@@ -71,6 +71,11 @@ type Own = State<(Arc<Shared>, watch::Receiver<bool>)>;
 
 async fn modules(State((shared, _)): Own) -> Response {
     ([(header::CONTENT_TYPE, assets::SCRIPT)], shared.manager.modules()).into_response()
+}
+
+async fn page() -> Response {
+    let (text, media) = assets::page();
+    ([(header::CONTENT_TYPE, media)], text).into_response()
 }
 
 /// The module of an extension: `NAME.js`.

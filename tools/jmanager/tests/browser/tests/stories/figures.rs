@@ -163,20 +163,14 @@ async fn frame_rates_and_load() {
 }
 
 /// The time that a page shows, s.
-const CLOCK: &str = "return document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
+const CLOCK: &str = "const parts = document.querySelector('.clock b').textContent.split(':'); \
+    return parts.reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
 
 /// Times that pages show, s.
 async fn clocks(pages: &[Page]) -> Vec<f64> {
     let mut times = Vec::new();
     for page in pages {
-        times.push(number(
-            &page
-                .run(
-                    "return Number.parseFloat(document.querySelector('.clock').textContent.replace(/^[^0-9]*/, ''))",
-                    vec![],
-                )
-                .await,
-        ));
+        times.push(number(&page.run(CLOCK, vec![]).await));
     }
     times
 }
