@@ -29,8 +29,10 @@ const LATER: [&str; 2] = ["panels/map/scene.js", "vendor/three.js"];
 /// one that imports it, level by level.
 pub(crate) fn page() -> (String, &'static str) {
     let (bytes, media) = file("index.html").unwrap_or_default();
-    let modules = FILES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".js") && !LATER.contains(name));
-    let links: String = modules.map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
+    let modules =
+        FILES.iter().map(|(name, _)| *name).filter(|name| media_type(name) == Some(SCRIPT) && !LATER.contains(name));
+    let links =
+        modules.fold(String::new(), |links, name| links + "<link rel=\"modulepreload\" href=\"" + name + "\">\n");
     let text = String::from_utf8_lossy(&bytes);
     (text.replace("<script", &(links + "<script")), media)
 }
