@@ -1,6 +1,7 @@
 //! The motion editor's knowledge of humanoids: how rows in sources are postures, what a posture is in space, and what becomes of
 //! a motion in a simulated body.
 
+mod body;
 mod form;
 #[cfg(feature = "mujoco")]
 mod kick;
@@ -15,10 +16,11 @@ use bica_monitor::protocol::Failed;
 use bica_motion::joints::Joint;
 #[cfg(not(feature = "mujoco"))]
 use bica_motion::kick::KickKind;
-use bica_motion::model::KickFrame;
+use bica_motion::model::{K1, KickFrame, Nao, T1};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use body::Body;
 use form::{Form, Start, kick_kind};
 #[cfg(feature = "mujoco")]
 use kick::tried;
@@ -41,6 +43,8 @@ const KICK_PARTS: usize = 6;
 enum Message {
     /// All forms.
     Forms {},
+    /// The body of the robot with these joints: a [`Body`], or nothing.
+    Body { joints: Vec<String> },
     /// Each key posture in space, and what of the motion to it is beyond the motors: list of
     /// `{"shape", "handles", "anchor", "limits"}`; `anchor` is the pose of the frame of the handles.
     Shapes { form: String, keys: Vec<Row> },
@@ -151,6 +155,7 @@ impl Extension for Motions {
             serde_json::from_value(message).map_err(|error| Failed::new(error.to_string(), "reload the page"))?;
         match message {
             Message::Forms {} => Ok(Reply::Done(json!(self.forms))),
+            Message::Body { joints } => Ok(Reply::Done(json!(body_with(&joints)))),
             Message::Shapes { form, keys } => {
                 check(&keys)?;
                 self.shapes(&form, &keys).map(Reply::Done)
@@ -180,6 +185,11 @@ impl Extension for Motions {
             }
         }
     }
+}
+
+fn body_with(joints: &[String]) -> Option<Body> {
+    let all = [Body::of::<Nao>, Body::of::<T1>, Body::of::<K1>];
+    all.into_iter().map(|of| of()).find(|body| body.joints == joints)
 }
 
 fn check(keys: &[Row]) -> Result<(), Failed> {

@@ -125,7 +125,7 @@ fn shape<M: MujocoModel>(angles: &Joints) -> Shape {
 }
 
 /// Rotation and translation as three rows.
-fn rows(pose: Affine3A) -> [f32; 12] {
+pub(super) fn rows(pose: Affine3A) -> [f32; 12] {
     let [x, y, z, at] = pose.to_cols_array_2d();
     core::array::from_fn(|index| [x, y, z, at][index % 4][index / 4])
 }

@@ -50,6 +50,15 @@ export function visuals(description, inImage) {
     .filter(({ info }) => info.frame && !NUMBERS.test(info.shape) && IN_IMAGE.test(info.shape) === inImage));
 }
 
+/** The output with measured joints: [component, information]; null if the tree has none. */
+export function jointsOf(shown) {
+  for (const [component, { info }] of (shown?.description.value?.components ?? []).entries()) {
+    const index = info.findIndex(({ shape }) => shape === 'Joints');
+    if (index >= 0) return [component, index];
+  }
+  return null;
+}
+
 /** Number of the colour of a component, the same on the map and in the image. */
 export const colourOf = (description, component) => [...new Set([...visuals(description, true), ...visuals(description, false)].map((one) => one.component))].indexOf(component);
 

@@ -1,6 +1,7 @@
 // The motion editor: motions of the sources, a timeline of keyframes, and the numbers of the chosen one.
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
+import { jointsOf } from '../lib/frames.js';
 import { cursor, hello, session, watch } from '../lib/store.js';
 import { curveColour } from '../lib/theme.js';
 import { Bar, Empty, Field, Toggle } from '../lib/ui.js';
@@ -9,7 +10,7 @@ import { opened, redo, undo } from '../vicode/sources.js';
 import { Curves, moved } from './curves.js';
 import { Figure } from './figure.js';
 import { channel, chosen, draft, form, held, insert, keys, mirror, motions, openMotion, readMotions, remove, row, scaleTime, setSeconds, setValue, shapes, table, take } from './model.js';
-import { Trial, jointsOf, reached } from './trial.js';
+import { Trial, reached } from './trial.js';
 
 const nameOf = ({ file, key }) => `${key} · ${file.split('/').slice(-2).join('/')}`;
 

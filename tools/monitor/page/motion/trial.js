@@ -1,6 +1,7 @@
 // Trials of the open motion in a simulated body, or on the simulated robot of the session.
 
 import { computed, html, signal, useSignal } from '../lib/dom.js';
+import { jointsOf } from '../lib/frames.js';
 import { act, command, notify, session, sessions } from '../lib/store.js';
 import { chosen, form, keys, sent, tell } from './model.js';
 import { model } from '../vicode/sources.js';
@@ -49,15 +50,6 @@ function written(key) {
     seconds: cells.find(({ name }) => name === own.time[0]).value * own.time[1],
     cells: Object.fromEntries(own.channels.flatMap(({ cell }) => cells.filter(({ name }) => name === cell).map(({ value }) => [cell, value]))),
   }));
-}
-
-/** The output with measured joints: [component, information]; null if the tree has none. */
-export function jointsOf(shown) {
-  for (const [component, { info }] of (shown?.description.value?.components ?? []).entries()) {
-    const index = info.findIndex(({ shape }) => shape === 'Joints');
-    if (index >= 0) return [component, index];
-  }
-  return null;
 }
 
 /** Whether the session is a simulated world whose robot can be moved, with a form of that robot. */

@@ -10,6 +10,7 @@ import { besideColour, css, curveColour } from '../lib/theme.js';
 import { Bar, Empty, Menu, Toggle } from '../lib/ui.js';
 import { ActionsMenu, onGround, useActions } from './actions.js';
 import { keyOf, layersOf, sourceOf, toViewBeside, toViewOf, useTracks } from './map/layers.js';
+import { useBody } from './map/body.js';
 import { drawLegend } from './map/legend.js';
 import { useDrag } from './map/place.js';
 import { Space, calibrations, framesOf, viewsOf } from './map/space.js';
@@ -30,6 +31,7 @@ export function GroundMap({ visible, params, remember }) {
   const tracks = useTracks(sources, visible);
   const cameras = useMemo(() => calibrations(description), [description]);
   const deep = useSignal(params.deep ?? false);
+  const body = useBody(shown, description, visible.value && deep.value);
   const truthShown = useSignal(true);
   const sceneryShown = useSignal(true);
   const turned = useSignal(false);
@@ -76,6 +78,7 @@ export function GroundMap({ visible, params, remember }) {
   const reads = () => {
     void [shown.scenery.value, sceneryShown.value, truthShown.value, turned.value, cursor.value, dragged.value, hidden.value, tracks.value];
     cameras.forEach((output) => read(output));
+    if (deep.value) void body.placed(() => null);
     for (const { shown: of, outputs: all, read: readOf, truth: stated } of sources) void [of.moment.value, stated(), all.map((output) => readOf(output))];
   };
   /** What is drawn: of other sessions, `others`, all in one colour. */
@@ -125,7 +128,7 @@ export function GroundMap({ visible, params, remember }) {
     const isFrame = (one) => outputs[found.indexOf(one)]?.info.shape === 'Pose3';
     return {
       layers: [...all.filter((one) => !isFrame(one)), ...trails(all)], frames: framesOf(outputs, toView),
-      views: viewsOf(cameras, { read, toView, colour }), follow: main === view ? null : toView(main),
+      body: body.placed(toView), views: viewsOf(cameras, { read, toView, colour }), follow: main === view ? null : toView(main),
       legend: [found, stated],
     };
   };

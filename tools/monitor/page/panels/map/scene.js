@@ -79,6 +79,16 @@ function dots(size) {
   return new Buffer(new Points(new BufferGeometry(), material));
 }
 
+/** The mesh of triangles in mm, of one colour. */
+function meshOf({ colour, triangles }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(triangles.flat().map((at) => at / 1000), 3));
+  geometry.computeVertexNormals();
+  const mesh = new Mesh(geometry, new MeshLambertMaterial({ color: colour }));
+  mesh.matrixAutoUpdate = mesh.frustumCulled = false;
+  return mesh;
+}
+
 export class Space {
   /** Draws on a canvas; `element` takes the pointer, `changed` is called when the camera has moved. */
   constructor(canvas, element, changed) {
@@ -102,11 +112,12 @@ export class Space {
     const sun = new DirectionalLight('#ffffff', 1.6);
     sun.position.set(1, -2, 4);
     this.scene.add(new HemisphereLight('#ffffff', '#8090a0', 1.6), sun, ...this.buffers.map(({ object }) => object));
-    [this.followed, this.bounds, this.placed] = [null, null, false];
+    [this.followed, this.bounds, this.placed, this.body] = [null, null, false, []];
   }
 
   dispose() {
     this.controls.dispose();
+    this.clearBody();
     for (const { object } of this.buffers) {
       object.geometry.dispose();
       object.material.map?.dispose();
@@ -115,13 +126,17 @@ export class Space {
     this.renderer.dispose();
   }
 
-  /** Draws layers, frames and the fields of view of cameras. `follow` is the place of a frame that the camera follows, or null. */
-  draw(width, height, { layers, frames, views, follow }) {
+  /**
+   * Draws layers, frames, the fields of view of cameras, and the body of the robot: {links, matrices}, or null. `follow` is the place of a
+   * frame that the camera follows, or null.
+   */
+  draw(width, height, { layers, frames, views, body, follow }) {
     [this.ground, this.points] = [new Color(css('--panel')), []];
     for (const layer of layers) for (const part of layer.parts) this.part(part, layer);
     for (const frame of frames) this.frame(frame);
     for (const view of views) this.view(view);
     for (const buffer of this.buffers) buffer.show();
+    this.pose(body);
     this.measure();
     this.follow(follow);
     this.renderer.setPixelRatio(window.devicePixelRatio || 1);
@@ -143,7 +158,7 @@ export class Space {
   part(part, { matrix, style }) {
     const colour = this.colour(style.colour, style.faint);
     const lines = style.dash ? this.dashes : this.lines;
-    if (part.pose) return this.body(times(matrix, part.pose), colour, style.dash ? lines : null);
+    if (part.pose) return this.pointer(times(matrix, part.pose), colour, style.dash ? lines : null);
     const points = pointsOf(part, matrix);
     this.points.push(...points);
     if (part.dots) return points.forEach((point) => (part.small ? this.small : this.dots).add(point, colour));
@@ -156,8 +171,8 @@ export class Space {
     return undefined;
   }
 
-  /** The body of a pose; only its edges with `lines`. */
-  body(matrix, colour, lines) {
+  /** A pose as a solid that points ahead; only its edges with `lines`. */
+  pointer(matrix, colour, lines) {
     const [outline, top] = [OUTLINE.map((at) => applied(matrix, at)), applied(matrix, TOP)];
     this.points.push(top);
     outline.forEach((at, index) => {
@@ -194,6 +209,25 @@ export class Space {
     ends.forEach((end, index) => {
       for (const at of [origin, end, end, ends[(index + 1) % ends.length]]) this.lines.add(at, colour);
     });
+  }
+
+  /** Moves the links of the body; their meshes are made once. */
+  pose(body) {
+    if (body?.links !== this.links) {
+      this.links = body?.links;
+      this.clearBody();
+      this.body = body?.links.map(({ meshes }) => meshes.map(meshOf)) ?? [];
+      this.scene.add(...this.body.flat());
+    }
+    body?.matrices.forEach((matrix, index) => this.body[index].forEach((mesh) => mesh.matrix.set(...matrix, 0, 0, 0, 1)));
+  }
+
+  clearBody() {
+    for (const mesh of this.body.flat()) {
+      this.scene.remove(mesh);
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
   }
 
   measure() {

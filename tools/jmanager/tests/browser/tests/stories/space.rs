@@ -5,17 +5,19 @@ use serde_json::json;
 
 use crate::WIDE;
 
-/// Shares of the scene's pixels that are the green of the field, and that are white.
+/// Shares of the scene's pixels that are the green of the field, that are white, and that are grey as the shells of a robot in shade.
 const SEEN: &str = "const canvas = document.querySelector('.field canvas[aria-hidden]'); if (!canvas || canvas.width < 50) return null; \
     const { width, height } = canvas; const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
-    const { data } = copy.getImageData(0, 0, width, height); let [green, white] = [0, 0]; \
+    const { data } = copy.getImageData(0, 0, width, height); let [green, white, grey] = [0, 0, 0]; \
     for (let at = 0; at < data.length; at += 4) { const [r, g, b] = data.slice(at, at + 3); \
-    green += g > 1.3 * r && g > 1.2 * b; white += Math.min(r, g, b) > 200; } return [green * 4 / data.length, white * 4 / data.length]";
+    green += g > 1.3 * r && g > 1.2 * b; white += Math.min(r, g, b) > 200; \
+    grey += Math.min(r, g, b) > 100 && Math.max(r, g, b) < 200 && Math.max(r, g, b) - Math.min(r, g, b) < 12; } \
+    return [green, white, grey].map((count) => count * 4 / data.length)";
 
 const LOADED: &str = "return performance.getEntriesByType('resource').some(({ name }) => name.endsWith('three.js'))";
 
 async fn seen(page: &Page, condition: &str) {
-    page.until(condition, &format!("const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white] = seen; return {condition}")).await;
+    page.until(condition, &format!("const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white, grey] = seen; return {condition}")).await;
 }
 
 /// Opens a paused game in the dark theme.
@@ -35,6 +37,8 @@ async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
     assert_eq!(page.run(LOADED, vec![]).await, json!(false), "the library is loaded with the page");
     page.click("switch", "3D", "Map").await;
     seen(&page, "green > 0.2 && white > 0").await;
+    // The body of the robot, which the camera follows.
+    seen(&page, "grey > 0.0002").await;
     page.click("button", "Top", "Map").await;
     seen(&page, "green > 0.35 && white > 0.005").await;
     // Dragged upwards, the ground is seen from the side.
