@@ -1,17 +1,18 @@
 //! How the numbers of a motion in a source are postures of a robot.
 
+mod handles;
+
 use std::collections::BTreeMap;
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::KickKind;
-use bica_motion::kinematics::sole;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::model::{K1, KickPose, Nao, RobotModel, T1};
 use bica_motion::side::Side;
 use glam::Vec3;
 use serde::Serialize;
 
-use super::robot::{Point, Robot};
+use super::robot::Robot;
 use super::session::MOVE_LIMB;
 
 /// Names of the six joints of a leg, and of the five of an arm, in the order of `symmetric`.
@@ -19,26 +20,6 @@ const LEG: [&str; 6] = ["hip yaw-pitch", "hip roll", "hip pitch", "knee pitch", 
 const ARM: [&str; 5] = ["shoulder pitch", "shoulder roll", "elbow yaw", "elbow roll", "wrist yaw"];
 /// Number of joints in a row of a get-up: all but the hands.
 const GET_UP_JOINTS: usize = 23;
-
-/// A point of a posture that can be dragged, frame of the torso, or of the right sole in a kick; m.
-#[derive(Serialize)]
-pub(super) struct Handle {
-    at: [f32; 3],
-    /// The channels that move it.
-    ways: Vec<Way>,
-}
-
-/// How a channel moves a handle: it turns it about an axis, and moves it.
-#[derive(Serialize)]
-struct Way {
-    channel: usize,
-    /// A point on the axis.
-    origin: [f32; 3],
-    /// Direction of the axis, with the angle by unit of the channel, rad, as its length.
-    turn: [f32; 3],
-    /// Way by unit of the channel, m.
-    along: [f32; 3],
-}
 
 /// Rows of one type in the files of one robot.
 #[derive(Serialize)]
@@ -311,40 +292,6 @@ impl Form {
         KickPose { hips: place(0), foot: place(3), yaw: value(6), roll: value(7), pitch: value(8) }
     }
 
-    /// The points of a posture that can be dragged.
-    pub(super) fn handles(&self, posture: &Joints) -> Vec<Handle> {
-        let all = (self.robot.handles)(posture).into_iter();
-        if self.kicks {
-            // In the frame of the right sole, on which the robot stands.
-            let right = sole::<Nao>(Side::Right, posture).inverse();
-            let moved = |first: usize, at: [f32; 3]| {
-                let along = |axis: usize| {
-                    let along = Vec3::AXES[axis].to_array();
-                    Way { channel: first + axis, origin: at, turn: [0.0; 3], along }
-                };
-                Handle { at, ways: (0..3).map(along).collect() }
-            };
-            let first = |point| match point {
-                Point::Hips => Some(0),
-                Point::Ankle(Side::Left) => Some(3),
-                _ => None,
-            };
-            return all
-                .filter_map(|one| Some(moved(first(one.point)?, right.transform_point3(one.at).to_array())))
-                .collect();
-        }
-        let way = |(joint, origin, axis): (Joint, Vec3, Vec3)| {
-            let of = |channel: &Channel| Some(channel.joints.iter().find(|(one, _)| *one == joint)?.1);
-            let mut channels = self.channels.iter().enumerate();
-            let (channel, factor) = channels.find_map(|(index, channel)| Some((index, of(channel)?)))?;
-            let (origin, turn) = (origin.to_array(), (factor * axis).to_array());
-            Some(Way { channel, origin, turn, along: [0.0; 3] })
-        };
-        let handles =
-            all.map(|one| Handle { at: one.at.to_array(), ways: one.joints.into_iter().filter_map(way).collect() });
-        handles.filter(|handle| !handle.ways.is_empty()).collect()
-    }
-
     /// The joint angles of a row, rad.
     pub(super) fn posture_of(&self, row: &BTreeMap<String, f32>) -> Joints {
         if self.kicks {
@@ -383,10 +330,8 @@ pub(super) fn kick_kind(key: &str) -> Option<KickKind> {
 mod tests {
     use std::path::Path;
 
-    use bica_vicode::model::{Row, Table};
-    use glam::Quat;
-
     use super::*;
+    use bica_vicode::model::{Row, Table};
 
     fn tables(file: &str) -> Vec<Table> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
@@ -441,31 +386,6 @@ mod tests {
         let front = &tables("bica-motion/src/model/nao/kick_dynamic.rs")[0];
         for (row, frame) in front.rows.iter().zip(Nao::DYNAMIC_PROFILE.kicks.front.frames) {
             assert_eq!(kick.kick_pose(&cells(row)), frame.pose);
-        }
-    }
-
-    #[test]
-    fn each_way_of_a_handle_is_what_its_number_does_on_every_robot() {
-        for form in Form::all() {
-            let mut row = form.rest();
-            let handles = form.handles(&form.posture_of(&row));
-            for (index, handle) in handles.iter().enumerate() {
-                let at = Vec3::from(handle.at);
-                for way in &handle.ways {
-                    let Channel { cell, name, unit, rest, .. } = &form.channels[way.channel];
-                    let change = if *unit == "m" { 0.01 } else { 20.0 };
-                    row.insert(cell.clone(), rest + change);
-                    let found = form.handles(&form.posture_of(&row))[index].at;
-                    row.insert(cell.clone(), *rest);
-                    let origin = Vec3::from(way.origin);
-                    let turned = Quat::from_scaled_axis(change * Vec3::from(way.turn)) * (at - origin);
-                    let expected = origin + turned + change * Vec3::from(way.along);
-                    let error = expected.distance(found.into());
-                    assert!(error < 1e-3, "{} {name}: {found:?} {expected}", form.name);
-                }
-            }
-            // On each side elbow, hand, knee, ankle and toes, and the face; a kick has its foot and the hips.
-            assert_eq!(handles.len(), if form.kicks { 2 } else { 11 }, "{}", form.name);
         }
     }
 }
