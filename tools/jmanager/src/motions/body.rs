@@ -114,7 +114,7 @@ fn face([a, b, c, d]: [Vec3; 4]) -> [Vec3; 6] {
     [a, b, c, a, c, d]
 }
 
-/// The surface between rings of [`SIDES`] points, of which the first is that with the lowest `ring`.
+/// The surface between rings of [`SIDES`] points: `point(ring, side)`.
 fn between(rings: usize, point: impl Fn(usize, usize) -> Vec3) -> Vec<Vec3> {
     let side = |ring: usize, side: usize| {
         face([point(ring, side), point(ring, side + 1), point(ring + 1, side + 1), point(ring + 1, side)])
