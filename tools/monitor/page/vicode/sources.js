@@ -139,8 +139,16 @@ export const chosenStates = () => selection.value.map(parsed).filter(({ kind }) 
 let settle = async () => {};
 export const setSettle = (how) => { settle = how; };
 
+/** Changes of the file that have no answer yet. An undo waits for them: until then the history does not have them. */
+let changes = Promise.resolve();
+const tracked = (change) => (...values) => {
+  const done = change(...values);
+  changes = Promise.allSettled([changes, done]);
+  return done;
+};
+
 /** Applies edits as one step. Resolves to whether they were applied. */
-export async function edit(edits) {
+export const edit = tracked(async (edits) => {
   if (held.value) {
     refusal.value = { text: held.value, help: '' };
     notify('error', held.value);
@@ -150,7 +158,7 @@ export async function edit(edits) {
   const { file, version } = opened.value;
   refusal.value = null;
   return (await ask('edit_file', { file, version, edits })) !== undefined;
-}
+});
 
 /** Applies edits of the shown component, without its name in each. */
 export const change = (...edits) => edit(edits.map((one) => ({ component: component.value, ...one })));
@@ -191,7 +199,6 @@ function replay(step, file, type, side) {
 }
 
 async function back(from, to, type, side) {
-  await settle();
   const { file } = opened.value ?? {};
   if (!file || locked.value) return;
   let step = from.at(-1);
@@ -207,9 +214,16 @@ async function back(from, to, type, side) {
   }
 }
 
-/** Keys that are pressed fast wait for each other. */
+/** Keys that are pressed fast wait for each other, and for all changes before them: these add steps to the history. */
 let running = Promise.resolve();
-const inTurn = (work) => () => { running = running.then(work, work); };
+const inTurn = (work) => {
+  const turn = async () => {
+    await settle();
+    await changes;
+    return work();
+  };
+  return () => { running = running.then(turn, turn); };
+};
 
 export const undo = inTurn(() => back(steps, undone, 'undo_file', 'before'));
 export const redo = inTurn(() => back(undone, steps, 'redo_file', 'after'));
@@ -220,7 +234,7 @@ const placesOf = (all, name) => all.filter((one) => one.component === name).map(
 const isPlaced = (all, name) => all.some((one) => one.component === name && one.placed);
 
 /** Moves states: {name: {x, y}}. Places of new ones can be undone with the edit that made them. */
-export async function move(places, own = true) {
+export const move = tracked(async (places, own = true) => {
   const { file, positions: all } = opened.value;
   const name = component.value;
   const automatic = !isPlaced(all, name);
@@ -234,23 +248,23 @@ export async function move(places, own = true) {
   opened.value = { ...opened.value, positions: all.map((one) => (one.component === name && known.has(one.state) ? { ...one, ...known.get(one.state), placed: true } : one)) };
   const done = await ask('move_states', { file, positions: after });
   if (done !== undefined && own) remember({ kind: 'move', component: name, before, after });
-}
+});
 
 /** Replaces a note {at, text} of the component; null instead of one adds or removes it. */
-export async function changeNote(before, after) {
+export const changeNote = tracked(async (before, after) => {
   if (held.value) return notify('error', held.value);
   const name = component.value;
   wish(after ? [noteKey(after)] : []);
   if ((await ask('change_note', { file: opened.value.file, component: name, from: before, to: after })) !== undefined) remember({ kind: 'note', component: name, before, after });
-}
+});
 
 /** Places all states of the component automatically. */
-export async function arrange() {
+export const arrange = tracked(async () => {
   const { file, positions: before } = opened.value;
   const name = component.value;
   const answer = await ask('arrange_states', { file, component: name });
   if (answer && isPlaced(before, name)) remember({ kind: 'move', component: name, before: placesOf(before, name), after: null });
-}
+});
 
 // ---- messages
 

@@ -53,6 +53,17 @@ return frame().then(frame).then(() => {
 });
 ";
 
+/// The rectangle of an element, once it is the same for some frames, at the most for five seconds.
+const STANDS: &str = r"
+const place = () => { const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]; };
+const look = (before, same, frames) => new Promise(requestAnimationFrame).then(() => {
+  const now = place();
+  const still = String(now) === String(before) ? same + 1 : 0;
+  return still >= 4 || frames > 300 ? now : look(now, still, frames + 1);
+});
+return look(place(), 0, 0);
+";
+
 /// An element of a page.
 pub struct Element<'a> {
     page: &'a Page,
@@ -96,11 +107,9 @@ impl<'a> Element<'a> {
         self.run("arguments[0].focus()", Value::Null).await;
     }
 
-    /// Its rectangle in the window: left, top, width, height.
+    /// Its rectangle in the window: left, top, width, height. What moves is measured once it stands still.
     pub async fn place(&self) -> [f64; 4] {
-        let script =
-            "const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]";
-        let place = self.run(script, Value::Null).await;
+        let place = self.run(STANDS, Value::Null).await;
         [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
     }
 
