@@ -260,6 +260,7 @@ async function seekSoon() {
 }
 
 async function showAt(of, at) {
+  of.sought = at;
   try {
     const info = wishedInfo(of).map((wish) => [wish.component, wish.info]);
     const image = wishesOf(of).some((wish) => wish.images);
@@ -276,10 +277,7 @@ async function showAt(of, at) {
 effect(() => {
   const at = cursor.value;
   void newest.value;
-  const comes = ({ of, shift }) => {
-    const shown = of.moment.peek()?.time_us ?? 0;
-    return newestOf(of) > shown && shown + 2 * cycle_us.peek() < at + shift;
-  };
+  const comes = ({ of, shift }) => newestOf(of) > of.sought && of.sought < Math.round(at + shift);
   const late = companions.value.map((one) => at !== null && comes(one));
   if (at === null || late.includes(true)) untracked(seekSoon);
 });
