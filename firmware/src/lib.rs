@@ -3,7 +3,7 @@
 //! The microcontroller runs the activation tree. The world is on the other end of a serial link with the messages of
 //! `bica-wire`. There is no heap: an image that allocates does not link.
 //!
-//! A board package implements [`Board`], calls [`init`] in its `main` and [`run`] in its task, and [`handle_panic`] in its
+//! The program of a board implements [`Board`], calls [`init`] in its `main` and [`run`] in its task, and [`handle_panic`] in its
 //! panic handler. `docs/firmware-port.md` describes a port step by step.
 #![no_std]
 

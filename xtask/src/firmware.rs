@@ -45,7 +45,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
         return IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]));
     }
     for features in ["monitor,medium-frames", "medium-frames", "monitor", ""] {
-        build_for(&rust, "stm32h743", &["--features", features])?;
+        build_for(&rust, "stm32h743", features)?;
     }
     check_fault_injection()?;
     let lent_memory = ["test", "--quiet", "-p", "bica-player", "--lib", "--features", "medium-frames", "camera_input"];
@@ -118,15 +118,15 @@ fn check_fault_injection() -> Result<(), String> {
 /// If a build fails.
 pub(crate) fn build(rust: &Toolchain) -> Result<(), String> {
     for (feature, moved) in [("monitor", MONITOR_IMAGE), ("medium-frames", MEDIUM_IMAGE)] {
-        build_for(rust, "an500", &["--features", feature])?;
+        build_for(rust, "an500", feature)?;
         fs::copy(root().join(IMAGE), root().join(moved)).map_err(|error| format!("{moved}: {error}"))?;
     }
-    build_for(rust, "an500", &[])
+    build_for(rust, "an500", "")
 }
 
-/// Builds the image of a board. Each board is built alone, because Cargo would unify the features of both.
-fn build_for(rust: &Toolchain, board: &str, more: &[&str]) -> Result<(), String> {
-    let manifest = format!("firmware/boards/{board}/Cargo.toml");
+/// Builds the image of a board with further features.
+fn build_for(rust: &Toolchain, board: &str, more: &str) -> Result<(), String> {
+    let features = format!("{board},{more}");
     // The image contains the paths of sources for its panics: its size must not depend on the folder of the checkout.
     let home = std::env::var("CARGO_HOME").or_else(|_| std::env::var("HOME").map(|home| format!("{home}/.cargo")));
     let home = home.unwrap_or_default();
@@ -138,5 +138,6 @@ fn build_for(rust: &Toolchain, board: &str, more: &[&str]) -> Result<(), String>
     let flags = flags.collect::<Vec<_>>().join(",");
     let paths = format!("target.thumbv7em-none-eabihf.rustflags=[{flags}]");
     let options = ["--config", "firmware/.cargo/config.toml", "--config", &paths, "--target-dir", "firmware/target"];
-    rust.build(&[&options[..], &["--manifest-path", &manifest, "--release"], more].concat())
+    let package = ["--manifest-path", "firmware/Cargo.toml", "--release", "--features", &features];
+    rust.build(&[&options[..], &package].concat())
 }

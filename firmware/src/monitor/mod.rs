@@ -236,9 +236,7 @@ fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str)
     match change {
         Change::Hold { component, .. } => (number(component), "hold", "refused: hold"),
         Change::Rate { component, .. } => (number(component), "rate", "refused: rate"),
-        Change::Params(batch) => {
-            (batch.first().map(|setting| setting.component.index() as u16), "set", "refused: set")
-        }
+        Change::Params(batch) => (batch.first().map(|setting| setting.component.index() as u16), "set", "refused: set"),
         Change::Modulate { component, .. } => (number(component), "call", "refused: call"),
         Change::World { .. } => (None, "", "refused: no world"),
     }

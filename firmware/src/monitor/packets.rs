@@ -2,8 +2,8 @@
 
 use bica::{ComponentId, Tree};
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine,
-    LogSource, MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
+    Answer, AnswerResult, Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine, LogSource,
+    MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
 };
 use bica_wire::server::read;
 use bica_wire::{Encoder, FromRobot, SCHEMA, ToMonitor};
