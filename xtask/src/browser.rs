@@ -1,7 +1,6 @@
 //! Tests of JManager's page in Chromium and Firefox, in their own workspace, so that nothing else needs their dependencies.
 
 use crate::build;
-use crate::firmware;
 use crate::install::{folder, packages};
 use crate::process::{run, works};
 
@@ -27,17 +26,22 @@ const GECKODRIVER: &str = "geckodriver@0.37.1";
 /// Checks of accessibility, with its version.
 const AXE: &str = "axe-core@4.10.3";
 
-/// Builds JManager and tests its page.
+/// Builds JManager and tests its page, but for the firmware: its image may be built at the same time.
 ///
 /// # Errors
 /// If an installation, a build or a test fails.
-pub(crate) fn test(figures: bool) -> Result<(), String> {
-    if !figures {
-        prepare()?;
-        run("cargo", &TEST, &[])?;
-        // What a press and a drag are differs between browsers; the first hour uses most of the page.
-        return run("cargo", &[&TEST[..], &["pressing", "hour"]].concat(), &[("JMANAGER_BROWSER", "firefox")]);
-    }
+pub(crate) fn test() -> Result<(), String> {
+    prepare()?;
+    run("cargo", &[&TEST[..], &["--skip", "firmware::"]].concat(), &[])?;
+    // What a press and a drag are differs between browsers; the first hour uses most of the page.
+    run("cargo", &[&TEST[..], &["pressing", "hour"]].concat(), &[("JMANAGER_BROWSER", "firefox")])
+}
+
+/// Measures the speed of the page, and prints the figures.
+///
+/// # Errors
+/// If an installation, a build or a measurement fails.
+pub(crate) fn measure() -> Result<(), String> {
     install()?;
     run("cargo", &["build", "--release", "--package", "jmanager", "--package", "bica-player-program"], &[])?;
     // Measurements are tests of the module `figures` and of the designer's speed, which do nothing without the variable.
@@ -45,13 +49,18 @@ pub(crate) fn test(figures: bool) -> Result<(), String> {
     run("cargo", &test, &[("JMANAGER_FIGURES", "1"), ("JMANAGER_PROFILE", "release")])
 }
 
-/// Installs the browser, and builds the programs and the firmware that [`TEST`] starts.
+/// Watches the firmware, whose image exists, in the page.
 ///
 /// # Errors
-/// If the installation or the build fails.
+/// If an installation, a build or the test fails.
+pub(crate) fn watch_firmware() -> Result<(), String> {
+    prepare()?;
+    run("cargo", &[&TEST[..], &["firmware::"]].concat(), &[])
+}
+
+/// Installs the browser, and builds the programs that [`TEST`] starts.
 fn prepare() -> Result<(), String> {
     install()?;
-    firmware::prepare()?;
     build::programs()
 }
 

@@ -44,7 +44,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     if options.bless {
         return IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]));
     }
-    for features in ["monitor,medium-frames", "medium-frames", "monitor", ""] {
+    for features in ["monitor,medium-frames", ""] {
         build_for(&rust, "stm32h743", features)?;
     }
     check_fault_injection()?;

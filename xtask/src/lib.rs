@@ -54,7 +54,12 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Python => python::check(&[]),
         Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),
-        Task::Browser(options) => browser::test(options.figures),
+        Task::Browser(options) if options.figures => browser::measure(),
+        Task::Browser(_) => {
+            browser::test()?;
+            firmware::prepare()?;
+            browser::watch_firmware()
+        }
         Task::Long(options) => {
             let package = options.package.as_deref();
             if package.is_none_or(|package| package == "bica-player-program") {
