@@ -8,7 +8,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::error::Error;
+use super::error::Error;
 
 /// Longest time until the server listens; it takes 5 s.
 const START: Duration = Duration::from_mins(1);
@@ -17,18 +17,18 @@ const END: Duration = Duration::from_secs(3);
 
 /// Address of a server.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Address {
+pub(crate) struct Address {
     /// Name or number of the computer.
-    pub host: String,
+    pub(crate) host: String,
     /// Port of the players.
-    pub agents: u16,
+    pub(crate) agents: u16,
     /// Port of the monitors.
-    pub monitors: u16,
+    pub(crate) monitors: u16,
 }
 
 /// A server that this program has started. It ends with this value.
 #[derive(Debug)]
-pub struct Server {
+pub(crate) struct Server {
     process: Child,
     address: Address,
     /// Its output and its files, which end with it.
@@ -38,7 +38,7 @@ pub struct Server {
 impl Server {
     /// Returns the path of the program that `cargo xtask league` installs below the build directory, which belongs to `workspace`.
     #[must_use]
-    pub fn installed(workspace: &Path) -> PathBuf {
+    pub(crate) fn installed(workspace: &Path) -> PathBuf {
         let built = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
         built.join("league/bin/rcssservermj")
     }
@@ -48,7 +48,7 @@ impl Server {
     ///
     /// # Errors
     /// If it cannot be started, or does not listen within a minute.
-    pub fn start(program: &Path, realtime: bool) -> Result<Self, Error> {
+    pub(crate) fn start(program: &Path, realtime: bool) -> Result<Self, Error> {
         let failed = |error| Error::Start(program.display().to_string(), error);
         let program = fs::canonicalize(program).map_err(failed)?;
         let [agents, monitors] = free_ports()?;
@@ -86,7 +86,7 @@ impl Server {
 
     /// Returns its address.
     #[must_use]
-    pub const fn address(&self) -> &Address {
+    pub(crate) const fn address(&self) -> &Address {
         &self.address
     }
 }

@@ -7,22 +7,13 @@ use std::thread;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
-use crate::error::Error;
-use crate::frame;
-use crate::server::Address;
-
-/// Side of a team: that of its own goal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FieldSide {
-    /// The first team that joined; it attacks the right goal.
-    Left,
-    /// The second team.
-    Right,
-}
+use super::error::Error;
+use super::frame;
+use super::server::Address;
 
 /// Places ball and players. The server's own messages, which contain the whole scene, are read and dropped.
 #[derive(Debug)]
-pub struct Monitor {
+pub(crate) struct Monitor {
     stream: TcpStream,
 }
 
@@ -31,7 +22,7 @@ impl Monitor {
     ///
     /// # Errors
     /// If it cannot be reached.
-    pub fn connect(address: &Address) -> Result<Self, Error> {
+    pub(crate) fn connect(address: &Address) -> Result<Self, Error> {
         let stream = TcpStream::connect((&*address.host, address.monitors))?;
         let reader = stream.try_clone()?;
         // The server stops while its messages fill the buffers of the connection.
@@ -43,26 +34,26 @@ impl Monitor {
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn place_ball(&mut self, Vec2 { x, y }: Vec2, radius: f32) -> Result<(), Error> {
+    pub(crate) fn place_ball(&mut self, Vec2 { x, y }: Vec2, radius: f32) -> Result<(), Error> {
         frame::write(&mut self.stream, &format!("(ball (pos {x:.4} {y:.4} {radius:.4})(vel 0 0 0))"))
     }
 
-    /// Puts a player of the left or the right team at a pose on the field, x towards the right goal, with its torso at a height, m, and
-    /// all joints at zero.
+    /// Puts a player of the left team, which joined first, at a pose on the field, x towards the goal that it attacks, with its torso
+    /// at a height, m, and all joints at zero.
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn place_player(&mut self, side: FieldSide, number: u32, at: Pose2, height: f32) -> Result<(), Error> {
+    pub(crate) fn place_player(&mut self, number: u32, at: Pose2, height: f32) -> Result<(), Error> {
         let Vec2 { x, y } = at.position;
         let pose = format!("{x:.4} {y:.4} {height:.4} {:.3}", at.heading.to_degrees());
-        frame::write(&mut self.stream, &format!("(agent (unum {number})(team {side:?})(move {pose}))"))
+        frame::write(&mut self.stream, &format!("(agent (unum {number})(team Left)(move {pose}))"))
     }
 
     /// Lets the game go on with the ball where it lies. Before a kick-off, a goal counts from then on.
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn drop_ball(&mut self) -> Result<(), Error> {
+    pub(crate) fn drop_ball(&mut self) -> Result<(), Error> {
         frame::write(&mut self.stream, "(dropBall)")
     }
 }

@@ -3,39 +3,39 @@
 use bica_motion::joints::Joints;
 use glam::Vec3;
 
-use crate::body::joint_of;
-use crate::error::Error;
-use crate::expression::{Expression, find, numbers};
+use super::body::joint_of;
+use super::error::Error;
+use super::expression::{Expression, find, numbers};
 
 /// What a player senses in a cycle of 20 ms: all but the true pose, which the server sends, too.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Perception {
+pub(crate) struct Perception {
     /// State of the game.
-    pub game: Game,
+    pub(crate) game: Game,
     /// Joint angles, rad; zero for joints that the robot lacks.
-    pub angles: Joints,
+    pub(crate) angles: Joints,
     /// Angular velocity along the axes of the torso (x forward, y left, z up), rad/s.
-    pub gyro: Vec3,
+    pub(crate) gyro: Vec3,
     /// Specific force along the same axes, m/s²: (0, 0, 9.81) at rest.
-    pub acceleration: Vec3,
+    pub(crate) acceleration: Vec3,
     /// What the camera sees, in every second cycle.
-    pub sights: Option<Vec<Sight>>,
+    pub(crate) sights: Option<Vec<Sight>>,
 }
 
 /// State of the game.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Game {
+pub(crate) struct Game {
     /// Play mode.
-    pub mode: PlayMode,
+    pub(crate) mode: PlayMode,
     /// Goals of the left and of the right team.
-    pub score: [u32; 2],
+    pub(crate) score: [u32; 2],
     /// Names of the left and of the right team; empty until a player of it has joined.
-    pub teams: [String; 2],
+    pub(crate) teams: [String; 2],
 }
 
 /// Play mode, as far as a player without a team distinguishes it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PlayMode {
+pub(crate) enum PlayMode {
     /// Before a kick-off: players may be placed.
     #[default]
     BeforeKickOff,
@@ -51,20 +51,20 @@ pub enum PlayMode {
 
 /// Something in the view of the camera: 60° to each side, up and down. The server computes it without noise, and nothing hides it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sight {
+pub(crate) struct Sight {
     /// What is seen.
-    pub what: Seen,
+    pub(crate) what: Seen,
     /// Distance from the camera, m.
-    pub distance: f32,
+    pub(crate) distance: f32,
     /// Angle to the left of the camera's axis, rad.
-    pub azimuth: f32,
+    pub(crate) azimuth: f32,
     /// Angle above the plane of the camera's axes forward and left, rad.
-    pub elevation: f32,
+    pub(crate) elevation: f32,
 }
 
 /// Kind of a sight.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub(crate) enum Seen {
     /// The centre of the ball.
     Ball,
     /// A mark of the field by its name, as `l_ruf` or `g_rup`.
@@ -104,8 +104,8 @@ impl Perception {
     }
 
     /// Returns the centre of the ball in the newest view.
-    #[must_use]
-    pub fn ball(&self) -> Option<&Sight> {
+    #[cfg(test)]
+    pub(crate) fn ball(&self) -> Option<&Sight> {
         self.sights.iter().flatten().find(|sight| sight.what == Seen::Ball)
     }
 }

@@ -1,6 +1,6 @@
 //! Symbolic expressions: atoms, separated by spaces, and lists in parentheses.
 
-use crate::error::Error;
+use super::error::Error;
 
 /// Most lists within each other. The scene of a monitor has about 30.
 const DEEPEST: usize = 64;

@@ -7,7 +7,7 @@ use bica_motion::walk::Velocity;
 use glam::Vec2;
 
 /// A robot of the league.
-pub trait Body: MujocoModel {
+pub(crate) trait Body: MujocoModel {
     /// Name of the robot's model in the server.
     const SERVER_NAME: &'static str;
     /// Height of the torso over the ground with all joints at zero, m.

@@ -9,12 +9,12 @@ use bica_motion::joints::Joints;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
-use crate::action;
-use crate::body::Body;
-use crate::error::Error;
-use crate::frame;
-use crate::perception::Perception;
-use crate::server::Address;
+use super::action;
+use super::body::Body;
+use super::error::Error;
+use super::frame;
+use super::perception::Perception;
+use super::server::Address;
 
 /// Longest time to wait for a message. The server removes a player that is silent for 5 s; a new player takes it up to a second.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -23,7 +23,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 ///
 /// The server waits for one message of each player in each cycle: after each perception, send exactly one action.
 #[derive(Debug)]
-pub struct Agent<B> {
+pub(crate) struct Agent<B> {
     stream: TcpStream,
     message: String,
     body: PhantomData<B>,
@@ -34,7 +34,7 @@ impl<B: Body> Agent<B> {
     ///
     /// # Errors
     /// If the server cannot be reached, or does not accept team or number.
-    pub fn join(address: &Address, team: &str, number: u32) -> Result<(Self, Perception), Error> {
+    pub(crate) fn join(address: &Address, team: &str, number: u32) -> Result<(Self, Perception), Error> {
         if team.is_empty() || team.contains([' ', '(', ')']) {
             return Err(Error::Message("a team's name has no spaces and no parentheses"));
         }
@@ -54,7 +54,7 @@ impl<B: Body> Agent<B> {
     ///
     /// # Errors
     /// If the connection broke, or the message cannot be read.
-    pub fn sense(&mut self) -> Result<Perception, Error> {
+    pub(crate) fn sense(&mut self) -> Result<Perception, Error> {
         frame::read(&mut self.stream, &mut self.message)?;
         Perception::parse(&self.message)
     }
@@ -63,7 +63,7 @@ impl<B: Body> Agent<B> {
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn act(&mut self, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
+    pub(crate) fn act(&mut self, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         frame::write(&mut self.stream, &action::motors::<B>(targets, stiffness))
     }
 
@@ -72,7 +72,7 @@ impl<B: Body> Agent<B> {
     ///
     /// # Errors
     /// If the connection broke.
-    pub fn place(&mut self, at: Pose2, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
+    pub(crate) fn place(&mut self, at: Pose2, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         let (Vec2 { x, y }, heading) = (at.position, at.heading.to_degrees());
         let motors = action::motors::<B>(targets, stiffness);
         frame::write(&mut self.stream, &format!("(beam {x:.3} {y:.3} {heading:.3}){motors}"))

@@ -5,7 +5,7 @@ use std::io;
 
 /// Reason for which a connection or the server ended.
 #[derive(Debug)]
-pub enum Error {
+pub(crate) enum Error {
     /// The server cannot be started: program, and what the system said.
     Start(String, io::Error),
     /// The server ended or did not listen within the time: its last output.

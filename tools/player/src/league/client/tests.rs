@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use bica_league::{Address, Agent, Body, Error, FieldSide, Monitor, Perception, PlayMode, Server};
 use bica_motion::joints::Joints;
 use bica_motion::model::{RobotModel, T1};
 use bica_motion::pose::Pose2;
 use glam::Vec2;
+
+use super::{Address, Agent, Body, Error, Monitor, Perception, PlayMode, Server};
 
 const NEEDED: &str = "the server is installed by `cargo xtask league`";
 
@@ -33,7 +34,7 @@ fn robot_stands_and_sees_the_ball_where_a_monitor_places_it() {
     let server = server();
     let (mut agent, _) = Agent::<T1>::join(server.address(), "Bica", 1).expect("the player is accepted");
     let mut monitor = Monitor::connect(server.address()).expect("the server accepts monitors");
-    monitor.place_player(FieldSide::Left, 1, Pose2::new(-2.0, 1.0, 0.0), T1::STANDING_HEIGHT).expect("sent");
+    monitor.place_player(1, Pose2::new(-2.0, 1.0, 0.0), T1::STANDING_HEIGHT).expect("sent");
     monitor.place_ball(Vec2::new(1.0, 4.0), 0.11).expect("sent");
     let sensed = stand(&mut agent, 100);
     assert!((sensed.acceleration.z - 9.8).abs() < 0.2, "it stands: {}", sensed.acceleration);

@@ -2,7 +2,7 @@
 
 use std::io::{Read, Write};
 
-use crate::error::Error;
+use super::error::Error;
 
 /// Longest message, bytes. The longest ones of the server, with the whole scene, have 32 kB.
 const LONGEST: usize = 1 << 20;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use bica_motion::joints::Joints;
 
-use crate::body::{Body, effector};
+use super::body::{Body, effector};
 
 /// Returns the message that moves all joints to their targets, rad, with a stiffness from 0 to 1. A target that is not finite
 /// turns its motor off.

@@ -15,10 +15,12 @@ mod frame;
 mod monitor;
 mod perception;
 mod server;
+#[cfg(test)]
+mod tests;
 
-pub use agent::Agent;
-pub use body::Body;
-pub use error::Error;
-pub use monitor::{FieldSide, Monitor};
-pub use perception::{Game, Perception, PlayMode, Seen, Sight};
-pub use server::{Address, Server};
+pub(crate) use agent::Agent;
+pub(crate) use body::Body;
+pub(crate) use error::Error;
+pub(crate) use monitor::Monitor;
+pub(crate) use perception::{Game, Perception, PlayMode, Seen, Sight};
+pub(crate) use server::{Address, Server};
