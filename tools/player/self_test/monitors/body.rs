@@ -11,10 +11,10 @@ use std::time::Duration;
 
 use bica::runner::Runner;
 use bica::{Instant, Tree};
-use bica_emulator::{Emulator, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
+use bica_player_program::emulator::{Emulator, Transport, command_bits, decode_command};
 use bica_wire::message::{AnswerResult, Change, ClockMode, LeaseState};
 use bica_wire::{FromMonitor, FromRobot, ToMonitor, ToRobot};
 

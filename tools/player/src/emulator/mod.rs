@@ -5,13 +5,13 @@
 //! microcontroller's time, so a measured time is a number of instructions, equal on every computer.
 
 mod controller;
-mod emulator;
 mod error;
 mod link;
 mod messages;
+mod qemu;
 
 pub use controller::{Controller, CycleReport, command_bits};
-pub use emulator::{Emulator, Transport};
 pub use error::Error;
 pub use link::{Link, Rx, Tx};
 pub use messages::{MESSAGES, SensorsMessage, decode_command};
+pub use qemu::{Emulator, Transport};

@@ -9,9 +9,9 @@ use bica_wire::message::{
 };
 use bica_wire::{FromMonitor, FromRobot, SCHEMA, ToMonitor, ToRobot, encode};
 
-use crate::emulator::{Emulator, Transport};
-use crate::error::Error;
-use crate::messages::{MESSAGES, SensorsMessage, decode_command};
+use super::error::Error;
+use super::messages::{MESSAGES, SensorsMessage, decode_command};
+use super::qemu::{Emulator, Transport};
 
 /// A robot controller on an emulated microcontroller.
 #[derive(Debug)]

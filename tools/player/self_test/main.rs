@@ -26,7 +26,7 @@ use std::process::ExitCode;
 use std::thread;
 use std::time::Duration;
 
-use bica_emulator::Transport;
+use bica_player_program::emulator::Transport;
 use bica_sim::setup::Frame;
 
 use limits::Limits;

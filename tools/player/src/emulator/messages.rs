@@ -4,7 +4,7 @@ use bica_motion::robot::{Command, Sensors};
 use bica_wire::message::{self, BlobsInfo};
 use bica_wire::{ToRobot, blobs, chunks, messages_hash};
 
-use crate::error::Error;
+use super::error::Error;
 
 /// Hash of the schemas of a humanoid's sensor values and command.
 pub const MESSAGES: u64 = messages_hash::<Sensors<'static>, Command>();

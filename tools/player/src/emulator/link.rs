@@ -5,7 +5,7 @@ use std::io::{Read, Write};
 use bica_wire::message::LinkStats;
 use bica_wire::{Decoder, Encoder, FromRobot, MAX_PACKET, Packet, ToRobot};
 
-use crate::error::Error;
+use super::error::Error;
 
 /// The host's end of a link.
 #[derive(Debug)]

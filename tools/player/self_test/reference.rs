@@ -4,11 +4,11 @@ use std::error::Error;
 
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
-use bica_emulator::{Controller, CycleReport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::Forward;
 use bica_player::perception::GoalDetector;
+use bica_player_program::emulator::{Controller, CycleReport, command_bits};
 
 /// The forward on the host.
 pub(crate) struct Reference(Runner<Box<Forward>>);

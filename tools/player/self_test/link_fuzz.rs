@@ -4,9 +4,9 @@ use std::error::Error;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use bica_emulator::{Emulator, SensorsMessage, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
 use bica_motion::robot::{CameraId, Image, Sensors};
+use bica_player_program::emulator::{Emulator, SensorsMessage, Transport, command_bits, decode_command};
 use bica_wire::message::{ClockMode, ImageChunk, LinkStats};
 use bica_wire::{Decoder, Encoder, FromRobot, ImageBuffer, MAX_PACKET, ToRobot, blobs};
 

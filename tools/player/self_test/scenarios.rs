@@ -4,13 +4,13 @@ use std::error::Error;
 use std::path::Path;
 
 use bica::Tree;
-use bica_emulator::{SensorsMessage, Transport};
 use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{CameraId, Command, Image, Sensors};
 use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
 use bica_player::motion::Head;
+use bica_player_program::emulator::{SensorsMessage, Transport};
 use bica_wire::message::{ClockMode, FaultInjection, GraphItem, ImageChunk, LinkStats};
 use bica_wire::{FromRobot, ToRobot};
 

@@ -3,10 +3,10 @@
 use std::error::Error;
 use std::path::Path;
 
-use bica_emulator::{Controller, Transport};
 use bica_motion::joints::JOINTS;
 use bica_motion::robot::{FootPressure, Image, Sensors};
 use bica_player::Model;
+use bica_player_program::emulator::{Controller, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};

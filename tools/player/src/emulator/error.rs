@@ -41,7 +41,7 @@ impl fmt::Display for Error {
                 f,
                 "the image has other sensor values or commands ({messages:016x}, this program {:016x}): rebuild it with \
                  `cargo xtask firmware --build`",
-                crate::MESSAGES
+                super::MESSAGES
             ),
             Self::UnexpectedMessage(message) => write!(f, "unexpected message from the robot: {message}"),
         }

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::thread;
 use std::time::Duration;
 
-use bica_emulator::Transport;
+use bica_player_program::emulator::Transport;
 use bica_sim::setup::Frame;
 
 use crate::{images, link_fuzz, scenarios, sequences};

@@ -4,11 +4,11 @@ use std::error::Error;
 use std::path::Path;
 
 use bica::{ComponentId, Tree};
-use bica_emulator::{Emulator, SensorsMessage, Transport};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Image, Sensors};
 use bica_player::perception::{BallDetector, FieldBoundary, FieldLines, GoalDetector, RobotDetector};
 use bica_player::{Forward, Model};
+use bica_player_program::emulator::{Emulator, SensorsMessage, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup, Start};

@@ -5,12 +5,12 @@ use std::path::Path;
 use std::thread;
 
 use bica::{ComponentId, Tree};
-use bica_emulator::{SensorsMessage, Transport, Tx};
 use bica_motion::model::RobotModel;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::stiffness::Stiffness;
 use bica_player::perception::BallDetector;
 use bica_player::{Forward, Model};
+use bica_player_program::emulator::{SensorsMessage, Transport, Tx};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -141,7 +141,10 @@ fn samples() -> Result<Vec<SensorsMessage>, Box<dyn Error>> {
     Ok(samples)
 }
 
-fn stream(tx: &mut Tx<impl std::io::Write>, samples: &[SensorsMessage]) -> Result<(), bica_emulator::Error> {
+fn stream(
+    tx: &mut Tx<impl std::io::Write>,
+    samples: &[SensorsMessage],
+) -> Result<(), bica_player_program::emulator::Error> {
     for (number, sample) in (0..IMAGES).zip(samples.iter().cycle()) {
         if number == DELAY_START || number == DELAY_END {
             let ticks = if number == DELAY_START { DELAY_TICKS } else { 0 };

@@ -3,10 +3,10 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use bica_emulator::{Emulator, MESSAGES, SensorsMessage, Transport, decode_command};
 use bica_motion::joints::Joints;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
+use bica_player_program::emulator::{Emulator, MESSAGES, SensorsMessage, Transport, decode_command};
 use bica_sim::setup::Frame;
 use bica_wire::message::{ClockMode, Hello, Telemetry};
 use bica_wire::{FromRobot, SCHEMA, ToRobot};

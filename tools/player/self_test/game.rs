@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use bica::Tree;
-use bica_emulator::{Controller, Transport};
 use bica_player::{Forward, Model};
+use bica_player_program::emulator::{Controller, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};

@@ -7,9 +7,9 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::thread;
 
-use bica_emulator::{Emulator, Transport, Tx};
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::stiffness::Stiffness;
+use bica_player_program::emulator::{Emulator, Transport, Tx};
 use bica_wire::message::{ClockMode, LeaseAction};
 use bica_wire::{FromMonitor, FromRobot, ToRobot};
 

@@ -9,10 +9,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::Tree;
-use bica_emulator::{Controller, Emulator, Transport};
 use bica_link::{Client, Event};
 use bica_player::Model;
 use bica_player::tunable::Forward;
+use bica_player_program::emulator::{Controller, Emulator, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::Path;
 
-use bica_emulator::{Emulator, Transport};
+use bica_player_program::emulator::{Emulator, Transport};
 use bica_sim::setup::Frame;
 use bica_wire::message::ClockMode;
 use bica_wire::{ToRobot, chunks};

@@ -4,8 +4,8 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use crate::error::Error;
-use crate::link::Link;
+use super::error::Error;
+use super::link::Link;
 
 /// QEMU devices that write a word after the program's memory. The image selects its transport by that word: "PIPE" or
 /// "LINE" in ASCII.
