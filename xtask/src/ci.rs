@@ -118,7 +118,7 @@ fn docs() -> Result<(), String> {
 
 /// Checks all targets as a user builds them, but with the self-test of the firmware, then with the features of the other steps.
 fn lints() -> Result<(), String> {
-    let self_test = ["clippy", "--workspace", "--all-targets", "--features", "bica-emulator/self-test"];
+    let self_test = ["clippy", "--workspace", "--all-targets", "--features", "bica-player-program/self-test"];
     run("cargo", &[&self_test[..], &["--", "-D", "warnings"]].concat(), &[])?;
     build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])
 }

@@ -75,7 +75,8 @@ pub(crate) fn prepare() -> Result<(), String> {
 }
 
 fn self_test(image: &str, figures: &str, more: &[&str]) -> Result<(), String> {
-    let test = ["run", "--quiet", "--release", "-p", "bica-emulator", "--features", "self-test", "--", image, figures];
+    let test =
+        ["run", "--quiet", "--release", "--bin", "firmware-test", "--features", "self-test", "--", image, figures];
     run("cargo", &[&test[..], more].concat(), &[])
 }
 

@@ -6,11 +6,11 @@ use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
 use bica_evaluation::calibrate::CalibrationOptions;
 use bica_evaluation::detection::{DetectionOptions, SeeOptions};
 use bica_evaluation::trial_options::TrialOptions;
-use bica_league::Address;
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::{Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
+use crate::league::Address;
 
 pub(crate) const AFTER: &str = "\
 Examples:

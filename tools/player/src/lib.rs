@@ -5,6 +5,7 @@
 
 mod cli;
 mod colour_profile;
+pub mod emulator;
 pub mod game;
 mod league;
 mod play;

@@ -7,7 +7,7 @@ use std::process::Command;
 use crate::process::{Folder, Ran, Served, example};
 
 /// Packages that only a humanoid or a soccer robot needs.
-const FOREIGN: [&str; 10] = [
+const FOREIGN: [&str; 9] = [
     "bica-body",
     "bica-motion",
     "bica-field",
@@ -16,7 +16,6 @@ const FOREIGN: [&str; 10] = [
     "bica-player",
     "bica-player-program",
     "bica-evaluation",
-    "bica-emulator",
     "jmanager",
 ];
 

@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 use bica::runner::{Cycle, Observer, Request};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_app::{Console, Failure, Style};
-use bica_emulator::{Controller, CycleReport, Error, Transport, command_bits};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
@@ -17,6 +16,7 @@ use bica_sim::setup::Frame;
 use bica_wire::message::Change;
 use serde::Serialize;
 
+use crate::emulator::{Controller, CycleReport, Error, Transport, command_bits};
 use crate::game::scene::GRAPH;
 
 /// Firmware image for the emulated microcontroller.

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use bica_app::Failure;
-use bica_league::{Address, Error, Server};
+
+use super::client::{Address, Error, Server};
 
 /// Largest number of a player.
 const MAX_NUMBER: u32 = 99;

@@ -11,7 +11,6 @@ use bica_drawing::TreeState;
 use bica_drawing::canvas::{Canvas, Rgb};
 use bica_drawing::polar::Polar;
 use bica_field::SSIM_2026;
-use bica_league::Body;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;
 use bica_player_t1::senses::{Object, View};
@@ -19,6 +18,7 @@ use bica_sim::mujoco::{Shown, Stage};
 use bica_wire::model::Description;
 use glam::Vec2;
 
+use super::client::Body;
 use super::entry::{Entry, failure};
 use super::robot::{Estimate, Footballer, Standing, forward};
 use super::start::Start;

@@ -1,5 +1,6 @@
 //! Games in the league's server, `RCSSServerMJ`, which is neither a simulator of this workspace nor shows images.
 
+mod client;
 mod entry;
 #[cfg(feature = "mujoco")]
 mod film;
@@ -9,5 +10,6 @@ mod robot;
 mod start;
 mod world;
 
+pub(crate) use client::Address;
 pub(crate) use entry::server;
 pub(crate) use play::{replay, run};

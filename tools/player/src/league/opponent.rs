@@ -5,8 +5,8 @@ use std::sync::{Arc, mpsc};
 use std::thread::{self, JoinHandle};
 
 use bica::runner::{Runner, World};
-use bica_league::{Address, Error};
 
+use super::client::{Address, Error};
 use super::entry::Entry;
 use super::robot::{Footballer, Standing, forward};
 use super::world::LeagueWorld;

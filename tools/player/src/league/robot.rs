@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex};
 use bica::runner::Robot;
 use bica::{Setting, Tree};
 use bica_app::App;
-use bica_league::{Body, Error};
 #[cfg(feature = "mujoco")]
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
@@ -16,6 +15,7 @@ use bica_tuning::Layers;
 #[cfg(feature = "mujoco")]
 use glam::Vec2;
 
+use super::client::{Body, Error};
 use super::entry::{Entry, failure};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::colour_profile::ColourProfile;

@@ -6,7 +6,6 @@ use bica::Instant;
 use bica::runner::World;
 use bica::visual::Scene;
 use bica_field::{SSIM_2026, league_mark};
-use bica_league::{Agent, Body, Error, FieldSide, Game, Monitor, Perception, PlayMode, Seen, Server};
 use bica_motion::joints::Joints;
 use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
@@ -17,6 +16,7 @@ use bica_sim::show_field;
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
+use super::client::{self, Agent, Body, Error, Game, Monitor, Perception, PlayMode, Seen, Server};
 use super::entry::Entry;
 use super::opponent::Opponent;
 use super::robot::{Footballer, Standing};
@@ -130,7 +130,7 @@ impl<F: Footballer> LeagueWorld<F> {
     /// Places ball and robot, lets it stand up, and begins.
     fn place(&mut self, monitor: &mut Monitor, seed: u64) -> Result<(), Error> {
         let Start { robot, ball } = Start::new(seed);
-        monitor.place_player(FieldSide::Left, self.number, robot, F::Model::STANDING_HEIGHT)?;
+        monitor.place_player(self.number, robot, F::Model::STANDING_HEIGHT)?;
         monitor.place_ball(ball, SSIM_2026.ball_radius())?;
         for _ in 0..STANDING_UP {
             self.stand()?;
@@ -166,7 +166,7 @@ impl<F: Footballer> LeagueWorld<F> {
     }
 
     /// What the robot knows of a sight: the marks in its own field frame, and the feet of other players.
-    fn sight(&self, sight: &bica_league::Sight) -> Option<Sight> {
+    fn sight(&self, sight: &client::Sight) -> Option<Sight> {
         let object = match &sight.what {
             Seen::Ball => Object::Ball,
             Seen::Mark(name) => {
@@ -260,7 +260,7 @@ impl<F: Footballer> LeagueWorld<F> {
 }
 
 /// Vector from the camera to a sight, m.
-fn vector(sight: &bica_league::Sight) -> Vec3 {
+fn vector(sight: &client::Sight) -> Vec3 {
     let (up, along) = sight.elevation.sin_cos();
     let (left, ahead) = sight.azimuth.sin_cos();
     sight.distance * Vec3::new(along * ahead, along * left, up)

@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 
 use bica::runner::Runner;
 use bica::{Instant, Tree};
-use bica_emulator::{Emulator, MESSAGES, SensorsMessage, Transport, command_bits, decode_command};
 use bica_field::GoalColour;
 use bica_motion::robot::Command;
 use bica_player::input::{IMAGE_BYTES, RobotProfile};
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
+use bica_player_program::emulator::{Emulator, MESSAGES, SensorsMessage, Transport, command_bits, decode_command};
 use bica_player_program::game::{FirmwareImage, recording_header};
 use bica_recording::{Backpressure, ImagePolicy, Recorder, RecorderOptions};
 use bica_sim::World;

@@ -1,0 +1,17 @@
+//! The firmware image in QEMU, as a robot controller with which a program exchanges messages.
+//!
+//! [`Emulator`] starts QEMU and connects a [`Link`] to the image. [`Controller`] runs the microcontroller in lockstep
+//! with a world: one sense-think-act cycle for each set of sensor values. One instruction takes one nanosecond of the
+//! microcontroller's time, so a measured time is a number of instructions, equal on every computer.
+
+mod controller;
+mod error;
+mod link;
+mod messages;
+mod qemu;
+
+pub use controller::{Controller, CycleReport, command_bits};
+pub use error::Error;
+pub use link::{Link, Rx, Tx};
+pub use messages::{MESSAGES, SensorsMessage, decode_command};
+pub use qemu::{Emulator, Transport};

@@ -1,0 +1,26 @@
+//! Client of `RCSSServerMJ` 0.2.1, the simulation server of RoboCup's 3D soccer league, which is not part of this workspace.
+//!
+//! [`Server`] starts the server as a process. [`Agent`] is the connection of one player: it reads what the player senses and
+//! sends what its motors shall do. [`Monitor`] is the connection of a person beside the field: it places ball and players.
+//! Nothing here knows the program of a robot.
+//!
+//! The server also tells each player the true pose of its torso. [`Perception`] does not contain it: no player can read it.
+
+mod action;
+mod agent;
+mod body;
+mod error;
+mod expression;
+mod frame;
+mod monitor;
+mod perception;
+mod server;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use agent::Agent;
+pub(crate) use body::Body;
+pub(crate) use error::Error;
+pub(crate) use monitor::Monitor;
+pub(crate) use perception::{Game, Perception, PlayMode, Seen, Sight};
+pub(crate) use server::{Address, Server};
