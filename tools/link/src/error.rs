@@ -8,47 +8,28 @@ use bica_wire::model::Invalid;
 
 /// Reason for which an operation on a link failed.
 #[derive(Debug)]
+#[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum Error {
     /// The text is no address.
     Address(String),
     /// The server listens on an address of this computer's network, and that was not allowed.
     NotLoopback(String),
     /// No connection could be made, or the server could not listen.
-    Connect {
-        /// The address.
-        address: String,
-        /// The reason.
-        error: io::Error,
-    },
+    Connect { address: String, error: io::Error },
     /// The connection was cut.
     Disconnected(String),
     /// The robot did not answer in time.
     Timeout(&'static str),
-    /// The robot's messages are those of another version of the protocol.
-    Schema {
-        /// The schema of the robot.
-        robot: u64,
-    },
-    /// After a reconnection another robot, or another program, answered.
-    OtherRobot {
-        /// Name of the tree that the client was attached to.
-        expected: String,
-        /// Name of the tree that answered.
-        found: String,
-    },
+    /// The robot's messages are those of another version of the protocol, with another schema.
+    Schema { robot: u64 },
+    /// After a reconnection another robot, or another program, answered; the names of the trees.
+    OtherRobot { expected: String, found: String },
     /// The lease is owned by somebody else.
     Lease,
     /// The robot's program does not offer what was asked for; what it is.
     NotOffered(&'static str),
-    /// The robot refused a request.
-    Refused {
-        /// The reason, for programs.
-        code: RefusalCode,
-        /// Index of the setting or argument that is refused.
-        entry: usize,
-        /// The reason, for people.
-        text: String,
-    },
+    /// The robot refused a request, or a setting or argument of it: the reason for programs and for people.
+    Refused { code: RefusalCode, entry: usize, text: String },
     /// The tree has nothing of this name, or a value does not fit.
     Unknown(Invalid),
     /// The robot sent a description or schema that is not valid.

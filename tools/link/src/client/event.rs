@@ -10,49 +10,23 @@ use crate::error::Error;
 
 /// What a client receives.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum Event {
     /// State of the tree after a cycle.
     Snapshot(Snapshot),
-    /// A value of information.
-    Info {
-        /// Number of the cycle.
-        cycle: u64,
-        /// Index of the component.
-        component: usize,
-        /// Index of the information.
-        info: usize,
-        /// The value as JSON; none if it is too large for a packet or its schema is unknown.
-        value: Option<serde_json::Value>,
-    },
+    /// A value of information of a component as JSON, in a cycle; none if it is too large for a packet or its schema is unknown.
+    Info { cycle: u64, component: usize, info: usize, value: Option<serde_json::Value> },
     /// Parameters of a component changed; the new values are in the description.
-    Params {
-        /// Index of the component.
-        component: usize,
-    },
+    Params { component: usize },
     /// The lease.
     Lease(LeaseState),
     /// Answer to a request.
     Answer(Answered),
-    /// Line of the robot's log.
-    Log {
-        /// Robot's time, µs.
-        time_us: u64,
-        /// 1 debug, 2 information, 3 warning, 4 error.
-        level: u8,
-        /// Where it comes from.
-        source: LogSource,
-        /// The text.
-        text: String,
-    },
-    /// Conditions of the transitions of a component.
-    Conditions {
-        /// Instant of the tick, µs.
-        time_us: u64,
-        /// Index of the component.
-        component: usize,
-        /// One for each transition; none for one that was not evaluated in the present state.
-        conditions: Vec<Option<ConditionState>>,
-    },
+    /// Line of the robot's log, at the robot's time in µs. Levels: 1 debug, 2 information, 3 warning, 4 error.
+    Log { time_us: u64, level: u8, source: LogSource, text: String },
+    /// Conditions of the transitions of a component in the tick at a time in µs; none for one that was not evaluated in the present
+    /// state.
+    Conditions { time_us: u64, component: usize, conditions: Vec<Option<ConditionState>> },
     /// Costs of the components and of the cycle.
     Costs(Costs),
     /// True state of a simulated world.

@@ -1,24 +1,18 @@
 //! Actions of a simulated world.
 
 use bica::Value;
-use bica_link::{Client, Error, Event, ServerOptions};
+use bica_link::{Client, Event, ServerOptions, Truth};
 use bica_wire::message::{ExtraKind, RefusalCode, WorldChange};
 use bica_wire::model::{NamedRequest, Plain};
 
-use crate::session::{FARTHEST, Session, event, placed};
+use crate::extras::distance;
+use crate::session::{FARTHEST, Session, anywhere, next, placed, refusal};
 
 const NEAR: [Value; 1] = [Value::F32(1.0)];
 
-fn refusal(result: Result<bica_link::Answered, Error>) -> (RefusalCode, String) {
-    match result {
-        Err(Error::Refused { code, text, .. }) => (code, text),
-        other => panic!("{other:?}"),
-    }
-}
-
 /// Waits for a line of the log that contains a text.
 fn logged(client: &mut Client, text: &str) {
-    event(client, text, |event| matches!(event, Event::Log { text: line, .. } if line.contains(text)).then_some(()));
+    next!(client, text, Event::Log { text: line, .. } if line.contains(text) => ());
 }
 
 #[test]
@@ -49,12 +43,9 @@ fn an_action_is_in_force_in_the_cycle_of_its_answer() {
         assert_eq!((answer.cycle, &answer.values[..]), (paused_at + step, &[][..]));
         logged(&mut watcher, &format!("act place_wall({x})"));
         operator.change_world(WorldChange::Step { cycles: 1 }).unwrap();
-        let distance = event(&mut watcher, "the true state of the step", |event| match event {
-            Event::Truth(truth) if truth.time_us == 10_000 * answer.cycle => {
-                truth.items[0].value["x"].as_f64().map(|x| x as f32)
-            }
-            _ => None,
-        });
+        let is_after_step = |truth: &Truth| truth.time_us == 10_000 * answer.cycle;
+        let truth = next!(&mut watcher, "the true state", Event::Truth(truth) if is_after_step(&truth) => truth);
+        let distance = distance(&truth);
         // In a cycle the cart drives at most 3 cm, and the wall moves by 1 m in each 300th one.
         let moved = distance - x;
         assert!(moved.abs() < 0.031 || (moved - 1.0).abs() < 0.031, "placed at {x}, {distance} after a cycle");
@@ -68,11 +59,11 @@ fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
     operator.acquire(false).unwrap();
     let error = operator.request(placed(&[Value::F32(0.0)])).unwrap_err();
     assert!(error.help().contains("what can be done"), "{}", error.help());
-    assert_eq!(refusal(Err(error)), (RefusalCode::World, "`world.place_wall`: the cart is there".to_owned()));
+    assert_eq!(refusal(Err(error)), (RefusalCode::World, 0, "`world.place_wall`: the cart is there".to_owned()));
     logged(&mut watcher, "act place_wall(0) refused: `world.place_wall`: the cart is there");
     for (x, reason) in [(FARTHEST + 1.0, "4 is outside 0..=3"), (f32::NAN, "the value is not finite")] {
         let refused = refusal(operator.request(placed(&[Value::F32(x)])));
-        assert_eq!(refused, (RefusalCode::World, format!("`world.x`: {reason}")));
+        assert_eq!(refused, (RefusalCode::World, 0, format!("`world.x`: {reason}")));
     }
     operator.request(placed(&[Value::F32(FARTHEST)])).unwrap();
 }
@@ -100,11 +91,11 @@ fn an_unknown_action_and_a_server_for_watching_refuse() {
     client.acquire(false).unwrap();
     let unknown = bica::runner::Request::World { action: 1, arguments: &NEAR };
     let expected = "`world`: no such world action; there are: place_wall";
-    assert_eq!(refusal(client.request(unknown)), (RefusalCode::World, expected.to_owned()));
+    assert_eq!(refusal(client.request(unknown)), (RefusalCode::World, 0, expected.to_owned()));
     session.run(20);
 
     let options = ServerOptions { watch_only: true, ..ServerOptions::default() };
-    let session = Session::serve(&"127.0.0.1:0".parse().unwrap(), options);
+    let session = Session::serve(&anywhere(), options);
     assert_eq!(refusal(session.client().request(placed(&NEAR))).0, RefusalCode::Unsupported);
     session.run(20);
 }

@@ -1,6 +1,7 @@
 //! Attacks. `docs/security.md` lists all of them.
 
 use std::io::{ErrorKind, Read, Write};
+use std::net::TcpStream;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -8,14 +9,14 @@ use std::time::Duration;
 
 use bica::runner::Request;
 use bica::runner::{Runner, World};
-use bica_link::{Error, Event, LinkServer, MAX_MONITORS, ServerOptions};
+use bica_link::{Error, LinkServer, MAX_MONITORS, ServerOptions};
 use bica_wire::message::{Hold, LeaseAction};
 use bica_wire::{Encoder, FromMonitor};
 
-use crate::faults::{assert_served, monitor_packet, raw};
+use crate::faults::{assert_served, cut, monitor_packet, raw};
 use crate::proxy::Proxy;
 use crate::robot::{CART, OtherTree};
-use crate::session::{CYCLE_US, LIMIT, Session, connect, event, snapshot};
+use crate::session::{CYCLE_US, LIMIT, Session, anywhere, connect, silence_ends_lease};
 
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 
@@ -27,12 +28,9 @@ fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
     let handshake = [0x16, 3, 1, 2, 0, 1, 0, 1, 0xfc, 3, 3];
     for (number, head) in (1..).zip([&http[..], &handshake]) {
         let mut browser = raw(&session);
-        browser.set_read_timeout(Some(LIMIT)).unwrap();
         let take = monitor_packet(&mut Encoder::new(), &FromMonitor::Lease(LeaseAction::Take));
         browser.write_all(&[head, &[0], &take, &take].concat()).unwrap();
-        let answer = browser.read(&mut [0; 64]);
-        let is_closed = matches!(&answer, Ok(0)) || answer.as_ref().is_err_and(|error| is_cut(error.kind()));
-        assert!(is_closed, "{answer:?}");
+        assert_closed(&mut browser);
         assert_eq!(session.server.stats().damaged, number);
         assert!(!session.client().lease().owned);
     }
@@ -48,38 +46,32 @@ fn silent_connections_leave_room_for_an_operator() {
     operator.acquire(false).unwrap();
     operator.request(HOLD).unwrap();
     assert_eq!(session.server.stats().monitors, 1);
-    silent[0].set_read_timeout(Some(LIMIT)).unwrap();
-    let oldest = silent[0].read(&mut [0; 64]);
-    assert!(matches!(oldest, Ok(0)) || oldest.as_ref().is_err_and(|error| is_cut(error.kind())), "{oldest:?}");
-    let last = silent.last_mut().unwrap();
-    last.set_read_timeout(Some(LIMIT)).unwrap();
-    let last = last.read(&mut [0; 64]);
-    assert!(matches!(last, Ok(0)) || last.as_ref().is_err_and(|error| is_cut(error.kind())), "{last:?}");
+    assert_closed(&mut silent[0]);
+    assert_closed(silent.last_mut().unwrap());
     operator.request(HOLD).unwrap();
 }
 
-fn is_cut(kind: ErrorKind) -> bool {
-    matches!(kind, ErrorKind::ConnectionReset | ErrorKind::ConnectionAborted | ErrorKind::BrokenPipe)
+/// Waits until the server has closed a connection.
+#[track_caller]
+fn assert_closed(stream: &mut TcpStream) {
+    stream.set_read_timeout(Some(LIMIT)).unwrap();
+    let read = stream.read(&mut [0; 64]).map_err(|error| error.kind());
+    let cut = [ErrorKind::ConnectionReset, ErrorKind::ConnectionAborted, ErrorKind::BrokenPipe];
+    assert!(read.map_or_else(|kind| cut.contains(&kind), |count| count == 0), "{read:?}");
 }
 
 /// Attack 8: the operator's program was killed, or its network is gone.
 #[test]
 fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
     let silence = Duration::from_secs(30);
-    let session = Session::start_with(&"127.0.0.1:0".parse().unwrap(), silence);
+    let session = Session::start_with(&anywhere(), silence);
     let mut watcher = session.client();
     watcher.watch(1).unwrap();
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     let last = operator.request(HOLD).unwrap().cycle;
     drop(operator);
-    let ended_us = event(&mut watcher, "the lease ends", |event| match event {
-        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => Some(time_us),
-        _ => None,
-    });
-    assert_eq!(ended_us, last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US, "the first cycle after the silence");
-    let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
-    assert_eq!(ended.states[0].held, Hold::Tree);
+    silence_ends_lease(&mut watcher, last, silence);
 }
 
 /// Attack 15: the same robot, started again, has another operator.
@@ -96,7 +88,7 @@ fn a_lease_of_an_earlier_run_is_void() {
     assert_ne!(other.lease().lease, old);
     proxy.lead_to(second.server.address());
     proxy.cut();
-    while client.poll(Duration::from_secs(10)).is_ok() {}
+    cut(&mut client);
     client.reconnect(LIMIT).unwrap();
     assert!(!client.lease().yours);
     other.request(HOLD).unwrap();
@@ -125,8 +117,7 @@ fn a_client_does_not_continue_with_another_robot() {
     let proxy = Proxy::start(session.server.address());
     let mut client = connect(&proxy.address.parse().unwrap());
     client.acquire(false).unwrap();
-    let (server, requests, observer) =
-        LinkServer::start::<OtherTree>(&"127.0.0.1:0".parse().unwrap(), ServerOptions::default()).unwrap();
+    let (server, requests, observer) = LinkServer::start::<OtherTree>(&anywhere(), ServerOptions::default()).unwrap();
     let stop = Arc::new(AtomicBool::new(false));
     let stopped = Arc::clone(&stop);
     let other = thread::spawn(move || {
@@ -139,7 +130,7 @@ fn a_client_does_not_continue_with_another_robot() {
     });
     proxy.lead_to(server.address());
     proxy.cut();
-    while client.poll(Duration::from_secs(10)).is_ok() {}
+    cut(&mut client);
     let result = client.reconnect(LIMIT);
     stop.store(true, Ordering::SeqCst);
     other.join().unwrap();

@@ -15,7 +15,8 @@ use bica_wire::message::{
 
 use crate::robot::{CART, CartTree};
 use crate::session::{
-    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, event, is_late, placed, snapshot,
+    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, anywhere, event, is_late, next, placed,
+    snapshot,
 };
 
 const PAUSE: WorldChange = WorldChange::Pause;
@@ -23,18 +24,12 @@ const CONDITIONS: ExtraKind = ExtraKind::Conditions { component: 0 };
 
 #[track_caller]
 fn world(client: &mut Client, expected: &str, condition: impl Fn(&WorldState) -> bool) -> WorldState {
-    event(client, expected, |event| match event {
-        Event::World(state) if condition(&state) => Some(state),
-        _ => None,
-    })
+    next!(client, expected, Event::World(state) if condition(&state) => state)
 }
 
 #[track_caller]
 fn image(client: &mut Client) -> Image {
-    event(client, "an image", |event| match event {
-        Event::Image(image) => Some(image),
-        _ => None,
-    })
+    next!(client, "an image", Event::Image(image) => image)
 }
 
 #[test]
@@ -44,7 +39,7 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
     watcher.watch(1).unwrap();
     watcher.watch_extra(ExtraKind::Truth, 1).unwrap();
-    event(&mut watcher, "the true state", |event| matches!(event, Event::Truth(_)).then_some(()));
+    next!(&mut watcher, "the true state", Event::Truth(_) => ());
     operator.acquire(false).unwrap();
     let paused_at = operator.change_world(PAUSE).unwrap().cycle;
     world(&mut watcher, "a pause", |state| state.paused && state.steps == 0);
@@ -114,15 +109,12 @@ fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
 fn the_operator_is_silent_in_a_paused_world_too() {
     let silence = Duration::from_secs(2);
     let options = bica_link::ServerOptions { silence, offers: Offers::PAUSE, ..bica_link::ServerOptions::default() };
-    let session = Session::serve(&"127.0.0.1:0".parse().unwrap(), options);
+    let session = Session::serve(&anywhere(), options);
     let (mut silent, mut next) = (session.client(), session.client());
     silent.acquire(false).unwrap();
     silent.change_world(PAUSE).unwrap();
     for owned in [true, false] {
-        event(&mut next, "the begin and the end of the lease", |event| match event {
-            Event::Lease(lease) if lease.owned == owned => Some(()),
-            _ => None,
-        });
+        next!(&mut next, "the begin and the end of the lease", Event::Lease(lease) if lease.owned == owned => ());
     }
     next.acquire(false).unwrap();
     next.change_world(WorldChange::Resume).unwrap();
@@ -242,10 +234,7 @@ fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_w
     let session = Session::start_world();
     let mut client = session.client();
     client.watch_extra(ExtraKind::Truth, 1).unwrap();
-    let truth = event(&mut client, "the true state", |event| match event {
-        Event::Truth(truth) => Some(truth),
-        _ => None,
-    });
+    let truth = next!(&mut client, "the true state", Event::Truth(truth) => truth);
     let cart = &truth.items[0];
     assert_eq!((&*cart.name, &*cart.shape, &*cart.frame), ("cart", "Pose2", "road"));
     assert_eq!((cart.child.as_deref(), cart.line_width), (Some("cart"), None));
@@ -283,12 +272,7 @@ fn costs_have_the_runs_of_their_window() {
     let session = Session::start();
     let mut client = session.client();
     client.watch_extra(ExtraKind::Costs, 1).unwrap();
-    let mut next = || {
-        event(&mut client, "costs", |event| match event {
-            Event::Costs(costs) => Some(costs),
-            _ => None,
-        })
-    };
+    let mut next = || next!(&mut client, "costs", Event::Costs(costs) => costs);
     let mut last = next();
     for _ in 0..3 {
         let Costs { cycles, components } = next();
@@ -382,8 +366,7 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
         watcher.watch_extra(ExtraKind::Stop(stop(at)), 0).unwrap();
         watcher.request(placed(&far)).unwrap();
         watcher.change_world(WorldChange::Resume).unwrap();
-        let is_back = |event| matches!(event, Event::Taken(Taken { transition: 1, .. })).then_some(());
-        event(&mut watcher, "the way back", is_back);
+        next!(&mut watcher, "the way back", Event::Taken(Taken { transition: 1, .. }) => ());
         watcher.release().unwrap();
     }
     operator.acquire(false).unwrap();

@@ -7,13 +7,13 @@ use std::thread;
 use std::time::Duration;
 
 use bica::runner::Request;
-use bica_link::{Client, ClientOptions, Error, Event};
+use bica_link::{Client, ClientOptions, Error, Event, LinkServer, ServerOptions};
 use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
 use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
-use crate::robot::CART;
-use crate::session::{Session, connect, event, snapshot};
+use crate::robot::{CART, CartTree};
+use crate::session::{Session, connect, next, snapshot};
 
 /// A connection without a client.
 pub(crate) fn raw(session: &Session) -> TcpStream {
@@ -105,10 +105,7 @@ fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() 
     let mut cycles = BTreeMap::new();
     for client in &mut clients {
         for _ in 0..EACH {
-            let cycle = event(client, "an answer", |event| match event {
-                Event::Answer(answer) => Some(answer.cycle),
-                _ => None,
-            });
+            let cycle = next!(client, "an answer", Event::Answer(answer) => answer.cycle);
             *cycles.entry(cycle).or_insert(0_usize) += 1;
         }
     }
@@ -146,13 +143,21 @@ fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
 
 #[test]
 fn other_addresses_than_loopback_need_permission() {
-    let session = bica_link::LinkServer::start::<crate::robot::CartTree>(
-        &"0.0.0.0:0".parse().unwrap(),
-        bica_link::ServerOptions::default(),
-    );
-    assert!(matches!(session, Err(Error::NotLoopback(_))));
-    let options = bica_link::ServerOptions { anywhere: true, ..bica_link::ServerOptions::default() };
-    bica_link::LinkServer::start::<crate::robot::CartTree>(&"0.0.0.0:0".parse().unwrap(), options).unwrap();
+    let start = |anywhere| {
+        let options = ServerOptions { anywhere, ..ServerOptions::default() };
+        LinkServer::start::<CartTree>(&"0.0.0.0:0".parse().unwrap(), options)
+    };
+    assert!(matches!(start(false), Err(Error::NotLoopback(_))));
+    start(true).unwrap();
+}
+
+/// Waits until a connection is cut; returns the reason.
+pub(crate) fn cut(client: &mut Client) -> Error {
+    loop {
+        if let Err(error) = client.poll(Duration::from_secs(10)) {
+            return error;
+        }
+    }
 }
 
 #[test]
@@ -165,12 +170,7 @@ fn a_client_connects_again_and_continues_watching_and_its_lease() {
     client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
     let lease = client.lease().lease;
     proxy.cut();
-    let error = loop {
-        if let Err(error) = client.poll(Duration::from_secs(10)) {
-            break error;
-        }
-    };
-    assert!(matches!(error, Error::Disconnected(_)), "{error}");
+    assert!(matches!(cut(&mut client), Error::Disconnected(_)));
     client.reconnect(Duration::from_mins(1)).unwrap();
     assert_eq!((client.lease().yours, client.lease().lease), (true, lease));
     let now = session.cycles();

@@ -8,8 +8,9 @@ use bica::runner::{Request, Runner};
 use bica_link::{Description, Error, Event, MAX_MONITORS};
 use bica_wire::message::{Hold, LogSource, Setting, Value};
 
+use crate::faults::cut;
 use crate::robot::{CART, CartTree, DRIVE};
-use crate::session::{CYCLE_US, Session, Wall, event, snapshot};
+use crate::session::{CYCLE_US, Session, Wall, event, next, snapshot};
 
 #[test]
 fn the_description_is_that_of_the_robot_in_its_world() {
@@ -31,7 +32,7 @@ fn attaching_and_watching_change_no_command() {
     }
     for (index, client) in clients.iter_mut().enumerate() {
         snapshot(client, &format!("monitor {index}"), |snapshot| snapshot.states.len() == 3);
-        event(client, "information", |event| matches!(event, Event::Info { .. }).then_some(()));
+        next!(client, "information", Event::Info { .. } => ());
     }
     session.run(500);
     drop(clients);
@@ -69,10 +70,9 @@ fn information_is_decoded_and_comes_in_every_nth_cycle() {
     other.watch_info(1, 0, 1).unwrap();
     client.watch_info(1, 0, 7).unwrap();
     for _ in 0..10 {
-        let (cycle, value) = event(&mut client, "information", |event| match event {
-            Event::Info { cycle, component: 1, info: 0, value } => Some((cycle, value)),
-            _ => None,
-        });
+        let info =
+            next!(&mut client, "information", Event::Info { cycle, component: 1, info: 0, value } => (cycle, value));
+        let (cycle, value) = info;
         let value = value.expect("a value");
         let distance = value[0].as_f64().expect("a number");
         assert!((distance * distance - value[1].as_f64().expect("a number")).abs() < 1e-4, "{value}");
@@ -130,12 +130,7 @@ fn the_end_of_the_run_is_told_to_monitors() {
     let session = Session::start();
     let mut client = session.client();
     drop(session);
-    let error = loop {
-        match client.poll(Duration::from_secs(10)) {
-            Ok(_) => {}
-            Err(error) => break error,
-        }
-    };
+    let error = cut(&mut client);
     assert!(matches!(&error, Error::Disconnected(reason) if reason == "the run has ended"), "{error}");
 }
 

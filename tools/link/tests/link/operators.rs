@@ -8,7 +8,7 @@ use bica_link::{Client, Error, Event};
 use bica_wire::message::{Hold, LeaseAction, RefusalCode, Setting, Value};
 
 use crate::robot::{CART, DRIVE};
-use crate::session::{CYCLE_US, Session, event, snapshot};
+use crate::session::{Session, anywhere, next, refusal, silence_ends_lease, snapshot};
 
 fn set(index: u16, value: f32) -> Setting {
     Setting::new(CART, index, Value::F32(value))
@@ -20,14 +20,6 @@ fn batch(settings: &[Setting]) -> Request<'_> {
 
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 const SLOW: Request<'static> = Request::Rate { component: DRIVE, hz: Some(5.0) };
-
-#[track_caller]
-fn refusal(result: Result<bica_link::Answered, Error>) -> (RefusalCode, usize, String) {
-    match result {
-        Err(Error::Refused { code, entry, text }) => (code, entry, text),
-        other => panic!("{other:?}"),
-    }
-}
 
 #[test]
 fn a_parameter_is_in_force_in_the_first_or_second_cycle_after_its_arrival() {
@@ -81,14 +73,13 @@ fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
     assert_eq!(ended.states[2].hz, Some(50.0));
     assert!(ended.states[0].active);
     assert_eq!(session.client().description().components[0].params[0].value, Some(Value::F32(0.25)));
-    let (code, ..) = refusal(operator.request(HOLD));
-    assert_eq!(code, RefusalCode::NoLease);
+    assert_eq!(refusal(operator.request(HOLD)).0, RefusalCode::NoLease);
 }
 
 #[test]
 fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
     let silence = Duration::from_secs(30);
-    let session = Session::start_with(&"127.0.0.1:0".parse().unwrap(), silence);
+    let session = Session::start_with(&anywhere(), silence);
     let mut watcher = session.client();
     watcher.watch(1).unwrap();
     let mut operator = session.client();
@@ -96,17 +87,10 @@ fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
     operator.request(HOLD).unwrap();
     let last = operator.request(batch(&[set(0, 0.25)])).unwrap().cycle;
     // From here on the operator is silent, and its connection stays open.
-    let ended_us = event(&mut watcher, "the lease ends", |event| match event {
-        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => Some(time_us),
-        _ => None,
-    });
-    assert_eq!(ended_us, last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US, "the first cycle after the silence");
-    let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
-    assert_eq!(ended.states[0].held, Hold::Tree);
+    silence_ends_lease(&mut watcher, last, silence);
     assert!(!watcher.lease().owned);
     assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.25)));
-    let (code, ..) = refusal(operator.request(HOLD));
-    assert_eq!(code, RefusalCode::NoLease);
+    assert_eq!(refusal(operator.request(HOLD)).0, RefusalCode::NoLease);
 }
 
 #[test]
@@ -116,9 +100,7 @@ fn a_second_operator_is_refused_until_it_takes_the_lease() {
     first.acquire(false).unwrap();
     let old = first.lease().lease;
     // The answer to the request of the second one is not what it was told before.
-    event(&mut second, "the lease of the first", |event| {
-        matches!(event, Event::Lease(lease) if lease.owned).then_some(())
-    });
+    next!(&mut second, "the lease of the first", Event::Lease(lease) if lease.owned => ());
     assert!(matches!(second.acquire(false), Err(Error::Lease)));
     first.request(batch(&[set(0, 0.25)])).unwrap();
     assert_eq!(second.lease().lease, 0, "only the owner learns the number");
@@ -150,10 +132,8 @@ fn numbers_of_leases_cannot_be_guessed_and_a_live_lease_is_not_moved_by_its_numb
     assert_eq!(refusal(other.answer(known)).0, RefusalCode::NoLease);
     operator.request(HOLD).unwrap();
     other.acquire(true).unwrap();
-    event(&mut operator, "the loss of control", |event| {
-        matches!(event, Event::Log { text, .. } if text == "control has ended: another monitor has taken it")
-            .then_some(())
-    });
+    let lost = "control has ended: another monitor has taken it";
+    next!(&mut operator, "the loss of control", Event::Log { text, .. } if text == lost => ());
     assert!(!operator.lease().yours);
 }
 

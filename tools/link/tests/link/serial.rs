@@ -13,7 +13,7 @@ use nix::pty::openpty;
 use nix::unistd::ttyname;
 
 use crate::robot::CART;
-use crate::session::{Session, connect, snapshot};
+use crate::session::{LONG, Session, connect, snapshot};
 
 /// Opens two terminals; what is written to one is read from the other.
 fn line() -> [Address; 2] {
@@ -53,7 +53,7 @@ fn a_server_in_this_process_is_reached_while_it_runs() {
 }
 
 fn carries_the_link(robot: &Address, monitor: &Address) {
-    let session = Session::start_with(robot, Duration::from_secs(1_000_000));
+    let session = Session::start_with(robot, LONG);
     let mut client = connect(monitor);
     assert_eq!(client.description().components.len(), 3);
     client.acquire(false).unwrap();

@@ -9,13 +9,23 @@ use bica::action::Actions;
 use bica::runner::{Cycle, Observer, Request, Runner, World};
 use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
 use bica::{Blob, Format, Probe, Value, world_actions};
-use bica_link::{Address, Client, ClientOptions, Event, LinkServer, LinkStats, ServerOptions, Snapshot};
-use bica_wire::message::Offers;
+use bica_link::{
+    Address, Answered, Client, ClientOptions, Error, Event, LinkServer, LinkStats, ServerOptions, Snapshot,
+};
+use bica_wire::message::{Hold, Offers, RefusalCode};
 
 use crate::robot::CartTree;
 
 /// Longest wait of a test that fails.
 pub(crate) const LIMIT: Duration = Duration::from_mins(1);
+
+/// Longer than any test.
+pub(crate) const LONG: Duration = Duration::from_secs(1_000_000);
+
+/// Any port of this computer.
+pub(crate) fn anywhere() -> Address {
+    "127.0.0.1:0".parse().unwrap()
+}
 
 /// Robot's time of a cycle.
 pub(crate) const CYCLE_US: u64 = 10_000;
@@ -161,22 +171,20 @@ pub(crate) struct Session {
 impl Session {
     /// Starts a loop whose operator may be silent for long.
     pub(crate) fn start() -> Self {
-        Self::start_with(&"127.0.0.1:0".parse().unwrap(), Duration::from_secs(1_000_000))
+        Self::start_with(&anywhere(), LONG)
     }
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
     pub(crate) fn start_world() -> Self {
-        let offers = Offers::PAUSE;
-        let (silence, actions) = (Duration::from_secs(1_000_000), Wall::new().list());
-        let options = ServerOptions { silence, offers, actions, ..ServerOptions::default() };
-        Self::serve(&"127.0.0.1:0".parse().unwrap(), options)
+        let (offers, actions) = (Offers::PAUSE, Wall::new().list());
+        Self::serve(&anywhere(), ServerOptions { silence: LONG, offers, actions, ..ServerOptions::default() })
     }
 
-    pub(crate) fn start_with(address: &bica_link::Address, silence: Duration) -> Self {
+    pub(crate) fn start_with(address: &Address, silence: Duration) -> Self {
         Self::serve(address, ServerOptions { silence, ..ServerOptions::default() })
     }
 
-    pub(crate) fn serve(address: &bica_link::Address, options: ServerOptions) -> Self {
+    pub(crate) fn serve(address: &Address, options: ServerOptions) -> Self {
         let is_world = options.offers.contains(Offers::PAUSE);
         let started = if is_world {
             LinkServer::start_in_world::<CartTree>(address, options, &Wall::new())
@@ -275,15 +283,15 @@ impl Drop for Session {
     }
 }
 
-/// Waits for an event.
-#[track_caller]
 /// A client of a session, also through a proxy or a line.
 pub(crate) fn connect(address: &Address) -> Client {
     // The robot's time is faster than the clock, from which a client computes an expiry: the usual one would pass in a few milliseconds.
-    let options = ClientOptions { timeout: LIMIT, expiry: Duration::from_secs(1_000_000) };
+    let options = ClientOptions { timeout: LIMIT, expiry: LONG };
     Client::connect(address, options).expect("a robot answers")
 }
 
+/// Waits for an event.
+#[track_caller]
 pub(crate) fn event<T>(client: &mut Client, expected: &str, mut select: impl FnMut(Event) -> Option<T>) -> T {
     let began = Instant::now();
     while began.elapsed() < LIMIT {
@@ -295,13 +303,42 @@ pub(crate) fn event<T>(client: &mut Client, expected: &str, mut select: impl FnM
     panic!("{expected}: no such event");
 }
 
+/// Waits for an event of a pattern; returns a value of it.
+macro_rules! next {
+    ($client:expr, $expected:expr, $pattern:pat $(if $condition:expr)? => $value:expr) => {
+        $crate::session::event($client, $expected, |event| match event {
+            $pattern $(if $condition)? => Some($value),
+            _ => None,
+        })
+    };
+}
+pub(crate) use next;
+
 /// Waits for a snapshot that meets a condition.
 #[track_caller]
 pub(crate) fn snapshot(client: &mut Client, expected: &str, condition: impl Fn(&Snapshot) -> bool) -> Snapshot {
-    event(client, expected, |event| match event {
-        Event::Snapshot(snapshot) if condition(&snapshot) => Some(snapshot),
-        _ => None,
-    })
+    next!(client, expected, Event::Snapshot(snapshot) if condition(&snapshot) => snapshot)
+}
+
+/// Waits for the end of the lease of an operator that was silent after a cycle; `watcher` watches each snapshot. Checks that it ends on
+/// the robot's clock, and its holds with it.
+pub(crate) fn silence_ends_lease(watcher: &mut Client, last_cycle: u64, silence: Duration) {
+    let silent = |text: &str| text.contains("silent");
+    let ended_us =
+        next!(watcher, "the lease ends", Event::Log { time_us, level: 3, text, .. } if silent(&text) => time_us);
+    let expected = last_cycle * CYCLE_US + silence.as_micros() as u64 + CYCLE_US;
+    assert_eq!(ended_us, expected, "the first cycle after the silence");
+    let ended = snapshot(watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
+    assert_eq!(ended.states[0].held, Hold::Tree);
+}
+
+/// Code, entry and text of a refusal.
+#[track_caller]
+pub(crate) fn refusal(result: Result<Answered, Error>) -> (RefusalCode, usize, String) {
+    match result {
+        Err(Error::Refused { code, entry, text }) => (code, entry, text),
+        other => panic!("{other:?}"),
+    }
 }
 
 /// Requests a place of the wall.

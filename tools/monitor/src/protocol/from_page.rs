@@ -19,63 +19,27 @@ pub struct FromPage {
 }
 
 /// What the page asks for. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Layouts`, `SaveLayout`
-/// and `Source` are about the session of the message.
+/// and `Source` are about the session of the message. Times, from `from_us` until `until_us`, are µs; a component, its information and its
+/// parameters are indices of the description.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+#[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum Request {
     /// Shows a robot, a world or a recording. [`{"session": number}`]
-    Open {
-        /// What.
-        source: Open,
-    },
+    Open { source: Open },
     /// Closes a session.
     Close {},
     /// Replaces all that this page watches of a session.
-    Watch {
-        /// What.
-        watch: Watch,
-    },
-    /// Reads the state at a time: of the last cycle that is not later. [[`Moment`](super::Moment); if `image`, a binary
-    /// frame with this `id` comes before the answer]
-    At {
-        /// Time, µs.
-        time_us: u64,
-        /// Information to read: component and index of each.
-        info: Vec<(usize, usize)>,
-        /// Whether the last image that is not later is sent as a binary frame.
-        image: bool,
-    },
-    /// Reads the activation timeline of an interval. [list of [`Row`](super::Row)]
-    Timeline {
-        /// Begin, µs.
-        from_us: u64,
-        /// End, µs.
-        until_us: u64,
-        /// Bars and gaps shorter than this may be merged, µs.
-        resolution_us: u64,
-    },
+    Watch { watch: Watch },
+    /// Reads the state at a time: of the last cycle that is not later, with information, each by component and index.
+    /// [[`Moment`](super::Moment); if `image`, a binary frame with the last image that is not later and this `id` comes before the answer]
+    At { time_us: u64, info: Vec<(usize, usize)>, image: bool },
+    /// Reads the activation timeline of an interval; bars and gaps shorter than the resolution may be merged. [list of [`Row`](super::Row)]
+    Timeline { from_us: u64, until_us: u64, resolution_us: u64 },
     /// Reads samples of an output or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
-    Series {
-        /// Component.
-        component: usize,
-        /// Information.
-        info: usize,
-        /// Begin, µs.
-        from_us: u64,
-        /// End, µs.
-        until_us: u64,
-        /// Largest number of samples.
-        points: usize,
-    },
-    /// Reads log lines of an interval. [list of [`LogLine`](super::LogLine)]
-    Lines {
-        /// Begin, µs.
-        from_us: u64,
-        /// End, µs.
-        until_us: u64,
-        /// Largest number of lines; the last ones.
-        limit: usize,
-    },
+    Series { component: usize, info: usize, from_us: u64, until_us: u64, points: usize },
+    /// Reads the last log lines of an interval, at most `limit`. [list of [`LogLine`](super::LogLine)]
+    Lines { from_us: u64, until_us: u64, limit: usize },
     /// Becomes the operator of a session if nobody is.
     Acquire {},
     /// Becomes the operator instead of another one; only when a person asks for it.
@@ -86,115 +50,49 @@ pub enum Request {
     Keep {},
     /// Requests a change of the tree, or an action of its world.
     /// [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
-    Operate {
-        /// The request, with names.
-        request: NamedRequest,
-    },
+    Operate { request: NamedRequest },
     /// Pauses a simulated world between two cycles.
     Pause {},
     /// Continues a simulated world.
     Resume {},
-    /// Runs cycles of a paused simulated world.
-    Step {
-        /// Number of cycles.
-        cycles: u32,
-    },
+    /// Runs a number of cycles of a paused simulated world.
+    Step { cycles: u32 },
     /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
     /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
-    Breakpoints {
-        /// The breakpoints.
-        list: Vec<Breakpoint>,
-    },
-    /// Searches the next time in memory at which a breakpoint of the session is reached. [[`Reached`](super::Reached), or `null`]
-    NextHit {
-        /// Time after which it is searched, µs.
-        from_us: u64,
-    },
-    /// Counts what a session has visited of a machine, as far as it is in memory. [`bica_vicode::coverage::Coverage`]
-    Coverage {
-        /// File of the machine below the folder of sources.
-        file: String,
-        /// Key of its component.
-        component: String,
-        /// Index of the component in the session.
-        index: usize,
-    },
+    Breakpoints { list: Vec<Breakpoint> },
+    /// Searches the next time in memory, later than `from_us`, at which a breakpoint of the session is reached.
+    /// [[`Reached`](super::Reached), or `null`]
+    NextHit { from_us: u64 },
+    /// Counts what a session has visited of a machine, as far as it is in memory: the component with the key
+    /// `component` in a file below the folder of sources, and the index `index` in the session. [`bica_vicode::coverage::Coverage`]
+    Coverage { file: String, component: String, index: usize },
     /// Begins a simulated world again, with another seed if given.
-    Restart {
-        /// Seed.
-        seed: Option<u64>,
-    },
-    /// Adds a note of the operator to log, timeline and recording.
-    Note {
-        /// Text, at most 500 characters.
-        text: String,
-    },
-    /// Keeps the recording of the last minutes under a name in the recordings folder. [`{"path": text}`]
-    KeepRecording {
-        /// File name without folder and ending.
-        name: String,
-    },
+    Restart { seed: Option<u64> },
+    /// Adds a note of the operator, at most 500 characters, to log, timeline and recording.
+    Note { text: String },
+    /// Keeps the recording of the last minutes under a name, without ending, in the recordings folder. [`{"path": text}`]
+    KeepRecording { name: String },
     /// Keeps the cycles of a span under a name in the recordings folder: of a recording, or as `KeepRecording`. [`{"path": text}`]
-    KeepSpan {
-        /// File name without folder and ending.
-        name: String,
-        /// Begin, µs.
-        from_us: u64,
-        /// End, µs.
-        until_us: u64,
-    },
+    KeepSpan { name: String, from_us: u64, until_us: u64 },
     /// Lists the recordings in the recordings folder. [list of `{"name", "bytes", "seconds"}`]
     Recordings {},
-    /// Writes changed parameters to a tune file. [`{"path": text}`]
-    SaveTune {
-        /// Parameters: component and index of each.
-        params: Vec<(usize, usize)>,
-        /// Name of the tune file without ending: a kind of world or a robot.
-        name: String,
-    },
+    /// Writes changed parameters, each by component and index, to a tune file; its name without ending is a kind of world or a robot.
+    /// [`{"path": text}`]
+    SaveTune { params: Vec<(usize, usize)>, name: String },
     /// Writes a parameter as the new default to its Rust source. [`{"path": text, "diff": text}`]
-    SaveSource {
-        /// Component.
-        component: usize,
-        /// Parameter.
-        param: usize,
-    },
+    SaveSource { component: usize, param: usize },
     /// Lists where a parameter is declared and read in the sources. [list of [`SourceUse`](super::SourceUse)]
-    ParamUses {
-        /// Component.
-        component: usize,
-        /// Parameter.
-        param: usize,
-    },
+    ParamUses { component: usize, param: usize },
     /// Reads layouts of panels. [object from name to layout]
     Layouts {},
-    /// Saves a layout of panels.
-    SaveLayout {
-        /// Name.
-        name: String,
-        /// Layout; `null` deletes it.
-        layout: serde_json::Value,
-    },
+    /// Saves a layout of panels; `null` deletes it.
+    SaveLayout { name: String, layout: serde_json::Value },
     /// Reads, edits, checks and runs the sources of VICODE.
-    Source {
-        /// What.
-        request: SourceRequest,
-    },
-    /// Compares two recordings. [`{"equal": bool, "cycle", "time_us", "field", "text"}`: the first difference]
-    Compare {
-        /// The other session.
-        other: SessionId,
-    },
-    /// Runs a recording again with other parameters, as a new session. [`{"session": number}`]
-    RunAgain {
-        /// Settings.
-        settings: Vec<NamedSetting>,
-    },
-    /// Sends a message to an [extension](crate::program::Extension). [its answer]
-    Extension {
-        /// Name of the extension.
-        name: String,
-        /// The message.
-        message: serde_json::Value,
-    },
+    Source { request: SourceRequest },
+    /// Compares the recording with that of another session. [`{"equal": bool, "cycle", "time_us", "field", "text"}`: the first difference]
+    Compare { other: SessionId },
+    /// Runs a recording again with other settings, as a new session. [`{"session": number}`]
+    RunAgain { settings: Vec<NamedSetting> },
+    /// Sends a message to the [extension](crate::program::Extension) of a name. [its answer]
+    Extension { name: String, message: serde_json::Value },
 }

@@ -12,124 +12,65 @@ use super::{
 /// A message to the page.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
+#[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum ToPage {
-    /// The first message.
+    /// The first message: the [protocol](super::VERSION), the version of the program and the number of this page; whether pages may
+    /// only watch, whether sources can be read and edited and whether programs can be built and run; the worlds that this program can
+    /// simulate and all sessions.
     Hello {
-        /// [`VERSION`](super::VERSION).
         protocol: u32,
-        /// Version of the program.
         program: &'static str,
-        /// Number of this page.
         page: u64,
-        /// Whether pages may only watch.
         read_only: bool,
-        /// Whether sources can be read and edited.
         source: bool,
-        /// Whether programs can be built and run.
         build: bool,
-        /// Worlds that this program can simulate.
         worlds: Vec<World>,
-        /// All sessions.
         sessions: Vec<SessionInfo>,
     },
     /// A session is new, or something of it changed.
-    Session {
-        /// The session.
-        session: SessionInfo,
-    },
+    Session { session: SessionInfo },
     /// A session was closed.
-    Closed {
-        /// Session.
-        session: SessionId,
-    },
-    /// The tree of a session, sent before anything else of it, and again when another robot has come.
-    Described {
-        /// Session.
-        session: SessionId,
-        /// The tree, with the current values of parameters.
-        description: Box<Description>,
-        /// Kind of each component; none of a tree that is too large to draw, or whose links lead nowhere.
-        kinds: Vec<Kind>,
-    },
+    Closed { session: SessionId },
+    /// The tree of a session, sent before anything else of it, and again when another robot has come: with the
+    /// current values of parameters and the kind of each component; no kinds of a tree that is too large to draw, or whose links lead
+    /// nowhere.
+    Described { session: SessionId, description: Box<Description>, kinds: Vec<Kind> },
     /// What does not move in the world of a session, sent after the tree.
-    Scenery {
-        /// Session.
-        session: SessionId,
-        /// The items.
-        scenery: Vec<Shown>,
-    },
-    /// State of the tree after the last cycle, about 30 times a second while it runs.
+    Scenery { session: SessionId, scenery: Vec<Shown> },
+    /// State of the tree after the last cycle, about 30 times a second while it runs: time of the tick in µs, number of the cycle, of
+    /// the images taken in and of the cycles that ended after the next one was due; the components, and those that changed since the
+    /// last update, each with time, active, state, in order of time.
     Update {
-        /// Session.
         session: SessionId,
-        /// Time of the tick, µs.
         time_us: u64,
-        /// Number of the cycle.
         cycle: u64,
-        /// Number of images taken in.
         images: u64,
-        /// Number of cycles that ended after the next one was due.
         overruns: u64,
-        /// State of each component.
         components: Vec<ComponentNow>,
-        /// Components that changed since the last update, each with time, active, state. In order of time.
         changes: Vec<(usize, u64, bool, Option<u16>)>,
     },
-    /// Values of watched information.
-    Info {
-        /// Session.
-        session: SessionId,
-        /// The samples, in order of time.
-        samples: Vec<InfoSample>,
-    },
+    /// Values of watched information, in order of time.
+    Info { session: SessionId, samples: Vec<InfoSample> },
     /// Conditions of the transitions of watched components.
     Conditions {
-        /// Session.
         session: SessionId,
-        /// The conditions.
         #[serde(flatten)]
         of: Conditions,
     },
     /// Time of the components and of the loop, about twice a second.
     Costs {
-        /// Session.
         session: SessionId,
-        /// The costs.
         #[serde(flatten)]
         costs: Costs,
     },
-    /// True state of a simulated world. It is never sent to a robot.
-    Truth {
-        /// Session.
-        session: SessionId,
-        /// Time, µs.
-        time_us: u64,
-        /// The state.
-        truth: Vec<Shown>,
-    },
-    /// Values of all parameters of a component, after a change.
-    Params {
-        /// Session.
-        session: SessionId,
-        /// Component.
-        component: usize,
-        /// Values in the order of the description.
-        values: Vec<Plain>,
-    },
+    /// True state of a simulated world at a time in µs. It is never sent to a robot.
+    Truth { session: SessionId, time_us: u64, truth: Vec<Shown> },
+    /// Values of all parameters of a component in the order of the description, after a change.
+    Params { session: SessionId, component: usize, values: Vec<Plain> },
     /// New lines of the log.
-    Log {
-        /// Session.
-        session: SessionId,
-        /// The lines.
-        lines: Vec<LogLine>,
-    },
+    Log { session: SessionId, lines: Vec<LogLine> },
     /// The breakpoints of a session, after a change.
-    Breakpoints {
-        /// Session.
-        session: SessionId,
-        /// The breakpoints.
-        list: Vec<Breakpoint>,
-    },
+    Breakpoints { session: SessionId, list: Vec<Breakpoint> },
     /// A breakpoint was reached.
     Hit(Hit),
     /// A file that this page has opened.
@@ -140,14 +81,11 @@ pub enum ToPage {
     Check(Check),
     /// Course of the program that is built and run.
     Build(Build),
-    /// Answer to a message of this page.
+    /// Answer to the message `id` of this page: the result if it was done, or why it was not.
     Answer {
-        /// `id` of the message.
         id: u32,
-        /// The result, if it was done.
         #[serde(skip_serializing_if = "Option::is_none")]
         result: Option<serde_json::Value>,
-        /// Why it was not done.
         #[serde(skip_serializing_if = "Option::is_none")]
         error: Option<Failed>,
     },

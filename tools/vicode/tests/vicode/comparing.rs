@@ -1,14 +1,14 @@
 //! Differences of two versions of a file.
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
+use bica_test_data::process::Folder;
 use bica_vicode::compare::{Change, Comparison, Version, compare, report, union};
 use bica_vicode::model::{Component, Sources};
 use bica_vicode::read;
 
-use crate::files::scratch;
+use crate::command::vicode;
 use crate::sources;
 
 const BEFORE: &str = "#[component(hz = 20)]
@@ -159,40 +159,31 @@ fn difference_of_two_machines_is_that_of_the_reverse_order_with_the_signs_swappe
     }
 }
 
-fn run(program: &str, arguments: &[&str], folder: &Path) -> (Option<i32>, String, String) {
-    // The folder may lie within a repository.
-    let above = folder.parent().unwrap();
-    let mut command = Command::new(program);
-    let output = command.args(arguments).current_dir(folder).env("GIT_CEILING_DIRECTORIES", above).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
-}
-
 #[test]
 fn file_is_compared_with_its_last_commit() {
-    let folder = scratch();
-    let vicode = |arguments: &[&str]| run(env!("CARGO_BIN_EXE_vicode"), arguments, &folder);
-    fs::write(folder.join("a.rs"), BEFORE).unwrap();
-    let (code, _, error) = vicode(&["diff", "a.rs"]);
-    assert!(code == Some(2) && error.contains("in no Git repository with a commit: name two files"), "{error}");
+    let folder = Folder::new("comparing");
+    let vicode = |arguments: &[&str]| vicode(arguments, &folder);
+    fs::write(folder.file("a.rs"), BEFORE).unwrap();
+    vicode(&["diff", "a.rs"]).refused(&["in no Git repository with a commit: name two files"]);
     let commit = ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "First"];
     for arguments in [&["init", "-q"][..], &["add", "a.rs"], &commit] {
-        assert_eq!(run("git", arguments, &folder).0, Some(0), "{arguments:?}");
+        let git = Command::new("git").args(arguments).current_dir(folder.path()).status().unwrap();
+        assert!(git.success(), "{arguments:?}");
     }
-    assert_eq!(vicode(&["diff", "a.rs", "--exit-code"]), (Some(0), String::new(), String::new()));
-    fs::write(folder.join("a.rs"), changed()).unwrap();
-    let (code, text, _) = vicode(&["diff", "a.rs", "--exit-code", "--svg", "d.svg"]);
-    assert!(code == Some(1) && text.contains("+ state run"), "{text}");
-    assert_eq!(vicode(&["diff", "a.rs"]).0, Some(0));
-    let drawing = fs::read_to_string(folder.join("d.svg")).unwrap();
+    let same = vicode(&["diff", "a.rs", "--exit-code"]);
+    assert_eq!((same.code, &*same.stdout, &*same.stderr), (Some(0), "", ""));
+    fs::write(folder.file("a.rs"), changed()).unwrap();
+    let ran = vicode(&["diff", "a.rs", "--exit-code", "--svg", "d.svg"]);
+    assert!(ran.code == Some(1) && ran.stdout.contains("+ state run"), "{}", ran.stdout);
+    assert_eq!(vicode(&["diff", "a.rs"]).code, Some(0));
+    let drawing = fs::read_to_string(folder.file("d.svg")).unwrap();
     for part in [">+ run<", ">- walk<", ">- seen<", ">~ tired after 800 ms<", "- ball.seen()<", "grey: equal"] {
         assert!(drawing.contains(part), "{part}");
     }
     // What the commit does not have is new.
-    fs::write(folder.join("new.rs"), BEFORE).unwrap();
-    assert!(vicode(&["diff", "new.rs"]).1.starts_with("+ A\n"));
-    assert_eq!(vicode(&["diff", "a.rs", "a.rs", "--svg", "e.svg"]).0, Some(2));
-    let json: serde_json::Value = serde_json::from_str(&vicode(&["diff", "a.rs", "--json"]).1).unwrap();
+    fs::write(folder.file("new.rs"), BEFORE).unwrap();
+    assert!(vicode(&["diff", "new.rs"]).stdout.starts_with("+ A\n"));
+    assert_eq!(vicode(&["diff", "a.rs", "a.rs", "--svg", "e.svg"]).code, Some(2));
+    let json = vicode(&["diff", "a.rs", "--json"]).json();
     assert_eq!(json["components"][0]["marks"]["states"]["walk"], "removed");
-    fs::remove_dir_all(folder).unwrap();
 }

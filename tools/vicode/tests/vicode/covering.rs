@@ -1,13 +1,13 @@
 //! Which states and transitions of a machine were visited.
 
 use std::fs;
-use std::path::PathBuf;
-use std::process::Command;
 
 use bica_recording::Recording;
+use bica_test_data::process::Folder;
 use bica_vicode::coverage::{Coverage, Visits};
 use bica_vicode::read;
 
+use crate::command::vicode;
 use crate::sources;
 
 const MACHINE: &str = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n    \
@@ -67,16 +67,15 @@ fn samples_of_all_cycles_count_as_those_of_changes() {
 #[test]
 fn coverage_of_a_recorded_game_has_all_its_time() {
     let root = sources::root().canonicalize().unwrap();
-    let [source, game] =
-        ["player/src/behaviour/player.rs", "tools/player/tests/recordings/game.mcap"].map(|path| root.join(path));
-    let output = Command::new(env!("CARGO_BIN_EXE_vicode"))
-        .arg("coverage")
-        .args([&source, &game])
-        .arg("--json")
-        .output()
-        .unwrap();
-    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let mut recording = Recording::open(&game).unwrap().without_blobs();
+    let [source, game, other] = [
+        "player/src/behaviour/player.rs",
+        "tools/player/tests/recordings/game.mcap",
+        "examples/goalkeeper/src/goalkeeper.rs",
+    ]
+    .map(|path| root.join(path).into_os_string().into_string().unwrap());
+    let tests = Folder::new("covering");
+    let found = vicode(&["coverage", &source, &game, "--json"], &tests).json();
+    let mut recording = Recording::open(game.as_ref()).unwrap().without_blobs();
     let tree = recording.header().tree.clone();
     let player = tree.components.iter().position(|one| one.name == "Player").unwrap();
     let mut cycles = vec![0; tree.components[player].states.len()];
@@ -91,22 +90,17 @@ fn coverage_of_a_recorded_game_has_all_its_time() {
         assert_eq!(own["visits"] == 0, *number == 0, "{own}");
     }
     // A test of 2 s, and one of another robot.
-    let tests = crate::files::scratch();
     let lines = "0\tPlayer\tlook_for_ball\n500000\tPlayer\tapproach\n1500000\tPlayer\t-\n2000000\tOther\tx\n";
-    fs::write(tests.join("1-0.states"), lines).unwrap();
-    fs::write(tests.join("1-1.states"), "0\tOther\tx\n").unwrap();
-    let summary = |from: &[&PathBuf]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_vicode"));
-        let output = command.arg("coverage").arg(&source).args(from).arg("--summary").output().unwrap();
-        String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap()
+    fs::write(tests.file("1-0.states"), lines).unwrap();
+    fs::write(tests.file("1-1.states"), "0\tOther\tx\n").unwrap();
+    let summary = |from: &[&str]| {
+        let ran = vicode(&[&["coverage", &source, "--summary"], from].concat(), &tests);
+        ran.stdout + &ran.stderr
     };
     let alone = "Player: 2 of 8 states, 1 of 17 transitions, 1.50 s in 1 run\n";
-    assert_eq!(summary(&[&tests]), alone);
-    assert!(summary(&[&game, &tests]).ends_with(" in 2 runs\n"));
-    fs::remove_file(tests.join("1-0.states")).unwrap();
-    assert!(summary(&[&tests]).contains("no test in it has run `Player`"));
-    let other = root.join("examples/goalkeeper/src/goalkeeper.rs");
-    let refused = Command::new(env!("CARGO_BIN_EXE_vicode")).arg("coverage").args([&other, &game]).output().unwrap();
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("has no component `Goalkeeper`; it has Player, "));
+    assert_eq!(summary(&[tests.text()]), alone);
+    assert!(summary(&[&game, tests.text()]).ends_with(" in 2 runs\n"));
+    fs::remove_file(tests.file("1-0.states")).unwrap();
+    assert!(summary(&[tests.text()]).contains("no test in it has run `Player`"));
+    vicode(&["coverage", &other, &game], &tests).refused(&["has no component `Goalkeeper`; it has Player, "]);
 }

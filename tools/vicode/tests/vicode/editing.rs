@@ -2,12 +2,12 @@
 
 use std::fs;
 
+use bica_test_data::process::Folder as Scratch;
 use bica_vicode::model::{Component, Model};
 use bica_vicode::{Document, Edit, Folder, Refusal};
 use serde_json::json;
 
 use crate::abstraction::Abstract;
-use crate::files::scratch;
 use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine, namesakes};
 use crate::random::Random;
 use crate::sources;
@@ -230,11 +230,11 @@ fn state_of_an_incomplete_machine_is_renamed() {
 fn opening_and_saving_changes_no_byte() {
     let files = sources::files(&sources::root());
     assert!(files.len() > 300, "{}", files.len());
-    let path = scratch();
-    let folder = Folder::open(&path).unwrap();
+    let path = Scratch::new("editing");
+    let folder = Folder::open(path.path()).unwrap();
     for file in files.iter().step_by(7) {
         let bytes = fs::read(file).unwrap();
-        let copy = path.join("copy.rs");
+        let copy = path.file("copy.rs");
         fs::write(&copy, &bytes).unwrap();
         let written = fs::metadata(&copy).unwrap().modified().unwrap();
         // What is no text is refused.
@@ -246,5 +246,4 @@ fn opening_and_saving_changes_no_byte() {
         assert_eq!(fs::read(&copy).unwrap(), bytes, "{}", file.display());
         assert_eq!(fs::metadata(&copy).unwrap().modified().unwrap(), written, "{}", file.display());
     }
-    fs::remove_dir_all(path).unwrap();
 }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::server::target;
+use crate::folder::target;
 
 /// Longest time in which it ends its browsers.
 const END: Duration = Duration::from_secs(5);

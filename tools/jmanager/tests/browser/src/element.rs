@@ -76,13 +76,10 @@ impl<'a> Element<'a> {
     }
 
     async fn run(&self, script: &str, argument: Value) -> Value {
-        self.page.run(script, vec![self.value.clone(), argument]).await
+        self.page.run_with(script, vec![self.value.clone(), argument]).await
     }
 
     /// Clicks its middle with the mouse.
-    ///
-    /// # Panics
-    /// If a press does not reach it in time.
     pub async fn click(&self) {
         let start = Instant::now();
         while !self.try_click().await.expect("a control of the page") {

@@ -1,11 +1,15 @@
 //! A server, a browser, and a page whose controls are found by role and name.
+//!
+//! All of it is for tests: what cannot be started, is not there in time or fails ends the test with a panic that names it.
 
 mod driver;
 mod element;
+mod folder;
 mod page;
 mod robot;
 mod server;
 
+pub use folder::{Folder, repository, target};
 pub use page::Page;
 pub use robot::{Robot, player, restrict_to};
-pub use server::{Server, processor_seconds, target};
+pub use server::{Server, processor_seconds};

@@ -1,5 +1,6 @@
 //! A page in a browser.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use fantoccini::wd::{Capabilities, WebDriverCompatibleCommand};
@@ -10,7 +11,8 @@ use tokio::time::sleep;
 
 use crate::driver::{Driver, is_firefox};
 use crate::element::Element;
-use crate::server::{Server, target};
+use crate::folder::target;
+use crate::server::Server;
 
 /// Longest wait for a condition on a busy machine.
 pub(crate) const LIMIT: Duration = Duration::from_secs(90);
@@ -54,17 +56,11 @@ pub struct Page {
 
 impl Page {
     /// Opens the page of a server in a window of a size.
-    ///
-    /// # Panics
-    /// If the browser does not start.
     pub async fn open(server: &Server, (width, height): (u32, u32)) -> Self {
         Self::open_with(&server.url(), (width, height), &[]).await
     }
 
     /// Opens a URL with more arguments of the browser.
-    ///
-    /// # Panics
-    /// If the browser does not start.
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
         let driver = Driver::start();
         let size = format!("--window-size={width},{height}");
@@ -93,59 +89,46 @@ impl Page {
         Self { client, _driver: driver }
     }
 
+    /// Runs a script.
+    pub async fn run(&self, script: &str) -> Value {
+        self.run_with(script, vec![]).await
+    }
+
     /// Runs a script; its arguments are `arguments[0]`, ….
-    ///
-    /// # Panics
-    /// If the script fails.
-    pub async fn run(&self, script: &str, arguments: Vec<Value>) -> Value {
+    pub async fn run_with(&self, script: &str, arguments: Vec<Value>) -> Value {
         // Firefox runs scripts apart from the page, where `import` gives modules of their own.
         let script = &if is_firefox() { script.replace("import(", "window.load(") } else { script.to_owned() };
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
     }
 
     /// Runs a script in a frame of the page.
-    ///
-    /// # Panics
-    /// If there is no such frame, or the script fails.
     pub async fn run_in_frame(&self, index: u16, script: &str) -> Value {
         self.client.enter_frame(index).await.expect("a frame");
-        let value = self.run(script, vec![]).await;
+        let value = self.run(script).await;
         self.client.enter_parent_frame().await.expect("the page");
         value
     }
 
     /// Changes the size of the window.
-    ///
-    /// # Panics
-    /// If the browser is gone.
     pub async fn resize(&self, (width, height): (u32, u32)) {
         self.client.set_window_size(width, height).await.expect("a window");
     }
 
     /// Goes to another address.
-    ///
-    /// # Panics
-    /// If the browser is gone.
     pub async fn go(&self, url: &str) {
         self.client.goto(url).await.expect("the page");
     }
 
     /// Waits until a script returns something true; returns it.
-    ///
-    /// # Panics
-    /// If it does not in time.
     pub async fn until(&self, what: &str, script: &str) -> Value {
         self.until_within(what, script, LIMIT).await
     }
 
     /// The same with another longest wait.
-    ///
-    /// # Panics
-    /// If it does not in time.
     pub async fn until_within(&self, what: &str, script: &str, limit: Duration) -> Value {
         let start = Instant::now();
         loop {
-            let value = self.run(script, vec![]).await;
+            let value = self.run(script).await;
             if !matches!(value, Value::Null | Value::Bool(false)) {
                 return value;
             }
@@ -157,7 +140,7 @@ impl Page {
     pub(crate) async fn may_wait(&self, start: Instant, limit: Duration, what: &str) {
         if start.elapsed() > limit {
             self.screenshot("failed").await;
-            let happened = self.run("return (window.happened ?? []).slice(-40).join('\\n')", vec![]).await;
+            let happened = self.run("return (window.happened ?? []).slice(-40).join('\\n')").await;
             let happened = happened.as_str().unwrap_or_default().to_owned();
             panic!("not in time: {what}; last events:\n{happened}\nthe page shows: {}", self.text().await);
         }
@@ -166,7 +149,7 @@ impl Page {
 
     /// All visible text.
     pub async fn text(&self) -> String {
-        self.run("return document.body.innerText", vec![]).await.as_str().unwrap_or_default().to_owned()
+        self.run("return document.body.innerText").await.as_str().unwrap_or_default().to_owned()
     }
 
     /// Waits until the page contains a text.
@@ -175,10 +158,65 @@ impl Page {
         self.until(&format!("the text “{text}”"), &script).await;
     }
 
+    /// Waits until the page does not contain a text.
+    pub async fn reads_no(&self, text: &str) {
+        let script = format!("return !document.body.innerText.includes({})", json!(text));
+        self.until(&format!("no text “{text}”"), &script).await;
+    }
+
+    /// Waits until the number of elements of a selector meets a condition, such as `> 5`.
+    pub async fn counts(&self, selector: &str, condition: &str) {
+        let script = format!("return document.querySelectorAll({}).length {condition}", json!(selector));
+        self.until(&format!("number of `{selector}` {condition}"), &script).await;
+    }
+
+    /// Waits until there is an element of a selector.
+    pub async fn shows(&self, selector: &str) {
+        self.counts(selector, "> 0").await;
+    }
+
+    /// Waits until there is no element of a selector.
+    pub async fn lacks(&self, selector: &str) {
+        self.counts(selector, "=== 0").await;
+    }
+
+    /// Waits until a condition of `one`, the first element of a selector, holds.
+    pub async fn is(&self, selector: &str, condition: &str) {
+        let script =
+            format!("const one = document.querySelector({}); return one !== null && ({condition})", json!(selector));
+        self.until(&format!("{condition} of `{selector}`"), &script).await;
+    }
+
+    /// Waits until a condition of `one` holds for some element of a selector.
+    pub async fn any(&self, selector: &str, condition: &str) {
+        let all = format!("[...document.querySelectorAll({})]", json!(selector));
+        self.until(&format!("{condition} of any `{selector}`"), &format!("return {all}.some((one) => {condition})"))
+            .await;
+    }
+
+    /// Waits until the time of the page, s, meets a condition, such as `> 5`.
+    pub async fn time(&self, condition: &str) {
+        self.is(".clock b", &format!("Number.parseFloat(one.textContent) {condition}")).await;
+    }
+
+    /// Waits until a file has all parts; the page saves half a second after the last change.
+    pub async fn saves(&self, file: &Path, parts: &[&str]) {
+        self.saves_what(file, &format!("{parts:?}"), |text| parts.iter().all(|part| text.contains(part))).await;
+    }
+
+    /// Waits until a condition of a file's text holds.
+    pub async fn saves_what(&self, file: &Path, what: &str, is: impl Fn(&str) -> bool) {
+        let start = Instant::now();
+        loop {
+            let text = std::fs::read_to_string(file).unwrap_or_default();
+            if is(&text) {
+                return;
+            }
+            self.may_wait(start, LIMIT, &format!("{what} in {}, which is:\n{text}", file.display())).await;
+        }
+    }
+
     /// Finds a control by role and name; scope is the name of a panel or section, or empty.
-    ///
-    /// # Panics
-    /// If there is none in time.
     pub async fn find(&self, role: &str, name: &str, scope: &str) -> Element<'_> {
         let arguments = vec![json!(role), json!(name), json!(scope)];
         let start = Instant::now();
@@ -194,9 +232,6 @@ impl Page {
     }
 
     /// Clicks a control.
-    ///
-    /// # Panics
-    /// If it stands nowhere in time where a press reaches it.
     pub async fn click(&self, role: &str, name: &str, scope: &str) {
         let start = Instant::now();
         // A page may draw a control again between the search and the press.
@@ -206,9 +241,6 @@ impl Page {
     }
 
     /// Presses keys as a person does, one after the other.
-    ///
-    /// # Panics
-    /// If the browser is gone.
     pub async fn press(&self, keys: &str) {
         let actions: Vec<_> = keys
             .chars()
@@ -229,6 +261,12 @@ impl Page {
 
     async fn act(&self, actions: Value) {
         self.client.issue_cmd(Actions(actions)).await.expect("keys are pressed");
+    }
+
+    /// Types a value into a field, which then has the focus, and presses Enter.
+    pub async fn fill(&self, name: &str, value: &str) {
+        self.find("textbox", name, "").await.set(value).await;
+        self.press("\u{e007}").await;
     }
 
     /// Types a text, then Enter.
@@ -285,9 +323,6 @@ impl Page {
     }
 
     /// Writes a picture of the page to target/browser/screenshots.
-    ///
-    /// # Panics
-    /// If it cannot be written.
     pub async fn screenshot(&self, name: &str) {
         let folder = target().join("browser/screenshots");
         std::fs::create_dir_all(&folder).expect("a folder for screenshots");
@@ -305,9 +340,6 @@ impl Page {
     }
 
     /// Checks that the console has no error, and closes the browser.
-    ///
-    /// # Panics
-    /// If there was an error.
     pub async fn close(self) {
         let errors = self.console().await;
         assert!(errors.is_empty(), "the console has errors: {errors:#?}");

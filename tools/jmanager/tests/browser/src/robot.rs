@@ -1,12 +1,11 @@
 //! Other programs that a story needs: a robot behind a link, and games.
 
 use std::io::{BufRead, BufReader, Read};
-use std::path::PathBuf;
 use std::process::{Child, ChildStdout, Command, Stdio};
 
 use serde_json::Value;
 
-use crate::server::{program, target};
+use crate::folder::{program, repository};
 
 /// A simulated robot in a process of its own, which ends when this is dropped.
 pub struct Robot {
@@ -18,18 +17,12 @@ pub struct Robot {
 
 impl Robot {
     /// Starts a game in real time with more arguments of `player play`.
-    ///
-    /// # Panics
-    /// If the program is not built or does not start.
     #[must_use]
     pub fn start(arguments: &[&str]) -> Self {
         Self::start_at("127.0.0.1:0", arguments)
     }
 
     /// Starts it at an address.
-    ///
-    /// # Panics
-    /// If the program is not built or does not start.
     #[must_use]
     pub fn start_at(address: &str, arguments: &[&str]) -> Self {
         let mut child = command(&[&["play", "--realtime", "--json", "--serve", address], arguments].concat())
@@ -48,9 +41,6 @@ impl Robot {
     }
 
     /// Restricts it to one processor.
-    ///
-    /// # Panics
-    /// If the program `taskset` is missing.
     #[must_use]
     pub fn on_processor(self, processor: usize) -> Self {
         restrict_to(self.child.id(), &processor.to_string());
@@ -58,9 +48,6 @@ impl Robot {
     }
 
     /// Waits for the end of the game; returns the 99th percentile of the duration of a cycle, ms.
-    ///
-    /// # Panics
-    /// If the game does not end as it should.
     #[must_use]
     pub fn latency(mut self) -> f64 {
         let mut text = String::new();
@@ -83,9 +70,6 @@ impl Drop for Robot {
 }
 
 /// Restricts the threads of a process, and what it starts from now on, to processors: `0` or `0-1`.
-///
-/// # Panics
-/// If the program `taskset` is missing.
 pub fn restrict_to(process: u32, processors: &str) {
     let status =
         Command::new("taskset").args(["-acp", processors, &process.to_string()]).stdout(Stdio::null()).status();
@@ -93,9 +77,6 @@ pub fn restrict_to(process: u32, processors: &str) {
 }
 
 /// Runs `player` to its end.
-///
-/// # Panics
-/// If it fails.
 pub fn player(arguments: &[&str]) {
     let status = command(arguments).stdout(Stdio::null()).status().expect("the program `player` is built");
     // 1: a game without a goal.
@@ -104,10 +85,6 @@ pub fn player(arguments: &[&str]) {
 
 fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(program("player"));
-    command.args(arguments).current_dir(repository());
+    command.args(arguments).current_dir(repository(""));
     command
-}
-
-fn repository() -> PathBuf {
-    target().join("..")
 }

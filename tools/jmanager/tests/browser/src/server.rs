@@ -1,10 +1,13 @@
 //! A running JManager.
 
 use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
+
+use crate::folder::{Folder, program};
+use crate::robot::player;
 
 /// Longest start on a busy machine.
 const START: Duration = Duration::from_mins(1);
@@ -16,44 +19,40 @@ pub struct Server {
     child: Child,
     urls: Receiver<String>,
     /// Folder of its recordings and files.
-    pub folder: PathBuf,
+    pub folder: Folder,
 }
 
 impl Server {
     /// Starts the program with more arguments, in a folder of its own.
-    ///
-    /// # Panics
-    /// If the program is not built or does not start.
     #[must_use]
     pub fn start(name: &str, arguments: &[&str]) -> Self {
         Self::start_program(&program("jmanager"), name, arguments)
     }
 
+    /// The same with a folder of sources.
+    #[must_use]
+    pub fn with_sources(name: &str, sources: &Folder) -> Self {
+        Self::start(name, &["--source", &sources.argument("")])
+    }
+
     /// The same with the monitor of an example.
-    ///
-    /// # Panics
-    /// If the example is not built or does not start.
     #[must_use]
     pub fn start_example(name: &str) -> Self {
         Self::start_program(&program("examples").join(name), name, &["monitor"])
     }
 
     /// The same with another program of the repository.
-    ///
-    /// # Panics
-    /// If the program is not built or does not start.
     #[must_use]
     pub fn start_other(name: &str, arguments: &[&str]) -> Self {
         Self::start_program(&program(name), name, arguments)
     }
 
     fn start_program(program: &Path, name: &str, arguments: &[&str]) -> Self {
-        let folder = target().join(format!("browser/run/{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).expect("a folder for the server");
+        let folder = Folder::new(name);
         let mut child = Command::new(program)
             .args(arguments)
             .args(["--no-open", "--port", "0"])
-            .current_dir(&folder)
+            .current_dir(folder.path(""))
             .stdout(Stdio::piped())
             .spawn()
             .unwrap_or_else(|error| panic!("cannot start {}: {error}; build it first", program.display()));
@@ -70,27 +69,25 @@ impl Server {
     }
 
     /// The URL that it printed; it works once.
-    ///
-    /// # Panics
-    /// If it prints none in time.
     #[must_use]
     pub fn url(&self) -> String {
         self.urls.recv_timeout(START).expect("the server prints a URL")
     }
 
+    /// Plays a game with more arguments of `player play`, and records it in the server's folder of recordings.
+    pub fn record(&self, name: &str, arguments: &[&str]) {
+        std::fs::create_dir_all(self.folder.path("recordings")).expect("a folder");
+        let file = self.folder.argument(&format!("recordings/{name}.mcap"));
+        player(&[&["play", "--record", &file], arguments].concat());
+    }
+
     /// Time that the processor has worked for it, s.
-    ///
-    /// # Panics
-    /// If it has ended.
     #[must_use]
     pub fn processor_seconds(&self) -> f64 {
         processor_seconds(self.child.id())
     }
 
     /// Memory that it has, bytes.
-    ///
-    /// # Panics
-    /// If it has ended.
     #[must_use]
     pub fn resident_bytes(&self) -> u64 {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).expect("the server runs");
@@ -99,17 +96,11 @@ impl Server {
     }
 
     /// Lets it stand still: it answers nothing until [`resume`](Self::resume).
-    ///
-    /// # Panics
-    /// If it has ended.
     pub fn pause(&self) {
         self.signal("-STOP");
     }
 
     /// Lets it go on.
-    ///
-    /// # Panics
-    /// If it has ended.
     pub fn resume(&self) {
         self.signal("-CONT");
     }
@@ -135,14 +126,10 @@ impl Drop for Server {
             std::thread::sleep(Duration::from_millis(20));
         }
         self.kill();
-        let _ = std::fs::remove_dir_all(&self.folder);
     }
 }
 
 /// Time that the processor has worked for a process, s.
-///
-/// # Panics
-/// If it has ended.
 #[must_use]
 pub fn processor_seconds(process: u32) -> f64 {
     let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("the process runs");
@@ -150,16 +137,4 @@ pub fn processor_seconds(process: u32) -> f64 {
     // Of the fields after the name, the 12th and 13th are user and system time, in hundredths of a second.
     let ticks = after_name.split_whitespace().skip(11).take(2).map(|ticks| ticks.parse::<f64>().expect("a number"));
     ticks.sum::<f64>() / 100.0
-}
-
-/// A program of the repository, built in the profile that `JMANAGER_PROFILE` names, else `debug`.
-pub(crate) fn program(name: &str) -> PathBuf {
-    let profile = std::env::var("JMANAGER_PROFILE").unwrap_or_else(|_| "debug".to_owned());
-    target().join(profile).join(name)
-}
-
-/// The folder `target` of the repository.
-#[must_use]
-pub fn target() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../target"))
 }

@@ -1,10 +1,10 @@
 //! The page for people with a keyboard, a screen reader or an unsteady hand.
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Page, Server, repository, target};
 use serde_json::json;
 
 use crate::glance::SMALL;
-use crate::open_in;
+use crate::{open_in, put_beside};
 
 /// Buttons and fields with a side below 24 px, as far as they are shown.
 pub(crate) const TARGETS: &str = r"
@@ -24,12 +24,12 @@ pub(crate) async fn load_axe(page: &Page) {
     let file = target().join("axe/node_modules/axe-core/axe.min.js");
     let axe = std::fs::read_to_string(&file)
         .unwrap_or_else(|error| panic!("{}: {error}; `cargo xtask browser` installs it", file.display()));
-    page.run(&format!("{axe}; window.axe = axe;"), vec![]).await;
+    page.run(&format!("{axe}; window.axe = axe;")).await;
 }
 
 /// Sets a theme.
 pub(crate) async fn set_theme(page: &Page, theme: &str) {
-    if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
+    if page.run("return document.documentElement.dataset.theme").await != theme {
         page.press("t").await;
     }
 }
@@ -39,39 +39,32 @@ async fn in_each_layout(page: &Page, check: &str) {
         set_theme(page, theme).await;
         for key in ["1", "2", "3", "4", "5", "6", "7"] {
             page.press(key).await;
-            page.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
+            page.counts(".panel", "> 1").await;
             tokio::time::sleep(std::time::Duration::from_millis(400)).await;
-            assert_eq!(page.run(check, vec![]).await, json!([]), "layout {key}, {theme}");
+            assert_eq!(page.run(check).await, json!([]), "layout {key}, {theme}");
         }
     }
 }
 
 #[tokio::test]
 async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
-    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
-    let server = Server::start("access", &["--source", sources]);
+    let server = Server::start("access", &["--source", &repository("player")]);
     let page = open_in(&server, SMALL).await;
     load_axe(&page).await;
     in_each_layout(&page, TARGETS).await;
     in_each_layout(&page, AXE).await;
     // Panels that no layout has: a table, the map in 3D, and two sessions.
     page.press("1").await;
-    page.run("return Promise.all(['dock', 'store'].map((name) => import(`/lib/${name}.js`))).then(([{ open }, { ask, putBeside }]) => { \
-        open('table', { rows: ['Odometry.walked', 'Head.pan'] }); \
-        return ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, options: {} } }).then(({ session }) => setTimeout(() => putBeside(session), 2000)); })", vec![]).await;
+    let table = "import('/lib/dock.js').then(({ open }) => open('table', { rows: ['Odometry.walked', 'Head.pan'] }))";
+    page.run(table).await;
+    put_beside(&page).await;
     page.click("switch", "3D", "Map").await;
-    page.until(
-        "the other session is beside it",
-        "return document.querySelector('.beside[aria-pressed=true]') !== null",
-    )
-    .await;
-    page.until("the table has both", "return document.querySelectorAll('[aria-label=Values] thead th').length === 7")
-        .await;
-    assert_eq!((page.run(TARGETS, vec![]).await, page.run(AXE, vec![]).await), (json!([]), json!([])));
+    page.counts("[aria-label=Values] thead th", "=== 7").await;
+    assert_eq!((page.run(TARGETS).await, page.run(AXE).await), (json!([]), json!([])));
     // Escape closes a menu also from where it is a key of the panel.
     page.click("button", "What can be done here", "Map").await;
-    page.run("document.querySelector('.component').focus()", vec![]).await;
+    page.run("document.querySelector('.component').focus()").await;
     page.press("\u{e00c}").await;
-    page.until("the menu is closed", "return document.querySelector('.menu:popover-open') === null").await;
+    page.lacks(".menu:popover-open").await;
     page.close().await;
 }

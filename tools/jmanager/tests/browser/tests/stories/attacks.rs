@@ -57,7 +57,7 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
     page.go(&format!("http://{address}/")).await;
     let head = requests.recv_timeout(Duration::from_secs(60)).expect("a request");
     assert!(!head.contains("cookie") && !head.contains("authorization") && !head.contains("key="), "{head}");
-    assert_eq!(page.run("return [localStorage.length, document.cookie]", vec![]).await, json!([0, ""]));
+    assert_eq!(page.run("return [localStorage.length, document.cookie]").await, json!([0, ""]));
     let script = r"
       const own = arguments[0];
       window.seen = {};
@@ -73,15 +73,15 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
       const module = document.createElement('script'); module.onload = () => { seen.script = 'loaded'; }; module.onerror = () => {
         seen.script = 'refused'; }; module.src = own + '/vendor/htm.js'; document.head.append(module);
     ";
-    page.run(script, vec![json!(own)]).await;
+    page.run_with(script, vec![json!(own)]).await;
     page.until("all attempts have ended", "return Object.keys(window.seen).length === 5").await;
-    let seen = page.run("return window.seen", vec![]).await;
+    let seen = page.run("return window.seen").await;
     for what in ["socket", "image", "script"] {
         assert_eq!(seen[what], "refused", "{what}: {seen}");
     }
     assert_ne!(seen["fetch"], "basic", "{seen}");
     // The page in a frame of the foreign page is not shown.
-    page.run(
+    page.run_with(
         "const frame = document.createElement('iframe'); frame.src = arguments[0]; document.body.append(frame); \
         frame.onload = () => { window.framed = true; }",
         vec![json!(own)],
@@ -105,10 +105,10 @@ async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
         try { (0, eval)('window.ran = true'); } catch {}
         window.tried = true;
       });";
-    page.run(script, vec![]).await;
+    page.run(script).await;
     page.until("all was tried", "return window.tried === true").await;
     tokio::time::sleep(Duration::from_secs(1)).await;
-    assert_eq!(page.run("return window.ran", vec![]).await, json!(false));
+    assert_eq!(page.run("return window.ran").await, json!(false));
 }
 
 /// Attack 5: the key leaves the address at once, and no other site learns of this page.
@@ -119,11 +119,11 @@ async fn the_key_is_in_no_address_and_no_other_site_is_told_of_the_page() {
     page.find("button", "View", "").await;
     let addresses =
         "return [location.href, document.referrer, ...performance.getEntriesByType('resource').map((one) => one.name)]";
-    let addresses = page.run(addresses, vec![]).await;
+    let addresses = page.run(addresses).await;
     assert!(addresses.as_array().expect("a list").len() > 5 && !addresses.to_string().contains("key="), "{addresses}");
-    assert_eq!(page.run("return document.cookie", vec![]).await, "");
+    assert_eq!(page.run("return document.cookie").await, "");
     let (address, requests) = foreign();
-    page.run(&format!("location.href = 'http://{address}/'"), vec![]).await;
+    page.run(&format!("location.href = 'http://{address}/'")).await;
     let head = requests.recv_timeout(Duration::from_secs(60)).expect("a request");
     assert!(head.starts_with("get / ") && !head.contains("referer:"), "{head}");
 }
@@ -133,8 +133,7 @@ async fn the_key_is_in_no_address_and_no_other_site_is_told_of_the_page() {
 async fn names_of_files_and_robots_are_shown_as_text() {
     let name = "<img src=x onerror=\"window.ran=true\">";
     let server = Server::start("names", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
-    std::fs::write(server.folder.join(format!("recordings/{name}.mcap")), "no recording").expect("a file");
+    server.folder.write(&format!("recordings/{name}.mcap"), "no recording");
     let page = open(&server).await;
     tab(&page, "Recordings").await;
     page.reads(name).await;
@@ -145,6 +144,6 @@ async fn names_of_files_and_robots_are_shown_as_text() {
     page.click("button", "Connect", "").await;
     page.reads(&format!("tcp://{name}:1")).await;
     tokio::time::sleep(Duration::from_secs(1)).await;
-    let seen = page.run("return [document.querySelectorAll('img').length, window.ran === true]", vec![]);
+    let seen = page.run("return [document.querySelectorAll('img').length, window.ran === true]");
     assert_eq!(seen.await, json!([0, false]));
 }

@@ -56,8 +56,7 @@ async fn tilt(page: &Page) -> &'static str {
 async fn place(page: &Page, x: f64, y: f64) {
     page.click("button", "What can be done here", "Map").await;
     page.find("textbox", "place ball x", "").await.set(&format!("{x:.3}")).await;
-    page.find("textbox", "place ball y", "").await.set(&format!("{y:.3}")).await;
-    page.press("\u{e007}").await;
+    page.fill("place ball y", &format!("{y:.3}")).await;
 }
 
 /// With the root latent and `FaceBall` held active the head follows a ball that is dragged on the map, to both sides.
@@ -109,8 +108,7 @@ async fn a_place_outside_the_field_is_explained() {
     place(&page, 3.5, 0.0).await;
     page.reads("3.5 is outside -3..=3").await;
     page.reads("operator: you").await;
-    page.find("textbox", "place ball x", "").await.set("far").await;
-    page.press("\u{e007}").await;
+    page.fill("place ball x", "far").await;
     page.reads("is no number").await;
     page.close().await;
 }

@@ -1,26 +1,12 @@
 //! Several sessions in one view: on one map, one timeline, one plot and one table, live and of the past.
 
-use jmanager_browser::{Page, Server, player};
+use jmanager_browser::{Page, Server};
 
-use crate::{GOES_ON, open, tab};
-
-/// Whether the map has more than some pixels of the colour of a session that is shown beside another one.
-fn drawn(least: usize) -> String {
-    format!(
-        "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); if (!canvas || canvas.width < 50) return null; \
-        const probe = new OffscreenCanvas(1, 1).getContext('2d'); probe.fillStyle = getComputedStyle(document.documentElement)\
-            .getPropertyValue('--curve5').trim(); \
-        probe.fillRect(0, 0, 1, 1); const wanted = probe.getImageData(0, 0, 1, 1).data; const {{ width, height }} = canvas; \
-        const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
-        const {{ data }} = copy.getImageData(0, 0, width, height - 60); let count = 0; \
-        for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => \
-            Math.abs(data[at + one] - wanted[one]) < 12); return count > {least}"
-    )
-}
+use crate::{GOES_ON, map_has, open, put_beside, tab};
 
 /// Lists outputs in a new table.
 async fn list(page: &Page, names: &[&str]) {
-    page.run("import('/lib/dock.js').then(({ open }) => open('table'))", vec![]).await;
+    page.run("import('/lib/dock.js').then(({ open }) => open('table'))").await;
     for name in names {
         page.find("combobox", "Output to list", "").await.set(name).await;
         page.click("button", "Add", "Table").await;
@@ -40,15 +26,9 @@ fn cells(name: &str) -> String {
 async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
     let server = Server::start("beside", &[]);
     let page = open(&server).await;
-    page.run(GOES_ON, vec![]).await;
-    page.run(
-        "import('/lib/store.js').then(({ ask }) => ask('open', { source: { kind: 'world', world: 'built-in', seed: 7, \
-        options: {} } }))",
-        vec![],
-    )
-    .await;
-    page.click("button", "Show built-in, seed 7 beside the chosen session", "").await;
-    page.until("the other robot is on the map", &drawn(15)).await;
+    page.run(GOES_ON).await;
+    put_beside(&page).await;
+    map_has(&page, "--curve5", 15).await;
     page.reads("from built-in, seed 7").await;
     list(&page, &["Odometry.walked.x", "Body"]).await;
     let row = cells("Odometry.walked.x");
@@ -58,13 +38,8 @@ async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
     )
     .await;
     // The rows of both in the timeline, and both curves in the plot.
-    page.run("import('/lib/dock.js').then(({ open }) => open('plot', { curves: ['Odometry.walked.x'] }))", vec![])
-        .await;
-    page.until(
-        "the legend has the value of the other world",
-        "return /\\d/.test(document.querySelector('.curve b[title=\"built-in, seed 7\"]')?.textContent ?? '')",
-    )
-    .await;
+    page.run("import('/lib/dock.js').then(({ open }) => open('plot', { curves: ['Odometry.walked.x'] }))").await;
+    page.is(".curve b[title='built-in, seed 7']", "/\\d/.test(one.textContent)").await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
     // The two worlds have been running for different times, and their moments are of one present.
@@ -80,11 +55,8 @@ async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
 #[tokio::test]
 async fn a_run_is_compared_with_another_one_frame_by_frame() {
     let server = Server::start("frames", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
     for (name, seed) in [("one", "1"), ("two", "2")] {
-        let file = server.folder.join(format!("recordings/{name}.mcap"));
-        let file = file.to_str().expect("a path of UTF-8");
-        player(&["play", "--seconds", "6", "--size", "160x120", "--seed", seed, "--record", file, "--images", "none"]);
+        server.record(name, &["--seconds", "6", "--size", "160x120", "--seed", seed, "--images", "none"]);
     }
     let page = open(&server).await;
     tab(&page, "Recordings").await;
@@ -97,7 +69,7 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     page.click("button", "Show both at", "Compare").await;
     // At the end they have gone apart.
     page.press("\u{e010}").await;
-    page.until("the other run is on the map", &drawn(15)).await;
+    map_has(&page, "--curve5", 15).await;
     // A step moves both.
     let times = "return import('/lib/store.js').then(({ companions, session }) => { \
         const [one, two] = [session.value, companions.value[0].of].map((of) => of.moment.value?.time_us); \
@@ -111,7 +83,7 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     .await;
     // The link has both.
     page.until("the address has both", "return location.hash.includes('beside=')").await;
-    page.run("location.reload()", vec![]).await;
+    page.run("location.reload()").await;
     page.until(
         "both are shown again",
         "return import('/lib/store.js').then(({ companions, session }) => \

@@ -1,9 +1,9 @@
 //! Stories of the designer: a machine is drawn, its code is written, and the file has both.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Folder, Page, Server, repository};
 use serde_json::json;
 
 use crate::geometry::large;
@@ -19,44 +19,13 @@ const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// F
     pub struct Legs;\n\n#[component]\n\
     impl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
 
-/// A small crate in a folder of its own, that is removed at the end.
-pub(crate) struct Crate(PathBuf);
-
-impl Crate {
-    pub(crate) fn new(name: &str) -> Self {
-        let folder = target().join(format!("browser/run/crate-{name}-{}", std::process::id()));
-        fs::create_dir_all(folder.join("src")).expect("a folder");
-        let this = Self(folder);
-        this.write(
-            "Cargo.toml",
-            "[package]\nname = \"small\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[workspace]\n",
-        );
-        this.write("src/lib.rs", "//! A small robot.\n\nmod parts;\n");
-        this.write("src/parts.rs", PARTS);
-        this
-    }
-
-    fn path(&self, file: &str) -> PathBuf {
-        self.0.join(file)
-    }
-
-    pub(crate) fn write(&self, file: &str, text: &str) {
-        fs::write(self.path(file), text).expect("a file");
-    }
-
-    fn read(&self, file: &str) -> String {
-        fs::read_to_string(self.path(file)).unwrap_or_default()
-    }
-
-    pub(crate) fn server(&self, name: &str) -> Server {
-        Server::start(name, &["--source", &self.0.display().to_string()])
-    }
-}
-
-impl Drop for Crate {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+/// A small crate in a folder of its own.
+pub(crate) fn small_crate(name: &str) -> Folder {
+    let folder = Folder::new(&format!("crate-{name}"));
+    folder.write("Cargo.toml", "[package]\nname = \"small\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[workspace]\n");
+    folder.write("src/lib.rs", "//! A small robot.\n\nmod parts;\n");
+    folder.write("src/parts.rs", PARTS);
+    folder
 }
 
 /// Opens the designer.
@@ -72,25 +41,8 @@ async fn open(server: &Server) -> Page {
 async fn open_legs(server: &Server) -> Page {
     let page = open(server).await;
     page.click("button", "Legs", "Sources").await;
-    page.until(
-        "the code is shown",
-        "return document.querySelector('.cm-content')?.textContent.includes('Goes to a side')",
-    )
-    .await;
+    page.is(".cm-content", "one.textContent.includes('Goes to a side')").await;
     page
-}
-
-/// Waits until the file has a text; the page saves half a second after the last change.
-pub(crate) async fn saved(page: &Page, source: &Crate, file: &str, what: &[&str]) {
-    for _ in 0..300 {
-        let text = source.read(file);
-        if what.iter().all(|part| text.contains(part)) {
-            return;
-        }
-        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
-    }
-    page.screenshot("failed").await;
-    panic!("{file} has not {what:?}:\n{}\nthe page shows: {}", source.read(file), page.text().await);
 }
 
 /// The middle of the canvas.
@@ -99,7 +51,6 @@ async fn canvas(page: &Page) -> (f64, f64) {
         .run(
             "const { x, y, width, height } = document.querySelector('svg.machine').getBoundingClientRect(); \
         return [x + width / 2, y + height / 2]",
-            vec![],
         )
         .await;
     (place[0].as_f64().unwrap_or_default(), place[1].as_f64().unwrap_or_default())
@@ -112,8 +63,8 @@ pub(crate) async fn focus(page: &Page, name: &str) {
 
 #[tokio::test]
 async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
-    let source = Crate::new("drawn");
-    let server = source.server("designing");
+    let source = small_crate("drawn");
+    let server = Server::with_sources("designing", &source);
     let page = open(&server).await;
     page.click("button", "New…", "Sources").await;
     page.find("textbox", "Folder", "").await.set("src").await;
@@ -150,16 +101,11 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     // A comment that is not closed hides states: they stay drawn, in grey.
     let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('fn kick'); \
         await edit([{ edit: 'replace', span: [at, at], text: '/*' }])";
-    page.run(&format!("return (async () => {{ {typed} }})()"), vec![]).await;
-    page.until("the drawing is grey", "return document.querySelector('svg.machine.stale [data-state=kick]') !== null")
-        .await;
-    page.run("document.querySelector('svg.machine').focus()", vec![]).await;
+    page.run(&format!("return (async () => {{ {typed} }})()")).await;
+    page.shows("svg.machine.stale [data-state=kick]").await;
+    page.run("document.querySelector('svg.machine').focus()").await;
     page.control('z').await;
-    page.until(
-        "the drawing is clear",
-        "return document.querySelector('svg.machine:not(.stale) [data-state=kick]') !== null",
-    )
-    .await;
+    page.shows("svg.machine:not(.stale) [data-state=kick]").await;
 
     // By keyboard: a state, a transition with a timer, a name, a child, and hooks in the inspector.
     focus(&page, "State kick").await;
@@ -183,16 +129,16 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("combobox", "Link", "").await.set("requirement").await;
     page.find("textbox", "Component", "").await.set("Ball").await;
     page.click("button", "Add child", "").await;
-    saved(&page, &source, "src/keeper.rs", &["ball: &Ball"]).await;
+    page.saves(&source.path("src/keeper.rs"), &["ball: &Ball"]).await;
     // By mouse: the other child, from the list onto the state.
     let legs = page.find("button", "Legs", "Sources").await.place().await;
     let block = page.find("button", "State block", "").await.middle().await;
     page.drag((legs[0] + 20.0, legs[1] + 8.0), block).await;
     page.click("button", "Add child", "").await;
-    saved(&page, &source, "src/keeper.rs", &["legs: &mut Legs"]).await;
+    page.saves(&source.path("src/keeper.rs"), &["legs: &mut Legs"]).await;
     page.find("button", "State block", "").await.click().await;
     page.click("button", "Add an entry hook", "").await;
-    saved(&page, &source, "src/keeper.rs", &["#[entry(block)]", "fn enter_block"]).await;
+    page.saves(&source.path("src/keeper.rs"), &["#[entry(block)]", "fn enter_block"]).await;
 
     write_note(&page, &source).await;
 
@@ -208,19 +154,15 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
         "fn watch(&mut self, ball: &Ball)",
         "legs.aside();",
     ];
-    saved(&page, &source, "src/keeper.rs", &all).await;
+    page.saves(&source.path("src/keeper.rs"), &all).await;
     assert_eq!(source.read("src/keeper.rs").matches("#[state").count(), 4);
     page.screenshot("designer-drawn").await;
 
     // An edit in another editor, then back to the first bytes.
     let edited = source.read("src/keeper.rs").replace("/// What it does first.", "/// Watches the ball.");
     source.write("src/keeper.rs", &edited);
-    page.until(
-        "the external edit is shown",
-        "return document.querySelector('svg.machine').textContent.includes('Watches the ball.')",
-    )
-    .await;
-    page.run("document.querySelector('svg.machine').focus()", vec![]).await;
+    page.is("svg.machine", "one.textContent.includes('Watches the ball.')").await;
+    page.run("document.querySelector('svg.machine').focus()").await;
     for _ in 0..80 {
         if source.read("src/keeper.rs") == first {
             break;
@@ -234,8 +176,8 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
 
 #[tokio::test]
 async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
-    let source = Crate::new("conflict");
-    let server = source.server("conflict");
+    let source = small_crate("conflict");
+    let server = Server::with_sources("conflict", &source);
     let page = open_legs(&server).await;
     let before = source.read("src/parts.rs");
     let theirs = before.replace("Goes", "Runs");
@@ -243,7 +185,7 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     server.pause();
     let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('Goes'); \
         edit([{ edit: 'replace', span: [at, at + 4], text: 'Walks' }])";
-    page.run(&format!("return (async () => {{ {typed} }})()"), vec![]).await;
+    page.run(&format!("return (async () => {{ {typed} }})()")).await;
     source.write("src/parts.rs", &theirs);
     server.resume();
     page.find("button", "Keep what is here", "").await;
@@ -252,24 +194,19 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
     assert_eq!(source.read("src/parts.rs"), theirs, "the file keeps its text until one side is chosen");
     page.screenshot("designer-conflict").await;
     page.click("button", "Keep what is here", "").await;
-    saved(&page, &source, "src/parts.rs", &["Walks to a side"]).await;
+    page.saves(&source.path("src/parts.rs"), &["Walks to a side"]).await;
     page.close().await;
 }
 
 #[tokio::test]
 async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
-    let player = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
-    let server = Server::start("live-states", &["--source", player]);
+    let server = Server::start("live-states", &["--source", &repository("player")]);
     let page = Page::open(&server, WIDE).await;
     page.click("button", "Player", "Activation tree").await;
     page.click("button", "edit states", "").await;
     page.find("button", "State search_net", "").await;
-    page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
-    page.until(
-        "conditions are shown",
-        "return [...document.querySelectorAll('.arrow .live')].some((one) => /^(true|false)/.test(one.textContent))",
-    )
-    .await;
+    page.shows(".box.lit").await;
+    page.any(".arrow .live", "/^(true|false)/.test(one.textContent)").await;
     page.screenshot("designer-live").await;
     focus(&page, "State search_net").await;
     page.press("b").await;
@@ -279,14 +216,12 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
     page.find("button", "Time: world paused", "").await;
     page.screenshot("designer-breakpoint").await;
     let time = "return document.querySelector('.clock b').textContent";
-    let before = page.run(time, vec![]).await;
+    let before = page.run(time).await;
     page.click("button", "Step", "Breakpoints").await;
-    page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
-        .await;
+    page.is(".clock b", &format!("one.textContent !== {before}")).await;
     // With a condition that does not hold the world goes through the state.
     page.find("button", "State search_net", "").await.click().await;
-    page.find("textbox", "Condition of the breakpoint", "").await.set("Odometry.walked.x > 100").await;
-    page.press("\u{e007}").await;
+    page.fill("Condition of the breakpoint", "Odometry.walked.x > 100").await;
     page.click("button", "Restart", "").await;
     page.click("button", "Continue", "Simulated world").await;
     let passed = "return Promise.all(['lib/store', 'vicode/stops'].map((name) => import(`/${name}.js`))) \
@@ -301,9 +236,9 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
 
 #[tokio::test]
 async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
-    let source = Crate::new("small-states");
+    let source = small_crate("small-states");
     source.write("src/large.rs", &large(60, 200));
-    let server = source.server("small-states");
+    let server = Server::with_sources("small-states", &source);
     let page = open(&server).await;
     page.find("button", "Large", "Sources").await;
     // Not by the mouse: the bar above may still become higher, and the list would lie elsewhere.
@@ -316,12 +251,12 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     assert!(height < 30.0, "all states are in view: {height} points high");
     let (x, y) = state.middle().await;
     let courses = "return [...document.querySelectorAll('.arrow > .line')].map((one) => one.getAttribute('d'))";
-    let before = page.run(courses, vec![]).await;
+    let before = page.run(courses).await;
     page.click_at((x, y)).await;
-    page.until("it is chosen", "return document.querySelector('.box.chosen')?.dataset.state === 'state_21'").await;
-    assert_eq!(page.run(courses, vec![]).await, before, "a click moves no transition");
+    page.is(".box.chosen", "one.dataset.state === 'state_21'").await;
+    assert_eq!(page.run(courses).await, before, "a click moves no transition");
     page.drag((x, y), (x + 40.0, y + 30.0)).await;
-    saved(&page, &source, "src/large.vicode", &["Large state_21 "]).await;
+    page.saves(&source.path("src/large.vicode"), &["Large state_21 "]).await;
     let (to_x, to_y) = page.find("button", "State state_21", "").await.middle().await;
     assert!(
         (to_x - x - 40.0).abs() < 6.0 && (to_y - y - 30.0).abs() < 6.0,
@@ -343,10 +278,10 @@ async fn speed_of_the_designer_is_measured() {
         println!("not measured: start with `cargo xtask browser --figures`");
         return;
     }
-    let source = Crate::new("large");
+    let source = small_crate("large");
     source.write("src/large.rs", &large(60, 200));
     source.write("src/huge.rs", &large(200, 400).replace("Large", "Huge"));
-    let server = source.server("designer-figures");
+    let server = Server::with_sources("designer-figures", &source);
     let page = open(&server).await;
     let opened = "const [name, states] = arguments; const start = performance.now(); \
         const button = [...document.querySelectorAll('.sources button.name')].find((one) => one.textContent.startsWith(name)); \
@@ -354,11 +289,11 @@ async fn speed_of_the_designer_is_measured() {
             .length === states ? requestAnimationFrame(() => resolve(performance.now() - start)) : requestAnimationFrame(look); look(); })";
     for (name, states) in [("Huge", 200), ("Large", 60)].repeat(5) {
         page.find("button", name, "Sources").await;
-        let time = page.run(opened, vec![json!(name), json!(states)]).await;
+        let time = page.run_with(opened, vec![json!(name), json!(states)]).await;
         println!("a component of {states} states is shown after {time} ms");
     }
     let [left, top, width, height] = page.find("button", "State state_21", "").await.place().await;
-    page.run(MEASURE, vec![]).await;
+    page.run(MEASURE).await;
     let middle = (left + width / 2.0, top + height / 2.0);
     for turn in 0..12 {
         let to = (middle.0 + f64::from(turn % 4) * 30.0, middle.1 + f64::from(turn % 3) * 30.0);
@@ -366,31 +301,25 @@ async fn speed_of_the_designer_is_measured() {
         page.drag(to, middle).await;
     }
     let frames = page
-        .run(
-            "const all = window.frames_.slice(5); return all.length / (all.reduce((sum, one) => sum + one, 0) / 1000)",
-            vec![],
-        )
+        .run("const all = window.frames_.slice(5); return all.length / (all.reduce((sum, one) => sum + one, 0) / 1000)")
         .await;
     println!("{frames} frames/s while a state with its transitions is dragged");
     let edited = "const { change } = await import('/vicode/sources.js'); const start = performance.now(); \
         await change({ edit: 'add_state', name: `more_${Math.round(start)}` }); return performance.now() - start";
-    println!(
-        "an edit is answered after {} ms",
-        page.run(&format!("return (async () => {{ {edited} }})()"), vec![]).await
-    );
+    println!("an edit is answered after {} ms", page.run(&format!("return (async () => {{ {edited} }})()")).await);
     page.close().await;
 }
 
 /// Nothing but what was asked for is written.
 #[tokio::test]
 async fn opening_and_closing_changes_no_file() {
-    let source = Crate::new("same");
-    let server = source.server("same");
+    let source = small_crate("same");
+    let server = Server::with_sources("same", &source);
     let page = open_legs(&server).await;
     page.click("button", "Ball", "Sources").await;
     page.reads("is_seen").await;
     page.close().await;
     assert_eq!(source.read("src/parts.rs"), PARTS);
     let files = |folder: &Path| fs::read_dir(folder).expect("a folder").count();
-    assert_eq!((files(&source.0), files(&source.path("src"))), (2, 2), "no file is added");
+    assert_eq!((files(&source.path("")), files(&source.path("src"))), (2, 2), "no file is added");
 }

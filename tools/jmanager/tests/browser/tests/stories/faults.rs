@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use jmanager_browser::{Page, Robot, Server};
 
-use crate::{WIDE, open};
+use crate::{WIDE, component, open};
 
 #[tokio::test]
 async fn the_page_says_that_the_program_is_gone() {
@@ -23,8 +23,8 @@ async fn the_page_says_that_the_program_is_gone() {
 async fn control_ends_when_the_browser_freezes() {
     let server = Server::start("frozen", &["--token-file", "token"]);
     let page = open(&server).await;
-    let token = std::fs::read_to_string(server.folder.join("token")).expect("the token file");
-    let own = page.run("return location.origin", vec![]).await.as_str().expect("an origin").to_owned();
+    let token = std::fs::read_to_string(server.folder.path("token")).expect("the token file");
+    let own = page.run("return location.origin").await.as_str().expect("an origin").to_owned();
     let watcher = Page::open_with(&own, WIDE, &[]).await;
     watcher.find("textbox", "token", "").await.set(token.trim()).await;
     watcher.click("button", "Enter", "").await;
@@ -46,7 +46,7 @@ async fn control_ends_when_the_browser_freezes() {
     signal("-STOP");
     watcher.reads("operator: nobody").await;
     println!("control ended {:.1} s after the browser was stopped", start.elapsed().as_secs_f64());
-    watcher.until("the root is active again", "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')").await;
+    component(&watcher, "Player", "active").await;
     signal("-CONT");
     // The page that was frozen does not drive again by itself.
     page.reads("you no longer operate").await;
@@ -67,13 +67,8 @@ async fn a_robot_that_is_killed_and_started_again_is_shown_and_free() {
     page.reads("the connection is lost and is being restored").await;
     page.screenshot("robot-lost").await;
     let _again = Robot::start_at(&robot.address, &["--seconds", "600"]);
-    page.until("the connection is restored", "return !document.body.innerText.includes('the connection is lost')")
-        .await;
-    page.until(
-        "the root is active",
-        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
-    )
-    .await;
+    page.reads_no("the connection is lost").await;
+    component(&page, "Player", "active").await;
     page.reads("operator: nobody").await;
     page.close().await;
 }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use jmanager_browser::{Page, Robot, Server, player, processor_seconds, restrict_to};
+use jmanager_browser::{Page, Robot, Server, processor_seconds, restrict_to};
 use serde_json::Value;
 use tokio::time::sleep;
 
@@ -83,7 +83,7 @@ fn wanted() -> bool {
 /// Prints the median and the 99th percentile of a list that a script fills.
 async fn percentiles(page: &Page, what: &str, list: &str, count: usize) {
     page.until(what, &format!("return (window.{list}?.length ?? 0) >= {count}")).await;
-    let values = page.run(&format!("return window.{list}.sort((a, b) => a - b)"), vec![]).await;
+    let values = page.run(&format!("return window.{list}.sort((a, b) => a - b)")).await;
     let at = |part: f64| values[((count as f64 * part) as usize).min(count - 1)].as_f64().expect("a number");
     println!("{what}: p50 {:.1} ms, p99 {:.1} ms, max {:.1} ms", at(0.5), at(0.99), at(1.0));
 }
@@ -98,9 +98,9 @@ async fn six_curves(page: &Page) {
 }
 
 async fn frame_rate(page: &Page, what: &str) {
-    page.run(COUNT_FRAMES, vec![]).await;
+    page.run(COUNT_FRAMES).await;
     sleep(Duration::from_secs(10)).await;
-    let frames = page.run(FRAMES, vec![]).await;
+    let frames = page.run(FRAMES).await;
     println!("{what}: {:.1} frames/s, p99 between two {:.1} ms", number(&frames[0]), number(&frames[1]));
 }
 
@@ -115,7 +115,7 @@ async fn time_to_a_usable_page() {
     }
     let (_server, page) = game("usable").await;
     for _ in 0..5 {
-        page.run("location.reload()", vec![]).await;
+        page.run("location.reload()").await;
         // The time since the navigation began, as the browser counts it.
         let at = page
             .until(
@@ -138,7 +138,7 @@ async fn slider_to_effect() {
     page.find("slider", "gain", "Parameters").await;
     page.press("c").await;
     page.reads("operator: you").await;
-    page.run(MOVE_SLIDER, vec![]).await;
+    page.run(MOVE_SLIDER).await;
     percentiles(&page, "slider to effective value", "effects_", 100).await;
     page.close().await;
 }
@@ -155,7 +155,7 @@ async fn frame_rates_and_load() {
     let (busy, begin) = (server.processor_seconds(), Instant::now());
     page.click("switch", "3D", "Map").await;
     frame_rate(&page, "640x480, tree, timeline, six curves, camera, field in three dimensions").await;
-    let images = page.run("return document.querySelector('[aria-label=Camera] .bar')?.textContent ?? ''", vec![]).await;
+    let images = page.run("return document.querySelector('[aria-label=Camera] .bar')?.textContent ?? ''").await;
     println!("camera bar: {images}");
     let load = (server.processor_seconds() - busy) / begin.elapsed().as_secs_f64();
     println!("server and simulated world: {:.0} % of a core with one page", 100.0 * load);
@@ -170,7 +170,7 @@ const CLOCK: &str = "const parts = document.querySelector('.clock b').textConten
 async fn clocks(pages: &[Page]) -> Vec<f64> {
     let mut times = Vec::new();
     for page in pages {
-        times.push(number(&page.run(CLOCK, vec![]).await));
+        times.push(number(&page.run(CLOCK).await));
     }
     times
 }
@@ -185,8 +185,8 @@ async fn load_of_ten_pages() {
     let server = Server::start("load", &[&format!("tcp://{}", robot.address), "--token-file", "token"]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;
-    let origin = page.run("return location.origin", vec![]).await.as_str().expect("an origin").to_owned();
-    let token = std::fs::read_to_string(server.folder.join("token")).expect("the token file");
+    let origin = page.run("return location.origin").await.as_str().expect("an origin").to_owned();
+    let token = std::fs::read_to_string(server.folder.path("token")).expect("the token file");
     let mut others = Vec::new();
     for _ in 1..10 {
         let other = Page::open_with(&origin, WIDE, &[]).await;
@@ -217,7 +217,7 @@ async fn memory_over_minutes() {
     for minute in 0..6_u32 {
         // A game that is over stands still and would measure nothing.
         page.click("button", "Restart", "").await;
-        let heap = page.run("window.gc?.(); return performance.memory.usedJSHeapSize", vec![]).await;
+        let heap = page.run("window.gc?.(); return performance.memory.usedJSHeapSize").await;
         let resident = server.resident_bytes();
         let growth = last.map_or(0.0, |before: u64| (resident as f64 - before as f64) / 1e6);
         println!(
@@ -237,22 +237,18 @@ async fn a_long_recording() {
         return;
     }
     let mut server = Server::start("long", &[]);
-    let folder = server.folder.join("recordings");
-    std::fs::create_dir_all(&folder).expect("a folder");
-    let file = folder.join("long.mcap");
-    let file = file.to_str().expect("a path of UTF-8");
-    player(&[&["play", "--seconds", "600", "--size", "160x120", "--record", file], &NEVER[..]].concat());
+    server.record("long", &[&["--seconds", "600", "--size", "160x120"], &NEVER[..]].concat());
     let page = open(&server).await;
     tab(&page, "Recordings").await;
     page.click("button", "Refresh", "Recordings").await;
-    page.run(OPEN_LONG, vec![]).await;
+    page.run(OPEN_LONG).await;
     let shown = page.until("the recording is shown", "return window.shown_").await;
     let read = page.until("the recording is read", "return window.read_").await;
     println!("a recording of ten minutes is shown after {:.0} ms, read after {:.0} ms", number(&shown), number(&read));
     let browser = page.process().await;
     let busy = || (server.processor_seconds(), browser.iter().map(|&process| processor_seconds(process)).sum::<f64>());
     let before = busy();
-    page.run(SEEK, vec![]).await;
+    page.run(SEEK).await;
     percentiles(&page, "seek at random places of ten minutes", "seeks_", SEEKS).await;
     let after = busy();
     // The built-in world and the page's drawing of it go on meanwhile, but not for the session that is shown.

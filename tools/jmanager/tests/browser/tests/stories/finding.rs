@@ -1,6 +1,6 @@
 //! Finding things by name, and the way down into a machine's children.
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::{Page, Server, repository};
 
 use crate::{WIDE, game};
 
@@ -17,18 +17,14 @@ async fn finds(page: &Page, typed: &str, first: &str) {
     )
     .await;
     page.press("\u{e007}").await;
-    page.until("the palette is closed", "return !document.querySelector('.palette').open").await;
+    page.is(".palette", "!one.open").await;
 }
 
 #[tokio::test]
 async fn one_palette_finds_states_parameters_panels_times_and_commands() {
     let (_server, page) = game("palette").await;
     finds(&page, "Player.kick", "Player.kick").await;
-    page.until(
-        "the way leads to it",
-        "return document.querySelector('[aria-label=\"Wanted state\"]')?.value === 'kick'",
-    )
-    .await;
+    page.is("[aria-label=\"Wanted state\"]", "one.value === 'kick'").await;
     finds(&page, "= FaceBall.gain 0.8", "FaceBall.gain = 0.8").await;
     page.until("the parameter is set", "return import('/lib/store.js').then(({ session }) => { const shown = session.value; const face = shown.find('FaceBall'); \
         return Math.abs(shown.params.value[face][shown.description.value.components[face].params.findIndex(({ name }) => name === 'gain')] - 0.8) < 1e-6; })").await;
@@ -39,27 +35,22 @@ async fn one_palette_finds_states_parameters_panels_times_and_commands() {
     page.control('k').await;
     page.find("combobox", "Find anything", "").await.set("no such thing").await;
     page.reads("Nothing is called so").await;
-    assert_eq!(page.run(ROWS, vec![]).await, "");
+    assert_eq!(page.run(ROWS).await, "");
     page.close().await;
 }
 
 #[tokio::test]
 async fn a_child_that_is_a_machine_is_opened_out_of_its_state_and_left_again() {
-    let player = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
-    let server = Server::start("trail", &["--source", player]);
+    let server = Server::start("trail", &["--source", &repository("player")]);
     let page = Page::open(&server, WIDE).await;
     page.click("button", "Player", "Activation tree").await;
     page.click("button", "edit states", "").await;
     page.find("button", "State penalized", "").await.focus().await;
     page.press("o").await;
     page.find("button", "State stepping", "").await;
-    page.until(
-        "the trail says where",
-        "return document.querySelector('.trail')?.textContent === 'Player› penalized ›Body'",
-    )
-    .await;
+    page.is(".trail", "one.textContent === 'Player› penalized ›Body'").await;
     page.click("button", "Player", "Body").await;
     page.find("button", "State search_net", "").await;
-    page.until("the trail is gone", "return !document.querySelector('.trail')").await;
+    page.lacks(".trail").await;
     page.close().await;
 }

@@ -14,8 +14,8 @@ async fn the_firmware_plays_and_is_watched() {
     let server = Server::start("firmware", &["--world", "firmware", "--image", image]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;
-    page.until("components are active", "return document.querySelectorAll('.component.active').length > 5").await;
-    page.until("time goes on", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 1").await;
+    page.counts(".component.active", "> 5").await;
+    page.time("> 1").await;
     page.screenshot("firmware").await;
     page.close().await;
 }

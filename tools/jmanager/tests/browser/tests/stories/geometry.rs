@@ -1,9 +1,9 @@
 //! The geometry of drawings: no name covers a name or a box, no line runs through a box, and all can be read.
 
-use jmanager_browser::{Page, Server};
+use jmanager_browser::{Page, Server, repository};
 use serde_json::{Value, json};
 
-use crate::designing::Crate;
+use crate::designing::small_crate;
 use crate::glance::{SMALL, show_in};
 use crate::open_in;
 
@@ -140,7 +140,7 @@ pub(crate) fn large(states: usize, transitions: usize) -> String {
 
 /// The faults of a drawing on the page.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
-    page.run(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]).await
+    page.run_with(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]).await
 }
 
 #[tokio::test]
@@ -148,15 +148,14 @@ async fn generated_machines_are_laid_out_without_a_fault() {
     let server = Server::start("generated", &[]);
     let page = open_in(&server, SMALL).await;
     for from in (0..300).step_by(10) {
-        assert_eq!(page.run(GENERATED, vec![json!(from), json!(from + 10)]).await, json!([]));
+        assert_eq!(page.run_with(GENERATED, vec![json!(from), json!(from + 10)]).await, json!([]));
     }
     page.close().await;
 }
 
 #[tokio::test]
 async fn the_machines_of_the_repository_can_be_read_at_fit() {
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../..");
-    let server = Server::start("readable", &["--source", root]);
+    let server = Server::start("readable", &["--source", &repository("")]);
     let page = open_in(&server, SMALL).await;
     show_in(&page, SMALL).await;
     page.press("6").await;
@@ -169,7 +168,7 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
     for one in machines {
         let open =
             "const [file, key] = arguments[0]; return import('/vicode/sources.js').then(({ open }) => open(file, key))";
-        page.run(open, vec![one.clone()]).await;
+        page.run_with(open, vec![one.clone()]).await;
         let mut found = Value::Null;
         let shown = "return [document.querySelector('.bar .file')?.title, \
             document.querySelector('svg.machine')?.ariaLabel?.replace('States of ', '')]";
@@ -178,37 +177,37 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
             tokio::time::sleep(std::time::Duration::from_millis(300)).await;
             let [root, boxes, lines, names] = MACHINE;
             found = faults(&page, root, boxes, lines, names).await;
-            if found == json!([]) && page.run(shown, vec![]).await == *one {
+            if found == json!([]) && page.run(shown).await == *one {
                 break;
             }
         }
         if found != json!([]) {
             page.screenshot("geometry").await;
         }
-        assert_eq!((found, page.run(shown, vec![]).await), (json!([]), one.clone()));
+        assert_eq!((found, page.run(shown).await), (json!([]), one.clone()));
     }
     page.close().await;
 }
 
 #[tokio::test]
 async fn names_of_a_chosen_state_cover_nothing_where_only_names_of_states_are_drawn() {
-    let source = Crate::new("chosen");
+    let source = small_crate("chosen");
     let text = large(60, 200).replace("(state_3 ->", "(* ->").replace("(state_5 -> state_6)", "(state_5 -> state_5)");
     source.write("src/large.rs", &text);
-    let server = source.server("chosen");
+    let server = Server::with_sources("chosen", &source);
     let page = open_in(&server, SMALL).await;
     page.press("6").await;
     page.click("button", "Large", "Sources").await;
-    page.until("it is drawn", "return document.querySelectorAll('svg.machine.names .box').length === 60").await;
+    page.counts("svg.machine.names .box", "=== 60").await;
     let arguments = [&[FAULTS][..], &MACHINE].concat().into_iter().map(|one| json!(one)).collect();
-    let chosen = page.run(CHOSEN, arguments).await;
+    let chosen = page.run_with(CHOSEN, arguments).await;
     page.screenshot("chosen").await;
     assert_eq!(chosen["found"], json!([]));
     let [shown, all] = ["shown", "all"].map(|one| chosen[one].as_u64().expect("a number"));
     assert!(shown * 10 >= all * 9, "{shown} of {all} names have room");
     let (x, y) = page.find("button", "State state_21", "").await.middle().await;
     page.drag((x, y), (x + 4.0, y + 4.0)).await;
-    page.until("states have places", "return !document.querySelector('svg.machine.names')").await;
+    page.lacks("svg.machine.names").await;
     for _ in 0..8 {
         page.click("button", "Zoom in", "").await;
     }
@@ -219,7 +218,7 @@ async fn names_of_a_chosen_state_cover_nothing_where_only_names_of_states_are_dr
         found.as_array().expect("faults").iter().filter(|one| one.to_string().contains(" covers ")).collect();
     assert!(covers.is_empty(), "{covers:?}");
     let left_out = "return document.querySelectorAll('.label.crowded').length";
-    let left_out = page.run(left_out, vec![]).await.as_u64().expect("a number");
+    let left_out = page.run(left_out).await.as_u64().expect("a number");
     assert!(left_out < 40, "{left_out} names have no room");
     page.close().await;
 }

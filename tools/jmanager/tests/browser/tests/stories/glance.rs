@@ -11,7 +11,7 @@ pub(crate) const SMALL: (u32, u32) = (1280, 800);
 /// Gives the page itself a size, not the window with its frame.
 pub(crate) async fn show_in(page: &Page, (width, height): (u32, u32)) {
     page.resize((width, height)).await;
-    let inner = page.run("return [innerWidth, innerHeight]", vec![]).await;
+    let inner = page.run("return [innerWidth, innerHeight]").await;
     let side = |at: usize| inner[at].as_u64().and_then(|side| u32::try_from(side).ok()).expect("a size");
     page.resize((2 * width - side(0), 2 * height - side(1))).await;
     tokio::time::sleep(std::time::Duration::from_millis(500)).await;
@@ -29,11 +29,11 @@ async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
             const boxes = [...document.querySelectorAll('.frame')].map((one) => one.getBoundingClientRect()); \
             return [(Math.max(...boxes.map((one) => one.right)) - Math.min(...boxes.map((one) => one.left))) / tree.width, \
                 (Math.max(...boxes.map((one) => one.bottom)) - Math.min(...boxes.map((one) => one.top))) / tree.height]";
-        let filled = page.run(filled, vec![]).await;
+        let filled = page.run(filled).await;
         for share in filled.as_array().expect("two shares") {
             assert!(share.as_f64().expect("a share") > 0.8, "the tree fills {filled} of its panel");
         }
-        let header = page.run("return document.querySelector('header.top').offsetHeight", vec![]).await;
+        let header = page.run("return document.querySelector('header.top').offsetHeight").await;
         assert!(header.as_f64().is_some_and(|height| height < 50.0), "the header has one line: {header} px");
     }
     // A narrow tree is broken into rows whose names can be read.
@@ -47,27 +47,18 @@ async fn the_answer_names_what_blocks_and_the_way_to_a_wanted_state() {
     let (_server, page) = game("answer").await;
     page.click("button", "Player", "Activation tree").await;
     page.find("combobox", "Wanted state", "").await.set("dribble").await;
-    page.until(
-        "it waits in approach",
-        "return /^approach: waits for goal_far_ahead \\(.*\\); then dribble$/.test(document.querySelector('.answer').innerText.trim())",
-    )
-    .await;
+    page.is(".answer", "/^approach: waits for goal_far_ahead \\(.*\\); then dribble$/.test(one.innerText.trim())")
+        .await;
     page.find("combobox", "Wanted state", "").await.set("kick").await;
-    page.until(
-        "the way has two transitions",
-        "return /^approach: waits for ball_reached \\(.*\\); then search_net → kick$/.test(document.querySelector('.answer').innerText.trim()) \
-            && document.querySelectorAll('.chain li').length === 2 && document.querySelector('.why.blocking').textContent.startsWith('ball_reached')",
-    )
-    .await;
+    let way = "return /^approach: waits for ball_reached \\(.*\\); then search_net → kick$/\
+        .test(document.querySelector('.answer').innerText.trim()) && document.querySelectorAll('.chain li').length === 2 \
+        && document.querySelector('.why.blocking').textContent.startsWith('ball_reached')";
+    page.until("the way has two transitions", way).await;
     // Values change without a move of the text: the rows are one line each.
     let heights = "return new Set([...document.querySelectorAll('.why.leaves')].map((one) => one.offsetHeight)).size";
-    assert_eq!(page.run(heights, vec![]).await, 1);
+    assert_eq!(page.run(heights).await, 1);
     page.click("button", "Kicker", "Activation tree").await;
-    page.until(
-        "a latent one says why",
-        "return /^Latent: Fixmove is latent/.test(document.querySelector('.answer').innerText)",
-    )
-    .await;
+    page.is(".answer", "/^Latent: Fixmove is latent/.test(one.innerText)").await;
     page.close().await;
 }
 
@@ -79,10 +70,11 @@ async fn held_components_have_a_badge_and_are_released_together() {
         page.click("radio", "latent", "By hand").await;
     }
     page.reads("2 holds").await;
-    let badges = "return [...document.querySelectorAll('.badge')].filter((one) => one.getAttribute('visibility') === 'visible' && one.textContent === 'latent').length";
-    assert_eq!(page.run(badges, vec![]).await, 2);
+    let badges = "return [...document.querySelectorAll('.badge[visibility=visible]')]\
+        .filter((one) => one.textContent === 'latent').length";
+    assert_eq!(page.run(badges).await, 2);
     page.click("button", "Release all", "").await;
-    page.until("nothing is held", "return !document.querySelector('.holds')").await;
+    page.lacks(".holds").await;
     page.close().await;
 }
 
@@ -91,11 +83,11 @@ async fn a_run_that_has_ended_offers_the_next_one() {
     let server = Server::start("ended", &[]);
     let page = open_in(&server, SMALL).await;
     show_in(&page, SMALL).await;
-    page.until("the game is over", "return [...document.querySelectorAll('.banner button')].some((one) => one.textContent.startsWith('Next seed'))").await;
-    let header = page.run("return document.querySelector('header.top').offsetHeight < 50", vec![]).await;
+    page.any(".banner button", "one.textContent.startsWith('Next seed')").await;
+    let header = page.run("return document.querySelector('header.top').offsetHeight < 50").await;
     assert_eq!(header, true, "the header has one line");
     page.click("button", "Next seed", "").await;
     page.reads("built-in, seed 1").await;
-    page.until("the banner is gone", "return !document.querySelector('.banner')").await;
+    page.lacks(".banner").await;
     page.close().await;
 }

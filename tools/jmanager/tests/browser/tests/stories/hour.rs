@@ -1,6 +1,6 @@
 //! The first hour of a newcomer: sixteen tasks, with what a person does for each. The numbers are those of `docs/jmanager.md`.
 
-use jmanager_browser::{Page, Server, player, target};
+use jmanager_browser::{Folder, Page, Server, repository};
 
 use crate::spans::CATCH;
 use crate::{GOES_ON, open};
@@ -55,20 +55,16 @@ impl Hour<'_> {
 #[tokio::test]
 async fn sixteen_tasks_of_a_first_hour_take_few_clicks_each() {
     // A copy: what a person types is saved.
-    let sources = target().join("browser/hour-sources");
-    std::fs::create_dir_all(&sources).expect("a folder");
-    let face_ball = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player/src/behaviour/face_ball.rs");
-    std::fs::copy(face_ball, sources.join("face_ball.rs")).expect("a copy");
-    let server = Server::start("hour", &["--source", sources.to_str().expect("a path of UTF-8")]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
+    let sources = Folder::new("hour-sources");
+    std::fs::copy(repository("player/src/behaviour/face_ball.rs"), sources.path("face_ball.rs")).expect("a copy");
+    let server = Server::with_sources("hour", &sources);
     for seed in ["1", "2"] {
-        let file = server.folder.join(format!("recordings/seed-{seed}.mcap"));
-        let file = file.to_str().expect("a path of UTF-8");
-        player(&["play", "--seconds", "5", "--size", "160x120", "--seed", seed, "--record", file, "--images", "none"]);
+        let game = ["--seconds", "5", "--size", "160x120", "--seed", seed, "--images", "none"];
+        server.record(&format!("seed-{seed}"), &game);
     }
     let page = open(&server).await;
-    page.run(GOES_ON, vec![]).await;
-    page.run(CATCH, vec![]).await;
+    page.run(GOES_ON).await;
+    page.run(CATCH).await;
     let mut hour = Hour { page: &page, tasks: Vec::new() };
     tune(&mut hour).await;
     watch(&mut hour).await;
@@ -84,40 +80,30 @@ async fn tune(hour: &mut Hour<'_>) {
     hour.begin("Find why it does not kick");
     hour.click("button", "Player", "Activation tree").await;
     hour.set("combobox", "Wanted state", "kick").await;
-    hour.page
-        .until(
-            "the answer says on what it waits",
-            "return /waits for|is reached/.test(document.querySelector('.answer').textContent)",
-        )
-        .await;
+    hour.page.is(".answer", "/waits for|is reached/.test(one.textContent)").await;
     hour.begin("Find a parameter");
     hour.click("button", "Find anything", "").await;
     hour.set("combobox", "Find anything", "FaceBall.gain").await;
     hour.press(ENTER).await;
     hour.page.find("slider", "gain", "Parameters").await;
-    hour.page.until("the palette is closed", "return !document.querySelector('.palette').open").await;
+    hour.page.is(".palette", "!one.open").await;
     hour.begin("See who uses it, and open that code");
     // In a paused view nothing above the parameters changes its height.
     hour.click("button", "Time: live", "").await;
     hour.page.find("button", "Time: paused", "").await;
     hour.click("button", "Uses of gain", "Parameters").await;
     hour.page.find("button", "face_ball.rs:", "Parameters").await;
-    hour.page.run("[...document.querySelectorAll('[aria-label=Parameters] .uses button')].at(-1).setAttribute('aria-label', 'the last use')", vec![]).await;
+    hour.page.run("[...document.querySelectorAll('[aria-label=Parameters] .uses button')].at(-1).setAttribute('aria-label', 'the last use')").await;
     hour.click("button", "the last use", "Parameters").await;
     hour.page.find("tab", "face_ball.rs", "").await;
-    hour.page
-        .until(
-            "the code is at that place",
-            "return Number.parseInt(document.querySelector('[aria-label=\"Place in the code\"]')?.textContent) > 10",
-        )
-        .await;
+    hour.page.is("[aria-label=\"Place in the code\"]", "Number.parseInt(one.textContent) > 10").await;
     hour.click("button", "View", "").await;
     hour.click("button", "Overview", "").await;
     hour.begin("Tune it, and undo");
     hour.set("slider", "gain", "0.9").await;
     hour.page.reads("1 changed").await;
     hour.press("u").await;
-    hour.page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
+    hour.page.reads_no("1 changed").await;
 }
 
 async fn watch(hour: &mut Hour<'_>) {
@@ -141,9 +127,7 @@ async fn watch(hour: &mut Hour<'_>) {
     hour.click("button", "New table", "").await;
     hour.set("combobox", "Output to list", "Head").await;
     hour.click("button", "Add", "Table").await;
-    hour.page
-        .until("it has values", "return /\\d/.test(document.querySelector('[aria-label=Values] td')?.textContent)")
-        .await;
+    hour.page.is("[aria-label=Values] td", "/\\d/.test(one.textContent)").await;
 }
 
 async fn export(hour: &mut Hour<'_>) {
@@ -193,25 +177,16 @@ async fn compare(hour: &mut Hour<'_>) {
     hour.page.find("button", "Play", "Replay").await;
     hour.begin("Compare two runs side by side");
     hour.click("button", "seed-1", "Recordings").await;
-    hour.page
-        .until("it is open", "return document.querySelector('.session.chosen')?.textContent.startsWith('seed-1')")
-        .await;
+    hour.page.is(".session.chosen", "one.textContent.startsWith('seed-1')").await;
     hour.click("button", "seed-2", "Recordings").await;
-    hour.page
-        .until("it is open", "return document.querySelector('.session.chosen')?.textContent.startsWith('seed-2')")
-        .await;
+    hour.page.is(".session.chosen", "one.textContent.startsWith('seed-2')").await;
     hour.click("button", "Compare", "Compare").await;
     hour.click("button", "Show both", "Compare").await;
-    hour.page.until("both are shown", "return document.querySelector('.beside[aria-pressed=true]') !== null").await;
+    hour.page.shows(".beside[aria-pressed=true]").await;
     hour.begin("Go to the next cycle, and share that moment");
     hour.press(RIGHT).await;
     hour.click("button", "Copy a link to this moment", "").await;
-    hour.page
-        .until(
-            "the link is there",
-            "return /link to this moment|#session=/.test(document.querySelector('.notices').textContent)",
-        )
-        .await;
+    hour.page.is(".notices", "/link to this moment|#session=/.test(one.textContent)").await;
     hour.begin("See the robot in three dimensions");
     hour.click("switch", "3D", "Map").await;
     // Firefox without a graphics card says what it lacks.

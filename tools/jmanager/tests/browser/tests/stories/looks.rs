@@ -1,11 +1,11 @@
 //! Pictures of the page in four sizes and both themes, and what must hold in each.
 
-use jmanager_browser::{Page, Server, player};
+use jmanager_browser::{Page, Server, repository};
 use serde_json::json;
 
 use crate::access::set_theme;
 use crate::glance::{SMALL, show_in};
-use crate::{GOES_ON, open_in};
+use crate::{GOES_ON, open_in, put_beside};
 
 /// Nothing is wider than the window, no text of a button is cut, and all controls have a name and contain no other control.
 pub(crate) const FAULTS: &str = r"
@@ -17,7 +17,8 @@ for (const one of document.querySelectorAll('button, input, select, summary, can
   if (!name && !one.className.baseVal) faults.push(`no name: ${one.outerHTML.slice(0, 120)}`);
   const around = one.parentElement.closest('button, summary, [role=button], [role=tab]');
   if (around) faults.push(`inside another control: ${around.outerHTML.slice(0, 120)}`);
-  if (one.tagName === 'BUTTON' && one.scrollWidth > one.clientWidth + 2 && getComputedStyle(one).overflow === 'visible') faults.push(`cut: ${one.textContent}`);
+  const isCut = one.tagName === 'BUTTON' && one.scrollWidth > one.clientWidth + 2 && getComputedStyle(one).overflow === 'visible';
+  if (isCut) faults.push(`cut: ${one.textContent}`);
 }
 return faults;
 ";
@@ -37,29 +38,17 @@ async fn the_page_looks_right_in_four_sizes_and_both_themes() {
         };
         shown.find("button", "View", "").await;
         for theme in ["dark", "light"] {
-            shown.run("localStorage.removeItem('jmanager-layout'); localStorage.setItem('jmanager-theme', JSON.stringify(arguments[0])); location.hash = ''; location.reload()", vec![json!(theme)]).await;
-            shown
-                .until(
-                    "the page is loaded",
-                    "return document.readyState === 'complete' && document.querySelectorAll('.component').length > 5",
-                )
-                .await;
-            shown
-                .until("the theme is set", &format!("return document.documentElement.dataset.theme === '{theme}'"))
-                .await;
-            for (key, name) in [
-                ("1", "overview"),
-                ("2", "behaviour"),
-                ("3", "colours"),
-                ("4", "driving"),
-                ("5", "replay"),
-                ("6", "designer"),
-            ] {
-                shown.press(key).await;
-                shown.until("panels are shown", "return document.querySelectorAll('.panel').length > 1").await;
+            let reload = "localStorage.removeItem('jmanager-layout'); \
+                localStorage.setItem('jmanager-theme', JSON.stringify(arguments[0])); location.hash = ''; location.reload()";
+            shown.run_with(reload, vec![json!(theme)]).await;
+            shown.counts(".component", "> 5").await;
+            shown.shows(&format!("html[data-theme={theme}]")).await;
+            for (key, name) in (1..).zip(["overview", "behaviour", "colours", "driving", "replay", "designer"]) {
+                shown.press(&key.to_string()).await;
+                shown.counts(".panel", "> 1").await;
                 tokio::time::sleep(std::time::Duration::from_millis(300)).await;
                 shown.screenshot(&format!("{theme}-{width}-{name}")).await;
-                let faults = shown.run(FAULTS, vec![]).await;
+                let faults = shown.run(FAULTS).await;
                 assert_eq!(faults, json!([]), "{theme} {width} {name}");
             }
         }
@@ -69,7 +58,8 @@ async fn the_page_looks_right_in_four_sizes_and_both_themes() {
 }
 
 /// Opens a machine and a motion, which layouts show.
-const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), import('/motion/model.js')]).then(async ([{ readList, list, open }, { readMotions, motions, openMotion }]) => { \
+const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), import('/motion/model.js')])\
+    .then(async ([{ readList, list, open }, { readMotions, motions, openMotion }]) => { \
     await readList(); const file = list.value.find(({ components }) => components.some(({ machine }) => machine)); \
     await open(file.file, file.components.find(({ machine }) => machine).key); \
     await readMotions(); const { file: of, key } = motions.value[0]; if (arguments[0]) await openMotion(of, key); })";
@@ -78,12 +68,11 @@ const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), im
 #[tokio::test]
 #[ignore = "writes pictures of all panels"]
 async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
-    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../examples/therapy");
-    let server = Server::start("panels", &["--source", sources]);
+    let server = Server::start("panels", &["--source", &repository("examples/therapy")]);
     let page = open_in(&server, SMALL).await;
-    page.run(GOES_ON, vec![]).await;
+    page.run(GOES_ON).await;
     let names = "return import('/lib/panels.js').then(({ PANELS }) => Object.keys(PANELS))";
-    let names: Vec<String> = serde_json::from_value(page.run(names, vec![]).await).expect("names");
+    let names: Vec<String> = serde_json::from_value(page.run(names).await).expect("names");
     for size in [SMALL, (1600, 1000)] {
         show_in(&page, size).await;
         for theme in ["dark", "light"] {
@@ -95,13 +84,13 @@ async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
                     _ => "overview",
                 };
                 if at == 0 || layout != "overview" {
-                    page.run(OPEN_SOURCES, vec![json!(layout == "motions")]).await;
+                    page.run_with(OPEN_SOURCES, vec![json!(layout == "motions")]).await;
                 }
                 let open = "return import('/lib/dock.js').then(({ preset, open }) => { preset(arguments[1]); open(arguments[0], {}); })";
-                page.run(open, vec![json!(name), json!(layout)]).await;
+                page.run_with(open, vec![json!(name), json!(layout)]).await;
                 tokio::time::sleep(std::time::Duration::from_millis(700)).await;
                 page.screenshot(&format!("panel-{name}-{}-{theme}", size.0)).await;
-                assert_eq!(page.run(FAULTS, vec![]).await, json!([]), "{name} {size:?} {theme}");
+                assert_eq!(page.run(FAULTS).await, json!([]), "{name} {size:?} {theme}");
             }
         }
     }
@@ -113,21 +102,16 @@ async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
 #[ignore = "writes pictures of other programs"]
 async fn other_programs_and_sessions_look_right_in_two_sizes_and_both_themes() {
     let pair = Server::start("pair", &[]);
-    std::fs::create_dir_all(pair.folder.join("recordings")).expect("a folder");
-    let file = pair.folder.join("recordings/one.mcap").display().to_string();
-    player(&["play", "--seconds", "6", "--size", "160x120", "--seed", "1", "--record", &file]);
+    pair.record("one", &["--seconds", "6", "--size", "160x120", "--seed", "1"]);
     for (name, server) in [
         ("follower", Server::start_example("wall_follower")),
         ("keeper", Server::start_other("goalkeeper", &["monitor"])),
         ("pair", pair),
     ] {
         let page = Page::open(&server, SMALL).await;
-        page.until("a tree is shown", "return document.querySelectorAll('.component').length > 2").await;
+        page.counts(".component", "> 2").await;
         if name == "pair" {
-            let open = "return import('/lib/store.js').then(({ ask, putBeside }) => ask('open', { source: { kind: 'world', \
-                world: 'built-in', seed: 7, options: {} } }).then(({ session }) => setTimeout(() => putBeside(session), 2000)))";
-            page.run(open, vec![]).await;
-            page.until("it is beside", "return document.querySelector('.beside[aria-pressed=true]')").await;
+            put_beside(&page).await;
         }
         tokio::time::sleep(std::time::Duration::from_secs(4)).await;
         in_both(&page, name).await;
@@ -149,7 +133,7 @@ async fn in_both(page: &Page, name: &str) {
             set_theme(page, theme).await;
             tokio::time::sleep(std::time::Duration::from_millis(700)).await;
             page.screenshot(&format!("other-{name}-{}-{theme}", size.0)).await;
-            assert_eq!(page.run(FAULTS, vec![]).await, json!([]), "{name} {size:?} {theme}");
+            assert_eq!(page.run(FAULTS).await, json!([]), "{name} {size:?} {theme}");
         }
     }
 }

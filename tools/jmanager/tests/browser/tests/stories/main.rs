@@ -45,7 +45,7 @@ const BEGINS_AGAIN: &str = "const now = () => document.querySelector('.clock b')
 async fn game(name: &str) -> (Server, Page) {
     let server = Server::start(name, &[]);
     let page = open(&server).await;
-    page.run(GOES_ON, vec![]).await;
+    page.run(GOES_ON).await;
     (server, page)
 }
 
@@ -59,14 +59,14 @@ async fn open_in(server: &Server, size: (u32, u32)) -> Page {
     let page = Page::open(server, size).await;
     page.find("button", "FaceBall", "Activation tree").await;
     let clock = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
-    let before = page.run(clock, vec![]).await.as_f64().unwrap_or(0.0);
+    let before = page.run(clock).await.as_f64().unwrap_or(0.0);
     if before >= 1.0 {
         // The page itself looks: on a busy machine the new game may be older than the one before when a story looks.
-        page.run(BEGINS_AGAIN, vec![]).await;
+        page.run(BEGINS_AGAIN).await;
         page.click("button", "Restart", "").await;
         page.until("time begins again", "return window.begins_again").await;
     }
-    page.until("the game has begun", "return document.querySelectorAll('.component.active').length > 5").await;
+    page.counts(".component.active", "> 5").await;
     page
 }
 
@@ -79,6 +79,35 @@ fn camera(script: &str) -> String {
         const copy = new OffscreenCanvas(width, height).getContext('2d', {{ willReadFrequently: true }}); \
         copy.drawImage(canvas, 0, 0); const {{ data }} = copy.getImageData(0, 0, width, height); {script}"
     )
+}
+
+/// Waits until more than some pixels of the map nearly have a colour of the style sheet. Those of the legend do not count.
+async fn map_has(page: &Page, colour: &str, least: usize) {
+    let script = format!(
+        "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); \
+        if (!canvas || canvas.width < 50) return null; const probe = new OffscreenCanvas(1, 1).getContext('2d'); \
+        probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('{colour}').trim(); \
+        probe.fillRect(0, 0, 1, 1); const wanted = probe.getImageData(0, 0, 1, 1).data; const {{ width, height }} = canvas; \
+        const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
+        const {{ data }} = copy.getImageData(0, 0, width, height - 60); let count = 0; \
+        for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => \
+            Math.abs(data[at + one] - wanted[one]) < 12); return count > {least}"
+    );
+    page.until(&format!("{least} pixels of {colour} on the map"), &script).await;
+}
+
+/// Waits until a component in the tree is `active` or `latent`.
+async fn component(page: &Page, name: &str, activity: &str) {
+    let condition = format!("one.getAttribute('aria-description').startsWith('{activity}')");
+    page.is(&format!("[aria-label={name}][role=button]"), &condition).await;
+}
+
+/// Opens a second world, and shows it beside the first one.
+async fn put_beside(page: &Page) {
+    let open = "return import('/lib/store.js').then(({ ask, putBeside }) => ask('open', { source: { kind: 'world', \
+        world: 'built-in', seed: 7, options: {} } }).then(({ session }) => setTimeout(() => putBeside(session), 2000)))";
+    page.run(open).await;
+    page.shows(".beside[aria-pressed=true]").await;
 }
 
 /// Shows a tab of a group.

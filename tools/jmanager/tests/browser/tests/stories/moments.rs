@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use jmanager_browser::{Page, Server, player};
+use jmanager_browser::{Page, Server};
 use serde_json::json;
 
 use crate::{WIDE, camera, game, open, tab};
@@ -13,7 +13,7 @@ async fn stays(page: &Page, selector: &str) -> String {
     let mut before = page.until(selector, &script).await;
     for _ in 0..20 {
         tokio::time::sleep(Duration::from_millis(1200)).await;
-        let now = page.run(&script, vec![]).await;
+        let now = page.run(&script).await;
         if now == before {
             return now.as_str().unwrap_or_default().to_owned();
         }
@@ -39,8 +39,7 @@ async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
     assert!(costs.contains("mean"), "{costs}");
     // At the newest moment they go on.
     page.press("l").await;
-    page.until("costs change", &format!("return document.querySelector('[aria-label=Chain]').innerText !== {costs:?}"))
-        .await;
+    page.is("[aria-label=Chain]", &format!("one.innerText !== {costs:?}")).await;
     page.close().await;
 }
 
@@ -48,10 +47,7 @@ async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
 #[tokio::test]
 async fn a_recording_shows_its_own_log_and_goal_and_no_image_of_another_run() {
     let server = Server::start("own", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
-    let file = server.folder.join("recordings/blind.mcap");
-    let file = file.to_str().expect("a path of UTF-8");
-    player(&["play", "--seconds", "60", "--size", "160x120", "--record", file, "--images", "none"]);
+    server.record("blind", &["--seconds", "60", "--size", "160x120", "--images", "none"]);
     let page = open(&server).await;
     page.until("the camera shows an image", &colours("> 40")).await;
     tab(&page, "Recordings").await;
@@ -62,17 +58,13 @@ async fn a_recording_shows_its_own_log_and_goal_and_no_image_of_another_run() {
     let none = format!("if (document.body.innerText.includes('No images')) return true; {}", colours("< 40"));
     page.until("the camera shows no image", &none).await;
     tab(&page, "Log").await;
-    page.until(
-        "the goal is in the log",
-        "return [...document.querySelectorAll('.log .world .text')].some((line) => /^goal/.test(line.textContent))",
-    )
-    .await;
+    page.any(".log .world .text", "/^goal/.test(one.textContent)").await;
     let shown = "return import('/lib/store.js').then(({ range, session }) => { \
         const { from_us, until_us } = session.value.info.value; const { span, end } = range.value; \
         return (Math.min(end, until_us) - Math.max(end - span, from_us)) / span; })";
-    let filled = page.run(shown, vec![]).await;
+    let filled = page.run(shown).await;
     assert!(filled.as_f64() > Some(0.9), "{filled} of the timeline is filled");
-    let sessions = page.run("return document.querySelectorAll('.session').length", vec![]).await;
+    let sessions = page.run("return document.querySelectorAll('.session').length").await;
     assert_eq!(sessions, 2, "the recording is open twice");
     page.close().await;
 }
@@ -95,18 +87,18 @@ async fn a_changed_layout_stays_and_a_link_leads_to_its_session() {
     page.press("p").await;
     page.until("there are two plots", "return document.querySelectorAll('[role=region][aria-label=Plot]').length + document.querySelectorAll('.dv-tab').length > 6").await;
     let tabs = "return [...document.querySelectorAll('.dv-tab')].map((one) => one.textContent).sort().join()";
-    let before = page.run(tabs, vec![]).await;
-    page.run("location.reload()", vec![]).await;
+    let before = page.run(tabs).await;
+    page.run("location.reload()").await;
     page.until("the same tabs are there", &format!("{tabs} === {before}")).await;
     // A second session; the link of the first leads back.
     page.click("button", "Open another session", "").await;
     let worlds = "return [...document.querySelectorAll('select[aria-label=World] option')].map((one) => one.value).filter((one) => one !== 'mujoco').join()";
-    assert_eq!(page.run(worlds, vec![]).await, "built-in,firmware");
+    assert_eq!(page.run(worlds).await, "built-in,firmware");
     page.find("textbox", "Seed of the world", "").await.set("7").await;
     page.click("button", "Start", "").await;
     let shown = |name: &str| format!("return document.querySelector('.session.chosen')?.innerText.includes({name:?})");
     page.until("the second session is shown", &shown("seed 7")).await;
-    page.run("location.hash = '#session=built-in%2C+seed+0&t=0.500'", vec![]).await;
+    page.run("location.hash = '#session=built-in%2C+seed+0&t=0.500'").await;
     page.until("the first session is shown", &shown("seed 0")).await;
     page.find("button", "Time: paused", "").await;
     page.close().await;

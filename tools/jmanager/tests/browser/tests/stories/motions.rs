@@ -1,10 +1,8 @@
 //! Stories of the motion editor: keyframes are made, changed and tried, and the source has them.
 
 use std::fs;
-use std::path::PathBuf;
-use std::time::Duration;
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Folder, Page, Server, repository};
 use serde_json::json;
 
 use crate::access::{AXE, TARGETS, load_axe, set_theme};
@@ -14,53 +12,39 @@ const WIDE: (u32, u32) = (1600, 1000);
 const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
-/// Sources with motions, in a folder of their own that is removed at the end.
-pub(crate) struct Sources(PathBuf);
+/// Sources with motions, in a folder of their own.
+pub(crate) struct Sources(Folder);
 
 impl Sources {
     pub(crate) fn new(name: &str) -> Self {
-        let folder = target().join(format!("browser/run/motions-{name}-{}", std::process::id()));
-        fs::create_dir_all(folder.join("nao")).expect("a folder");
-        fs::write(folder.join("wave.rs"), WAVE).expect("a file");
-        let models = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../bica-motion/src/model/nao");
+        let folder = Folder::new(&format!("motions-{name}"));
+        folder.write("wave.rs", WAVE);
         for file in ["getup.rs", "kick_dynamic.rs"] {
-            fs::copy(format!("{models}/{file}"), folder.join("nao").join(file)).expect("a motion of the repository");
+            let motion = fs::read(repository(&format!("bica-motion/src/model/nao/{file}")));
+            folder.write(&format!("nao/{file}"), motion.expect("a motion of the repository"));
         }
         Self(folder)
     }
 
     fn read(&self, file: &str) -> String {
-        fs::read_to_string(self.0.join(file)).unwrap_or_default()
+        self.0.read(file)
     }
 
     async fn has(&self, page: &Page, file: &str, part: &str) {
-        self.shows(page, file, part, true).await;
+        page.saves(&self.0.path(file), &[part]).await;
     }
 
-    async fn shows(&self, page: &Page, file: &str, part: &str, wanted: bool) {
-        for _ in 0..300 {
-            if self.read(file).contains(part) == wanted {
-                return;
-            }
-            tokio::time::sleep(Duration::from_millis(100)).await;
-        }
-        page.screenshot("failed").await;
-        panic!("`{part}` in {file} is to be {wanted}:\n{}\nthe page shows: {}", self.read(file), page.text().await);
+    async fn has_no(&self, page: &Page, file: &str, part: &str) {
+        page.saves_what(&self.0.path(file), &format!("no `{part}`"), |text| !text.contains(part)).await;
     }
 
     pub(crate) async fn open(&self, name: &str) -> (Server, Page) {
-        let server = Server::start(name, &["--source", &self.0.display().to_string()]);
+        let server = Server::with_sources(name, &self.0);
         let page = Page::open(&server, WIDE).await;
         page.find("button", "FaceBall", "Activation tree").await;
-        page.run("location.hash = '#layout=motions'", vec![]).await;
+        page.run("location.hash = '#layout=motions'").await;
         page.find("button", "WAVE", "").await;
         (server, page)
-    }
-}
-
-impl Drop for Sources {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -84,7 +68,7 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     page.reads("load at rest: RShoulderPitch").await;
 
     page.click("button", "Try", "").await;
-    page.until("the robot stands", "return document.querySelector('.trial .fine')?.textContent === 'stands'").await;
+    page.is(".trial .fine", "one.textContent === 'stands'").await;
     page.screenshot("motion-wave").await;
 
     page.click("button", "Mirror all", "").await;
@@ -97,13 +81,13 @@ async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     for theme in ["light", "dark"] {
         set_theme(&page, theme).await;
         for check in [AXE, TARGETS, FAULTS] {
-            assert_eq!(page.run(check, vec![]).await, json!([]), "{theme}");
+            assert_eq!(page.run(check).await, json!([]), "{theme}");
         }
     }
 
     // The posture of the robot that plays in the world.
     page.click("button", "Take from the robot", "").await;
-    sources.shows(&page, "wave.rs", "(RElbowRoll, 20.0)", false).await;
+    sources.has_no(&page, "wave.rs", "(RElbowRoll, 20.0)").await;
     page.click("button", "Undo", "").await;
     sources.has(&page, "wave.rs", both).await;
     page.close().await;
@@ -135,10 +119,10 @@ async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
     page.click("button", "Right", "View of the posture").await;
     let (x, y) = handle(&page, "RShoulderPitch").await;
     page.hold((x, y), (x + 60.0, y - 10.0)).await;
-    page.until("the slider follows", "return document.querySelector('[aria-label=RShoulderPitch]').value < 70").await;
+    page.is("[aria-label=RShoulderPitch]", "one.value < 70").await;
     page.screenshot("motion-handle").await;
     page.press("\u{e00c}").await;
-    page.until("it is as before", "return document.querySelector('[aria-label=RShoulderPitch]').value > 80").await;
+    page.is("[aria-label=RShoulderPitch]", "one.value > 80").await;
     page.release().await;
     page.drag((x, y), (x + 60.0, y - 10.0)).await;
     sources.has(&page, "wave.rs", "(RShoulderPitch, ").await;
@@ -151,7 +135,7 @@ async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
     assert!((0.0..70.0).contains(&angle), "{angle}");
     assert_eq!(changed.matches("(R").count() - before.matches("(R").count(), 1, "one joint has changed: {changed}");
     page.click("button", "Undo", "").await;
-    sources.shows(&page, "wave.rs", "RShoulderPitch", false).await;
+    sources.has_no(&page, "wave.rs", "RShoulderPitch").await;
     assert_eq!(sources.read("wave.rs"), before);
 
     // From behind the same handle dragged aside is the roll.
@@ -171,7 +155,7 @@ async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() 
     // A game that is over stands still.
     page.click("button", "Restart", "").await;
     page.click("button", "Try", "").await;
-    page.until("it stands", "return document.querySelector('.trial .fine')?.textContent === 'stands'").await;
+    page.is(".trial .fine", "one.textContent === 'stands'").await;
     page.screenshot("motion-session").await;
     // The joints move little to keyframe 12, so they are where the source has them.
     for _ in 0..11 {
@@ -188,9 +172,9 @@ async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() 
     page.press(",").await;
     page.reads("The world is paused").await;
     page.click("button", "Cancel", "").await;
-    page.until("it waits no more", "return !document.querySelector('.trial .primary').disabled").await;
+    page.is(".trial .primary", "!one.disabled").await;
     let control = "return import('/lib/store.js').then(({ session }) => session.value.info.value.control)";
-    assert_eq!(page.run(control, vec![]).await, "yours");
+    assert_eq!(page.run(control).await, "yours");
     page.close().await;
 }
 
@@ -204,20 +188,16 @@ async fn a_motion_of_the_repository_is_changed_beside_another_editor() {
     for _ in 0..3 {
         page.click("button", "Next keyframe", "").await;
     }
-    page.find("textbox", "foot x in m", "").await.focus().await;
-    page.find("textbox", "foot x in m", "").await.set("0.150").await;
-    page.press("\u{e007}").await;
+    page.fill("foot x in m", "0.150").await;
     let changed = before.replacen("[0.135, 0.056, 0.022]", "[0.150, 0.056, 0.022]", 1);
     sources.has(&page, "nao/kick_dynamic.rs", "0.150, 0.056").await;
     assert_eq!(sources.read("nao/kick_dynamic.rs"), changed, "no other byte has changed");
 
     // Another editor changes the end of the motion at the same time.
     let outside = changed.replacen("new(0.35, [0.012, -0.042", "new(0.40, [0.012, -0.042", 1);
-    fs::write(sources.0.join("nao/kick_dynamic.rs"), &outside).expect("a file");
+    sources.0.write("nao/kick_dynamic.rs", &outside);
     page.reads("was edited outside").await;
-    page.find("textbox", "Scale of all durations in %", "").await.focus().await;
-    page.find("textbox", "Scale of all durations in %", "").await.set("200").await;
-    page.press("\u{e007}").await;
+    page.fill("Scale of all durations in %", "200").await;
     sources.has(&page, "nao/kick_dynamic.rs", "new(0.80, [0.012, -0.042").await;
 
     page.click("button", "Delete", "").await;

@@ -1,21 +1,21 @@
 //! Notes on the drawing of a machine.
 
-use jmanager_browser::Page;
+use jmanager_browser::{Folder, Page};
 
-use crate::designing::{Crate, focus, saved};
+use crate::designing::focus;
 
 /// Writes a note, drags it, changes and deletes it, and undoes that.
-pub(crate) async fn write_note(page: &Page, source: &Crate) {
+pub(crate) async fn write_note(page: &Page, source: &Folder) {
     focus(page, "State kick").await;
     page.press("w").await;
     page.find("textbox", "What the note says", "").await;
     page.press("Ask the coach.").await;
     page.control('\u{e007}').await;
     // Below the machine, which is still drawn automatically.
-    saved(page, source, "src/keeper.vicode", &["Keeper * - - \"Ask the coach.\"\n"]).await;
+    page.saves(&source.path("src/keeper.vicode"), &["Keeper * - - \"Ask the coach.\"\n"]).await;
     let (x, y) = page.find("button", "Note: Ask the coach.", "").await.middle().await;
     page.drag((x, y), (x + 60.0, y - 20.0)).await;
-    saved(page, source, "src/keeper.vicode", &["Keeper kick "]).await;
+    page.saves(&source.path("src/keeper.vicode"), &["Keeper kick "]).await;
     page.until("it has a place", "return import('/vicode/sources.js').then(({ notes }) => notes.value[0].at !== null)")
         .await;
     let (to_x, to_y) = page.find("button", "Note: Ask the coach.", "").await.middle().await;
@@ -30,10 +30,10 @@ pub(crate) async fn write_note(page: &Page, source: &Crate) {
     page.press("\u{e010} Twice.").await;
     page.control('\u{e007}').await;
     page.find("button", "Note: Ask the coach. Twice.", "").await.focus().await;
-    saved(page, source, "src/keeper.vicode", &["Ask the coach. Twice."]).await;
+    page.saves(&source.path("src/keeper.vicode"), &["Ask the coach. Twice."]).await;
     page.screenshot("designer-note").await;
     page.press("\u{e017}").await;
-    page.until("it is gone", "return document.querySelector('.note') === null").await;
+    page.lacks(".note").await;
     page.control('z').await;
     page.find("button", "Note: Ask the coach. Twice.", "").await;
     page.control('z').await;

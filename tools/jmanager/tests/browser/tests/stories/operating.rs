@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use jmanager_browser::{Page, Server};
 
-use crate::{game, open, tab};
+use crate::{component, game, open, tab};
 
 /// Longest game, in real time on a busy machine.
 const GAME: Duration = Duration::from_mins(5);
@@ -29,18 +29,18 @@ async fn a_parameter_is_set_undone_redone_and_reset() {
     page.reads("operator: you").await;
     // Control stays as long as the page is open, also if it requests nothing.
     let clock = "Number.parseFloat(document.querySelector('.clock b').textContent)";
-    let now = page.run(&format!("return {clock}"), vec![]).await.as_f64().expect("a time");
+    let now = page.run(&format!("return {clock}")).await.as_f64().expect("a time");
     page.until("the world goes on for 4 s", &format!("return {clock} > {now} + 4")).await;
     page.reads("operator: you").await;
     page.press("u").await;
-    page.until("it is undone", "return !document.body.innerText.includes('1 changed')").await;
+    page.reads_no("1 changed").await;
     page.press("U").await;
     page.reads("1 changed").await;
     page.click("button", "Undo last change", "Parameters").await;
-    page.until("it is undone again", "return !document.body.innerText.includes('1 changed')").await;
+    page.reads_no("1 changed").await;
     page.find("slider", "gain", "Parameters").await.set("0.4").await;
     page.click("button", "Reset gain to 0.700", "Parameters").await;
-    page.until("it is reset", "return !document.body.innerText.includes('1 changed')").await;
+    page.reads_no("1 changed").await;
     log(&page, "set FaceBall.gain=").await;
     page.close().await;
 }
@@ -49,13 +49,11 @@ async fn a_parameter_is_set_undone_redone_and_reset() {
 async fn half_typed_numbers_are_not_sent_and_wrong_ones_are_explained() {
     let (_server, page) = game("typed").await;
     page.click("button", "FaceBall", "Activation tree").await;
-    page.find("textbox", "gain, value", "Parameters").await.set("many").await;
-    page.press("\u{e007}").await;
+    page.fill("gain, value", "many").await;
     page.reads("“many” is no number").await;
-    page.find("textbox", "gain, value", "Parameters").await.set("7").await;
-    page.press("\u{e007}").await;
+    page.fill("gain, value", "7").await;
     page.reads("was refused").await;
-    page.until("the value stays", "return [...document.querySelectorAll('input')].find((one) => one.ariaLabel === 'gain, value').value === '0.700'").await;
+    page.is("input[aria-label='gain, value']", "one.value === '0.700'").await;
     page.close().await;
 }
 
@@ -64,18 +62,10 @@ async fn a_component_is_held_and_left_to_the_tree() {
     let (_server, page) = game("hold").await;
     page.click("button", "Player", "Activation tree").await;
     page.click("radio", "latent", "By hand").await;
-    page.until(
-        "the root is latent",
-        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').includes('held latent')",
-    )
-    .await;
+    page.is("[aria-label=Player]", "one.getAttribute('aria-description').includes('held latent')").await;
     page.reads("An operator holds it latent").await;
     page.click("radio", "by the tree", "By hand").await;
-    page.until(
-        "the root is active",
-        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
-    )
-    .await;
+    component(&page, "Player", "active").await;
     page.close().await;
 }
 
@@ -88,45 +78,28 @@ async fn the_forward_scores_after_it_was_driven() {
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
     page.find("combobox", "Head moved by", "Take over").await.set("FaceBall").await;
-    page.until(
-        "FaceBall is active",
-        "return document.querySelector('[aria-label=FaceBall]').getAttribute('aria-description').startsWith('active')",
-    )
-    .await;
-    page.until(
-        "the root is latent",
-        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('latent')",
-    )
-    .await;
+    component(&page, "FaceBall", "active").await;
+    component(&page, "Player", "latent").await;
     page.find("slider", "Body forward", "Body").await.set("0.2").await;
-    let place =
-        || async { page.run("return document.querySelector('[aria-label=Map] .bar .dim').textContent", vec![]).await };
+    let place = || async { page.run("return document.querySelector('[aria-label=Map] .bar .dim').textContent").await };
     let before = place().await;
     page.find("slider", "Body turn", "Body").await.focus().await;
     page.key_down('\u{e008}').await;
     page.reads("Moving").await;
-    page.until("the body walks", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('stepping')").await;
-    page.until(
-        "the robot has moved",
-        &format!("return document.querySelector('[aria-label=Map] .bar .dim').textContent !== {before}"),
-    )
-    .await;
+    page.is("[aria-label=Body][role=button]", "one.getAttribute('aria-description').includes('stepping')").await;
+    page.is("[aria-label=Map] .bar .dim", &format!("one.textContent !== {before}")).await;
     page.key_up('\u{e008}').await;
-    page.until("the robot stands", "return document.querySelector('[aria-label=Body][role=button]').getAttribute('aria-description').includes('standing')").await;
+    page.is("[aria-label=Body][role=button]", "one.getAttribute('aria-description').includes('standing')").await;
     page.screenshot("drive").await;
     page.click("button", "Give back", "Take over").await;
     page.reads("Driven by Forward").await;
-    page.until(
-        "the root is active",
-        "return document.querySelector('[aria-label=Player]').getAttribute('aria-description').startsWith('active')",
-    )
-    .await;
+    component(&page, "Player", "active").await;
     page.reads("operator: nobody").await;
     tab(&page, "Log").await;
     page.until_within("the forward has scored", SCORES, GAME).await;
     page.reads("the game is over").await;
     page.click("button", "Continue", "").await;
-    page.until("it is played on", "return !document.body.innerText.includes('the game is over')").await;
+    page.reads_no("the game is over").await;
     page.close().await;
 }
 
@@ -136,9 +109,9 @@ async fn the_keyboard_alone_is_enough() {
     let (_server, page) = game("keys").await;
     // Letters that follow a field that is gone, as another page's edit may remove it, are no commands.
     let field = "const field = document.body.appendChild(document.createElement('input')); field.focus()";
-    page.run(field, vec![]).await;
+    page.run(field).await;
     page.press("a").await;
-    page.run("document.activeElement.remove()", vec![]).await;
+    page.run("document.activeElement.remove()").await;
     page.press("x4").await;
     page.find("button", "FaceBall", "Activation tree").await.focus().await;
     page.press("/").await;
@@ -146,7 +119,7 @@ async fn the_keyboard_alone_is_enough() {
     page.press("faceball\u{e007}").await;
     page.find("slider", "gain", "Parameters").await;
     page.press("\u{e00c}").await;
-    page.run("document.activeElement.blur()", vec![]).await;
+    page.run("document.activeElement.blur()").await;
     page.press("m").await;
     page.press("m").await;
     page.press(" ").await;

@@ -1,6 +1,6 @@
 //! A story for each panel.
 
-use crate::{game, tab};
+use crate::{component, game, tab};
 
 /// Whether a canvas shows more than one colour.
 const DRAWN: &str = "const canvas = [...document.querySelectorAll('canvas')].find((one) => one.getAttribute('aria-label') === NAME); \
@@ -21,18 +21,13 @@ async fn the_tree_is_searched_folded_and_opens_a_component() {
     page.reads("4 found").await;
     search.set("nothing").await;
     page.reads("0 found").await;
-    assert_eq!(page.run("return document.querySelectorAll('.component.other').length", vec![]).await, 0);
+    assert_eq!(page.run("return document.querySelectorAll('.component.other').length").await, 0);
     search.set("").await;
-    page.until(
-        "a component runs",
-        "return document.querySelector('[aria-label=RobotState]').getAttribute('aria-description')\
-        .startsWith('active')",
-    )
-    .await;
+    component(&page, "RobotState", "active").await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.find("slider", "gain", "Parameters").await;
     page.click("switch", "Active only", "").await;
-    page.until("latent components are hidden", "return document.querySelectorAll('.component.gone').length > 3").await;
+    page.counts(".component.gone", "> 3").await;
     page.close().await;
 }
 
@@ -55,19 +50,9 @@ async fn the_camera_shows_images_and_toggles_overlays() {
     page.click("button", "Findings", "Camera").await;
     let overlay = page.find("switch", "BallDetector", "Camera").await;
     overlay.click().await;
-    page.until(
-        "the overlay is off",
-        "return [...document.querySelectorAll('[role=switch]')].some((one) => \
-        one.textContent === 'BallDetector' && one.ariaChecked === 'false')",
-    )
-    .await;
+    page.any("[role=switch]", "one.textContent === 'BallDetector' && one.ariaChecked === 'false'").await;
     page.click("switch", "Freeze", "Camera").await;
-    page.until(
-        "it is frozen",
-        "return [...document.querySelectorAll('[role=switch]')].some((one) => one.textContent === 'Freeze' && \
-        one.ariaChecked === 'true')",
-    )
-    .await;
+    page.any("[role=switch]", "one.textContent === 'Freeze' && one.ariaChecked === 'true'").await;
     page.find("button", "Save the image", "Camera").await;
     page.close().await;
 }
@@ -86,7 +71,7 @@ const FRAMES: &str = "return import('/lib/frames.js').then(({ applied, inverse, 
 #[tokio::test]
 async fn the_map_shows_the_field_outputs_and_the_truth() {
     let (_server, page) = game("map").await;
-    let places = page.run(FRAMES, vec![]).await;
+    let places = page.run(FRAMES).await;
     assert_eq!(places, serde_json::json!(["1,2,0", "3,4,5", "1,5,0", "field", "odometry placed by the truth"]));
     page.until("the map is drawn", &drawn("Map of the ground")).await;
     page.reads("odometry placed by the truth").await;
@@ -94,11 +79,7 @@ async fn the_map_shows_the_field_outputs_and_the_truth() {
     page.click("button", "What the map shows", "Map").await;
     page.find("switch", "BallDetector · ball position", "Map").await.click().await;
     page.find("combobox", "Fixed frame", "Map").await.set("robot").await;
-    page.until(
-        "the robot stands still",
-        "return document.querySelector('[aria-label=\"Fixed frame\"]').value === 'robot'",
-    )
-    .await;
+    page.is("[aria-label=\"Fixed frame\"]", "one.value === 'robot'").await;
     page.close().await;
 }
 
@@ -110,12 +91,11 @@ async fn curves_are_added_to_a_plot_and_removed() {
     let field = page.find("combobox", "Information to plot", "Plot").await;
     field.set("Head.pan").await;
     page.click("button", "Add", "Plot").await;
-    page.until("the curve has a value", "return /-?\\d/.test(document.querySelector('.curve b')?.textContent ?? '')")
-        .await;
-    page.until("it is drawn", "return document.querySelector('.chart canvas')?.width > 100").await;
+    page.is(".curve b", "/-?\\d/.test(one.textContent)").await;
+    page.is(".chart canvas", "one.width > 100").await;
     field.set("Odometry.walked").await;
     page.click("button", "Add", "Plot").await;
-    page.until("each number of a struct is a curve", "return document.querySelectorAll('.curve').length === 4").await;
+    page.counts(".curve", "=== 4").await;
     field.set("hypot(Odometry.walked.x, Odometry.walked.y) * FaceBall.gain").await;
     page.click("button", "Add", "Plot").await;
     page.until(
@@ -130,7 +110,7 @@ async fn curves_are_added_to_a_plot_and_removed() {
     page.click("button", "Remove hypot", "").await;
     let axis =
         "return import('/lib/format.js').then(({ time }) => [59.9e6, 60e6, 3600e6].map((at) => time(at, 0)).join())";
-    assert_eq!(page.run(axis, vec![]).await, "1:00,1:00,1:00:00");
+    assert_eq!(page.run(axis).await, "1:00,1:00,1:00:00");
     for part in ["x", "y", "heading"] {
         page.click("button", &format!("Remove Odometry.walked.{part}"), "").await;
     }
@@ -144,7 +124,7 @@ async fn the_latency_leads_to_a_worst_cycle() {
     let (_server, page) = game("latency").await;
     tab(&page, "Latency").await;
     page.reads("Worst cycles").await;
-    page.until("shares are listed", "return document.querySelectorAll('.shares tbody tr').length > 5").await;
+    page.counts(".shares tbody tr", "> 5").await;
     page.until(
         "a worst cycle is known",
         "const one = document.querySelector('.worst button'); one?.click(); return Boolean(one)",
@@ -163,11 +143,11 @@ async fn a_note_is_in_the_log_as_text_whatever_it_contains() {
     tab(&page, "Log").await;
     page.reads(text).await;
     assert_eq!(
-        page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]", vec![]).await,
+        page.run("return [document.querySelectorAll('img').length, document.title.includes('broken')]").await,
         serde_json::json!([0, false])
     );
     page.click("switch", "Notes", "Log").await;
-    page.until("notes are hidden", "return !document.querySelector('.log .note')").await;
+    page.lacks(".log .note").await;
     page.close().await;
 }
 
@@ -199,7 +179,7 @@ async fn layouts_are_chosen_saved_and_restored() {
     page.press("?").await;
     page.reads("one cycle back").await;
     page.press("\u{e00c}").await;
-    page.until("the list is closed", "return !document.querySelector('dialog').open").await;
+    page.is("dialog", "!one.open").await;
     page.close().await;
 }
 
@@ -209,35 +189,27 @@ async fn a_link_leads_to_its_moment_layout_and_watches() {
     let tabs = "return [...document.querySelectorAll('.dv-tab')].map((one) => one.textContent).sort().join()";
     page.press("2").await;
     page.find("tab", "Watches", "").await;
-    page.run("import('/lib/dock.js').then(({ open }) => { open('plot', { curves: ['Head.pan'] }); })", vec![]).await;
-    page.run(
-        "import('/lib/watches.js').then(({ replace }) => replace([{ text: 'Head.pan > 9', pause: true }]))",
-        vec![],
-    )
-    .await;
-    page.until("the moment exists", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 0.6")
-        .await;
-    page.run("import('/lib/store.js').then(({ seek }) => seek(5e5))", vec![]).await;
+    page.run("import('/lib/dock.js').then(({ open }) => { open('plot', { curves: ['Head.pan'] }); })").await;
+    page.run("import('/lib/watches.js').then(({ replace }) => replace([{ text: 'Head.pan > 9', pause: true }]))").await;
+    page.time("> 0.6").await;
+    page.run("import('/lib/store.js').then(({ seek }) => seek(5e5))").await;
     page.find("button", "Time: paused", "").await;
-    page.run("navigator.clipboard.writeText = async (text) => { window.link = text; }", vec![]).await;
-    let before = page.run(tabs, vec![]).await;
+    page.run("navigator.clipboard.writeText = async (text) => { window.link = text; }").await;
+    let before = page.run(tabs).await;
     page.click("button", "Copy a link to this moment", "").await;
     page.until("the link is copied", "return window.link?.includes('t=0.500') && window.link.length < 3000").await;
     page.press("l").await;
     page.press("5").await;
-    page.run("import('/lib/watches.js').then(({ replace }) => replace([]))", vec![]).await;
-    page.run("location.href = window.link", vec![]).await;
+    page.run("import('/lib/watches.js').then(({ replace }) => replace([]))").await;
+    page.run("location.href = window.link").await;
     page.until("the layout is there", &format!("{tabs} === {before}")).await;
     page.reads("Head.pan").await;
     page.find("button", "Time: paused", "").await;
     let shared = "return Promise.all([import('/lib/watches.js'), import('/lib/store.js')]).then(([{ watches }, { cursor }]) => \
         [watches.value, cursor.value])";
     // A link may be anybody's: its watches pause nothing.
-    assert_eq!(
-        page.run(shared, vec![]).await,
-        serde_json::json!([[{ "text": "Head.pan > 9", "pause": false }], 500_000])
-    );
-    page.run("location.hash = '#layout=~spoilt'", vec![]).await;
+    assert_eq!(page.run(shared).await, serde_json::json!([[{ "text": "Head.pan > 9", "pause": false }], 500_000]));
+    page.run("location.hash = '#layout=~spoilt'").await;
     page.reads("the layout of the link cannot be read").await;
     page.close().await;
 }

@@ -4,8 +4,9 @@
 
 use std::time::Duration;
 
-use jmanager_browser::{Page, Server, player};
+use jmanager_browser::{Page, Server, repository};
 
+use crate::access::set_theme;
 use crate::glance::{SMALL, show_in};
 use crate::motions::{Sources, handle};
 use crate::open_in;
@@ -15,22 +16,15 @@ const LONG: Duration = Duration::from_secs(300);
 
 /// Waits until the game has lasted some seconds.
 async fn at(page: &Page, seconds: f64) {
-    let script = format!("return Number.parseFloat(document.querySelector('.clock b').textContent) >= {seconds}");
-    page.until(&format!("{seconds} s of the game"), &script).await;
+    page.time(&format!(">= {seconds}")).await;
 }
 
 /// Opens the built-in world in the dark theme.
 async fn dark(server: &Server) -> Page {
     let page = open_in(server, SMALL).await;
     show_in(&page, SMALL).await;
-    make_dark(&page).await;
+    set_theme(&page, "dark").await;
     page
-}
-
-async fn make_dark(page: &Page) {
-    if page.run("return document.documentElement.dataset.theme", vec![]).await != "dark" {
-        page.press("t").await;
-    }
 }
 
 #[tokio::test]
@@ -49,7 +43,7 @@ async fn picture_of_a_watch() {
     let server = Server::start_example("wall_follower");
     let page = Page::open(&server, SMALL).await;
     show_in(&page, SMALL).await;
-    make_dark(&page).await;
+    set_theme(&page, "dark").await;
     page.click("tab", "Watches", "").await;
     page.click("switch", "Pause the world", "Watches").await;
     page.find("combobox", "Condition to watch", "").await.set("WallDetector.distance > 0.7 for 300 ms").await;
@@ -72,7 +66,7 @@ async fn picture_of_a_parameter() {
     page.press("2").await;
     page.click("button", "FaceBall", "Activation tree").await;
     let gain = page.find("slider", "gain", "Parameters").await;
-    page.run("document.querySelector('[aria-label=Parameters]').scrollIntoView()", vec![]).await;
+    page.run("document.querySelector('[aria-label=Parameters]').scrollIntoView()").await;
     at(&page, 6.0).await;
     gain.set("0.9").await;
     page.reads("1 changed").await;
@@ -106,9 +100,7 @@ async fn picture_of_driving() {
 #[ignore = "makes a picture of the documentation again"]
 async fn picture_of_a_comparison() {
     let server = Server::start("picture-replay", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
-    let file = server.folder.join("recordings/kick-off.mcap");
-    player(&["play", "--seconds", "20", "--size", "320x240", "--record", file.to_str().expect("a path of UTF-8")]);
+    server.record("kick-off", &["--seconds", "20", "--size", "320x240"]);
     let page = dark(&server).await;
     page.press("5").await;
     page.click("button", "kick-off", "Recordings").await;
@@ -117,11 +109,7 @@ async fn picture_of_a_comparison() {
     page.click("button", "Add", "Replay").await;
     page.reads("FaceBall.gain = 0.2").await;
     page.click("button", "Run again", "Replay").await;
-    page.until(
-        "there are two recordings",
-        "return document.querySelectorAll('[aria-label=Compare] select').length === 2",
-    )
-    .await;
+    page.counts("[aria-label=Compare] select", "=== 2").await;
     page.find("button", "Time: paused", "").await;
     page.click("button", "kick-off.mcap", "Sessions").await;
     let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()].filter(({ info }) => info.value.kind === 'recording').every(({ info }) => info.value.connection !== 'connecting'))";
@@ -130,7 +118,7 @@ async fn picture_of_a_comparison() {
     tokio::time::sleep(std::time::Duration::from_secs(1)).await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
-    page.run("location.hash = '#t=11.000&layout=replay'", vec![]).await;
+    page.run("location.hash = '#t=11.000&layout=replay'").await;
     at(&page, 11.0).await;
     page.click("button", "Whole", "Timeline").await;
     tokio::time::sleep(std::time::Duration::from_secs(1)).await;
@@ -141,23 +129,22 @@ async fn picture_of_a_comparison() {
 #[tokio::test]
 #[ignore = "makes two pictures of the documentation again"]
 async fn pictures_of_the_designer() {
-    let sources = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../../player");
-    let server = Server::start("picture-vicode", &["--source", sources]);
+    let server = Server::start("picture-vicode", &["--source", &repository("player")]);
     let page = dark(&server).await;
     page.click("button", "Player", "Activation tree").await;
     page.click("button", "edit states", "").await;
     page.find("button", "State search_net", "").await;
-    page.until("a state is lit", "return document.querySelector('.box.lit') !== null").await;
+    page.shows(".box.lit").await;
     page.find("button", "Transition ball_reached", "").await.focus().await;
     at(&page, 13.0).await;
     page.screenshot("docs-vicode-live").await;
-    page.run("document.activeElement.blur()", vec![]).await;
+    page.run("document.activeElement.blur()").await;
     page.press("t").await;
     // Not saved: the source is that of the repository.
     let note = "return import('/vicode/sources.js').then(({ opened }) => { \
         const notes = [{ component: 'Player', at: null, text: 'Without a net, any goal will do: ask the referee.' }]; \
         opened.value = { ...opened.value, notes }; })";
-    page.run(note, vec![]).await;
+    page.run(note).await;
     page.find("button", "Note: Without a net", "").await;
     page.resize((1600, 1200)).await;
     page.click("button", "Fit", "Zoom").await;
@@ -176,41 +163,24 @@ async fn pictures_of_the_designer() {
 #[ignore = "makes a picture of the documentation again"]
 async fn picture_of_two_runs() {
     let server = Server::start("picture-beside", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
     for seed in ["1", "2"] {
-        let file = server.folder.join(format!("recordings/seed-{seed}.mcap"));
-        player(&[
-            "play",
-            "--seconds",
-            "15",
-            "--size",
-            "160x120",
-            "--seed",
-            seed,
-            "--record",
-            file.to_str().expect("a path"),
-        ]);
+        server.record(&format!("seed-{seed}"), &["--seconds", "15", "--size", "160x120", "--seed", seed]);
     }
     let page = dark(&server).await;
     page.click("tab", "Recordings", "").await;
     page.click("button", "Refresh", "Recordings").await;
     for name in ["seed-1", "seed-2"] {
         page.click("button", name, "Recordings").await;
-        page.until(
-            name,
-            &format!("return document.querySelector('.session.chosen')?.textContent.startsWith('{name}')"),
-        )
-        .await;
+        page.is(".session.chosen", &format!("one.textContent.startsWith('{name}')")).await;
     }
     page.click("button", "Compare", "Compare").await;
     page.click("button", "Show both", "Compare").await;
     page.run(
         "return import('/lib/span.js').then(({ choose, noteOf }) => import('/lib/store.js').then(({ act }) => { \
         choose(3e6, 6e6); return act('note', { text: noteOf([3e6, 6e6], 'approach differs') }); }))",
-        vec![],
     )
     .await;
-    page.run("import('/lib/store.js').then(({ seek }) => seek(9e6))", vec![]).await;
+    page.run("import('/lib/store.js').then(({ seek }) => seek(9e6))").await;
     page.click("switch", "Different", "Timeline").await;
     tokio::time::sleep(std::time::Duration::from_secs(2)).await;
     page.screenshot("docs-jmanager-beside").await;
@@ -226,9 +196,7 @@ async fn picture_of_a_motion() {
     for _ in 0..2 {
         page.click("button", "Next keyframe", "").await;
     }
-    page.find("textbox", "foot y in m", "").await.focus().await;
-    page.find("textbox", "foot y in m", "").await.set("0.125").await;
-    page.press("\u{e007}").await;
+    page.fill("foot y in m", "0.125").await;
     page.click("button", "20 tries", "").await;
     page.until_within("it was tried", "return Boolean(document.querySelector('.trial b'))", LONG).await;
     // The pointer is on the handle.

@@ -29,11 +29,7 @@ async fn colours_are_picked_with_a_press_a_region_and_paint_from_the_limits_of_t
     let ((x, middle), [_, _, _, height]) = (image.middle().await, image.place().await);
     // The ground: the robot keeps the ball, whose colour is in the class, in the middle.
     let y = middle + 0.3 * height;
-    page.until(
-        "an image is shown",
-        "return /image \\d+/.test(document.querySelector('.tuner figcaption')?.textContent)",
-    )
-    .await;
+    page.is(".tuner figcaption", "/image \\d+/.test(one.textContent)").await;
     let mut limits = page.until("the limits are known", LIMITS).await;
     page.find("slider", "orange_saturation_min", "Parameters").await.set("21").await;
     limits = other_limits(&page, &limits).await;
@@ -62,7 +58,7 @@ async fn the_image_of_a_live_camera_is_moved() {
         "const one = document.querySelector('canvas[aria-label=\"Camera image\"]'); for (let turn = 0; turn < 5; turn += 1) \
         one.dispatchEvent(new WheelEvent('wheel', {{ deltaY: -100, clientX: {x}, clientY: {y}, bubbles: true, cancelable: true }}))"
     );
-    page.run(&wheel, vec![]).await;
+    page.run(&wheel).await;
     page.until("the image covers the panel", &shows(0.03)).await;
     let [_, _, width, _] = image.place().await;
     page.drag((x - width * 0.45, y), (x + width * 0.45, y)).await;
@@ -81,7 +77,7 @@ async fn a_slider_and_the_timeline_are_dragged() {
     let [x, y, width, height] = slider.place().await;
     page.drag((x + width / 2.0, y + height / 2.0), (x + width * 0.9, y + height / 2.0)).await;
     page.reads("1 changed").await;
-    page.until("some seconds have passed", &format!("{CLOCK} > 2")).await;
+    page.time("> 2").await;
     let [x, y, width, _] = page.find("img", "Activation timeline", "").await.place().await;
     page.drag((x + 130.0, y + 20.0), (x + 130.0 + width * 0.2, y + 20.0)).await;
     let zoomed = "return document.querySelector('[aria-label=Timeline] button.live') !== null && \
@@ -95,17 +91,17 @@ async fn a_slider_and_the_timeline_are_dragged() {
 #[tokio::test]
 async fn space_after_a_click_is_for_the_page() {
     let (_server, page) = game("space").await;
-    page.until("some time has passed", &format!("{CLOCK} > 1.5")).await;
+    page.time("> 1.5").await;
     page.click("button", "Restart", "").await;
-    page.until("time begins again", &format!("{CLOCK} < 1.5")).await;
-    page.until("some time has passed", &format!("{CLOCK} > 1.5")).await;
+    page.time("< 1.5").await;
+    page.time("> 1.5").await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
     // A component that was clicked in the tree is another such button.
     page.click("button", "FaceBall", "Activation tree").await;
     page.press(" ").await;
     page.find("button", "Time: live", "").await;
-    assert!(page.run(CLOCK, vec![]).await.as_f64() > Some(1.5), "the world was restarted again");
+    assert!(page.run(CLOCK).await.as_f64() > Some(1.5), "the world was restarted again");
     page.close().await;
 }
 
@@ -124,7 +120,7 @@ async fn the_keys_of_driving_work_after_a_click_on_text() {
     page.key_down('\u{e008}').await;
     page.reads("Moving").await;
     page.key_up('\u{e008}').await;
-    page.until("it stands", "return !document.body.innerText.includes('Moving')").await;
+    page.reads_no("Moving").await;
     assert!(!page.text().await.contains("world paused"), "the letter paused the world");
     page.close().await;
 }

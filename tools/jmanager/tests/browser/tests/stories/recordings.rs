@@ -1,32 +1,24 @@
 //! Recordings.
 
-use jmanager_browser::{Page, Robot, Server, player};
+use jmanager_browser::{Page, Robot, Server};
 
 use crate::{WIDE, game, open, tab};
 
 #[tokio::test]
 async fn a_recording_is_kept_opened_and_played() {
     let (server, page) = game("recordings").await;
-    page.until(
-        "some seconds are recorded",
-        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3",
-    )
-    .await;
+    page.time("> 3").await;
     tab(&page, "Recordings").await;
     page.find("textbox", "Name of the recording", "This session").await.set("first").await;
     page.click("button", "Keep recording", "This session").await;
     page.find("button", "first", "Recordings").await;
-    assert!(server.folder.join("recordings/first.mcap").is_file());
+    assert!(server.folder.path("recordings/first.mcap").is_file());
     page.click("button", "first", "Recordings").await;
     page.find("button", "Play", "Replay").await.click().await;
     page.find("button", "Time: playing", "").await;
-    let clock = || async { page.run("return document.querySelector('.clock b').textContent", vec![]).await };
+    let clock = || async { page.run("return document.querySelector('.clock b').textContent").await };
     let before = clock().await;
-    page.until(
-        "the recording is played",
-        &format!("return document.querySelector('.clock b').textContent !== {before}"),
-    )
-    .await;
+    page.is(".clock b", &format!("one.textContent !== {before}")).await;
     page.click("button", "To the end", "Replay").await;
     page.find("button", "Time: paused", "").await;
     // The recording of a world has no images: its rules make them again.
@@ -38,9 +30,7 @@ async fn a_recording_is_kept_opened_and_played() {
 #[tokio::test]
 async fn a_recording_is_run_again_with_another_parameter_and_compared() {
     let server = Server::start("again", &[]);
-    std::fs::create_dir_all(server.folder.join("recordings")).expect("a folder");
-    let file = server.folder.join("recordings/game.mcap");
-    player(&["play", "--seconds", "5", "--size", "160x120", "--record", file.to_str().expect("a path of UTF-8")]);
+    server.record("game", &["--seconds", "5", "--size", "160x120"]);
     let page = open(&server).await;
     tab(&page, "Recordings").await;
     page.click("button", "Refresh", "Recordings").await;
@@ -51,12 +41,8 @@ async fn a_recording_is_run_again_with_another_parameter_and_compared() {
     page.reads("FaceBall.gain = 0.2").await;
     page.click("button", "Run again", "Replay").await;
     // The second recording is written while its program runs; before its end it cannot be compared.
-    page.until(
-        "there are two recordings, and both are complete",
-        "return document.querySelectorAll('[aria-label=Compare] select').length === 2 \
-         && document.querySelector('.session .connecting') === null",
-    )
-    .await;
+    page.counts("[aria-label=Compare] select", "=== 2").await;
+    page.lacks(".session .connecting").await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
     page.screenshot("compared").await;
@@ -70,11 +56,7 @@ async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     let server = Server::start("kept-robot", &[&format!("tcp://{}", robot.address), "--record", "all.mcap"]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;
-    page.until(
-        "some seconds are recorded",
-        "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3",
-    )
-    .await;
+    page.time("> 3").await;
     tab(&page, "Recordings").await;
     page.reads("It is written to all.mcap").await;
     page.find("textbox", "Name of the recording", "This session").await.set("sent").await;
@@ -87,11 +69,7 @@ async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     assert!(!page.text().await.contains("Run again"));
     page.click("button", "To the end", "Replay").await;
     page.find("button", "FaceBall", "Activation tree").await;
-    page.until(
-        "the camera shows an image",
-        "return document.querySelector('canvas[aria-label=\"Camera image\"]')?.width > 20",
-    )
-    .await;
+    page.is("canvas[aria-label=\"Camera image\"]", "one.width > 20").await;
     page.screenshot("robot-kept").await;
     page.close().await;
 }

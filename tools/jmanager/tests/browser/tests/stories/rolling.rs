@@ -3,7 +3,7 @@
 use jmanager_browser::{Page, Server};
 use serde_json::{Value, json};
 
-use crate::WIDE;
+use crate::{WIDE, map_has};
 
 /// Times of the newest values of the lidar, the wall and the pose, µs, the pose, and the number of rays.
 const KNOWN: &str = "return import('/lib/store.js').then(({ session }) => { const shown = session.value; \
@@ -11,22 +11,11 @@ const KNOWN: &str = "return import('/lib/store.js').then(({ session }) => { cons
     const [scan, wall, pose] = [one('Lidar', 'scan'), one('WallDetector', 'wall'), one('Odometry', 'pose')]; \
     return { times: [scan, wall, pose].map(last), pose: pose.values.at(-1), rays: scan.values.at(-1)?.ranges.length, \
         truth: shown.truth.value?.truth.find(({ name }) => name === 'robot')?.value, until: shown.live.value.time_us, \
-        walls: shown.scenery.value.length, active: ['Lidar', 'WallDetector', 'Odometry'].every((name) => shown.live.value.components[shown.find(name)][0]) }; })";
-
-/// Number of the map's pixels that nearly have a colour of the style sheet.
-fn pixels(colour: &str) -> String {
-    format!(
-        "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); if (!canvas || canvas.width < 50) return null; \
-        const probe = new OffscreenCanvas(1, 1).getContext('2d'); probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('{colour}').trim(); \
-        probe.fillRect(0, 0, 1, 1); const wanted = probe.getImageData(0, 0, 1, 1).data; const {{ width, height }} = canvas; \
-        const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
-        const {{ data }} = copy.getImageData(0, 0, width, height); let count = 0; \
-        for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => Math.abs(data[at + one] - wanted[one]) < 12); return count"
-    )
-}
+        walls: shown.scenery.value.length, \
+        active: ['Lidar', 'WallDetector', 'Odometry'].every((name) => shown.live.value.components[shown.find(name)][0]) }; })";
 
 async fn known(page: &Page) -> Value {
-    page.run(KNOWN, vec![]).await
+    page.run(KNOWN).await
 }
 
 /// A script that waits for a condition of what is `known`.
@@ -49,19 +38,15 @@ async fn a_rolling_robot_is_seen_with_its_walls_and_driven_by_keys_while_the_map
     assert_eq!((&seen["rays"], &seen["walls"]), (&json!(72), &json!(1)), "{seen}");
     // Walls, scan and path: grey, the lidar's colour, and that of the odometry.
     for (colour, least) in [("--dim", 300), ("--curve1", 60), ("--curve2", 5)] {
-        page.until(
-            colour,
-            &format!("const count = (() => {{ {} }})(); return count > {least} && count", pixels(colour)),
-        )
-        .await;
+        map_has(&page, colour, least).await;
     }
-    page.run("import('/lib/dock.js').then(({ preset }) => preset('driving'))", vec![]).await;
+    page.run("import('/lib/dock.js').then(({ preset }) => preset('driving'))").await;
     page.click("button", "Take over", "Take over").await;
     page.reads("Driven by you").await;
     let taken = known(&page).await["until"].as_u64().expect("a time");
     goes_on(&page, taken + 1_000_000).await;
     assert_eq!(known(&page).await["active"], true, "what the map shows is latent");
-    page.run("document.querySelector('.drive').closest('.panel').focus()", vec![]).await;
+    page.run("document.querySelector('.drive').closest('.panel').focus()").await;
     let before = known(&page).await;
     // Backwards, away from what is ahead.
     page.key_down('\u{e008}').await;
@@ -76,6 +61,8 @@ async fn a_rolling_robot_is_seen_with_its_walls_and_driven_by_keys_while_the_map
     page.key_up('s').await;
     page.key_up('\u{e008}').await;
     page.click("button", "Give back", "Take over").await;
-    page.until("the root goes on", "return import('/lib/store.js').then(({ session }) => session.value.live.value.components[session.value.description.value.root][0])").await;
+    let root = "return import('/lib/store.js').then(({ session }) => { const { live, description } = session.value; \
+        return live.value.components[description.value.root][0]; })";
+    page.until("the root goes on", root).await;
     page.close().await;
 }

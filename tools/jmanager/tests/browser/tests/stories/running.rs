@@ -1,11 +1,11 @@
 //! From a blank canvas to a robot that runs what was drawn: in a copy of the workspace, with the example `goalkeeper`.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Page, Server, repository, target};
 
 const WIDE: (u32, u32) = (1440, 900);
 /// Longest build of the program, on a busy machine, with nothing built before.
@@ -17,9 +17,9 @@ const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria
 fn copy() -> PathBuf {
     let folder = target().join("browser/workspace");
     // The build's results stay where they are: only what has changed is built again.
-    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(repository()).output().expect("git");
+    let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(repository("")).output().expect("git");
     for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
-        let (from, to) = (repository().join(name), folder.join(name));
+        let (from, to) = (repository(name), folder.join(name));
         let text = fs::read(&from).expect("a file of the repository");
         if fs::read(&to).is_ok_and(|old| old == text) {
             continue;
@@ -29,23 +29,6 @@ fn copy() -> PathBuf {
     }
     let _ = fs::remove_file(folder.join("examples/goalkeeper/src/patrol.rs"));
     folder
-}
-
-fn repository() -> PathBuf {
-    target().join("..")
-}
-
-/// Waits until a file has all parts.
-async fn saved(page: &Page, file: &Path, parts: &[&str]) {
-    for _ in 0..300 {
-        let text = fs::read_to_string(file).unwrap_or_default();
-        if parts.iter().all(|part| text.contains(part)) {
-            return;
-        }
-        tokio::time::sleep(Duration::from_millis(100)).await;
-    }
-    page.screenshot("failed").await;
-    panic!("{} has not {parts:?}; the page shows: {}", file.display(), page.text().await);
 }
 
 /// Adds a transition with a timer from a state, by keyboard.
@@ -124,22 +107,22 @@ async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
     timer(&page, "right", "rest", "looked_right", "700").await;
     timer(&page, "rest", "left", "rested", "500").await;
     child(&page, "left", "Head", "modulation", "bica_player::motion").await;
-    saved(&page, &patrol, &["head: &mut Head"]).await;
+    page.saves(&patrol, &["head: &mut Head"]).await;
     child(&page, "right", "BallDetector", "requirement", "bica_player::perception").await;
-    saved(&page, &patrol, &["&BallDetector"]).await;
+    page.saves(&patrol, &["&BallDetector"]).await;
     page.click("button", "State left", "").await;
     page.click("button", "Add an entry hook", "").await;
-    saved(&page, &patrol, &["#[entry(left)]", "after_ms = 500"]).await;
+    page.saves(&patrol, &["#[entry(left)]", "after_ms = 500"]).await;
     page.find("button", "State left", "").await.focus().await;
     page.press("\u{e007}").await;
     page.press("head.look_at(0.5, 0.0);").await;
-    saved(&page, &patrol, &["head.look_at(0.5, 0.0);"]).await;
+    page.saves(&patrol, &["head.look_at(0.5, 0.0);"]).await;
 
     // Something has to activate it: it becomes a child of the goalkeeper.
     page.click("button", "Goalkeeper", "Sources").await;
     page.find("button", "State look_for_ball", "").await;
     child(&page, "look_for_ball", "Patrol", "modulation", "super::patrol").await;
-    saved(&page, &keeper.join("src/goalkeeper.rs"), &["use super::patrol::Patrol;", "&mut Patrol"]).await;
+    page.saves(&keeper.join("src/goalkeeper.rs"), &["use super::patrol::Patrol;", "&mut Patrol"]).await;
     page.click("button", "Patrol", "Sources").await;
     page.find("button", "State rest", "").await;
 
@@ -154,24 +137,19 @@ async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
     page.press("b").await;
     page.reads("Patrol is in rest").await;
     page.find("button", "Time: world paused", "").await;
-    page.until(
-        "the state is lit",
-        "return document.querySelector('.box.lit')?.getAttribute('aria-label')?.includes('rest') ?? false",
-    )
-    .await;
+    page.is(".box.lit", "one.ariaLabel.includes('rest')").await;
     let time = "return document.querySelector('.clock b').textContent";
-    let before = page.run(time, vec![]).await;
+    let before = page.run(time).await;
     page.click("button", "Step", "Breakpoints").await;
-    page.until("one cycle was run", &format!("return document.querySelector('.clock b').textContent !== {before}"))
-        .await;
+    page.is(".clock b", &format!("one.textContent !== {before}")).await;
     page.click("button", "Remove all breakpoints", "").await;
     page.press(",").await;
 
     // It is changed while it runs, and run again at the same rules.
     timer(&page, "rest", "begin", "tired", "200").await;
-    saved(&page, &patrol, &["#[transition(rest -> begin, after_ms = 200)]", "fn tired"]).await;
+    page.saves(&patrol, &["#[transition(rest -> begin, after_ms = 200)]", "fn tired"]).await;
     run(&page, "Run again", &first).await;
-    page.until("the session before is closed", "return document.querySelectorAll('.session').length === 2").await;
+    page.counts(".session", "=== 2").await;
     hold_active(&page).await;
     page.find("button", "State begin", "").await.focus().await;
     page.press("b").await;

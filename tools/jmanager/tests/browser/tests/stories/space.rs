@@ -24,7 +24,7 @@ async fn seen(page: &Page, condition: &str) {
 async fn paused(server: &Server, arguments: &[&str]) -> Page {
     let page = Page::open_with(&server.url(), WIDE, arguments).await;
     page.find("button", "FaceBall", "Activation tree").await;
-    page.run("import('/lib/theme.js').then(({ applyTheme }) => applyTheme('dark'))", vec![]).await;
+    page.run("import('/lib/theme.js').then(({ applyTheme }) => applyTheme('dark'))").await;
     page.click("button", "Pause", "").await;
     page.reads("world paused").await;
     page
@@ -34,7 +34,7 @@ async fn paused(server: &Server, arguments: &[&str]) -> Page {
 async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
     let server = Server::start("space", &[]);
     let page = paused(&server, &[]).await;
-    assert_eq!(page.run(LOADED, vec![]).await, json!(false), "the library is loaded with the page");
+    assert_eq!(page.run(LOADED).await, json!(false), "the library is loaded with the page");
     page.click("switch", "3D", "Map").await;
     seen(&page, "green > 0.2 && white > 0").await;
     // The body of the robot, which the camera follows.
@@ -52,7 +52,7 @@ async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
     page.click("switch", "3D", "Map").await;
     seen(&page, "green > 0.2").await;
     // The layout remembers it.
-    page.run("location.reload()", vec![]).await;
+    page.run("location.reload()").await;
     page.find("img", "Scene in three dimensions", "Map").await;
     page.close().await;
 }

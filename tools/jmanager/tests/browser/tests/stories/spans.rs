@@ -13,16 +13,20 @@ pub(crate) const CATCH: &str = "window.saved = []; const make = URL.createObject
 /// A script that works with `shown`, the session, and `span`.
 async fn page_run(page: &Page, script: &str) -> Value {
     let all = "Promise.all(['store', 'span', 'curves', 'playback'].map((name) => import(`/lib/${name}.js`)))";
-    page.run(&format!("return {all}.then(([{{ session, cursor, seek, playing }}, {{ span, statistics }}, {{ resolve, samples }}, {{ speed }}]) => {{ const shown = session.value; {script} }})"), vec![]).await
+    let script = format!(
+        "return {all}.then(([{{ session, cursor, seek, playing }}, {{ span, statistics }}, {{ resolve, samples }}, \
+        {{ speed }}]) => {{ const shown = session.value; {script} }})"
+    );
+    page.run(&script).await
 }
 
 #[tokio::test]
 async fn a_span_is_chosen_measured_played_again_and_exported() {
     let (_server, page) = game("span").await;
-    page.run(CATCH, vec![]).await;
+    page.run(CATCH).await;
     // From now on the page has subscribed to outputs, so the span has more than ten values a second.
     let clock = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
-    let begin = page.run(clock, vec![]).await.as_f64().expect("a time").ceil() as u64 + 1;
+    let begin = page.run(clock).await.as_f64().expect("a time").ceil() as u64 + 1;
     let [begin_us, end_us] = [begin * 1_000_000, (begin + 1) * 1_000_000];
     page.until("the span is over", &format!("{clock} > {}", begin + 2)).await;
     page.click("button", "Pause", "").await;
@@ -43,9 +47,9 @@ async fn a_span_is_chosen_measured_played_again_and_exported() {
         if (cursor.value < window.least) window.turns += 1; window.least = cursor.value; \
         window.outside ||= cursor.value < {begin_us} || cursor.value > {end_us}; }}), 10)"
     );
-    page.run(&turns, vec![]).await;
+    page.run(&turns).await;
     page.until("it began again", "return window.turns > 3").await;
-    assert_eq!(page.run("return window.outside", vec![]).await, json!(false));
+    assert_eq!(page.run("return window.outside").await, json!(false));
     page.click("button", "Pause", "Timeline").await;
     // A value holds until the next one: 0 for a quarter, 4 for the rest.
     let measured =
@@ -54,7 +58,9 @@ async fn a_span_is_chosen_measured_played_again_and_exported() {
     tab(&page, "Plot").await;
     page.find("combobox", "Information to plot", "").await.set("Head.pan").await;
     page.click("button", "Add", "Plot").await;
-    let largest = page.until("the plot measures it", "const cells = document.querySelectorAll('.stats tbody .n'); return cells.length === 5 && cells[1].textContent !== '–' && Number(cells[1].textContent)").await;
+    let measures = "const cells = document.querySelectorAll('.stats tbody .n'); \
+        return cells.length === 5 && cells[1].textContent !== '–' && Number(cells[1].textContent)";
+    let largest = page.until("the plot measures it", measures).await;
     tab(&page, "Timeline").await;
     page.click("button", "CSV", "Timeline").await;
     let csv = page.until("the table is saved", "return window.saved[0]?.[1].text()").await;
@@ -85,7 +91,7 @@ async fn a_span_is_chosen_measured_played_again_and_exported() {
 #[tokio::test]
 async fn a_picture_of_each_panel_is_saved() {
     let (_server, page) = game("picture").await;
-    page.run(CATCH, vec![]).await;
+    page.run(CATCH).await;
     for (number, (name, file)) in
         [("Timeline", "timeline.png"), ("Activation tree", "activation-tree.png"), ("Player", "player.png")]
             .iter()
@@ -96,7 +102,8 @@ async fn a_picture_of_each_panel_is_saved() {
         // A picture of text, lines or bars has some colours.
         let colours = format!(
             "const [name, blob] = window.saved[{number}] ?? []; if (!blob) return null; \
-            return createImageBitmap(blob).then((image) => {{ const context = new OffscreenCanvas(image.width, image.height).getContext('2d'); context.drawImage(image, 0, 0); \
+            return createImageBitmap(blob).then((image) => {{ \
+            const context = new OffscreenCanvas(image.width, image.height).getContext('2d'); context.drawImage(image, 0, 0); \
             const seen = new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)); \
             return [name, blob.type, image.width > 250, seen.size > 20]; }})"
         );
@@ -108,8 +115,8 @@ async fn a_picture_of_each_panel_is_saved() {
 #[tokio::test]
 async fn a_span_is_annotated_and_filmed() {
     let (_server, page) = game("film").await;
-    page.run(CATCH, vec![]).await;
-    page.until("3 s of the game", "return Number.parseFloat(document.querySelector('.clock b').textContent) > 3").await;
+    page.run(CATCH).await;
+    page.time("> 3").await;
     page_run(&page, "return import('/lib/span.js').then(({ choose }) => choose(1e6, 2e6))").await;
     page.click("button", "Annotate…", "Timeline").await;
     page.find("textbox", "Text", "").await.set("looks for the ball").await;

@@ -1,13 +1,11 @@
 //! A therapist with the page of the therapy player.
 
-use std::fs;
-use std::path::PathBuf;
 use std::time::Duration;
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Folder, Page, Server};
 use serde_json::json;
 
-use crate::access::{AXE, TARGETS, load_axe};
+use crate::access::{AXE, TARGETS, load_axe, set_theme};
 use crate::glance::show_in;
 
 /// A tablet.
@@ -24,28 +22,13 @@ const WRONG: &str = "sya \"Hello.\"";
 const TABS: &str =
     "[...document.querySelectorAll('[role=tab]')].filter((tab) => tab.getClientRects().length > 0).length";
 
-/// Sessions in a folder, removed at the end.
-struct Sessions(PathBuf);
-
-impl Sessions {
-    fn new() -> Self {
-        let folder = target().join(format!("browser/run/sessions-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        for (name, text) in [("first", FIRST), ("second", SECOND), ("wrong", WRONG), ("film", FILM)] {
-            fs::write(folder.join(format!("{name}.session")), text).expect("a session");
-        }
-        Self(folder)
+/// Sessions in a folder.
+fn sessions() -> Folder {
+    let folder = Folder::new("sessions");
+    for (name, text) in [("first", FIRST), ("second", SECOND), ("wrong", WRONG), ("film", FILM)] {
+        folder.write(&format!("{name}.session"), text);
     }
-
-    fn file(&self, name: &str) -> String {
-        self.0.join(format!("{name}.session")).display().to_string()
-    }
-}
-
-impl Drop for Sessions {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+    folder
 }
 
 /// Waits until the page tells a state, and the part that is shown.
@@ -66,13 +49,11 @@ async fn button(page: &Page, name: &str) {
 /// Looks at the page in both themes: nothing serious for axe, no small target, no word of an engineer; a picture of each.
 async fn look(page: &Page, name: &str) {
     for theme in ["dark", "light"] {
-        if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
-            page.run("document.activeElement.blur()", vec![]).await;
-            page.press("t").await;
-        }
+        page.run("document.activeElement.blur()").await;
+        set_theme(page, theme).await;
         tokio::time::sleep(Duration::from_millis(400)).await;
         for check in [AXE, TARGETS] {
-            assert_eq!(page.run(check, vec![]).await, json!([]), "{name}, {theme}");
+            assert_eq!(page.run(check).await, json!([]), "{name}, {theme}");
         }
         page.screenshot(&format!("therapist-{name}-{theme}")).await;
     }
@@ -85,13 +66,13 @@ async fn look(page: &Page, name: &str) {
 
 #[tokio::test]
 async fn a_therapist_operates_a_session_with_every_control() {
-    let sessions = Sessions::new();
-    let server = Server::start_other("therapy", &["play", &sessions.file("first"), "--page"]);
+    let sessions = sessions();
+    let server = Server::start_other("therapy", &["play", &sessions.argument("first.session"), "--page"]);
     let page = Page::open(&server, SIZE).await;
     show_in(&page, SIZE).await;
     page.until("no tab", &format!("return {TABS} === 0")).await;
     // The page stays plain for the next visit.
-    page.run("location.reload()", vec![]).await;
+    page.run("location.reload()").await;
     page.until("no tab", &format!("return document.querySelector('.therapist') !== null && {TABS} === 0")).await;
     load_axe(&page).await;
     page.reads("All 4 parts of the session can be played.").await;
@@ -115,10 +96,10 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.reads("1 of 3").await;
     page.reads("of 10 done").await;
     page.reads("of 2 s").await;
-    page.until("a bar", "return document.querySelectorAll('.attempts rect').length >= 1").await;
+    page.counts(".attempts rect", ">= 1").await;
     look(&page, "running").await;
     button(&page, "Repeat").await;
-    page.until("the exercise begins anew", "return document.querySelector('.big') === null").await;
+    page.lacks(".big").await;
     shows(&page, "Running", "3.").await;
 
     button(&page, "❚❚ Pause").await;
@@ -154,10 +135,10 @@ async fn a_therapist_operates_a_session_with_every_control() {
     shows(&page, "Ready", "1.").await;
 
     let choice = page.find("combobox", "Open a session", "").await;
-    choice.set(&sessions.file("wrong")).await;
+    choice.set(&sessions.argument("wrong.session")).await;
     page.reads("`sya` is not a command; did you mean `say`?").await;
     button(&page, "Dismiss message").await;
-    choice.set(&sessions.file("second")).await;
+    choice.set(&sessions.argument("second.session")).await;
     shows(&page, "Ready", "1. Says: “Only this.”").await;
     page.reads("Nobody operates the robot").await;
     button(&page, "Take control").await;
@@ -170,7 +151,7 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.find("button", "Session", "Activation tree").await;
     // A panel without another one beside it has a tab, too.
     page.find("tab", "Activation tree", "").await;
-    assert_eq!(page.run(AXE, vec![]).await, json!([]), "the whole bar");
+    assert_eq!(page.run(AXE).await, json!([]), "the whole bar");
     page.screenshot("therapist-engineer").await;
     page.close().await;
 }
@@ -187,8 +168,8 @@ async fn film(page: &Page, pictures: u32, taken: &mut u32) {
 #[tokio::test]
 #[ignore = "makes the pictures of the film of the documentation again"]
 async fn film_of_the_page_of_a_therapist() {
-    let sessions = Sessions::new();
-    let server = Server::start_other("therapy", &["play", &sessions.file("film"), "--page"]);
+    let sessions = sessions();
+    let server = Server::start_other("therapy", &["play", &sessions.argument("film.session"), "--page"]);
     let page = Page::open(&server, SIZE).await;
     show_in(&page, SIZE).await;
     shows(&page, "Ready", "1.").await;

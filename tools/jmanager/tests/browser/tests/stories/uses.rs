@@ -1,59 +1,50 @@
 //! Stories of the drawing's uses: the difference from the last commit, a trial, and what a run has visited.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use jmanager_browser::{Page, Server, target};
+use jmanager_browser::{Folder, Page, Server, repository};
 use serde_json::json;
 
-use crate::access::TARGETS;
+use crate::access::{TARGETS, set_theme};
 use crate::geometry::faults;
 use crate::open_in;
 
 const SIZE: (u32, u32) = (1440, 900);
 
-/// The forward's machine in a repository of its own, removed at the end.
-struct Repository(PathBuf);
+/// The forward's machine in a repository of its own.
+struct Repository(Folder);
 
 impl Repository {
     fn new(name: &str) -> Self {
-        let folder = target().join(format!("browser/run/uses-{name}-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../player/src/behaviour/player.rs");
-        fs::copy(source, folder.join("player.rs")).expect("the forward's machine");
+        let folder = Folder::new(&format!("uses-{name}"));
+        let source = repository("player/src/behaviour/player.rs");
+        fs::copy(source, folder.path("player.rs")).expect("the forward's machine");
         let commit = ["-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "First"];
         for arguments in [&["init", "-q"][..], &["add", "."], &commit] {
-            let status = Command::new("git").args(arguments).current_dir(&folder).status().expect("git runs");
+            let status = Command::new("git").args(arguments).current_dir(folder.path("")).status().expect("git runs");
             assert!(status.success(), "{arguments:?}");
         }
         Self(folder)
     }
 
     fn replace(&self, pairs: &[(&str, &str)]) {
-        let file = self.0.join("player.rs");
-        let mut text = fs::read_to_string(&file).expect("the source");
+        let mut text = self.0.read("player.rs");
         for (from, to) in pairs {
             assert!(text.contains(from), "{from}");
             text = text.replace(from, to);
         }
-        fs::write(file, text).expect("the source");
+        self.0.write("player.rs", text);
     }
 
     /// Opens the machine in the designer, while the forward plays.
     async fn open(&self, name: &str) -> (Server, Page) {
-        let server = Server::start(name, &["--source", &self.0.display().to_string()]);
+        let server = Server::with_sources(name, &self.0);
         let page = open_in(&server, SIZE).await;
         page.press("6").await;
         page.click("button", "Player player.rs", "Sources").await;
-        page.until("the machine is drawn", "return document.querySelectorAll('.machine .box').length > 7").await;
+        page.counts(".machine .box", "> 7").await;
         (server, page)
-    }
-}
-
-impl Drop for Repository {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -62,21 +53,19 @@ async fn states(page: &Page, class: &str) -> serde_json::Value {
     let script = format!(
         "return [...document.querySelectorAll('.machine .box.{class}')].map((one) => one.dataset.state).sort()"
     );
-    page.run(&script, vec![]).await
+    page.run(&script).await
 }
 
 /// Takes pictures in both themes. No name covers another one, and all targets beside the drawing are large enough.
 async fn pictures(page: &Page, name: &str) {
     for theme in ["dark", "light"] {
-        if page.run("return document.documentElement.dataset.theme", vec![]).await != theme {
-            page.press("t").await;
-        }
+        set_theme(page, theme).await;
         page.screenshot(&format!("uses-{theme}-{name}")).await;
     }
     assert_eq!(faults(page, "svg.machine", ".box > .body", ".arrow > .line", ".label > .ground").await, json!([]));
     // Lines of the drawing are thinner, and have names beside them.
     let targets = TARGETS.replace("'.chart'", "'.chart, svg'");
-    assert_eq!(page.run(&targets, vec![]).await, json!([]));
+    assert_eq!(page.run(&targets).await, json!([]));
 }
 
 #[tokio::test]
@@ -95,16 +84,16 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
     ]);
     let (server, page) = repository.open("diff").await;
     page.click("button", "Diff", "Use of the drawing").await;
-    page.until("both versions are drawn", "return document.querySelectorAll('.machine .box').length === 9").await;
+    page.counts(".machine .box", "=== 9").await;
     assert_eq!(states(&page, "added").await, json!(["dash"]));
     assert_eq!(states(&page, "removed").await, json!(["dribble"]));
-    let label = "return [...document.querySelectorAll('.machine .label.changed')].some((one) => one.textContent.includes('~ ball_reached'))";
-    assert_eq!(page.run(label, vec![]).await, true);
+    page.any(".machine .label.changed", "one.textContent.includes('~ ball_reached')").await;
     page.reads("follow.reached() && self.decision.get().is_none()").await;
     pictures(&page, "diff").await;
     // What is saved is what is drawn.
-    let watch = "window.texts = []; const make = URL.createObjectURL; URL.createObjectURL = (blob) => { blob.text().then((text) => texts.push(text)); return make(blob); };";
-    page.run(watch, vec![]).await;
+    let watch = "window.texts = []; const make = URL.createObjectURL; \
+        URL.createObjectURL = (blob) => { blob.text().then((text) => texts.push(text)); return make(blob); };";
+    page.run(watch).await;
     for (item, text) in [("Picture as SVG", "− dribble"), ("Mermaid", "stateDiagram-v2"), ("DOT (Graphviz)", "digraph")]
     {
         page.click("button", "More", "").await;
@@ -112,14 +101,16 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
         page.until(item, &format!("return window.texts.some((one) => one.includes('{text}'))")).await;
     }
     // The drawing of both versions is not edited.
-    page.run("document.querySelector('svg.machine').focus()", vec![]).await;
+    page.run("document.querySelector('svg.machine').focus()").await;
     page.press("a").await;
     page.reads("press Design to edit it").await;
     // What is mended is no difference any more.
     repository.replace(&[("after_ms = 800", "after_ms = 1500")]);
-    page.until("the timer is equal", "return ![...document.querySelectorAll('.changes li')].some((one) => one.textContent.includes('ball_lost_again'))").await;
+    let others =
+        "[...document.querySelectorAll('.changes li')].every((one) => !one.textContent.includes('ball_lost_again'))";
+    page.until("the timer is equal", &format!("return {others}")).await;
     page.click("button", "Design", "Use of the drawing").await;
-    page.until("one version is drawn", "return document.querySelectorAll('.machine .box').length === 8").await;
+    page.counts(".machine .box", "=== 8").await;
     page.close().await;
     drop(server);
 }
@@ -129,35 +120,22 @@ async fn machine_is_tried_by_switches_and_timers() {
     let repository = Repository::new("try");
     let (server, page) = repository.open("try").await;
     page.click("button", "Try it", "Use of the drawing").await;
-    page.until(
-        "the initial state is lit",
-        "return document.querySelector('.machine .box.lit')?.dataset.state === 'look_for_ball'",
-    )
-    .await;
+    page.is(".machine .box.lit", "one.dataset.state === 'look_for_ball'").await;
     for (condition, state) in [("ball_seen", "approach"), ("ball_reached", "search_net"), ("goal_behind", "go_round")] {
         page.click("switch", &format!("Condition {condition}"), "Ways out").await;
-        page.until(
-            "the state has moved",
-            &format!("return document.querySelector('.machine .box.lit')?.dataset.state === '{state}'"),
-        )
-        .await;
+        page.is(".machine .box.lit", &format!("one.dataset.state === '{state}'")).await;
     }
     page.click("switch", "Condition ball_lost_again", "Ways out").await;
     page.reads("s left").await;
     pictures(&page, "try").await;
     page.click("button", "To timer", "").await;
-    page.until("the timer has expired", "return document.querySelector('.tried').textContent.includes('go_round')")
-        .await;
+    page.is(".tried", "one.textContent.includes('go_round')").await;
     assert_eq!(states(&page, "unvisited").await, json!(["dribble", "fallen", "kick", "penalized"]));
-    let test = page.run("return document.querySelector('.test pre').textContent", vec![]).await;
+    let test = page.run("return document.querySelector('.test pre').textContent").await;
     let test = test.as_str().expect("the test");
     assert!(test.contains("test.reaches::<Player>(\"go_round\"") && test.contains("`follow.reached()`"), "{test}");
     page.click("button", "Start over", "").await;
-    page.until(
-        "it begins again",
-        "return document.querySelector('.machine .box.lit')?.dataset.state === 'look_for_ball'",
-    )
-    .await;
+    page.is(".machine .box.lit", "one.dataset.state === 'look_for_ball'").await;
     page.close().await;
     drop(server);
 }
@@ -167,12 +145,11 @@ async fn coverage_of_a_run_is_on_the_drawing_and_in_tables() {
     let repository = Repository::new("coverage");
     let (server, page) = repository.open("coverage").await;
     page.click("button", "Coverage", "Use of the drawing").await;
-    let visited = "return [...document.querySelectorAll('.machine .box.visited')].some((one) => one.dataset.state === 'approach')";
-    page.until("the approach is counted", visited).await;
-    page.until("the table says it, too", "return [...document.querySelectorAll('.counts tr:not(.missed)')].some((one) => one.textContent.startsWith('ball_seen'))").await;
+    page.any(".machine .box.visited", "one.dataset.state === 'approach'").await;
+    page.any(".counts tr:not(.missed)", "one.textContent.startsWith('ball_seen')").await;
     pictures(&page, "coverage").await;
     page.click("button", "Next not visited", "").await;
-    page.until("a state is chosen", "return document.querySelector('.machine .box.chosen.unvisited') !== null").await;
+    page.shows(".machine .box.chosen.unvisited").await;
     page.close().await;
     drop(server);
 }
@@ -185,7 +162,7 @@ async fn mistake_is_mended_by_the_button_beside_it() {
     page.find("button", "Replace kik by kick", "Mistakes and file").await;
     pictures(&page, "fix").await;
     page.click("button", "Replace kik by kick", "Mistakes and file").await;
-    page.until("nothing is wrong", "return document.querySelectorAll('.frame-foot li').length === 0").await;
+    page.counts(".frame-foot li", "=== 0").await;
     page.close().await;
     drop(server);
 }

@@ -30,7 +30,7 @@ async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout
     page.click("button", "Pause", "").await;
     page.reads("world paused").await;
     let clock = "return document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
-    let seconds = page.run(clock, vec![]).await.as_f64().expect("a time");
+    let seconds = page.run(clock).await.as_f64().expect("a time");
     let text = &*format!("CameraInput.count > {:.0} for 500 ms", 30.0 * (seconds + 3.0));
     watch(&page, text).await;
     page.click("button", "Continue", "").await;
@@ -43,11 +43,11 @@ async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout
     );
     let paused =
         "return import('/lib/store.js').then(({ cursor, session }) => [cursor.value, session.value.info.value.paused])";
-    assert_eq!(page.run(paused, vec![]).await, json!([live[0][0], true]));
+    assert_eq!(page.run(paused).await, json!([live[0][0], true]));
     page.click("button", "Go on", "").await;
     page.find("button", "Time: live", "").await;
     // What is stored has the same alerts, for a page that comes later, too.
-    page.run("location.reload()", vec![]).await;
+    page.run("location.reload()").await;
     assert_eq!(page.until("it fired before", &found(text)).await[0], live[0]);
     tab(&page, "Recordings").await;
     page.find("textbox", "Name of the recording", "").await.set("watched").await;
