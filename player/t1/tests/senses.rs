@@ -12,8 +12,7 @@ use bica_motion::side::Side;
 use bica_player_t1::behaviour::Player;
 use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
 use bica_player_t1::senses::{Object, Senses, Sight, View};
-use bica_player_t1::{Forward, Model, PARAMETERS};
-use bica_tuning::Layers;
+use bica_player_t1::{Forward, Model};
 use glam::{Vec2, Vec3};
 
 const MARKS: [&str; 14] = [
@@ -111,12 +110,4 @@ fn one_mark_and_marks_in_a_point_give_no_pose() {
     let broken = Sight { at: [f32::NAN; 3], ..mark };
     run(&mut forward, &[broken; 40].into_iter().collect(), 6..12);
     assert_eq!(forward.get::<Localization>().pose(), None);
-}
-
-#[test]
-fn parameters_of_the_robot_are_accepted() {
-    let mut layers = Layers::new(const { &Forward::GRAPH });
-    layers.read_text("parameters.toml", PARAMETERS).expect("names and values are right");
-    assert!(layers.all().filter(|value| !value.is_default()).count() > 10);
-    layers.apply(&mut *Box::new(Forward::new())).expect("they fit together");
 }
