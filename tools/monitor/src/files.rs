@@ -9,6 +9,9 @@ use crate::protocol::Failed;
 /// Longest name, bytes.
 const MAX_NAME: usize = 100;
 
+/// Help if something cannot be written.
+pub(crate) const WRITE_HELP: &str = "is the disk full, or the folder write-protected?";
+
 /// Returns the path of a file in a folder. A name contains neither a separator of folders nor a control character, and does not begin
 /// with a dot, so it leads out of no folder.
 ///
@@ -54,15 +57,18 @@ pub(crate) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, h
     Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
 }
 
+/// Makes the folder of a file.
+pub(crate) fn make_folder_of(file: &Path) -> Result<(), Failed> {
+    let Some(folder) = file.parent() else { return Ok(()) };
+    fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, WRITE_HELP))
+}
+
 /// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
 ///
 /// # Errors
 /// If it cannot be written.
 pub fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
-    let help = "is the disk full, or the folder write-protected?";
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
-    }
+    make_folder_of(path)?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let temporary = path.with_file_name(format!(".{name}.{}", std::process::id()));
     let result = File::create_new(&temporary).and_then(|mut file| {
@@ -74,7 +80,7 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
         // The failure of the writing is what the user has to know.
         let _ = fs::remove_file(&temporary);
     }
-    result.map_err(|error| failed("write", path, &error, help))
+    result.map_err(|error| failed("write", path, &error, WRITE_HELP))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::commands::Command;
 use super::session::Session;
 use crate::pages::{PageId, lock};
 use crate::program::{Asked, Image, Remembered, Reply, Work};
-use crate::protocol::binary::{ImageHead, PixelKind};
+use crate::protocol::binary::PixelKind;
 use crate::protocol::{Failed, Request};
 use bica_wire::model::{NamedRequest, NamedSetting};
 
@@ -34,17 +34,8 @@ impl Asked for Message<'_> {
     }
 
     fn send_classes(&self, image: &Image, classes: &[u8]) {
-        let head = ImageHead {
-            kind: PixelKind::Classes,
-            camera: &image.camera,
-            session: self.session.id,
-            number: image.number,
-            width: image.width,
-            height: image.height,
-            time_us: image.time_us,
-            id: self.id,
-        };
-        self.session.pages.binary(self.page, head.frame(classes).into());
+        let frame = self.session.image_frame(image, (PixelKind::Classes, classes), self.id);
+        self.session.pages.binary(self.page, frame);
     }
 
     fn set_params(&self, settings: Vec<NamedSetting>) -> Result<Reply, Failed> {

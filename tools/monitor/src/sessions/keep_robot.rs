@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::robot_recording::{Cycles, add_info, add_line, received};
 use super::session::Session;
-use crate::files::failed;
+use crate::files::{WRITE_HELP, failed, make_folder_of};
 use crate::protocol::Failed;
 
 /// Number of cycles that are taken out of the memory under one lock.
@@ -18,12 +18,9 @@ const BATCH: usize = 256;
 
 /// Writes what is remembered of a robot to a new file. A file that could not be written is removed.
 pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
-    let help = "is the disk full, or the folder write-protected?";
-    if let Some(folder) = target.parent() {
-        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
-    }
+    make_folder_of(target)?;
     let header = Header::of_monitor(&session.name, &*session.description()?);
-    let file = create(target, false).map_err(|error| failed("write", target, &error, help))?;
+    let file = create(target, false).map_err(|error| failed("write", target, &error, WRITE_HELP))?;
     let reason = match MonitorRecorder::new(file, &header).and_then(|recorder| write(session, recorder)) {
         Ok(Report { reason: None, cycles: 0, .. }) => {
             let _ = fs::remove_file(target);
@@ -37,7 +34,7 @@ pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Faile
     };
     // The failure of the writing is what the user has to know.
     let _ = fs::remove_file(target);
-    Err(failed("write", target, &reason, help))
+    Err(failed("write", target, &reason, WRITE_HELP))
 }
 
 fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<Report> {

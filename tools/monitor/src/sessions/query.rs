@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::recorded_images::read_image;
 use super::session::Session;
 use crate::pages::PageId;
+use crate::protocol::binary::PixelKind;
 use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};
 
 /// Longest series and lists that a page gets in one answer.
@@ -67,7 +68,7 @@ impl Session {
             (image, _) => image,
         };
         if let Some(image) = image {
-            self.pages.binary(page, self.image_frame(&image, id).into());
+            self.pages.binary(page, self.image_frame(&image, (PixelKind::Yuyv, &image.yuyv), id));
         }
         Ok(json!(moment))
     }

@@ -54,9 +54,8 @@ pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSett
         (Arc::clone(&original.options), Arc::clone(&original.pages), Arc::clone(&original.program));
     let common = Common { options, pages, program };
     let options = &original.options;
-    super::storage::make_private(&options.spool).map_err(|error| {
-        files::failed("make", &options.spool, &error, "is the disk full, or the folder write-protected?")
-    })?;
+    super::storage::make_private(&options.spool)
+        .map_err(|error| files::failed("make", &options.spool, &error, files::WRITE_HELP))?;
     let out = options.spool.join(format!("again-{id}{MCAP}"));
     let name =
         format!("{}, again: {}", original.name, if set.is_empty() { "as it was".to_owned() } else { set.join(" ") });

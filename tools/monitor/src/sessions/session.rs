@@ -322,10 +322,10 @@ impl Session {
         self.shared().description.clone().ok_or_else(none)
     }
 
-    /// Returns the binary frame of an image.
-    pub(super) fn image_frame(&self, image: &Image, id: u32) -> Vec<u8> {
+    /// Returns the binary frame of an image, or of the classes of its pixels.
+    pub(super) fn image_frame(&self, image: &Image, (kind, pixels): (PixelKind, &[u8]), id: u32) -> Arc<[u8]> {
         let head = ImageHead {
-            kind: PixelKind::Yuyv,
+            kind,
             camera: &image.camera,
             session: self.id,
             number: image.number,
@@ -334,7 +334,7 @@ impl Session {
             time_us: image.time_us,
             id,
         };
-        head.frame(&image.yuyv)
+        head.frame(pixels).into()
     }
 
     /// The image with a number, from memory or from the file of a recording.

@@ -14,7 +14,7 @@ use serde_json::{Map, Value, json};
 
 use super::keep_robot;
 use super::session::Session;
-use crate::files::{self, failed, replace};
+use crate::files::{self, WRITE_HELP, failed, make_folder_of, replace};
 use crate::options::Options;
 use crate::pages::PageId;
 use crate::protocol::{Failed, SessionKind};
@@ -133,16 +133,13 @@ fn copy(
     target: &Path,
     by: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
 ) -> Result<Value, Failed> {
-    let help = "is the disk full, or the folder write-protected?";
-    if let Some(folder) = target.parent() {
-        fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, help))?;
-    }
-    let source = File::open(source).map_err(|error| failed("read", source, &error, help))?;
-    let file = File::create_new(target).map_err(|error| failed("write", target, &error, help))?;
+    make_folder_of(target)?;
+    let source = File::open(source).map_err(|error| failed("read", source, &error, WRITE_HELP))?;
+    let file = File::create_new(target).map_err(|error| failed("write", target, &error, WRITE_HELP))?;
     let mut writer = BufWriter::new(file);
     let wrong = |error: Error| match error {
         Error::Span { .. } => Failed::new(error.to_string(), "choose another span"),
-        error => failed("write", target, &error, help),
+        error => failed("write", target, &error, WRITE_HELP),
     };
     let result = by(BufReader::new(source), &mut writer).and_then(|copied| {
         writer.flush()?;

@@ -14,6 +14,7 @@ use super::watches::Watching;
 use crate::pages::PageId;
 use crate::pages::{DataKind, Frame};
 use crate::program::Image;
+use crate::protocol::binary::PixelKind;
 use crate::protocol::{
     ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Watch, WatchImages,
 };
@@ -132,7 +133,8 @@ impl Session {
             let is_due =
                 |(number, sent): &(u32, Instant)| *number != image.number && sent.elapsed() + UPDATE / 8 >= period;
             if images.get(&page).is_none_or(is_due) {
-                let frame = frame.get_or_insert_with(|| Frame::Binary(self.image_frame(&image, 0).into()));
+                let frame = frame
+                    .get_or_insert_with(|| Frame::Binary(self.image_frame(&image, (PixelKind::Yuyv, &image.yuyv), 0)));
                 self.pages.data(page, self.key(DataKind::Image), frame.clone());
                 images.insert(page, (image.number, Instant::now()));
             }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::process::{Folder, run};
+use crate::process::{Folder, refused, run};
 use crate::test_image::{self, ORANGE, RED};
 
 /// Writes images with a ball and a red disc each, and their labels; returns the arguments of a calibration.
@@ -68,11 +68,6 @@ fn the_same_labels_give_the_same_profile() {
 fn errors_name_the_wrong_input() {
     let folder = Folder::new("calibrate/wrong");
     let arguments = training_data(&folder);
-    let refused = |args: &[&str], words: &[&str]| {
-        let ran = run(args);
-        assert_eq!(ran.code, Some(2), "{}", ran.stdout);
-        assert!(words.iter().all(|word| ran.stderr.contains(word)), "{}", ran.stderr);
-    };
     refused(&["calibrate", folder.text()], &["no labels", "--rectangles or --labels"]);
     let rectangles = &arguments[5];
     fs::write(rectangles, "file,x0,y0,x1,y1,class\n1.png,1,2,3,4,sky\n").expect("a file");

@@ -42,20 +42,28 @@ mod with_mujoco {
         assert!(film.metadata().unwrap().len() > 10_000);
     }
 
-    #[test]
-    fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
-        let mut world =
-            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
-                .unwrap();
+    /// A forward, and its world without cameras.
+    fn forward() -> (Box<Forward>, MujocoWorld<Model>) {
+        let physics = Physics { cameras: false, ..Physics::of::<Model>() };
         let mut robot = Box::new(Forward::new());
         robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+        (robot, MujocoWorld::new(&Setup::default(), &physics).unwrap())
+    }
+
+    fn run_cycle(cycle: u64, robot: &mut Forward, world: &mut MujocoWorld<Model>) {
+        robot.sense(&world.sensors()).unwrap();
+        robot.tick(Instant::from_millis(10 * cycle));
+        world.act(&robot.act());
+    }
+
+    #[test]
+    fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
+        let (mut robot, mut world) = forward();
         for cycle in 0..3000 {
             if cycle == 500 {
                 world.set_motor_temperature(Joint::LKneePitch, 78.0);
             }
-            robot.sense(&world.sensors()).unwrap();
-            robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&robot.act());
+            run_cycle(cycle, &mut robot, &mut world);
             assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
@@ -65,11 +73,7 @@ mod with_mujoco {
 
     #[test]
     fn a_fallen_robot_with_a_hot_joint_lies_until_it_has_cooled_and_gets_up() {
-        let mut world =
-            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
-                .unwrap();
-        let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+        let (mut robot, mut world) = forward();
         for cycle in 0..2600 {
             match cycle {
                 100 => world.add_velocity(Vec2::new(-2.3, 0.0)),
@@ -77,9 +81,7 @@ mod with_mujoco {
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
-            robot.sense(&world.sensors()).unwrap();
-            robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&robot.act());
+            run_cycle(cycle, &mut robot, &mut world);
             if (1000..1500).contains(&cycle) {
                 assert!(
                     robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS),
@@ -94,20 +96,14 @@ mod with_mujoco {
 
     #[test]
     fn a_sitting_robot_stands_up_without_a_fall_when_the_joint_has_cooled() {
-        let mut world =
-            MujocoWorld::<Model>::new(&Setup::default(), &Physics { cameras: false, ..Physics::of::<Model>() })
-                .unwrap();
-        let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+        let (mut robot, mut world) = forward();
         for cycle in 0..2500 {
             match cycle {
                 100 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
-            robot.sense(&world.sensors()).unwrap();
-            robot.tick(Instant::from_millis(10 * cycle));
-            world.act(&robot.act());
+            run_cycle(cycle, &mut robot, &mut world);
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), None);
         assert!(!robot.is_active::<SafetyGuard>());

@@ -23,8 +23,12 @@ pub(crate) fn rgb(discs: &[Disc]) -> Vec<u8> {
 }
 
 pub(crate) fn png(path: &Path, rgb: &[u8]) {
+    png_of(path, WIDTH as u32, HEIGHT as u32, rgb);
+}
+
+pub(crate) fn png_of(path: &Path, width: u32, height: u32, rgb: &[u8]) {
     let file = fs::File::create(path).expect("a file");
-    let mut encoder = png::Encoder::new(file, WIDTH as u32, HEIGHT as u32);
+    let mut encoder = png::Encoder::new(file, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.write_header().expect("a heading").write_image_data(rgb).expect("an image");
 }

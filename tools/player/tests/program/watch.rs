@@ -3,30 +3,16 @@
 use std::fs;
 use std::path::Path;
 
-use crate::process::{Folder, run};
+use crate::process::{self, Folder, run};
+use crate::test_image::{self, ORANGE};
 
 const HEADING: &str = "file,r00,r01,r02,r10,r11,r12,r20,r21,r22,tx_mm,ty_mm,tz_mm,trusted\n";
 /// Camera pose: 0.5 m high, pitched down by 30°.
 const POSE: &str = "0.8660254,0,0.5,0,1,0,-0.5,0,0.8660254,0,0,500";
 
-/// A carpet up to row 60, a grey hall above it, an orange ball at (x, 150), as large as one of 43 mm is there.
+/// An orange ball at (x, 150), as large as one of 43 mm is there.
 fn draw(path: &Path, x: i32) {
-    let mut rgb = Vec::new();
-    for (row, column) in (0..240).flat_map(|row: i32| (0..320).map(move |column| (row, column))) {
-        let in_ball = (column - x).pow(2) + (row - 150).pow(2) <= 20 * 20;
-        rgb.extend(match (in_ball, row < 60) {
-            (true, _) => [220, 105, 40_u8],
-            (_, true) => [150, 150, 150],
-            _ => [40, 105, 60],
-        });
-    }
-    write(path, 320, 240, &rgb);
-}
-
-fn write(path: &Path, width: u32, height: u32, rgb: &[u8]) {
-    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.write_header().unwrap().write_image_data(rgb).unwrap();
+    test_image::png(path, &test_image::rgb(&[(x, 150, 20, ORANGE)]));
 }
 
 #[test]
@@ -70,7 +56,7 @@ fn unreadable_files_are_skipped_counted_and_named() {
     let whole = fs::read(folder.path().join("a.png")).unwrap();
     fs::write(folder.path().join("b.png"), &whole[..whole.len() / 2]).unwrap();
     fs::write(folder.path().join("c.PNG"), "no image").unwrap();
-    write(&folder.path().join("d.png"), 33, 32, &[90; 33 * 32 * 3]);
+    test_image::png_of(&folder.path().join("d.png"), 33, 32, &[90; 33 * 32 * 3]);
     fs::write(folder.path().join("e.txt"), "not looked at").unwrap();
     let ran = run(&["watch", folder.text()]);
     assert_eq!((ran.code, ran.stderr.as_str()), (Some(0), ""));
@@ -87,11 +73,8 @@ fn errors_name_the_wrong_folder_or_file() {
     let folder = Folder::new("empty");
     let text = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let refused = |args: &[&str], words: &[&str]| {
-        let ran = run(&[&["watch"], args].concat());
-        assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
-        for word in words {
-            assert!(ran.stderr.contains(word), "{}", ran.stderr);
-        }
+        let ran = process::refused(&[&["watch"], args].concat(), words);
+        assert_eq!(ran.stdout, "");
     };
     refused(&[&text("nowhere")], &["nowhere", "help: name a folder"]);
     refused(&[folder.text()], &["no image in", folder.text()]);

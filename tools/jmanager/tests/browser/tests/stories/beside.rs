@@ -28,7 +28,7 @@ async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
     let page = open(&server).await;
     page.run(GOES_ON).await;
     put_beside(&page).await;
-    map_has(&page, "--curve5", 15).await;
+    map_has(&page, "--curve5", 15, 60).await;
     page.reads("from built-in, seed 7").await;
     list(&page, &["Odometry.walked.x", "Body"]).await;
     let row = cells("Odometry.walked.x");
@@ -69,7 +69,7 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     page.click("button", "Show both at", "Compare").await;
     // At the end they have gone apart.
     page.press("\u{e010}").await;
-    map_has(&page, "--curve5", 15).await;
+    map_has(&page, "--curve5", 15, 60).await;
     // A step moves both.
     let times = "return import('/lib/store.js').then(({ companions, session }) => { \
         const [one, two] = [session.value, companions.value[0].of].map((of) => of.moment.value?.time_us); \

@@ -237,7 +237,7 @@ async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
 #[tokio::test]
 async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     let source = small_crate("small-states");
-    source.write("src/large.rs", &large(60, 200));
+    source.write("src/large.rs", large(60, 200));
     let server = Server::with_sources("small-states", &source);
     let page = open(&server).await;
     page.find("button", "Large", "Sources").await;
@@ -279,8 +279,8 @@ async fn speed_of_the_designer_is_measured() {
         return;
     }
     let source = small_crate("large");
-    source.write("src/large.rs", &large(60, 200));
-    source.write("src/huge.rs", &large(200, 400).replace("Large", "Huge"));
+    source.write("src/large.rs", large(60, 200));
+    source.write("src/huge.rs", large(200, 400).replace("Large", "Huge"));
     let server = Server::with_sources("designer-figures", &source);
     let page = open(&server).await;
     let opened = "const [name, states] = arguments; const start = performance.now(); \

@@ -81,15 +81,15 @@ fn camera(script: &str) -> String {
     )
 }
 
-/// Waits until more than some pixels of the map nearly have a colour of the style sheet. Those of the legend do not count.
-async fn map_has(page: &Page, colour: &str, least: usize) {
+/// Waits until more than some pixels of the map nearly have a colour of the style sheet. Rows at the bottom, with the legend, do not count.
+async fn map_has(page: &Page, colour: &str, least: usize, bottom: u32) {
     let script = format!(
         "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); \
         if (!canvas || canvas.width < 50) return null; const probe = new OffscreenCanvas(1, 1).getContext('2d'); \
         probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('{colour}').trim(); \
         probe.fillRect(0, 0, 1, 1); const wanted = probe.getImageData(0, 0, 1, 1).data; const {{ width, height }} = canvas; \
         const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
-        const {{ data }} = copy.getImageData(0, 0, width, height - 60); let count = 0; \
+        const {{ data }} = copy.getImageData(0, 0, width, height - {bottom}); let count = 0; \
         for (let at = 0; at < data.length; at += 4) count += data[at + 3] > 200 && [0, 1, 2].every((one) => \
             Math.abs(data[at + one] - wanted[one]) < 12); return count > {least}"
     );

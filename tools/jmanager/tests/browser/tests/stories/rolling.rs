@@ -38,7 +38,7 @@ async fn a_rolling_robot_is_seen_with_its_walls_and_driven_by_keys_while_the_map
     assert_eq!((&seen["rays"], &seen["walls"]), (&json!(72), &json!(1)), "{seen}");
     // Walls, scan and path: grey, the lidar's colour, and that of the odometry.
     for (colour, least) in [("--dim", 300), ("--curve1", 60), ("--curve2", 5)] {
-        map_has(&page, colour, least).await;
+        map_has(&page, colour, least, 0).await;
     }
     page.run("import('/lib/dock.js').then(({ preset }) => preset('driving'))").await;
     page.click("button", "Take over", "Take over").await;
