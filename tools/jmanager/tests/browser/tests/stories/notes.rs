@@ -38,5 +38,5 @@ pub(crate) async fn write_note(page: &Page, source: &Folder) {
     page.find("button", "Note: Ask the coach. Twice.", "").await;
     page.control('z').await;
     // A name is found by its beginning; the file has the whole text.
-    saved(page, source, "src/keeper.vicode", &["\"Ask the coach.\"\n"]).await;
+    page.saves(&source.path("src/keeper.vicode"), &["\"Ask the coach.\"\n"]).await;
 }
