@@ -112,6 +112,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.press("a").await;
     page.find("textbox", "Name of the new state", "").await;
     page.enter("rest").await;
+    page.find("button", "State rest", "").await;
     focus(&page, "State kick").await;
     page.press("r").await;
     page.find("combobox", "To", "").await.set("rest").await;
