@@ -4,6 +4,7 @@ use std::env;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
+use std::thread;
 use std::time::Instant;
 
 use clap::ValueEnum;
@@ -175,11 +176,19 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     if options.lane {
         return perform(&steps);
     }
-    install(&steps, Step::install)?;
     // Before the tests, which build this program again: then its first file is deleted, and another one has the same path.
     let program = env::current_exe().map_err(|error| error.to_string())?;
     let (alone, [waiting, computing]) = lanes(&steps);
-    perform(&alone)?;
+    let (fast, alone) = alone.split_at(alone.partition_point(|step| *step < Step::Tests));
+    // With MuJoCo, the first steps check more features. The other tools are fetched while these steps compute.
+    let (needed, others): (Vec<_>, Vec<_>) = steps.iter().partition(|step| matches!(step, Step::Docs | Step::Mujoco));
+    install(&needed, Step::install)?;
+    let (result, installed) = thread::scope(|scope| {
+        let installed = scope.spawn(|| install(&others, Step::install));
+        (perform(fast), installed.join().map_err(|_| "the installation of tools panicked".to_owned()))
+    });
+    result.and(installed.flatten())?;
+    perform(alone)?;
     let beside =
         (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&program, &computing)).transpose()?;
     let result = perform(if waiting.is_empty() { &computing } else { &waiting });
@@ -250,7 +259,7 @@ fn select(options: &Ci) -> (Vec<Step>, Vec<Step>) {
     Step::value_variants().iter().copied().partition(wanted)
 }
 
-/// Installs the tools of all steps before the first check, so that a missing one is found early.
+/// Installs the tools of steps, and names all that are missing.
 fn install(steps: &[Step], install: impl Fn(Step) -> Result<(), String>) -> Result<(), String> {
     let failed = steps.iter().filter_map(|step| Some((*step, install(*step).err()?)));
     let (failed, errors): (Vec<_>, Vec<_>) = failed

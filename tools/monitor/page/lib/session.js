@@ -97,6 +97,8 @@ export class Session {
     this.begun = false;
     /** Time of the cursor when another session was chosen. */
     this.left = null;
+    /** Time of the state that was last asked for; not a number before that. */
+    this.sought = NaN;
     /** The interval of a recording that is still being read, until somebody changes it. */
     this.untouched = null;
     this.params = signal([]);

@@ -333,7 +333,13 @@ impl ChunkIndex {
 }
 
 fn lz4(bytes: &[u8]) -> io::Result<Vec<u8>> {
-    let frame = FrameInfo::new().block_size(BlockSize::Max1MB).block_mode(BlockMode::Linked);
+    // A reader fills a buffer of a block's size with zeros, however small the chunk is.
+    let block = match bytes.len() {
+        ..=0x1_0000 => BlockSize::Max64KB,
+        ..=0x4_0000 => BlockSize::Max256KB,
+        _ => BlockSize::Max1MB,
+    };
+    let frame = FrameInfo::new().block_size(block).block_mode(BlockMode::Linked);
     let mut encoder = FrameEncoder::with_frame_info(frame, Vec::with_capacity(bytes.len() / 2));
     encoder.write_all(bytes)?;
     encoder.finish().map_err(io::Error::from)

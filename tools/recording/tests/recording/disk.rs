@@ -92,7 +92,8 @@ fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
 
 #[test]
 fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
-    const STEP: u64 = 15;
+    // The queue has room for their images and scans.
+    const STEP: u64 = 45;
     let (disk, mut cart, mut count) = (Disk::default(), Cart::new(), 0);
     let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), small_chunks(), |_| {}).expect("memory");
     let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
