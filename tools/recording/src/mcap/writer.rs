@@ -336,7 +336,7 @@ fn lz4(bytes: &[u8]) -> io::Result<Vec<u8>> {
     // A reader fills a buffer of a block's size with zeros, however small the chunk is.
     let block = match bytes.len() {
         ..=0x1_0000 => BlockSize::Max64KB,
-        ..=0x4_0000 => BlockSize::Max256KB,
+        0x1_0001..=0x4_0000 => BlockSize::Max256KB,
         _ => BlockSize::Max1MB,
     };
     let frame = FrameInfo::new().block_size(block).block_mode(BlockMode::Linked);
