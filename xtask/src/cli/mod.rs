@@ -71,7 +71,7 @@ pub(crate) enum Task {
     Long(Long),
     /// Check everything that CI checks
     ///
-    /// First installs the tools of all steps, and fails if one cannot be installed. The last line names the steps that were left out.
+    /// Installs the tools of all steps before the tests, and fails if one cannot be installed. The last line names the steps that were left out.
     Ci(Ci),
 }
 

@@ -36,9 +36,11 @@ async fn a_rolling_robot_is_seen_with_its_walls_and_driven_by_keys_while_the_map
     page.find("button", "Explorer", "Activation tree").await;
     let seen = goes_on(&page, 0).await;
     assert_eq!((&seen["rays"], &seen["walls"]), (&json!(72), &json!(1)), "{seen}");
-    // Walls, scan and path: grey, the lidar's colour, and that of the odometry.
-    for (colour, least) in [("--dim", 300), ("--curve1", 60), ("--curve2", 5)] {
-        map_has(&page, colour, least, 0).await;
+    // The true place of the robot is drawn over the estimated one.
+    page.click("switch", "Truth", "Map").await;
+    // Above the legend are walls, scan and pose: grey, the colour of the lidar, and that of the odometry.
+    for (colour, least) in [("--dim", 300), ("--curve1", 60), ("--curve2", 20)] {
+        map_has(&page, colour, least, 60).await;
     }
     page.run("import('/lib/dock.js').then(({ preset }) => preset('driving'))").await;
     page.click("button", "Take over", "Take over").await;
