@@ -117,9 +117,10 @@ async fn receive<B: Board>(
     for &byte in bytes {
         let stats = decoder.stats();
         if let Some(packet) = decoder.push(byte) {
-            match packet.message::<ToRobot<'_>>() {
-                Ok(message) => controller.receive(&message, stats, tx).await,
-                Err(_) => defmt::warn!("a packet contains no message of this schema"),
+            if let Ok(message) = packet.message::<ToRobot<'_>>() {
+                controller.receive(&message, stats, tx).await;
+            } else {
+                defmt::warn!("a packet contains no message of this schema");
             }
         }
     }

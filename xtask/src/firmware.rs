@@ -5,7 +5,7 @@ use std::fs;
 use crate::build;
 use crate::cli::Firmware;
 use crate::install::packages;
-use crate::no_std::Toolchain;
+use crate::no_std::{TARGET, Toolchain};
 use crate::process::{root, run, works};
 
 const IMAGE: &str = "firmware/target/thumbv7em-none-eabihf/release/forward-an500";
@@ -44,6 +44,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     if options.bless {
         return IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &["--bless"]));
     }
+    lint(&rust)?;
     for features in ["monitor,medium-frames", ""] {
         build_for(&rust, "stm32h743", features)?;
     }
@@ -111,6 +112,14 @@ fn check_fault_injection() -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+/// Checks the image for QEMU with Clippy, which Debian's toolchain lacks.
+fn lint(rust: &Toolchain) -> Result<(), String> {
+    let Toolchain::Rustup = rust else { return Ok(()) };
+    let clippy = ["clippy", "--quiet", "--target", TARGET, "--target-dir", "firmware/target"];
+    let package = ["--manifest-path", "firmware/Cargo.toml", "--features", "an500,monitor", "--", "-D", "warnings"];
+    run("cargo", &[&clippy[..], &package].concat(), &[])
 }
 
 /// Builds the images for QEMU: that of constants for each size of camera images, and that with the server for monitors.

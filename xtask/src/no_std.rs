@@ -4,7 +4,8 @@ use crate::firmware;
 use crate::install::packages;
 use crate::process::{run, works};
 
-const TARGET: &str = "thumbv7em-none-eabihf";
+/// The microcontroller.
+pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
 const CRATES: [&str; 8] =
     ["bica-core", "bica-runner", "bica-field", "bica-motion", "bica-vision", "bica-wire", "bica", "bica-player"];
 const DEBIAN: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];

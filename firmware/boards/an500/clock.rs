@@ -1,4 +1,4 @@
-//! Time driver with the processor's own timer, SysTick.
+//! Time driver with the processor's own timer, `SysTick`.
 #![expect(unsafe_code, reason = "the timer is accessed without its owner")]
 
 use core::cell::{Cell, RefCell};

@@ -29,7 +29,7 @@ async fn main(spawner: Spawner) {
 /// The robot's task.
 #[embassy_executor::task]
 async fn robot(forward: Robot, links: Links<An500>) {
-    bica_firmware::run(forward, links).await
+    bica_firmware::run(forward, links).await;
 }
 
 #[panic_handler]

@@ -77,7 +77,6 @@ pub(super) struct PendingAnswer {
 }
 
 /// Result of a request.
-#[expect(clippy::large_enum_variant, reason = "there is no heap to box the values in")]
 pub(super) enum Outcome {
     Done(Vec<Value, MAX_BATCH>),
     Refused { code: RefusalCode, entry: u16, text: String<MAX_REASON> },
@@ -187,7 +186,7 @@ impl Connection {
 
     /// Marks the data that are due after a cycle.
     pub(super) fn mark_due(&mut self, cycle: &CycleInfo) {
-        let is_due = |every: u16| every > 0 && cycle.cycle % u64::from(every) == 0;
+        let is_due = |every: u16| every > 0 && cycle.cycle.is_multiple_of(u64::from(every));
         // A snapshot of an earlier cycle that was not sent completely is dropped.
         self.snapshot = match self.snapshot {
             _ if is_due(self.every) => Some(0),

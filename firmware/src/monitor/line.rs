@@ -14,7 +14,7 @@ use crate::controller::Controller;
 const MAX_RECEIVED: usize = 512;
 /// Largest number of bytes that are received at a time.
 const RX_BYTES: usize = 64;
-/// Largest number of bytes that are received in one call of [`MonitorLine::serve`]: 10 ms at 1 MBd.
+/// Largest number of bytes that are received in one call of [`MonitorLine::serve`]: 10 ms at 1 Mbit/s.
 const MAX_RX_BYTES: usize = 1024;
 
 /// Packets from and to the line for monitors.

@@ -193,5 +193,5 @@ impl super::connection::PendingAnswer {
 fn encode(message: &ToMonitor<'_>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
     let mut buffer = [0; MAX_MESSAGE];
     let bytes = postcard::to_slice(message, &mut buffer).ok()?;
-    encoder.encode(&FromRobot::Monitor(bytes), room).ok().map(|packet| packet.len())
+    encoder.encode(&FromRobot::Monitor(bytes), room).ok().map(<[u8]>::len)
 }
