@@ -103,7 +103,7 @@ impl Monitor {
             FromMonitor::WatchInfo(watch) => connection.watch(watch),
             FromMonitor::ReadParams => connection.params = u64::MAX,
             FromMonitor::Lease(action) => self.act(line, action, now, random),
-            FromMonitor::Request(request) => self.request(line, &request, runner, now),
+            FromMonitor::Request(request) => self.request(line, request, runner, now),
         }
     }
 
@@ -120,16 +120,17 @@ impl Monitor {
         self.connections[line as usize].lease = true;
     }
 
+    #[expect(clippy::needless_pass_by_value, reason = "a reference takes 32 bytes more of flash")]
     fn request<O: Observer<Forward>>(
         &mut self,
         line: Line,
-        request: &Request,
+        request: Request,
         runner: &mut Runner<&'static mut Forward, (), (), O>,
         now: Option<Instant>,
     ) {
         let time = now.unwrap_or(Instant::MIN);
         let admitted = match now {
-            Some(now) => self.lease.admit(line.id(), request, since_start(now), now),
+            Some(now) => self.lease.admit(line.id(), &request, since_start(now), now),
             None => Err(RefusalCode::NoLease),
         };
         let outcome = match admitted {
