@@ -71,7 +71,8 @@ pub(crate) enum Task {
     Long(Long),
     /// Check everything that CI checks
     ///
-    /// Installs the tools of all steps before the tests, and fails if one cannot be installed. The last line names the steps that were left out.
+    /// Installs the tools of all steps before the tests, and fails if one cannot be installed. The last line names the steps that were left
+    /// out.
     Ci(Ci),
 }
 
