@@ -11,7 +11,7 @@ use bica_monitor::protocol::{FromPage, Open, Request, SessionId, ToPage};
 use bica_monitor::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
 pub(crate) use bica_test_data::process::Folder;
 use jmanager::{SoccerOptions, program};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Longest wait for anything.
 pub(crate) const LONG: Duration = Duration::from_mins(2);
@@ -83,7 +83,7 @@ pub(crate) struct Page {
     pub(crate) session: Cell<Option<SessionId>>,
     inbox: Receiver<Got>,
     last: AtomicU32,
-    /// The newest message of each type.
+    /// The newest message of each type, and of each session those about sessions.
     newest: RefCell<BTreeMap<String, Value>>,
 }
 
@@ -122,9 +122,9 @@ impl Page {
                 let mut newest = self.newest.borrow_mut();
                 if message["type"] == "described" {
                     // The update is of the run before.
-                    newest.remove(&json!("update").to_string());
+                    newest.retain(|_, old| old["type"] != "update");
                 }
-                newest.insert(message["type"].to_string(), message.clone());
+                newest.insert(format!("{} {}", message["type"], message["session"]["id"]), message.clone());
             }
             if let Some(value) = found(&got) {
                 return value;
@@ -142,7 +142,7 @@ impl Page {
 
     /// The newest message of a type for which `found` returns a value: the last one that came, or one that comes.
     pub(crate) fn state<T>(&self, kind: &str, mut found: impl FnMut(&Value) -> Option<T>) -> T {
-        let last = self.newest.borrow().get(&json!(kind).to_string()).and_then(&mut found);
+        let last = self.newest.borrow().values().filter(|one| one["type"] == kind).find_map(&mut found);
         last.unwrap_or_else(|| self.message(kind, found))
     }
 

@@ -49,10 +49,13 @@ pub(crate) fn opened(page: &Page, name: &str) -> (u32, Value) {
     (session, read(page, session))
 }
 
+/// Waits until a recording is read, which may be earlier than the answer to the request that opened it.
 fn read(page: &Page, session: u32) -> Value {
-    page.session(|one| {
-        assert!(one["connection"] != "ended", "{one}");
-        one["id"] == session && one["connection"] == "connected" && one["until_us"].as_u64() > Some(0)
+    page.state("session", |message| {
+        let one = &message["session"];
+        assert!(one["id"] != session || one["connection"] != "ended", "{one}");
+        let is_read = one["connection"] == "connected" && one["until_us"].as_u64() > Some(0);
+        (one["id"] == session && is_read).then(|| one.clone())
     })
 }
 
