@@ -180,14 +180,7 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     let program = env::current_exe().map_err(|error| error.to_string())?;
     let (alone, [waiting, computing]) = lanes(&steps);
     let (fast, alone) = alone.split_at(alone.partition_point(|step| *step < Step::Tests));
-    // With MuJoCo, the first steps check more features. The other tools are fetched while these steps compute.
-    let (needed, others): (Vec<_>, Vec<_>) = steps.iter().partition(|step| matches!(step, Step::Docs | Step::Mujoco));
-    install(&needed, Step::install)?;
-    let (result, installed) = thread::scope(|scope| {
-        let installed = scope.spawn(|| install(&others, Step::install));
-        (perform(fast), installed.join().map_err(|_| "the installation of tools panicked".to_owned()))
-    });
-    result.and(installed.flatten())?;
+    begin(fast, &steps)?;
     perform(alone)?;
     let beside =
         (!waiting.is_empty() && !computing.is_empty()).then(|| Lane::start(&program, &computing)).transpose()?;
@@ -198,8 +191,27 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     Ok(())
 }
 
+/// Runs the first checks, and installs the tools of all steps while these compute.
+fn begin(fast: &[Step], all: &[Step]) -> Result<(), String> {
+    // With MuJoCo, the first checks include more features.
+    let (needed, others): (Vec<_>, Vec<_>) = all.iter().partition(|step| matches!(step, Step::Docs | Step::Mujoco));
+    install(&needed, Step::install)?;
+    thread::scope(|scope| {
+        let installed = scope.spawn(|| install(&others, Step::install));
+        let checked = perform(fast);
+        let installed = installed.join().map_err(|_| "the installation of tools panicked".to_owned()).flatten();
+        match (checked, installed) {
+            (Err(one), Err(other)) => Err(format!("{one}\nxtask: {other}")),
+            (checked, installed) => checked.and(installed),
+        }
+    })
+}
+
 /// Runs steps one after the other, and prints the time of each.
 fn perform(steps: &[Step]) -> Result<(), String> {
+    if steps.is_empty() {
+        return Ok(());
+    }
     let mut times = Vec::new();
     let result = steps.iter().try_for_each(|step| {
         let began = Instant::now();

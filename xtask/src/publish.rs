@@ -1,7 +1,7 @@
 //! Check that the crates for users can be published.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::process::{root, run};
 
@@ -36,14 +36,12 @@ pub(crate) fn check() -> Result<(), String> {
 /// Names and paths of the packages in a folder.
 fn packages(folder: &Path) -> Result<Vec<(String, String)>, String> {
     let files = fs::read_dir(folder).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
-    let mut packages: Vec<_> = files
-        .flatten()
-        .filter_map(|file| {
-            let path = file.path();
-            let name = path.file_stem()?.to_str()?.strip_suffix(VERSION)?.to_owned();
-            Some((name, path.display().to_string()))
-        })
-        .collect();
+    let named = |path: &Path| Some(path.file_stem()?.to_str()?.strip_suffix(VERSION)?.to_owned());
+    let package = |path: PathBuf| match named(&path) {
+        Some(name) => Ok((name, path.display().to_string())),
+        None => Err(format!("{} does not have the version of the workspace", path.display())),
+    };
+    let mut packages = files.flatten().map(|file| package(file.path())).collect::<Result<Vec<_>, _>>()?;
     packages.sort();
     if packages.is_empty() { Err(format!("no package is in {}", folder.display())) } else { Ok(packages) }
 }

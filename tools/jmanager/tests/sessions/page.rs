@@ -83,7 +83,7 @@ pub(crate) struct Page {
     pub(crate) session: Cell<Option<SessionId>>,
     inbox: Receiver<Got>,
     last: AtomicU32,
-    /// The newest message of each type, and of each session those about sessions.
+    /// The newest message of each type. Messages of the type `session` are kept for each session.
     newest: RefCell<BTreeMap<String, Value>>,
 }
 

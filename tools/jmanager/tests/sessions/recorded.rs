@@ -49,7 +49,7 @@ pub(crate) fn opened(page: &Page, name: &str) -> (u32, Value) {
     (session, read(page, session))
 }
 
-/// Waits until a recording is read, which may be earlier than the answer to the request that opened it.
+/// Waits until a recording is read. The message may come before the answer to the request that opened the recording.
 fn read(page: &Page, session: u32) -> Value {
     page.state("session", |message| {
         let one = &message["session"];

@@ -311,7 +311,7 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
     let second = image(&mut slow);
     assert!(second.yuyv == PIXELS);
     session.run(300);
-    // The second one was sent about when the first one was taken; the third one when the second one was, with one image in three cycles.
+    // Each image is sent when the one before is taken. There is one in three cycles.
     let third = image(&mut slow);
     assert!(u64::from(third.number) + 3 >= taken + 300, "{taken} {} {}", second.number, third.number);
     // A monitor that takes no image still gets states, and one that watches none gets none.

@@ -15,7 +15,30 @@ pub(crate) fn vicode(arguments: &[&str], folder: &Folder) -> Ran {
     Ran::of(program)
 }
 
-const MACHINE: &str = "//! A.\n\nuse bica::prelude::*;\n\npub struct A;\n\n#[component]\nimpl A {\n    pub const fn new() -> Self {\n        Self\n    }\n\n    #[state(initial)]\n    fn one(&mut self) {}\n\n    #[transition(one -> two)]\n    fn go(&self) -> bool {\n        true\n    }\n\n    #[state(last)]\n    fn two(&mut self) {}\n}\n";
+const MACHINE: &str = r"//! A.
+
+use bica::prelude::*;
+
+pub struct A;
+
+#[component]
+impl A {
+    pub const fn new() -> Self {
+        Self
+    }
+
+    #[state(initial)]
+    fn one(&mut self) {}
+
+    #[transition(one -> two)]
+    fn go(&self) -> bool {
+        true
+    }
+
+    #[state(last)]
+    fn two(&mut self) {}
+}
+";
 
 #[test]
 fn dry_run_prints_what_a_run_applies() {
@@ -74,7 +97,21 @@ fn model_is_json_and_drawings_show_all_states() {
 fn new_component_gets_file_mod_line_and_tree_entry() {
     let folder = Folder::new("command");
     fs::create_dir(folder.file("src")).unwrap();
-    let lib = "//! Lib.\n\nmod a;\nmod z;\n\npub use a::A;\n\nactivation_tree! {\n    pub struct T {\n        root: A,\n        cycle_hz: 100,\n        components: [A],\n    }\n}\n";
+    let lib = r"//! Lib.
+
+mod a;
+mod z;
+
+pub use a::A;
+
+activation_tree! {
+    pub struct T {
+        root: A,
+        cycle_hz: 100,
+        components: [A],
+    }
+}
+";
     fs::write(folder.file("src/lib.rs"), lib).unwrap();
     let made = vicode(&["new", "BallKeeper", "--tree", "src/lib.rs"], &folder);
     assert!(made.code == Some(0), "{}", made.stderr);

@@ -51,13 +51,14 @@ fn write_package(folder: &Path, documents: &[Document]) {
         let list = children(document).into_iter().collect::<Vec<_>>().join(", ");
         write!(
             main,
-            "mod m{index};\nmod t{index} {{ use bica::prelude::*; use crate::m{index}::Machine; use crate::parts::*; activation_tree! {{ pub struct \
-             Tree {{ root: Machine, cycle_hz: 100, components: [Machine, {list}] }} }} }}\n"
+            "mod m{index};\nmod t{index} {{ use bica::prelude::*; use crate::m{index}::Machine; use crate::parts::*; \
+             activation_tree! {{ pub struct Tree {{ root: Machine, cycle_hz: 100, components: [Machine, {list}] }} }} }}\n"
         )
         .unwrap();
         writeln!(
             print,
-            "    println!(\"{{}}\", serde_json::to_string(&bica_wire::model::Description::of(&<t{index}::Tree as bica::Tree>::GRAPH)).unwrap());\n    println!(\"\\x01\");"
+            "    let described = bica_wire::model::Description::of(&<t{index}::Tree as bica::Tree>::GRAPH);\n    \
+             println!(\"{{}}\", serde_json::to_string(&described).unwrap());\n    println!(\"\\x01\");"
         )
         .unwrap();
     }

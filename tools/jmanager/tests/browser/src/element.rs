@@ -20,7 +20,8 @@ const kinds = ['pointerdown', 'gotpointercapture', 'mousedown', 'pointerup', 'mo
 const before = place();
 if (!window.happened) {
   window.happened = [];
-  const name = (target) => target.nodeName && `${target.nodeName} ${target.getAttribute?.('aria-label') ?? target.textContent?.slice(0, 20)}`;
+  const label = (target) => target.getAttribute?.('aria-label') ?? target.textContent?.slice(0, 20);
+  const name = (target) => target.nodeName && `${target.nodeName} ${label(target)}`;
   const note = ({ type, target, newState, key, isTrusted }) => {
     window.happened.push([performance.now() | 0, isTrusted ? type : `${type} by a script`, name(target), newState ?? key].join(' '));
   };
@@ -118,13 +119,15 @@ impl<'a> Element<'a> {
 
     /// Types a value, and commits it as Enter does.
     pub async fn set(&self, value: &str) {
-        let script = "const [one, value] = arguments; one.focus(); one.value = value; one.dispatchEvent(new Event('input', { bubbles: true })); one.dispatchEvent(new Event('change', { bubbles: true }));";
+        let script = "const [one, value] = arguments; one.focus(); one.value = value; \
+            one.dispatchEvent(new Event('input', { bubbles: true })); one.dispatchEvent(new Event('change', { bubbles: true }));";
         self.run(script, json!(value)).await;
     }
 
     /// An attribute, or the text content for the name `text`.
     pub async fn attribute(&self, name: &str) -> String {
-        let script = "const [one, name] = arguments; return name === 'text' ? one.textContent : name === 'value' ? one.value : one.getAttribute(name) ?? ''";
+        let script = "const [one, name] = arguments; return name === 'text' ? one.textContent \
+            : name === 'value' ? one.value : one.getAttribute(name) ?? ''";
         self.run(script, json!(name)).await.as_str().unwrap_or_default().to_owned()
     }
 }

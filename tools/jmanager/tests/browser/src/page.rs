@@ -24,12 +24,19 @@ const STEP_MS: u64 = 15;
 /// Finds elements by role and name, as a screen reader would.
 const FIND: &str = r"
 const [role, name, scope] = arguments;
-const NATIVE = { button: 'button, summary', slider: 'input[type=range]', textbox: 'input:not([type]), input[type=text], input[type=search], input[type=password], textarea', combobox: 'select, input[list]', region: 'section', article: 'article', group: 'fieldset', heading: 'h1, h2, h3' };
-const root = scope ? [...document.querySelectorAll('[role=region], section'), ...document.querySelectorAll('[role=group]')].find((one) => one.getAttribute('aria-label') === scope && one.getClientRects().length > 0) : document;
+const NATIVE = {
+  button: 'button, summary', slider: 'input[type=range]', combobox: 'select, input[list]', region: 'section', article: 'article',
+  group: 'fieldset', heading: 'h1, h2, h3',
+  textbox: 'input:not([type]), input[type=text], input[type=search], input[type=password], textarea',
+};
+const isShown = (one) => one.getClientRects().length > 0;
+const scopes = ['[role=region], section', '[role=group]'].flatMap((groups) => [...document.querySelectorAll(groups)]);
+const root = scope ? scopes.find((one) => one.getAttribute('aria-label') === scope && isShown(one)) : document;
 if (!root) return null;
 const selector = `[role='${role}']${NATIVE[role] ? ', ' + NATIVE[role] : ''}`;
-const named = (one) => (one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? (one.textContent || one.id)).replace(/\s+/g, ' ').trim();
-const all = [...root.querySelectorAll(selector)].filter((one) => (one.getAttribute('role') ?? role) === role && one.getClientRects().length > 0);
+const text = (one) => one.getAttribute('aria-label') ?? one.getAttribute('placeholder') ?? (one.textContent || one.id);
+const named = (one) => text(one).replace(/\s+/g, ' ').trim();
+const all = [...root.querySelectorAll(selector)].filter((one) => (one.getAttribute('role') ?? role) === role && isShown(one));
 return all.find((one) => named(one) === name) ?? all.find((one) => named(one).startsWith(name)) ?? null;
 ";
 

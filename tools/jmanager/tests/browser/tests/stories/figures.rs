@@ -9,7 +9,8 @@ use tokio::time::sleep;
 use crate::{WIDE, game, open, tab};
 
 /// Frames that the page has drawn since the script ran, in `window.frames_`, and the time of each.
-const COUNT_FRAMES: &str = "window.times_ = []; const note = (now) => { window.times_.push(now); requestAnimationFrame(note); }; requestAnimationFrame(note)";
+const COUNT_FRAMES: &str = "window.times_ = []; const note = (now) => { window.times_.push(now); \
+    requestAnimationFrame(note); }; requestAnimationFrame(note)";
 /// Frames per second, and the 99th percentile of the time between two frames, ms.
 const FRAMES: &str = "const gaps = window.times_.slice(1).map((now, at) => now - window.times_[at]).sort((a, b) => a - b); \
     return [1000 * gaps.length / gaps.reduce((a, b) => a + b, 0), gaps[Math.floor(gaps.length * 0.99)]]";
@@ -38,7 +39,8 @@ const SEEKS: usize = 200;
 const SEEK: &str = r"
 window.seeks_ = [];
 (async () => {
-  const clock = () => document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0);
+  const parts = () => document.querySelector('.clock b').textContent.split(':');
+  const clock = () => parts().reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0);
   const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
   let random = 1;
   for (let at = 0; at < 200; at += 1) {
@@ -62,7 +64,8 @@ const OPEN_LONG: &str = r"
   const wait = async (is) => { while (!is()) await new Promise((done) => setTimeout(done, 2)); };
   const begin = performance.now();
   [...document.querySelectorAll('[aria-label=Recordings] button')].find((one) => one.textContent.trim().startsWith('long')).click();
-  await wait(() => document.querySelector('.session.chosen')?.textContent.startsWith('long') && document.querySelectorAll('.component.active').length > 5);
+  await wait(() => document.querySelector('.session.chosen')?.textContent.startsWith('long')
+    && document.querySelectorAll('.component.active').length > 5);
   window.shown_ = performance.now() - begin;
   await wait(() => document.querySelector('.clock').textContent.includes('paused'));
   window.read_ = performance.now() - begin;

@@ -8,7 +8,8 @@ use crate::{game, tab};
 /// When a watch fired, µs, and when its condition held.
 fn found(text: &str) -> String {
     format!(
-        "return import('/lib/watches.js').then(({{ findings }}) => {{ const one = findings.value.get({text:?}); return one?.fired.length ? [one.fired, one.spans] : null; }})"
+        "return import('/lib/watches.js').then(({{ findings }}) => {{ const one = findings.value.get({text:?}); \
+            return one?.fired.length ? [one.fired, one.spans] : null; }})"
     )
 }
 
@@ -29,7 +30,8 @@ async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout
     // pauses the world.
     page.click("button", "Pause", "").await;
     page.reads("world paused").await;
-    let clock = "return document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
+    let clock = "return document.querySelector('.clock b').textContent.split(':') \
+        .reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
     let seconds = page.run(clock).await.as_f64().expect("a time");
     let text = &*format!("CameraInput.count > {:.0} for 500 ms", 30.0 * (seconds + 3.0));
     watch(&page, text).await;
