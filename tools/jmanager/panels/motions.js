@@ -1,12 +1,12 @@
 // The motion editor for the robots of this program.
 
 import { right } from '../lib/places.js';
-import { request } from '../lib/connection.js';
+import { ask } from '../lib/store.js';
 import { Motion } from '../motion/panel.js';
 
 export default {
   /** The links of the robot with these joints, for the map in three dimensions; null for another robot. */
-  body: (session, joints) => request('extension', { session: session.id, name: 'motions', message: { type: 'body', joints } }),
+  body: (session, joints) => ask('extension', { session: session.id, name: 'motions', message: { type: 'body', joints } }),
   panels: { motion: { title: 'Motion', view: Motion } },
   lastPresets: { motions: { title: 'Editing motions', panels: (width) => [['motion', {}], ['code', right('motion', Math.max(320, width * 0.28))]] } },
 };

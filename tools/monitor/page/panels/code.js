@@ -7,7 +7,7 @@ import { makeEditor, setShown } from '../vicode/editor.js';
 import { setFocusCode } from '../vicode/focus.js';
 import { Lines, plain } from '../vicode/lines.js';
 import { keyAt, problems, wanted } from '../vicode/problems.js';
-import { choose, chosen, offsets, onChange, opened, openedFile, openedText, selection, setSettle } from '../vicode/sources.js';
+import { choose, chosen, offsets, onChange, opened, openedFile, openedText, selection, setCode } from '../vicode/sources.js';
 import { Typing, remote } from '../vicode/typing.js';
 
 /** Whether only what is selected is shown. */
@@ -16,7 +16,7 @@ const onlyChosen = signal(false);
 /** The editor that exists; there is one code panel. */
 let editor = null;
 onChange((change) => editor?.typing.received(change));
-setSettle(() => editor?.typing.settled() ?? Promise.resolve());
+setCode({ settle: async () => editor?.typing.settled(), hold: () => editor?.typing.hold() ?? (() => {}) });
 
 /** Offsets of the editor of a part of the file. */
 function placeOf(span) {
@@ -71,8 +71,7 @@ function Editor({ at }) {
 
 /** The canvas shows what the cursor is in. */
 function follow(head) {
-  const { typing } = editor;
-  if (typing.sent || typing.waiting) return;
+  if (editor.typing.isBehind) return;
   const key = keyAt(offsets.value.byte(new Lines(opened.value.text).toText(head)));
   if (key && !selection.value.includes(key)) choose([key]);
 }

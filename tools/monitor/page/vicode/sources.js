@@ -78,7 +78,8 @@ export async function readList() {
 
 /** Opens a file and shows one of its components. */
 export async function open(file, name) {
-  await settle();
+  await running;
+  await code.settle();
   const before = opened.value;
   component.value = name ?? component.value;
   if (before?.file === file) {
@@ -135,9 +136,9 @@ export const chosenStates = () => selection.value.map(parsed).filter(({ kind }) 
 
 // ---- editing
 
-/** What the code panel has to send first; it sets this. */
-let settle = async () => {};
-export const setSettle = (how) => { settle = how; };
+/** The code panel sets these: `settle` sends what was typed, `hold` keeps what is typed from now on until its result is called. */
+let code = { settle: async () => {}, hold: () => () => {} };
+export const setCode = (functions) => { code = functions; };
 
 /** Changes of the file that have no answer yet. An undo waits for them: until then the history does not have them. */
 let changes = Promise.resolve();
@@ -154,7 +155,7 @@ export const edit = tracked(async (edits) => {
     notify('error', held.value);
     return false;
   }
-  await settle();
+  await code.settle();
   const { file, version } = opened.value;
   refusal.value = null;
   return (await ask('edit_file', { file, version, edits })) !== undefined;
@@ -214,13 +215,18 @@ async function back(from, to, type, side) {
   }
 }
 
-/** Keys that are pressed fast wait for each other, and for all changes before them: these add steps to the history. */
+/** Keys that are pressed fast wait for each other, and for all changes before them: these add steps to the history. Typing waits for them. */
 let running = Promise.resolve();
 const inTurn = (work) => {
   const turn = async () => {
-    await settle();
-    await changes;
-    return work();
+    const release = code.hold();
+    try {
+      await code.settle();
+      await changes;
+      await work();
+    } finally {
+      release();
+    }
   };
   return () => { running = running.then(turn, turn); };
 };

@@ -1,4 +1,5 @@
 // The editor's text and the server's: one change is on its way at a time, and changes of others are put under those that are not there yet.
+// What is typed while an undo waits for its answer is sent after it.
 
 import { Annotation, ChangeSet } from '../vendor/codemirror.js';
 import { notify } from '../lib/store.js';
@@ -10,6 +11,12 @@ import { locked, opened, refusal, replace, setTyping } from './sources.js';
 export const remote = Annotation.define();
 
 const SEND_MS = 40;
+
+/** The changes that the server does not have, the oldest first: without an answer yet, to be sent next, and to be sent after an undo. */
+const PARTS = ['sent', 'waiting', 'later'];
+
+/** Two changes, the second after the first, as one; either may be missing. */
+const both = (first, second) => (first && second ? first.compose(second) : first ?? second);
 
 /** The changes of splices, as the editor counts. */
 function changesOf(text, lists) {
@@ -37,16 +44,35 @@ export function difference(before, after) {
 export class Typing {
   constructor(view) {
     this.view = view;
-    this.sent = null;
-    this.waiting = null;
+    [this.sent, this.waiting, this.later] = [null, null, null];
+    this.held = false;
     this.timer = null;
     this.idle = [];
   }
 
   /** A change that was typed. */
   local(changes) {
-    this.waiting = this.waiting ? this.waiting.compose(changes) : changes;
+    if (this.held) {
+      this.later = both(this.later, changes);
+      return;
+    }
+    this.waiting = both(this.waiting, changes);
     this.timer ??= setTimeout(() => this.send(), SEND_MS);
+  }
+
+  /** Sends nothing that is typed from now on until the returned function is called. */
+  hold() {
+    this.held = true;
+    return () => {
+      this.held = false;
+      [this.waiting, this.later] = [both(this.waiting, this.later), null];
+      this.next();
+    };
+  }
+
+  /** Whether the server does not have all that was typed. */
+  get isBehind() {
+    return PARTS.some((name) => this[name]);
   }
 
   /** A change of the server: an answer to what was sent, or somebody else's. */
@@ -61,7 +87,7 @@ export class Typing {
     }
     let changes = message.splices ? changesOf(base, message.splices) : difference(plain(base), plain(text));
     if (!changes) return;
-    for (const name of ['sent', 'waiting']) {
+    for (const name of PARTS) {
       if (!this[name]) continue;
       const own = this[name];
       this[name] = own.map(changes);
@@ -73,7 +99,7 @@ export class Typing {
   /** A place of the server's text in the editor's text. */
   place(index) {
     let at = index;
-    for (const changes of [this.sent, this.waiting]) if (changes) at = changes.mapPos(Math.min(at, changes.length));
+    for (const name of PARTS) if (this[name]) at = this[name].mapPos(Math.min(at, this[name].length));
     return at;
   }
 
@@ -89,8 +115,8 @@ export class Typing {
       const span = [from, to].map((at) => offsets.byte(lines.toText(at)));
       edits.unshift({ edit: 'replace', span, text: put.sliceString(0, put.length, end) });
     });
+    this.expected = this.waiting.apply(this.view.state.toText(plain(text))).toString();
     [this.sent, this.waiting] = [this.waiting, null];
-    this.expected = this.view.state.doc.toString();
     setTyping(true);
     try {
       await replace(file, version, edits);
@@ -103,15 +129,13 @@ export class Typing {
   /** Another change came first, and what was sent lies above it now; or the change is not possible. */
   refused(error) {
     if (!this.sent) return;
-    this.waiting = this.waiting ? this.sent.compose(this.waiting) : this.sent;
-    this.sent = null;
+    [this.sent, this.waiting] = [null, both(this.sent, this.waiting)];
     if (error.stale) this.timer ??= setTimeout(() => this.send(), SEND_MS);
     else this.giveUp(error.text, error.help);
   }
 
   giveUp(text, help = '') {
-    this.waiting = null;
-    this.sent = null;
+    [this.sent, this.waiting, this.later] = [null, null, null];
     refusal.value = { text, help };
     notify('error', text ?? 'the change was refused', help);
     const now = this.view.state.doc.toString();
@@ -124,7 +148,7 @@ export class Typing {
     else if (!this.sent) this.idle.splice(0).forEach((done) => done());
   }
 
-  /** Resolves when the server has all that was typed. */
+  /** Resolves when the server has all that was typed before a hold. */
   settled() {
     if (!this.sent && !this.waiting) return Promise.resolve();
     return new Promise((resolve) => {
