@@ -95,7 +95,7 @@ pub enum WorldChange {
 }
 
 /// What a monitor can watch besides states and information.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub enum ExtraKind {
     /// Conditions of the transitions of a component.
     Conditions {
@@ -115,7 +115,7 @@ pub enum ExtraKind {
 }
 
 /// A place in a tree at which a simulated world pauses after the cycle in which it is reached. A robot is never paused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub struct Stop {
     /// Index of the component.
     pub component: u16,
@@ -126,7 +126,7 @@ pub struct Stop {
 }
 
 /// What is reached at a [`Stop`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub enum StopAt {
     /// The active component is in this state, and was not after the cycle before.
     State(u16),

@@ -1,6 +1,7 @@
 //! What waits for one of many clients.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{HashMap, VecDeque};
+use std::hash::Hash;
 
 /// Largest number of messages that wait. A client that leaves more unread is disconnected.
 const MAX_MESSAGES: usize = 1024;
@@ -18,17 +19,17 @@ pub struct Pending<M, K, D> {
     overflowed: bool,
     /// Keys in the order in which their data is sent: data that is replaced keeps its place.
     order: VecDeque<K>,
-    data: BTreeMap<K, D>,
+    data: HashMap<K, D>,
 }
 
 impl<M, K, D> Default for Pending<M, K, D> {
     fn default() -> Self {
         let (messages, order) = (VecDeque::new(), VecDeque::new());
-        Self { messages, bytes: 0, overflowed: false, order, data: BTreeMap::new() }
+        Self { messages, bytes: 0, overflowed: false, order, data: HashMap::new() }
     }
 }
 
-impl<M, K: Copy + Ord, D> Pending<M, K, D> {
+impl<M, K: Copy + Eq + Hash, D> Pending<M, K, D> {
     /// Adds a message of a size in bytes that must not be lost; returns whether there was room. Without room all messages are dropped:
     /// the client is to be disconnected.
     pub fn push(&mut self, message: M, bytes: usize) -> bool {

@@ -1,6 +1,6 @@
 //! Messages of a recording with their channels, wherever MCAP allows their records to be.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io::Read;
 
 use crate::error::Error;
@@ -25,7 +25,7 @@ pub(crate) struct Contents<R> {
     reader: Reader<R>,
     pub(crate) header: Header,
     /// Channel of each number of the file.
-    channels: BTreeMap<u16, Channel>,
+    channels: HashMap<u16, Channel>,
     pub(crate) ending: Option<Ending>,
     cycles: u64,
 }
@@ -33,7 +33,7 @@ pub(crate) struct Contents<R> {
 impl<R: Read> Contents<R> {
     /// Reads the header, which precedes all messages.
     pub(crate) fn new(source: R) -> Result<Self, Error> {
-        let (mut reader, mut channels) = (Reader::new(source)?, BTreeMap::new());
+        let (mut reader, mut channels) = (Reader::new(source)?, HashMap::new());
         let header = loop {
             match reader.next_item()? {
                 Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at)?,

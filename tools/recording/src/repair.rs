@@ -1,6 +1,6 @@
 //! Mending and cutting of files.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::io::{Read, Seek, SeekFrom, Write};
 
 use crate::blob::BlobRecord;
@@ -130,7 +130,7 @@ struct Copy<W> {
     copied: Copied,
     ending: Option<Ending>,
     /// Channels of a damaged file, by their numbers.
-    channels: BTreeMap<u16, Channel>,
+    channels: HashMap<u16, Channel>,
     /// The newest message of each channel that holds only changes, as long as it was not copied.
     last: Vec<(Channel, Message)>,
 }
@@ -140,7 +140,7 @@ impl<W: Write> Copy<W> {
     fn new(target: W, header: Header, topics: Option<Topics>) -> Result<Self, Error> {
         let header = Header { topics: topics.unwrap_or(header.topics), ..header };
         let (writer, copied) = (RecordingWriter::new(target, &header)?, Copied::default());
-        Ok(Self { writer, copied, ending: None, channels: BTreeMap::new(), last: Vec::new() })
+        Ok(Self { writer, copied, ending: None, channels: HashMap::new(), last: Vec::new() })
     }
 
     /// Takes over a part of a damaged file. A channel whose record is damaged has the number that this program gives it.

@@ -1,6 +1,6 @@
 //! Writer of a recording.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::io::{self, Write};
 
 use postcard_schema::schema::owned::OwnedNamedType;
@@ -22,8 +22,8 @@ pub(crate) struct RecordingWriter<W> {
     header: Header,
     deriver: Option<Deriver>,
     /// Numbers of the channels and of the schemas of the topics so far.
-    channels: BTreeMap<String, u16>,
-    schemas: BTreeMap<Schema, u16>,
+    channels: HashMap<String, u16>,
+    schemas: HashMap<Schema, u16>,
     /// What is declared before the next chunk.
     undeclared: (Vec<SchemaRecord>, Vec<ChannelRecord>),
 }
@@ -60,8 +60,8 @@ impl<W: Write> RecordingWriter<W> {
             writer,
             header: header.clone(),
             deriver: Deriver::new(header),
-            channels: BTreeMap::new(),
-            schemas: BTreeMap::new(),
+            channels: HashMap::new(),
+            schemas: HashMap::new(),
             undeclared: Default::default(),
         })
     }

@@ -1,6 +1,6 @@
 //! Events that wait for the program.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{HashSet, VecDeque};
 
 use super::event::{Answered, Event};
 
@@ -56,7 +56,7 @@ impl Events {
     }
 
     fn make_room(&mut self) {
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         self.0.make_contiguous().reverse();
         self.0.retain(|event| key(event).is_none_or(|key| seen.insert(key)));
         self.0.make_contiguous().reverse();

@@ -10,7 +10,7 @@ mod wait;
 mod watch;
 mod world;
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -56,8 +56,8 @@ pub struct Client {
     last_number: u32,
     /// Watched snapshots and information, to watch them again after a reconnection.
     every: u16,
-    info: BTreeMap<(u16, u16), u16>,
-    extras: BTreeMap<ExtraKind, u16>,
+    info: HashMap<(u16, u16), u16>,
+    extras: HashMap<ExtraKind, u16>,
 }
 
 impl Client {
@@ -79,8 +79,8 @@ impl Client {
             kept: Instant::now(),
             last_number: 0,
             every: 0,
-            info: BTreeMap::new(),
-            extras: BTreeMap::new(),
+            info: HashMap::new(),
+            extras: HashMap::new(),
         };
         client.attach()?;
         Ok(client)

@@ -1,6 +1,5 @@
 //! State of the link in the loop, shared by its two halves.
 
-use std::collections::BTreeSet;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::sync::Arc;
 use std::time::Duration;
@@ -52,11 +51,11 @@ pub(super) struct Control {
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
-    pub(super) changed: BTreeSet<u16>,
+    pub(super) changed: Vec<u16>,
     /// Schemas of all outputs, once somebody has asked.
     pub(super) schemas: Option<Arc<[OutputSchema]>>,
     /// Connections that get these schemas and all parameters at the end of the cycle.
-    pub(super) readers: BTreeSet<u64>,
+    pub(super) readers: Vec<u64>,
     /// Numbers of the next cycle.
     pub(super) next: CycleInfo,
     /// Numbers of the last cycle.
@@ -79,9 +78,9 @@ impl Control {
             outgoing: Outgoing::default(),
             lease: Lease::new(options.silence),
             applied: Vec::new(),
-            changed: BTreeSet::new(),
+            changed: Vec::new(),
             schemas: None,
-            readers: BTreeSet::new(),
+            readers: Vec::new(),
             next: CycleInfo::default(),
             last: None,
         }
@@ -172,7 +171,8 @@ impl Control {
                 self.has_room(now, id, room);
             }
             Command::ReadParams => {
-                self.readers.insert(id);
+                self.readers.retain(|one| *one != id);
+                self.readers.push(id);
             }
             Command::Lease(action) => self.act(now, id, action),
             Command::World(request) => self.change_world(now, id, arrived, request),

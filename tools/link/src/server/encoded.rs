@@ -1,6 +1,6 @@
 //! Messages with the data of one cycle, shared by all monitors.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use super::key::Key;
 use crate::frame::Packets;
 
 /// What is watched, with n for every n-th cycle.
-pub(super) type Watched = BTreeMap<Key, u16>;
+pub(super) type Watched = HashMap<Key, u16>;
 
 /// Messages with the data of one cycle.
 #[derive(Debug, Default)]

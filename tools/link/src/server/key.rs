@@ -3,7 +3,7 @@
 use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
 
 /// What a monitor watches besides states and images.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Key {
     /// The snapshot: states of all components.
     Snapshot,

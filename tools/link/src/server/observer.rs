@@ -1,6 +1,5 @@
 //! The observer in the loop.
 
-use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -191,6 +190,8 @@ impl Control {
     /// Sends parameters that changed to all, and all parameters to those who asked.
     fn send_params<T: Tree>(&mut self, tree: &T) {
         let cycle = self.next.cycle;
+        self.changed.sort_unstable();
+        self.changed.dedup();
         for component in std::mem::take(&mut self.changed) {
             let values = params(tree, cycle, component);
             self.tell_all(&Message::Params(values));
@@ -244,7 +245,9 @@ impl Control {
         if watchers.iter().any(|watcher| watcher.every > 0) {
             data.snapshot.read(info, tree);
         }
-        let keys: BTreeSet<Key> = watchers.iter().flat_map(|watcher| watcher.watched.keys().copied()).collect();
+        let mut keys: Vec<Key> = watchers.iter().flat_map(|watcher| watcher.watched.keys().copied()).collect();
+        keys.sort_unstable();
+        keys.dedup();
         for key in keys {
             match key {
                 Key::Info(component, index) => data.read(tree, component, index),

@@ -1,7 +1,5 @@
 //! Stops of monitors, and the transitions that they watch.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use bica::{ComponentId, Tree};
 use bica_wire::message::{Reached, Stop, StopAt, Taken};
 
@@ -15,9 +13,10 @@ type Activity = (bool, Option<u16>);
 /// Stops of monitors, and the transitions that they watch.
 #[derive(Debug, Default)]
 pub(super) struct Stops {
-    set: BTreeMap<u64, BTreeSet<Stop>>,
+    /// Each stop with its connection.
+    set: Vec<(u64, Stop)>,
     /// Connections that watch transitions.
-    taken: BTreeSet<u64>,
+    taken: Vec<u64>,
     /// States of all components after the last cycle and after the one before.
     now: Vec<Activity>,
     before: Vec<Activity>,
@@ -26,30 +25,28 @@ pub(super) struct Stops {
 impl Stops {
     /// Sets or removes a stop; returns whether there was room.
     pub(super) fn set(&mut self, connection: u64, stop: Stop, is_set: bool) -> bool {
-        let stops = self.set.entry(connection).or_default();
-        if !is_set {
-            stops.remove(&stop);
-            return true;
+        let count = self.set.iter().filter(|(whose, _)| *whose == connection).count();
+        let place = self.set.iter().position(|one| *one == (connection, stop));
+        match place {
+            Some(place) if !is_set => drop(self.set.remove(place)),
+            None if is_set && count >= MAX_WATCHED => return false,
+            None if is_set => self.set.push((connection, stop)),
+            _ => {}
         }
-        let room = stops.len() < MAX_WATCHED || stops.contains(&stop);
-        if room {
-            stops.insert(stop);
-        }
-        room
+        true
     }
 
     pub(super) fn watch_taken(&mut self, connection: u64, is_watched: bool) {
+        self.taken.retain(|one| *one != connection);
         if is_watched {
-            self.taken.insert(connection);
-        } else {
-            self.taken.remove(&connection);
+            self.taken.push(connection);
         }
     }
 
     /// Forgets a monitor that is disconnected.
     pub(super) fn forget(&mut self, connection: u64) {
-        self.set.remove(&connection);
-        self.taken.remove(&connection);
+        self.set.retain(|(whose, _)| *whose != connection);
+        self.taken.retain(|one| *one != connection);
     }
 
     /// Takes in the states after a cycle.
@@ -83,12 +80,10 @@ impl Stops {
         may_pause: impl Fn(u64) -> bool,
     ) -> (Vec<(u64, Message)>, bool) {
         let (mut messages, mut pauses) = (Vec::new(), false);
-        for (&connection, stops) in &self.set {
-            for &stop in stops.iter().filter(|stop| self.is_reached(**stop, conditions)) {
-                let paused = stop.pauses && may_pause(connection);
-                pauses |= paused;
-                messages.push((connection, Message::Reached(Reached { time_us, stop, paused })));
-            }
+        for &(connection, stop) in self.set.iter().filter(|(_, stop)| self.is_reached(*stop, conditions)) {
+            let paused = stop.pauses && may_pause(connection);
+            pauses |= paused;
+            messages.push((connection, Message::Reached(Reached { time_us, stop, paused })));
         }
         (messages, pauses)
     }

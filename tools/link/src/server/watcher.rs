@@ -1,6 +1,5 @@
 //! A monitor as the loop sees it.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::connection::Connection;
@@ -27,7 +26,7 @@ impl Watcher {
     }
 
     /// The same monitor, watching only these in each cycle.
-    pub(super) fn only(&self, snapshot: bool, keys: BTreeSet<Key>) -> Self {
+    pub(super) fn only(&self, snapshot: bool, keys: impl IntoIterator<Item = Key>) -> Self {
         let watched = Arc::new(keys.into_iter().map(|key| (key, 1)).collect());
         Self { connection: Arc::clone(&self.connection), every: snapshot.into(), watched, images: 0 }
     }

@@ -1,6 +1,6 @@
 //! All monitors, and what at least one of them watches.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::key::Key;
@@ -13,14 +13,14 @@ pub(super) struct Watchers {
     /// Copy of the list for the distributor, if nothing changed since.
     shared: Option<Arc<[Watcher]>>,
     /// What monitors have not got since they watch it. It is sent when it is due, or when the world is paused.
-    owed: BTreeMap<u64, Owed>,
+    owed: HashMap<u64, Owed>,
 }
 
 /// What a monitor has not got since it watches it.
 #[derive(Debug, Default)]
 struct Owed {
     snapshot: bool,
-    keys: BTreeSet<Key>,
+    keys: HashSet<Key>,
 }
 
 impl Watchers {
@@ -111,7 +111,7 @@ impl Watchers {
         let Self { list, owed, .. } = self;
         let owed_to =
             |watcher: &&Watcher| owed.get_mut(&watcher.connection.id).is_some_and(|owed| owed.keys.remove(&Key::Truth));
-        let only = |watcher: &Watcher| watcher.only(false, BTreeSet::from([Key::Truth]));
+        let only = |watcher: &Watcher| watcher.only(false, [Key::Truth]);
         list.iter().filter(owed_to).map(only).collect()
     }
 
@@ -120,7 +120,7 @@ impl Watchers {
         let Self { list, owed, .. } = self;
         let take = |watcher: &Watcher| {
             let owed = owed.get_mut(&watcher.connection.id)?;
-            let keys: BTreeSet<Key> = owed.keys.extract_if(.., |key| *key != Key::Truth).collect();
+            let keys: Vec<Key> = owed.keys.extract_if(|key| *key != Key::Truth).collect();
             let snapshot = std::mem::take(&mut owed.snapshot);
             (snapshot || !keys.is_empty()).then(|| watcher.only(snapshot, keys))
         };

@@ -1,6 +1,6 @@
 //! What a page receives.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::protocol::{InfoSample, SessionId, ToPage};
@@ -61,7 +61,7 @@ impl Frame {
 /// Drops all but the newest sample of each output if there are too many.
 fn limit_samples(samples: &mut Vec<InfoSample>) {
     if samples.len() > MAX_ENTRIES {
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         samples.reverse();
         samples.retain(|&InfoSample(component, info, ..)| seen.insert((component, info)));
         samples.reverse();

@@ -11,7 +11,7 @@ mod protobuf;
 mod schema;
 pub mod shape;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use bica::runner::Change;
 use bica::{Format, Value};
@@ -229,7 +229,7 @@ impl Deriver {
             .values
             .iter()
             .filter_map(|value| Some(((value.component.into(), value.index.into()), self.header.decode(value)?)));
-        let values: BTreeMap<_, _> = values.collect();
+        let values: HashMap<_, _> = values.collect();
         for derived in self.outputs.derive(time, &values, seen.as_ref(), &self.tree) {
             self.push(derived.topic, derived.schema, derived.compression, derived.data);
         }

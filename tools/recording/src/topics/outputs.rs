@@ -1,6 +1,6 @@
 //! Outputs with a visual type.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use bica_wire::model::{Description, Placement};
 use serde_json::Value;
@@ -17,9 +17,9 @@ use crate::message::TreeRecord;
 const AGAIN_AFTER: u64 = 1_000_000_000;
 
 /// Values of outputs, by the indices of component and output.
-pub(super) type Values = BTreeMap<(usize, usize), Value>;
+pub(super) type Values = HashMap<(usize, usize), Value>;
 /// Images that are shown, with their times, by their frames.
-pub(super) type Seen = BTreeMap<String, (u64, Preview)>;
+pub(super) type Seen = HashMap<String, (u64, Preview)>;
 
 /// An output with a visual type.
 #[derive(Debug)]

@@ -62,7 +62,7 @@ const SCALARS: [(&str, u64); 6] =
 const GOOGLE: [&str; 2] = ["Timestamp", "Duration"];
 
 /// Schema of a topic.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Schema {
     /// A message of Foxglove.
     Foxglove(&'static str),

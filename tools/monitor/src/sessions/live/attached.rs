@@ -1,6 +1,6 @@
 //! A connected session.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
@@ -39,12 +39,12 @@ pub(super) struct Attached<'a> {
     pub(super) world: Option<World>,
     pub(super) operation: Operation,
     /// How often each information is watched.
-    watched: BTreeMap<(usize, usize), u16>,
+    watched: HashMap<(usize, usize), u16>,
     changes: Vec<(usize, u64, bool, Option<u16>)>,
     /// Samples since the last update, with their cycles.
     samples: Vec<(u64, InfoSample)>,
     /// What is watched besides states and outputs, with n for every n-th cycle or image.
-    pub(super) watched_extras: BTreeMap<ExtraKind, u16>,
+    pub(super) watched_extras: HashMap<ExtraKind, u16>,
     updated: Instant,
     slow: Instant,
     received: Instant,
@@ -70,10 +70,10 @@ impl<'a> Attached<'a> {
             client,
             world,
             operation: Operation::default(),
-            watched: BTreeMap::new(),
+            watched: HashMap::new(),
             changes: Vec::new(),
             samples: Vec::new(),
-            watched_extras: BTreeMap::new(),
+            watched_extras: HashMap::new(),
             updated: now,
             slow: now,
             received: now,
@@ -167,7 +167,7 @@ impl<'a> Attached<'a> {
 
     /// Watches what the pages watch, and each information now and then.
     fn watch(&mut self) -> Result<(), bica_link::Error> {
-        let mut wanted = BTreeMap::new();
+        let mut wanted = HashMap::new();
         for (component, described) in self.client.description().components.iter().enumerate() {
             for info in 0..described.info.len() {
                 wanted.insert((component, info), INFO_EVERY);

@@ -1,6 +1,6 @@
 //! Images, costs, conditions and the true state, which come over the link.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 use bica_link::{Costs, Event};
 use bica_wire::message::{ComponentCost as LinkCost, ExtraKind, Offers, Reached as LinkReached, StopAt, Taken};
@@ -18,7 +18,7 @@ impl Attached<'_> {
     pub(super) fn watch_extras(&mut self) -> Result<(), bica_link::Error> {
         let offers = self.client.offers();
         let every = if self.session.is_paused() { 1 } else { EVERY };
-        let mut wanted = BTreeMap::new();
+        let mut wanted = HashMap::new();
         let mut want = |offer, kind, every| {
             if offers.contains(offer) {
                 wanted.insert(kind, every);
@@ -31,7 +31,7 @@ impl Attached<'_> {
         if is_own || self.session.record.is_some() || shared.watching.watches().any(|watch| watch.images.is_some()) {
             want(Offers::IMAGES, ExtraKind::Images, 1);
         }
-        let watched: BTreeSet<usize> = shared.watching.watches().flat_map(|watch| &watch.conditions).copied().collect();
+        let watched: HashSet<usize> = shared.watching.watches().flat_map(|watch| &watch.conditions).copied().collect();
         for (component, described) in self.client.description().components.iter().enumerate() {
             if watched.contains(&component) || (is_own && !described.transitions.is_empty()) {
                 want(Offers::CONDITIONS, ExtraKind::Conditions { component: component as u16 }, every);
