@@ -31,7 +31,7 @@ pub type Lines = Vec<Line, LINES>;
 /// Distance between scans, as a share of the frame height: 4 px at 320 × 240.
 const PITCH: f32 = 1.0 / 60.0;
 /// Minimum distance between scans, px. At 160 × 120 the pitch of 2 px finds more short segments, a twentieth of the whole length,
-/// for 30 % more time; the robot localizes itself as well without them (`--example localize -- --width 160`).
+/// for 30 % more time; the robot localizes itself as well without them (`--features measure --example localize -- --width 160`).
 const MIN_PITCH: u16 = 3;
 /// Maximum width of a line, as a share of the frame height.
 const WIDEST: f32 = 0.18;

@@ -1,6 +1,6 @@
 //! Recall, precision and accuracy of all detectors from random poses in the built-in world.
 //!
-//! Scores over many more poses: `cargo run --release -p bica-tests --example survey`.
+//! Scores over many more poses: `cargo run --release -p bica-tests --features measure --example survey`.
 
 #[path = "support/survey/mod.rs"]
 mod survey;

@@ -1,6 +1,6 @@
 //! Recall, precision and accuracy of all detectors over random poses in the built-in world.
 //!
-//! `cargo run --release -p bica-tests --example survey` prints a table; `-- --help` lists the options.
+//! `cargo run --release -p bica-tests --features measure --example survey` prints a table; `-- --help` lists the options.
 
 #[path = "../support/picture.rs"]
 mod picture;

@@ -1,7 +1,8 @@
 //! Quality of self-localization: the robot starts at a random pose and looks around for ten seconds.
 //!
 //! ```text
-//! cargo run --release -p bica-evaluation --example localize -- --games 100 [--robots 4] [--seed 0] [--kidnap 1] [--width 160]
+//! cargo run --release -p bica-evaluation --features measure --example localize -- --games 100 \
+//!     [--robots 4] [--seed 0] [--kidnap 1] [--width 160]
 //! ```
 //!
 //! The program prints the failures and the statistics. `--width` is the width of the images, px: 160, 320 or 640. With

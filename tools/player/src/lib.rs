@@ -10,12 +10,20 @@ pub mod game;
 mod league;
 mod play;
 
+use std::process::ExitCode;
+
 use bica_app::App;
 use bica_evaluation::{calibrate, detection, trial_options};
 use bica_player::tunable::Forward;
 
 use cli::Command;
 use colour_profile::ColourProfile;
+
+/// Runs the program. It is not generic, so it is compiled with this library, and not once more with the program.
+#[must_use]
+pub fn run() -> ExitCode {
+    app().run()
+}
 
 /// Returns the program.
 #[must_use]

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    bica_player_program::app().run()
+    bica_player_program::run()
 }
