@@ -18,8 +18,8 @@ pub const MIN_BLOB: usize = 128;
 /// that precede it: the rest of a [`Blob`](bica_core::Blob), its format and its frame, begins there.
 ///
 /// Returns `None` if the message has a type that postcard refuses, such as a sequence of unknown length.
-pub fn encode<E: Extend<u8>>(message: &impl Serialize, out: E, take: impl FnMut(usize, &[u8])) -> Option<E> {
-    let flavor = TakeBlobs { inner: ExtendFlavor::new(out), position: 0, take };
+pub fn encode<E: Extend<u8>>(message: &impl Serialize, out: E, mut take: impl FnMut(usize, &[u8])) -> Option<E> {
+    let flavor = TakeBlobs { inner: ExtendFlavor::new(out), position: 0, take: &mut take };
     postcard::serialize_with_flavor(message, flavor).ok()
 }
 
@@ -41,15 +41,15 @@ pub fn described(rest: &[u8]) -> (Format<'_>, &str) {
     postcard::take_from_bytes(rest).map_or((Format::Other { media_type: "" }, ""), |(described, _)| described)
 }
 
-/// Takes blobs out of what it passes on.
-struct TakeBlobs<F, T> {
+/// Takes blobs out of what it passes on. Blobs are few, and so the serialisation of a type is not compiled for each receiver of them.
+struct TakeBlobs<'t, F> {
     inner: F,
     /// Number of bytes passed on.
     position: usize,
-    take: T,
+    take: &'t mut dyn FnMut(usize, &[u8]),
 }
 
-impl<F: Flavor, T: FnMut(usize, &[u8])> Flavor for TakeBlobs<F, T> {
+impl<F: Flavor> Flavor for TakeBlobs<'_, F> {
     type Output = F::Output;
 
     fn try_push(&mut self, byte: u8) -> postcard::Result<()> {

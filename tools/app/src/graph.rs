@@ -35,13 +35,15 @@ pub(crate) fn run<R: Recordable + Default>(args: &GraphArgs) -> Result<Outcome, 
         Format::Svg => svg(&Description::of(graph)),
         Format::Dot => graph.dot().to_string(),
         Format::Mermaid => graph.mermaid().to_string(),
-        Format::Json => {
-            let description = Description::of(graph).of_robot(&*Box::<R>::default());
-            serde_json::to_string_pretty(&description).map_err(io::Error::from)?
-        }
+        Format::Json => json(&Description::of(graph).of_robot(&*Box::<R>::default()))?,
     };
     let mut out = io::stdout().lock();
     writeln!(out, "{}", text.trim_end())?;
     out.flush()?;
     Ok(Outcome::Success)
+}
+
+/// Returns a tree as JSON. It is compiled here, and not once more for each robot.
+fn json(description: &Description) -> io::Result<String> {
+    Ok(serde_json::to_string_pretty(description)?)
 }

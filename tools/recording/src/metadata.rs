@@ -17,8 +17,18 @@ const KEY: &str = "json";
 /// Key of the CRC-32 of this text, hexadecimal.
 const CRC_KEY: &str = "crc32";
 
+/// Returns the fields of the metadata record of a header. The writer is generic: JSON of a header is compiled once, here.
+pub(crate) fn of_header(header: &Header) -> Result<BTreeMap<String, String>, Error> {
+    to_metadata(header)
+}
+
+/// Returns the fields of the metadata record of an ending.
+pub(crate) fn of_ending(ending: &Ending) -> Result<BTreeMap<String, String>, Error> {
+    to_metadata(ending)
+}
+
 /// Returns the fields of a metadata record.
-pub(crate) fn to_metadata(value: &impl Serialize) -> Result<BTreeMap<String, String>, Error> {
+fn to_metadata(value: &impl Serialize) -> Result<BTreeMap<String, String>, Error> {
     let text = serde_json::to_string(value).map_err(io::Error::from)?;
     let crc = checksum(&text);
     Ok(BTreeMap::from([(KEY.to_owned(), text), (CRC_KEY.to_owned(), crc)]))

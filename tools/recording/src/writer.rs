@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use crate::message::{Channel, ENCODING};
-use crate::metadata::{ENDING_NAME, HEADER_NAME, to_metadata};
+use crate::metadata::{ENDING_NAME, HEADER_NAME, of_ending, of_header};
 use crate::topics::{Derived, Deriver, Schema};
 
 /// Number of the first channel and schema of the topics: those of the recording have smaller ones.
@@ -51,7 +51,7 @@ impl<W: Write> RecordingWriter<W> {
     /// Begins a file: header, schemas and channels, and the header again, compressed.
     pub(crate) fn new(target: W, header: &Header) -> io::Result<Self> {
         let (schemas, channels) = channels(header);
-        let fields = to_metadata(header).map_err(io_error)?;
+        let fields = of_header(header).map_err(io_error)?;
         let mut writer = Writer::new(target, "bica")?;
         writer.metadata(HEADER_NAME, &fields)?;
         writer.declare(schemas, channels)?;
@@ -111,7 +111,7 @@ impl<W: Write> RecordingWriter<W> {
 
     /// Writes the ending, twice, and the summary.
     pub(crate) fn close(&mut self, ending: &Ending) -> io::Result<()> {
-        let fields = to_metadata(ending).map_err(io_error)?;
+        let fields = of_ending(ending).map_err(io_error)?;
         self.flush()?;
         self.writer.metadata(ENDING_NAME, &fields)?;
         self.writer.metadata(ENDING_NAME, &fields)?;
