@@ -104,10 +104,9 @@ impl Console {
         if !self.json {
             return Ok(());
         }
-        let mut out = io::BufWriter::new(io::stdout().lock());
-        serde_json::to_writer_pretty(&mut out, value).map_err(io::Error::from)?;
-        writeln!(out)?;
-        Ok(out.flush()?)
+        let mut text = serde_json::to_vec_pretty(value).map_err(io::Error::from)?;
+        text.push(b'\n');
+        Ok(io::stdout().lock().write_all(&text)?)
     }
 
     /// Prints a value as one line of JSON; nothing without `--json`.
