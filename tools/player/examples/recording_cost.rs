@@ -1,11 +1,11 @@
 //! Cost of a recording: bytes per second, processor time of its thread, and time of the loop with and without it in one run.
 //!
-//! `cargo run --release -p bica-player-program --features measure --example recording_cost -- [FOLDER] [SECONDS]`: images of
+//! `cargo run --release -p bica-player-program --features measure --example recording_cost -- [FOLDER]`: images of
 //! 640×480 at 30/s, in real time, whose owner is shared with the recorder, as in a game, or which the loop copies. With a folder of raw
 //! images `NAME_640x240.yuyv` (every second row) two of these make up an image, else the built-in world renders them.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -16,30 +16,43 @@ use bica_field::GoalColour;
 use bica_player_program::game::{Rules, WorldKind, recording_header};
 use bica_recording::{ImagePolicy, Recorder, RecorderOptions};
 use bica_sim::setup::Frame;
+use clap::Parser;
 
 mod turns;
 
 use turns::{HEIGHT, Values, WIDTH, forward, shown};
 
+/// Measures what a recording costs the loop
+#[derive(Parser)]
+#[command(name = "recording_cost")]
+struct Args {
+    /// Folder of raw images `NAME_640x240.yuyv`; without it the built-in world renders the images
+    folder: Option<PathBuf>,
+    /// Time of each of the three measurements, s
+    #[arg(long, value_name = "S", default_value_t = 20)]
+    seconds: u64,
+}
+
 fn main() {
+    let args = Args::parse();
+    let run = move || run(&args);
     thread::Builder::new().stack_size(STACK_BYTES).spawn(run).expect("a thread").join().expect("no panic");
 }
 
-fn run() {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let folder = arguments.first().filter(|folder| Path::new(folder).is_dir());
-    let seconds = arguments.last().and_then(|text| text.parse().ok()).unwrap_or(20_u64);
-    let mut values = Values::new(folder.map(|folder| loaded(Path::new(folder))));
+fn run(args: &Args) {
+    let mut values = Values::new(args.folder.as_deref().map(loaded));
     for (policy, sharing) in [(ImagePolicy::All, true), (ImagePolicy::All, false), (ImagePolicy::None, true)] {
         let path = std::env::temp_dir().join("recording-cost.mcap");
-        measure(&mut values, policy, sharing, &path, seconds);
+        measure(&mut values, policy, sharing, &path, args.seconds);
         let _ = fs::remove_file(path);
     }
 }
 
 fn loaded(folder: &Path) -> Vec<Arc<Vec<u8>>> {
-    let files = fs::read_dir(folder).expect("a folder").filter_map(|entry| fs::read(entry.ok()?.path()).ok());
+    let files = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let files = files.filter_map(|entry| fs::read(entry.ok()?.path()).ok());
     let half: Vec<_> = files.filter(|half| half.len() == WIDTH * HEIGHT).collect();
+    assert!(!half.is_empty(), "{} has no raw image of 640×240 px", folder.display());
     half.iter().zip(half.iter().cycle().skip(1)).map(|(upper, lower)| Arc::new([&upper[..], lower].concat())).collect()
 }
 
