@@ -61,9 +61,12 @@ function Editor({ at }) {
     return () => {
       ends.forEach((end) => end());
       setFocusCode(null);
-      editor.typing.settled();
-      view.destroy();
-      editor = null;
+      // A closed editor gets changes until what was typed in it is sent.
+      const closed = editor;
+      closed.typing.emptied().then(() => {
+        view.destroy();
+        if (editor === closed) editor = null;
+      });
     };
   }, []);
   return html`<div class="code fill" ref=${place}></div>`;

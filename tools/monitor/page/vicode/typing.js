@@ -45,7 +45,7 @@ export class Typing {
   constructor(view) {
     this.view = view;
     [this.sent, this.waiting, this.later] = [null, null, null];
-    this.held = false;
+    this.held = null;
     this.timer = null;
     this.idle = [];
   }
@@ -62,11 +62,13 @@ export class Typing {
 
   /** Sends nothing that is typed from now on until the returned function is called. */
   hold() {
-    this.held = true;
+    const { promise, resolve } = Promise.withResolvers();
+    this.held = promise;
     return () => {
-      this.held = false;
+      this.held = null;
       [this.waiting, this.later] = [both(this.waiting, this.later), null];
       this.next();
+      resolve();
     };
   }
 
@@ -155,5 +157,11 @@ export class Typing {
       this.idle.push(resolve);
       this.send();
     });
+  }
+
+  /** Resolves when the server has all that was typed. */
+  async emptied() {
+    await this.held;
+    await this.settled();
   }
 }
