@@ -83,6 +83,8 @@ impl Page {
         ];
         let arguments: Vec<_> = fixed.iter().chain(arguments).collect();
         let mut capabilities = Capabilities::new();
+        // On a busy machine a script that measures a large drawing takes longer than the 30 s of the standard.
+        capabilities.insert("timeouts".to_owned(), json!({ "script": LIMIT.as_millis() as u64 }));
         if is_firefox() {
             capabilities.insert("moz:firefoxOptions".to_owned(), json!({ "args": ["-headless"] }));
         } else {
