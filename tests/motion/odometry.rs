@@ -14,7 +14,10 @@ proptest! {
     #![proptest_config(crate::motion::cases(50))]
 
     #[test]
-    fn the_drift_is_below_three_percent_of_the_path(requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6), with_commands: bool) {
+    fn the_drift_is_below_three_percent_of_the_path(
+        requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6),
+        with_commands: bool,
+    ) {
         let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
         let mut world = World::<Nao>::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints::<Nao>());
         let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
@@ -23,7 +26,8 @@ proptest! {
         for request in requests {
             for _ in 0..150 {
                 let body = world.body();
-                odometry.step(&MotionInput { commanded: commanded.as_ref(), ..measured(&world.angles, [&body.left_foot, &body.right_foot]) });
+                let input = measured(&world.angles, [&body.left_foot, &body.right_foot]);
+                odometry.step(&MotionInput { commanded: commanded.as_ref(), ..input });
                 let request = Velocity::new(0.25 * request[0], 0.12 * request[1], 1.2 * request[2]);
                 let before = world.ground();
                 let targets = walk.step(request, &body, CYCLE).joints::<Nao>();

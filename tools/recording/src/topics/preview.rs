@@ -84,6 +84,7 @@ struct Reduced<'a> {
     bytes_of_pixel: usize,
     /// Width of the image before, px.
     width: usize,
+    /// Number of pixels, along a row and along a column, that become one.
     by: usize,
     /// Width and height, px.
     size: [usize; 2],

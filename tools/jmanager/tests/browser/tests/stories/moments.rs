@@ -27,7 +27,9 @@ async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
     let (_server, page) = game("moment").await;
     page.click("button", "Player", "Activation tree").await;
     tab(&page, "Latency").await;
-    page.until("conditions and costs are known", "return /(true|false) for/.test(document.querySelector('.why')?.innerText) && document.querySelector('.gauge') !== null").await;
+    let known = "return /(true|false) for/.test(document.querySelector('.why')?.innerText) \
+        && document.querySelector('.gauge') !== null";
+    page.until("conditions and costs are known", known).await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
     let conditions = stays(&page, "[aria-label=States]").await;
@@ -85,14 +87,17 @@ async fn a_changed_layout_stays_and_a_link_leads_to_its_session() {
     page.press("2").await;
     page.find("tab", "Log", "").await;
     page.press("p").await;
-    page.until("there are two plots", "return document.querySelectorAll('[role=region][aria-label=Plot]').length + document.querySelectorAll('.dv-tab').length > 6").await;
+    let plots = "return document.querySelectorAll('[role=region][aria-label=Plot]').length \
+        + document.querySelectorAll('.dv-tab').length > 6";
+    page.until("there are two plots", plots).await;
     let tabs = "return [...document.querySelectorAll('.dv-tab')].map((one) => one.textContent).sort().join()";
     let before = page.run(tabs).await;
     page.run("location.reload()").await;
     page.until("the same tabs are there", &format!("{tabs} === {before}")).await;
     // A second session; the link of the first leads back.
     page.click("button", "Open another session", "").await;
-    let worlds = "return [...document.querySelectorAll('select[aria-label=World] option')].map((one) => one.value).filter((one) => one !== 'mujoco').join()";
+    let worlds = "return [...document.querySelectorAll('select[aria-label=World] option')].map((one) => one.value) \
+        .filter((one) => one !== 'mujoco').join()";
     assert_eq!(page.run(worlds).await, "built-in,firmware");
     page.find("textbox", "Seed of the world", "").await.set("7").await;
     page.click("button", "Start", "").await;
