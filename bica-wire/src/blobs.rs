@@ -41,7 +41,8 @@ pub fn described(rest: &[u8]) -> (Format<'_>, &str) {
     postcard::take_from_bytes(rest).map_or((Format::Other { media_type: "" }, ""), |(described, _)| described)
 }
 
-/// Takes blobs out of what it passes on. Blobs are few, and so the serialisation of a type is not compiled for each receiver of them.
+/// Takes blobs out of what it passes on. The receiver of the blobs is called by a pointer, because blobs are few: so a type has one
+/// function that serialises it, and not one for each receiver.
 struct TakeBlobs<'t, F> {
     inner: F,
     /// Number of bytes passed on.
