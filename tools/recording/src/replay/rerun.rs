@@ -17,12 +17,15 @@ use crate::recorder::{Backpressure, Recorder, RecorderOptions, Report, create};
 use crate::request::RequestRecord;
 use bica_wire::model::Invalid;
 
+/// Remedy if the new recording cannot be written.
+const NO_ROOM: &str = "make room on the disk, or name a file on another one";
+
 /// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
 /// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle, s; if it returns false, the run
 /// ends there.
 ///
 /// # Errors
-/// If a file cannot be read or written, or the recording cannot be replayed by this program.
+/// If a file cannot be read or written to its end, or the recording cannot be replayed by this program.
 pub fn rerun<R>(
     path: &Path,
     out: &Path,
@@ -71,17 +74,19 @@ where
         }
     }
     let (_, (), (), recorder) = again.runner.into_parts();
-    Ok(recorder.finish("run again"))
+    let report = recorder.finish("run again");
+    let Some(reason) = &report.reason else { return Ok(report) };
+    Err(Invalid::new(format!("`{}` ends after {} cycles: {reason}", out.display(), report.cycles), NO_ROOM))
 }
 
 fn start(out: &Path, header: &Header) -> Result<Recorder, Invalid> {
     let failed = |error| {
         let what = format!("cannot write `{}`: {error}", out.display());
-        Invalid::new(what, "name a file that can be made, on a disk with room")
+        Invalid::new(what, NO_ROOM)
     };
     let file = create(out, true).map_err(failed)?;
     // Without a clock nothing has to be lost.
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
-    // The reason of an early end is in the report.
+    // The report has the reason of an early end.
     Recorder::start(file, header, options, |_| {}).map_err(failed)
 }

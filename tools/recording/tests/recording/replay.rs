@@ -1,7 +1,8 @@
 //! A cart, which is no humanoid and plays no soccer, runs again on its recordings.
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::process;
 
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
@@ -118,6 +119,22 @@ fn a_cart_that_runs_again_is_recorded_as_before() {
     assert!(report.equal && report.cycles == 60, "{:?}", report.first_difference);
     let info = Info::read(&fs::read(&again.0).expect("written")[..]).expect("a recording");
     assert_eq!((info.events.len(), info.requests.len()), (1, 2));
+}
+
+#[test]
+fn a_new_course_that_cannot_be_written_to_its_end_is_an_error() {
+    let file = Temporary::new("cart-long.mcap", &recorded(60));
+    let out = file.0.with_file_name("cart-pipe.mcap");
+    assert!(process::Command::new("mkfifo").arg(&out).status().expect("a program").success());
+    let out = Temporary(out);
+    // A pipe holds the header. Then nobody reads it any more.
+    let mut pipe = Some(File::options().read(true).write(true).open(&out.0).expect("a pipe"));
+    let progress = |_| {
+        pipe = None;
+        true
+    };
+    let failed = rerun(&file.0, &out.0, subject(None), progress).expect_err("the cycles cannot be written");
+    assert!(failed.what.contains("cart-pipe.mcap` ends after 0 cycles: cannot write: "), "{failed}");
 }
 
 #[test]
