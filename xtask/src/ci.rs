@@ -14,8 +14,8 @@ use crate::install::{folder, packages};
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, build, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, ros, slow_tests, spelling,
-    viewers,
+    browser, build, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, room, ros, slow_tests,
+    spelling, viewers,
 };
 
 /// Step of CI, in its order.
@@ -175,6 +175,9 @@ pub(crate) fn check(options: &Ci) -> Result<(), String> {
     let (steps, left_out) = select(options);
     if options.lane {
         return perform(&steps);
+    }
+    if options.only.is_empty() {
+        room::check()?;
     }
     // Before the tests, which build this program again: then its first file is deleted, and another one has the same path.
     let program = env::current_exe().map_err(|error| error.to_string())?;

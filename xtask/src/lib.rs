@@ -18,6 +18,7 @@ mod peers;
 mod process;
 mod publish;
 mod python;
+mod room;
 mod ros;
 mod slow_tests;
 mod spelling;
