@@ -29,7 +29,9 @@ fn a_session_that_is_closed_while_a_page_comes_is_closed_on_it() {
     let bench = Bench::new();
     bench.manager.open(Open::Robot { address: "tcp://127.0.0.1:1".to_owned() }).unwrap();
     let page = Arc::new(Closing(Arc::clone(&bench), Mutex::default()));
-    bench.manager.attach(Arc::clone(&page) as Arc<dyn Outbox>);
+    let id = bench.manager.attach(Arc::clone(&page) as Arc<dyn Outbox>);
+    // The manager owns the page, and the page the manager.
+    bench.manager.detach(id);
     let got = page.1.lock().unwrap();
     assert_eq!(got[0]["sessions"].as_array().unwrap().len(), 1);
     assert_eq!(got.last().unwrap(), &json!({ "type": "closed", "session": 1 }));
