@@ -55,6 +55,10 @@ impl<L: Layer> TuningArgs<L> {
     pub fn layers(&self, graph: &'static Graph, kind: &str) -> Result<Layers, Failure> {
         let mut layers = Layers::new(graph);
         let path = self.tune.as_deref().unwrap_or(Path::new(FOLDER));
+        if self.tune.is_some() && !path.exists() {
+            // The error names what was given, not a file in it.
+            layers.read(path)?;
+        }
         let (folder, of_kind) = match path.parent().filter(|_| path.is_file()) {
             Some(folder) => (folder, path.to_owned()),
             None => (path, path.join(format!("{kind}.toml"))),

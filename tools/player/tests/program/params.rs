@@ -149,7 +149,10 @@ fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
         refused(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
         refused(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
         refused(&["--robot", "rob"], &["rob.toml", "--write"]);
-        refused(&["--tune", &folder.file("missing")], &["missing/built-in.toml", "--write"]);
+        for robot in [&[][..], &["--robot", "rob"]] {
+            let missing = folder.file("missing.toml");
+            refused(&[&["--tune", &missing], robot].concat(), &[&format!("`{missing}`"), "--write"]);
+        }
         let twice = ["--set", "FaceBall.gain=0.5", "--set", "FaceBall.gain=0.6"];
         refused(&twice, &["`FaceBall.gain=0.5` and `FaceBall.gain=0.6`", "leave one of them out"]);
     }

@@ -185,7 +185,8 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
 
 /// The text of a file.
 fn text_of(file: &Path) -> Result<String, String> {
-    fs::read_to_string(file).map_err(|error| format!("cannot read `{}`: {error}", file.display()))
+    let failed = |error| format!("cannot read `{}`: {error}\n  help: name a Rust source file", file.display());
+    fs::read_to_string(file).map_err(failed)
 }
 
 /// A JSON file with a list of `what`; `-` is the standard input.
