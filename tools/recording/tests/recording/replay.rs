@@ -125,6 +125,7 @@ fn a_cart_that_runs_again_is_recorded_as_before() {
 fn a_new_course_that_cannot_be_written_to_its_end_is_an_error() {
     let file = Temporary::new("cart-long.mcap", &recorded(60));
     let out = file.0.with_file_name("cart-pipe.mcap");
+    let _ = fs::remove_file(&out);
     assert!(process::Command::new("mkfifo").arg(&out).status().expect("a program").success());
     let out = Temporary(out);
     // A pipe holds the header. Then nobody reads it any more.
