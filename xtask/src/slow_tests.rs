@@ -156,7 +156,8 @@ mod tests {
     use super::*;
 
     const SOURCE: &str = "#[test]\n#[ignore = \"slow: CI\"]\nfn slow_a() {}\n#[test]\n#[ignore = \"needs images\"]\nfn b() {}\n\
-         mod m {\n    #[test]\n    #[ignore = \"slow: CI\"]\n    fn slow_c(seed in 0..9) {}\n}\n#[ignore = \"long: task\"]\nfn long_d() {}\n";
+         mod m {\n    #[test]\n    #[ignore = \"slow: CI\"]\n    fn slow_c(seed in 0..9) {}\n}\n\
+         #[ignore = \"long: task\"]\nfn long_d() {}\n";
 
     #[test]
     fn only_ignored_tests_of_the_kind_are_found() {

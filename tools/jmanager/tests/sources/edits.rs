@@ -176,7 +176,8 @@ fn opening_and_closing_changes_no_byte() {
 
 #[test]
 fn sources_are_listed_and_uses_are_found_and_renamed() {
-    let user = "use super::Player;\n\nfn f(player: &Player, other: &Other) -> u32 {\n    Player::steps(player) + other.steps() + any().steps()\n}\n";
+    let user = "use super::Player;\n\n\
+        fn f(player: &Player, other: &Other) -> u32 {\n    Player::steps(player) + other.steps() + any().steps()\n}\n";
     let tree = "bica::activation_tree! {\n    struct Robot { root: Player, cycle_hz: 10, components: [Player] }\n}\n";
     let broken = "#[component]\nimpl Half {\n    fn step(&mut self";
     let sources = Sources::new(&[

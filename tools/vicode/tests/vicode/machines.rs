@@ -179,4 +179,21 @@ impl Maker<'_> {
 }
 
 /// The components that machines link to.
-pub(crate) const PARTS: &str = "//! Children.\n\nuse bica::prelude::*;\n\nmacro_rules! part {\n    ($($name:ident),*) => { $(pub struct $name;\n        #[component]\n        impl $name { pub const fn new() -> Self { Self } })* };\n}\npart!(Ball, Head, Body, Legs, Net);\n\npub struct Eye<const N: usize>;\n#[component]\nimpl<const N: usize> Eye<N> {\n    pub const fn new() -> Self { Self }\n}\n";
+pub(crate) const PARTS: &str = "\
+//! Children.
+
+use bica::prelude::*;
+
+macro_rules! part {
+    ($($name:ident),*) => { $(pub struct $name;
+        #[component]
+        impl $name { pub const fn new() -> Self { Self } })* };
+}
+part!(Ball, Head, Body, Legs, Net);
+
+pub struct Eye<const N: usize>;
+#[component]
+impl<const N: usize> Eye<N> {
+    pub const fn new() -> Self { Self }
+}
+";

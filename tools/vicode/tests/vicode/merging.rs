@@ -90,7 +90,23 @@ fn slow_interleavings_lose_no_edit() {
     assert!((125..500).contains(&clean), "{clean}");
 }
 
-const BASE: &str = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {\n        self.n = 1;\n    }\n\n    #[transition(one -> two)]\n    fn go(&self) -> bool {\n        true\n    }\n\n    #[state(last)]\n    fn two(&mut self) {}\n}\n";
+const BASE: &str = "\
+#[component]
+impl A {
+    #[state(initial)]
+    fn one(&mut self) {
+        self.n = 1;
+    }
+
+    #[transition(one -> two)]
+    fn go(&self) -> bool {
+        true
+    }
+
+    #[state(last)]
+    fn two(&mut self) {}
+}
+";
 
 fn body(function: &str, body: &str) -> Edit {
     Edit::SetBody { component: "A".to_owned(), function: function.to_owned(), body: body.to_owned() }

@@ -92,7 +92,8 @@ fn function_with_several_definitions_is_not_renamed() {
 #[test]
 fn namesakes_make_uses_of_other_files_undecided() {
     let home = file("", "type Alias = A;");
-    let other = "use crate::home::{A, Alias};\nuse crate::else_where::B;\nfn f(a: &A, b: &B) { A::one(a); Alias::one(a); a.one(); b.one(); x().one(); }\n";
+    let other = "use crate::home::{A, Alias};\nuse crate::else_where::B;\n\
+        fn f(a: &A, b: &B) { A::one(a); Alias::one(a); a.one(); b.one(); x().one(); }\n";
     let certain = |has_namesakes| {
         let target = Target::new(&home, &read(&home).components[0], has_namesakes);
         uses(other, &target, "one", false).into_iter().map(|one| one.certain).collect::<Vec<_>>()

@@ -26,8 +26,11 @@ async fn one_palette_finds_states_parameters_panels_times_and_commands() {
     finds(&page, "Player.kick", "Player.kick").await;
     page.is("[aria-label=\"Wanted state\"]", "one.value === 'kick'").await;
     finds(&page, "= FaceBall.gain 0.8", "FaceBall.gain = 0.8").await;
-    page.until("the parameter is set", "return import('/lib/store.js').then(({ session }) => { const shown = session.value; const face = shown.find('FaceBall'); \
-        return Math.abs(shown.params.value[face][shown.description.value.components[face].params.findIndex(({ name }) => name === 'gain')] - 0.8) < 1e-6; })").await;
+    let is_set = "return import('/lib/store.js').then(({ session }) => { const shown = session.value; \
+        const face = shown.find('FaceBall'); \
+        return Math.abs(shown.params.value[face][shown.description.value.components[face].params\
+        .findIndex(({ name }) => name === 'gain')] - 0.8) < 1e-6; })";
+    page.until("the parameter is set", is_set).await;
     finds(&page, "@0.5", "Show 0.50 s").await;
     page.find("button", "Time: paused", "").await;
     finds(&page, "> live", "live").await;
