@@ -10,6 +10,7 @@ import pytest
 import bica
 from bica import Program
 from bica.recording import Recording, RecordingError
+from bica.recording.frames import flattened, frame, types
 from bica.recording.postcard import DecodeError, decoder
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -98,7 +99,34 @@ def test_another_robot_is_recorded_too(tmp_path: Path) -> None:
     assert list(table["simulated_s"]) == [5.0, 5.0] and table["fingerprint"].nunique() == 2
     result = bica.play(1, program=program, arguments=[*words, "--record", str(tmp_path / "run.mcap")])
     recording = Recording(tmp_path / "run.mcap")
-    assert len(recording.cycles) == result["cycles"] and recording.sensors.shape[0] == result["cycles"]
+    assert len(recording.cycles) == len(recording.sensors) == len(recording.command) == result["cycles"]
+    assert recording.states.index[-1] == pytest.approx(5.0)
+    assert set(recording.states.dtypes.astype(str)) == {"string"}
+
+
+def test_types_are_those_of_the_schema() -> None:
+    def field(name: str, ty: object) -> dict[str, object]:
+        return {"name": name, "ty": {"name": "", "ty": ty}}
+
+    pose = {
+        "Option": {
+            "name": "",
+            "ty": {"Struct": [field("ns", "U64"), field("ok", "Bool"), field("pair", {"Tuple": [{"ty": "F32"}]})]},
+        }
+    }
+    kinds = {"Enum": [{"name": "A", "ty": "UnitVariant"}, {"name": "B", "ty": {"NewtypeVariant": {"ty": "I64"}}}]}
+    known = dict(types("", {"Struct": [field("pose", pose), field("kind", kinds)]}))
+    assert list(known) == ["pose.ns", "pose.ok", "pose.pair[0]", "kind", "kind.B"]
+    values: list[dict[str, object]] = [
+        {"pose": None, "kind": "A"},
+        {"pose": {"ns": 2**64 - 1, "ok": True, "pair": (0.5,)}, "kind": {"B": -(2**63)}},
+    ]
+    for rows in ([], values[:1], values):
+        table = frame(((0.0, dict(flattened("", row))) for row in rows), known)
+        assert list(table.dtypes.astype(str)) == ["UInt64", "boolean", "float64", "string", "Int64"]
+    assert (table["pose.ns"].iloc[1], table["kind.B"].iloc[1], (~table["pose.ok"]).sum()) == (2**64 - 1, -(2**63), 0)
+    unknown = frame([(0.0, {"on": None, "count": 1}), (0.1, {"on": False, "count": 2**63})])
+    assert list(unknown.dtypes.astype(str)) == ["boolean", "UInt64"]
 
 
 def test_the_encoding_of_each_type() -> None:

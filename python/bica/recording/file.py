@@ -45,8 +45,7 @@ class RecordingFile:
         self.ending: dict[str, Any] = self._json(records["bica.ending"]) if "bica.ending" in records else {}
         if self.header["format"] != FORMAT:
             raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {FORMAT}")
-        #: Schemas by name, such as `bica.Tick` with one of postcard.
-        self.schemas = {schema.name: schema for schema in summary.schemas.values()}
+        self.schemas = summary.schemas
         self._decoders: Any = None
         self.topics = {channel.topic: channel for channel in summary.channels.values()}
 

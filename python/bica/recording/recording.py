@@ -13,7 +13,7 @@ import pandas as pd
 from bica.parameters import Setting
 from bica.program import Program
 from bica.recording.file import RecordingError, RecordingFile
-from bica.recording.frames import flattened, frame
+from bica.recording.frames import flattened, frame, types
 from bica.recording.image import Image, image_of
 from bica.recording.postcard import decoder
 
@@ -62,33 +62,39 @@ class Recording:
     @cached_property
     def cycles(self) -> pd.DataFrame:
         """Number, instant (ticks) and digests of each cycle."""
-        return self._table("tick", "bica.Tick")
+        return self._table("tick")
 
     @cached_property
     def events(self) -> pd.DataFrame:
         """Events of the run, such as a goal, with details."""
-        return self._table("events", "bica.RunEvent").drop(columns="at_ns", errors="ignore")
+        return self._table("events").drop(columns="at_ns", errors="ignore")
 
     @cached_property
     def log(self) -> pd.DataFrame:
         """Lines of text with their level."""
-        table = self._table("log", "bica.LogLine")
+        table = self._table("log")
         return table.assign(level=table["level"].map(LEVELS)) if len(table) else table
 
     @cached_property
     def requests(self) -> pd.DataFrame:
         """Requests of operators."""
-        return frame((time, {"request": request}) for time, request in self._values("requests", "bica.RequestRecord"))
+        return frame((time, {"request": request}) for time, request in self._values("requests"))
 
     @cached_property
     def states(self) -> pd.DataFrame:
-        """State of each component whenever any changes: its name, "active" without states, None while latent."""
+        """State of each component whenever any changes: its name, "active" without states, missing while latent.
+
+        The last row is the end of the last cycle, with the last states: a state lasts until the next row.
+        """
 
         def states_of(record: dict[str, Any]) -> dict[str, str | None]:
             is_active = [bool(byte >> bit & 1) for byte in record["active"] for bit in range(8)]
             return {self._names[i]: self._state(i, state) if is_active[i] else None for i, state in enumerate(record["states"])}
 
-        return frame((time, states_of(record)) for time, record in self._values("tree", "bica.TreeRecord"))
+        rows = [(time, states_of(record)) for time, record in self._values("tree")]
+        if rows and len(self.cycles):
+            rows.append((self.cycles.index[-1] + 1 / self.header["tree"]["cycle_hz"], rows[-1][1]))
+        return frame(rows, dict.fromkeys(self._names, "string"))
 
     def _state(self, component: int, state: int) -> str:
         return "active" if state == WITHOUT_STATES else str(self._components[component]["states"][state]["name"])
@@ -102,29 +108,30 @@ class Recording:
             parts = ((name, {"runs": cost["runs"], "us": cost["ns"] * 1e-3}) for name, cost in named)
             return {f"{name}.{part}": value for name, values in parts for part, value in values.items()}
 
-        rows = ((time, row(record["components"])) for time, record in self._values("costs", "bica.Costs"))
-        return frame(rows, lambda name: "µs" if name.endswith(".us") else None)
+        rows = ((time, row(record["components"])) for time, record in self._values("costs"))
+        kinds = {f"{name}.{part}": kind for name in self._names for part, kind in (("runs", "UInt32"), ("us", "float64"))}
+        return frame(rows, kinds, lambda name: "µs" if name.endswith(".us") else None)
 
     @cached_property
     def sensors(self) -> pd.DataFrame:
         """Sensor values of each cycle, bit for bit; large data is its number of bytes. Empty without `--images all`."""
-        return self._table("sensors", "bica.Sensors", large_apart=True)
+        return self._table("sensors", large_apart=True)
 
     @cached_property
     def command(self) -> pd.DataFrame:
         """Command of each cycle, bit for bit."""
-        return self._table("command", "bica.Command")
+        return self._table("command")
 
     @cached_property
     def outputs(self) -> pd.DataFrame:
         """Outputs, `Component.name` and parts of it, in every tenth cycle; missing while the component is latent."""
         outputs = _Outputs(self.header)
-        records = self._values("information", "bica.InformationRecord")
-        return frame(((time, outputs.row(record)) for time, record in records), outputs.unit)
+        records = self._values("information")
+        return frame(((time, outputs.row(record)) for time, record in records), outputs.types, outputs.unit)
 
     def images(self, frame: str | None = None) -> Iterator[Image]:
         """Return images and other large data, one after the other; of one coordinate `frame` if given."""
-        for time, record in self._values("blobs", "bica.BlobRecord"):
+        for time, record in self._values("blobs"):
             if frame is None or record["frame"] == frame:
                 yield image_of(record, time)
 
@@ -140,13 +147,22 @@ class Recording:
         result: dict[str, Any] = program.call(["replay", os.fspath(self.file.path), *arguments])
         return result
 
-    def _table(self, topic: str, schema: str, large_apart: bool = False) -> pd.DataFrame:
-        return frame((time, dict(flattened("", value))) for time, value in self._values(topic, schema, large_apart))
+    def _table(self, topic: str, large_apart: bool = False) -> pd.DataFrame:
+        known = dict(types("", schema["ty"])) if (schema := self._schema(topic)) else {}
+        if large_apart:
+            # Large data is its number of bytes, so that a text may be a number.
+            known = {name: "object" if kind == "string" else kind for name, kind in known.items()}
+        return frame(((time, dict(flattened("", value))) for time, value in self._values(topic, large_apart)), known)
 
-    def _values(self, topic: str, schema: str, large_apart: bool = False) -> Iterator[tuple[float, Any]]:
+    def _schema(self, topic: str) -> Any:
+        """Return the schema of a topic; None without the topic."""
+        channel = self.file.topics.get(topic)
+        return channel and json.loads(self.file.schemas[channel.schema_id].data)
+
+    def _values(self, topic: str, large_apart: bool = False) -> Iterator[tuple[float, Any]]:
         """Return times and values of a topic, which a file may not have."""
-        if topic in self.file.topics:
-            decode = decoder(json.loads(self.file.schemas[schema].data), large_apart)
+        if schema := self._schema(topic):
+            decode = decoder(schema, large_apart)
             for _, _, message in self.file.messages(topic):
                 yield message.log_time * 1e-9, decode(message.data)
 
@@ -158,11 +174,15 @@ class _Outputs:
         # A monitor has received the values as text.
         text = decoder({"name": "String", "ty": "String"}) if "monitor" in header else None
         self._units: dict[str, str | None] = {}
+        #: Columns by the schemas. What a monitor has received may have none.
+        self.types: dict[str, str] = {}
         self._known: list[list[tuple[str, Any]]] = []
         for component in header["tree"]["components"]:
             outputs = {f"{component['name']}.{output['name']}": output for output in component["info"]}
             self._units |= {name: output.get("unit") for name, output in outputs.items()}
-            schemas = ((name, output.get("schema")) for name, output in outputs.items())
+            schemas = [(name, output.get("schema")) for name, output in outputs.items()]
+            if text is None:
+                self.types |= {column: kind for name, of in schemas if of for column, kind in types(name, of["ty"])}
             as_json = text and (lambda data: json.loads(text(data)))
             self._known.append([(name, as_json or (schema and decoder(schema))) for name, schema in schemas])
 
