@@ -35,6 +35,8 @@ def settings_of(words: list[str]) -> dict[str, float]:
     values = {}
     for word in words:
         name, _, text = word.partition("=")
+        if text in ("True", "False"):
+            refuse(f"`{text}` is no truth value")
         if name not in known:
             refuse(f"there is no parameter `{name}`")
         values[name] = float({"true": "1", "false": "0"}.get(text, text))
@@ -60,7 +62,8 @@ def play(options: dict[str, str], values: dict[str, float]) -> dict[str, object]
     noise = (seed * 7919 % 101 / 101 - 0.5) / 10
     falls = int(values.get("Walk.speed", 0.8) < 0.1)
     world = options.get("--world", "flat")
-    return {"schema": "test/1", "seed": seed, "world": world, "cost": loss(values) + noise, "falls": falls, "story": []}
+    cost = None if values.get("Walk.gain", 4.0) < float(options.get("--none", "0")) else loss(values) + noise
+    return {"schema": "test/1", "seed": seed, "world": world, "cost": cost, "falls": falls, "story": []}
 
 
 def main(words: list[str]) -> None:

@@ -90,12 +90,50 @@ def test_a_refused_candidate_does_not_end_the_search(study_file: StudyFile) -> N
     assert any("a rule is broken" in trial.user_attrs.get("refused", "") for trial in trials_of(path))
 
 
+def test_a_candidate_without_a_value_fails_alone(study_file: StudyFile, capsys: pytest.CaptureFixture[str]) -> None:
+    path = study_file(("arguments = []", 'arguments = ["--none", "3"]'), ("candidates = 6", "candidates = 12"))
+    assert main(["search", str(path)]) == 0
+    assert {trial.state.name for trial in trials_of(path) if trial.params["Walk.gain"] < 3} == {"FAIL"}
+    assert "fails: `mean(cost)` is nan" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("right", "wrong"), [("mean(cost)", "mean(kost)"), ("mean(cost)", "cost"), ("sum(falls)", "sum(fals)")])
+def test_a_wrong_expression_is_found_before_the_games(study_file: StudyFile, right: str, wrong: str) -> None:
+    path = study_file((right, wrong))
+    assert main(["search", str(path)]) == 2
+    store = Store(default_url(path), path.stem, say)
+    assert len(store.games()) == 1, "the default plays the first seed"
+    store.close()
+    assert main(["search", str(study_file())]) == 0, "the corrected study goes on in the same store"
+
+
+def test_a_search_of_few_combinations_says_so(study_file: StudyFile, capsys: pytest.CaptureFixture[str]) -> None:
+    path = study_file(('"Walk.speed" = {}\n"Walk.gain" = { max = 4.5 }', '"Walk.careful" = {}'))
+    path.write_text(path.read_text().replace("[objective]", '[objective]\nreport = ["mean(sqrt(0 - cost))"]'))
+    assert main(["search", str(path)]) == 0
+    out, err = capsys.readouterr()
+    assert out in ("--set Walk.careful=false\n", "--set Walk.careful=true\n")
+    assert "only 2 combinations" in err and "mean(sqrt(0 - cost)): default without a value" in err
+    assert "the best candidate is the default" in err and "+0.0 %" not in err
+
+
 def test_the_best_is_written_and_the_report_is_one_page(study_file: StudyFile, tmp_path: Path) -> None:
     path, tune = study_file(), tmp_path / "tune.toml"
     assert main(["search", str(path), "--write", str(tune)]) == 0
     assert tune.read_text().startswith("[Walk]\n")
     page = path.with_suffix(".html").read_text()
-    for part in ("held-out seeds", "Importance", "Slices", "History", "Walk.gain", "was not spent in games"):
+    for part in (
+        "seeds 100 to 103 of the search, 900 to 905 held out",
+        "<h2>Candidates",
+        "study ",
+        "with the hash",
+        "held-out seeds",
+        "Importance",
+        "Slices",
+        "History",
+        "Walk.gain",
+        "was not spent in games",
+    ):
         assert part in page
     assert page.count("<svg") == 4 and not re.search(r"(src|href)=\"https?:", page)
 

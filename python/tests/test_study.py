@@ -1,8 +1,11 @@
 """Study files."""
 
+from pathlib import Path
+
 import pytest
 from conftest import StudyFile
 
+from bica.program import Program
 from bica.search.study import StudyError, read_study
 
 
@@ -13,12 +16,19 @@ def test_ranges_are_those_of_the_descriptions(study_file: StudyFile) -> None:
     assert study.defaults == {"Walk.speed": 0.8, "Walk.gain": 4.0}
 
 
+def test_a_program_beside_the_study_is_found(study_file: StudyFile, robot: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(robot.path.parent)
+    path = study_file((str(robot.path), "./robot"), path=robot.path.parent)
+    assert read_study(Path(path.name)).program.path == robot.path
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
         ("first = 900", "first = 103", "share seed 103"),
         ("Walk.gain", "Walk.gian", "no parameter `Walk.gian`"),
         ("max = 4.5", "max = 9.0", "within 0.1 to 5"),
+        ("max = 4.5", "max = nan", "`parameters.Walk.gain.max` is wrong: Input should be a finite number"),
         ("max = 4.5", "most = 4.5", "`parameters.Walk.gain.most` is wrong: Extra.*\n  help: docs/search.md"),
         ('"tpe"', '"best"', "`sampler.kind` is wrong: Input should be 'tpe', 'cma-es'"),
         ("block = 2", 'block = "2"', "`seeds.block` is wrong: Input should be a valid integer"),

@@ -36,7 +36,8 @@ def _field(name: str, key: object) -> str:
 
 def types(name: str, ty: Any) -> Iterator[tuple[str, str]]:
     """Return the columns of all values of a type of a schema, as `flattened` names them, with the types of pandas."""
-    kind, inner = next(iter(ty.items())) if isinstance(ty, dict) else (ty, [])
+    inner: Any
+    kind, inner = next(iter(ty.items())) if isinstance(ty, dict) else (ty, None)
     match kind:
         case "Struct" | "StructVariant":
             parts = [(_field(name, field["name"]), field["ty"]["ty"]) for field in inner]
@@ -63,7 +64,7 @@ def frame(
 ) -> pd.DataFrame:
     """Return a table of rows with their times; its `attrs["units"]` has the units of the columns that have one.
 
-    `known` are the columns of a schema with their types. Another column has such a type if its values are truth values or whole numbers.
+    `known` are the columns of a schema with their types. Another column has such a type if its values are truth values or integers.
     """
     times, values = zip(*rows, strict=True) if (rows := list(rows)) else ((), ())
     known = known or {}
@@ -72,7 +73,9 @@ def frame(
     owners = {other[:at] for other in names for at, sign in enumerate(other) if sign in ".["}
     whole = {name for name in owners if name not in known and all(row.get(name) is None for row in values)}
     index = pd.Index(times, name=TIME, dtype=float)
-    columns = {name: _column([row.get(name) for row in values], known.get(name)) for name in names if name not in whole}
+    columns: dict[str, Any] = {
+        name: _column([row.get(name) for row in values], known.get(name)) for name in names if name not in whole
+    }
     table = pd.DataFrame({name: column.set_axis(index) for name, column in columns.items()}, index=index)
     table.attrs["units"] = {name: unit for name in columns if (unit := unit_of(name))}
     return table

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bica.search.expression import Columns, Expression, columns_of
+from bica.search.expression import Columns, Expression, ExpressionError, columns_of
 from bica.search.game import Game
 
 #: Number of resamples of the bootstrap.
@@ -24,12 +24,12 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Compared:
-    """An expression of both on the same seeds, with intervals of the bootstrap over seeds."""
+    """An expression of both on the same seeds, with intervals of the bootstrap over seeds; None without a value."""
 
     text: str
-    default: Estimate
-    best: Estimate
-    #: Difference relative to the default, %, negative if the best is less; None if the default is zero.
+    default: Estimate | None
+    best: Estimate | None
+    #: Difference relative to the default, %, negative if the best is less; None if the default is zero or the best one.
     change: Estimate | None
 
 
@@ -38,7 +38,7 @@ def compare(expressions: list[Expression], default: list[Game], best: list[Game]
     seeds = sorted({game.seed for game in default} & {game.seed for game in best})
     sides = [_columns(games, seeds) for games in (default, best)]
     draws = np.random.default_rng(0).integers(0, len(seeds), (RESAMPLES, len(seeds)))
-    return [_compare(expression, sides, draws) for expression in expressions]
+    return [_compare(expression, sides, draws, default == best) for expression in expressions]
 
 
 def _columns(games: list[Game], seeds: list[int]) -> Columns:
@@ -49,24 +49,33 @@ def _columns(games: list[Game], seeds: list[int]) -> Columns:
     return {name: column.reshape(len(seeds), len(worlds)) for name, column in flat.items()}
 
 
-def _compare(expression: Expression, sides: list[Columns], draws: np.ndarray) -> Compared:
-    def value(columns: Columns, draw: np.ndarray) -> float:
-        return expression.value({name: column[draw] for name, column in columns.items()})
+def _compare(expression: Expression, sides: list[Columns], draws: np.ndarray, are_same: bool) -> Compared:
+    def value(columns: Columns) -> float:
+        try:
+            return expression.value(columns)
+        except ExpressionError:
+            return np.nan
 
-    samples = [[value(columns, draw) for columns in sides] for draw in draws]
+    resampled = ({name: column[draw] for name, column in columns.items()} for draw in draws for columns in sides)
     # The first row has the values themselves.
-    default, best = np.array([[expression.value(columns) for columns in sides], *samples]).T
-    change = _estimate(100 * (best - default) / np.abs(default)) if np.all(default != 0) else None
-    return Compared(expression.text, _estimate(default), _estimate(best), change)
+    default, best = np.array([value(columns) for columns in (*sides, *resampled)]).reshape(-1, 2).T
+    with np.errstate(all="ignore"):
+        change = 100 * (best - default) / np.abs(default)
+    return Compared(expression.text, _estimate(default), _estimate(best), None if are_same else _estimate(change))
 
 
-def _estimate(values: np.ndarray) -> Estimate:
-    return Estimate(float(values[0]), *map(float, np.quantile(values[1:], [0.025, 0.975])))
+def _estimate(values: np.ndarray) -> Estimate | None:
+    """Return the first value with the quantiles of the others; resamples without a value do not count."""
+    some = values[np.isfinite(values)]
+    if not np.isfinite(values[0]) or len(some) < 2:
+        return None
+    return Estimate(float(values[0]), *map(float, np.quantile(some[1:], [0.025, 0.975])))
 
 
 def shown(compared: Compared) -> str:
     """Return a comparison as a line of text."""
-    line = f"{compared.text}: default {compared.default.value:.4g}, best {compared.best.value:.4g}"
+    default, best = (f"{side.value:.4g}" if side else "without a value" for side in (compared.default, compared.best))
+    line = f"{compared.text}: default {default}, best {best}"
     if (change := compared.change) is None:
         return line
     return f"{line}, change {change.value:+.1f} % (95 % interval {change.low:+.1f} to {change.high:+.1f} %)"

@@ -23,11 +23,15 @@ class ExpressionError(BicaError):
     """An expression is wrong, or cannot be evaluated on these results."""
 
 
+class MissingValueError(ExpressionError):
+    """An expression has no finite value on these results; it may have one on others."""
+
+
 #: Functions with the number of their arguments.
 FUNCTIONS: dict[str, tuple[int, Callable[..., Any]]] = {
     **{name: (1, getattr(np, name)) for name in ("mean", "median", "std", "min", "max", "abs", "sqrt", "log")},
     "sum": (1, np.nansum),
-    "count": (1, lambda values: np.count_nonzero(np.nan_to_num(values))),
+    "count": (1, lambda values: np.float64(np.count_nonzero(np.nan_to_num(values)))),
     "share": (1, lambda values: np.mean(np.nan_to_num(values) != 0)),
     "quantile": (2, np.quantile),
     "least": (2, np.minimum),
@@ -80,7 +84,7 @@ class Expression:
         if value.size != 1:
             raise ExpressionError(f"`{self.text}` is a value for each game\n  help: aggregate them, as `mean({self.text})`")
         if not np.isfinite(value):
-            raise ExpressionError(f"`{self.text}` is {value.item()}\n  help: `otherwise(column, 120)` replaces missing values")
+            raise MissingValueError(f"`{self.text}` is {value.item()}\n  help: `otherwise(column, 120)` replaces missing values")
         return float(value.item())
 
 
@@ -93,11 +97,11 @@ class Constraint:
         if not isinstance(tree, ast.Compare) or len(tree.ops) != 1 or type(tree.ops[0]) not in VIOLATIONS:
             raise ExpressionError(f"`{text}` is no constraint\n  help: write one of <=, >= and ==, as `sum(falls) == 0`")
         self.left, right = (Expression(ast.unparse(side)) for side in (tree.left, tree.comparators[0]))
-        self._right, self._violation = right, VIOLATIONS[type(tree.ops[0])]
+        self.right, self._violation = right, VIOLATIONS[type(tree.ops[0])]
 
     def violation(self, columns: Columns) -> float:
         """Return by how much the constraint is violated; at most 0 if it holds."""
-        return self._violation(self.left.value(columns), self._right.value(columns))
+        return self._violation(self.left.value(columns), self.right.value(columns))
 
 
 def columns_of(games: Sequence[Mapping[str, Any]]) -> dict[str, np.ndarray]:

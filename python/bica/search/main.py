@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 from contextlib import closing
 
-from bica.parameters import Setting
+from bica.parameters import Setting, text
 from bica.search.blocks import Blocks
 from bica.search.comparison import Compared, compare, shown
 from bica.search.optimizer import Optimizer
-from bica.search.report import write_report
-from bica.search.search import Search
+from bica.search.report import NOTHING, write_report
+from bica.search.search import Search, check_columns
 from bica.search.spread import spread_to
 from bica.search.store import Store, default_url, say, url_of
 from bica.search.study import read_study
@@ -23,21 +23,26 @@ def search(args: argparse.Namespace) -> int:
     with closing(Store(url, study.name, say)) as store:
         if store.is_local:
             say(f"the store {url} is a SQLite file: for one process only; PostgreSQL is for all else")
-        optimizer = Optimizer(study, store)
+        for note in study.notes:
+            say(note)
         with closing(spread_to(args.address, args.workers)) as spread:
             blocks = Blocks(spread, store)
+            check_columns(study, blocks)
+            optimizer = Optimizer(study, store)
             Search(optimizer, blocks, say).run()
             best, compared = _compare(optimizer, blocks)
             facts = _facts(optimizer, blocks)
         for line in [*facts, *map(shown, compared)]:
             say(line)
+        if best == study.defaults:
+            say("the best candidate is the default")
         path = args.report or args.study.with_suffix(".html")
         write_report(path, optimizer, best, compared, facts)
         say(f"report: {path}")
     if not best:
-        say("no candidate met the constraints")
+        say(NOTHING)
         return 1
-    print(" ".join(f"--set {name}={value}" for name, value in best.items()))
+    print(" ".join(f"--set {name}={text(value)}" for name, value in best.items()))
     if args.write:
         say(study.program.write(args.write, best, args.force))
     return 0
@@ -59,12 +64,12 @@ def _compare(optimizer: Optimizer, blocks: Blocks) -> tuple[dict[str, Setting], 
 
 
 def _facts(optimizer: Optimizer, blocks: Blocks) -> list[str]:
-    games, ended = blocks.store.games(), optimizer.ended()
+    games, ended, study = blocks.store.games(), optimizer.ended(), optimizer.study
     pruned = sum(trial.state.name == "PRUNED" for trial in ended)
     refused = sum("refused" in trial.user_attrs for trial in optimizer.trials())
     failed = sum(game.error is not None for game in games)
     return [
-        f"{optimizer.study.sampler.kind}: {len(ended)} candidates, {pruned} of them pruned, {refused} failed",
+        f"{study.sampler.kind}: {len(ended)} candidates, {pruned} of them pruned, {refused} failed",
         f"{len(games)} games stored, {blocks.new_games} of them played by this run in {blocks.elapsed_s:.0f} s",
         f"{sum(len(game.repeated) for game in games)} tries of programs repeated, {failed} games failed in all tries, "
         f"{len(blocks.store.lost())} blocks lost and played again",

@@ -5,21 +5,18 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from functools import partial
-from typing import Any
 
 import optuna
 from optuna.distributions import BaseDistribution, CategoricalDistribution, FloatDistribution, IntDistribution
 from optuna.trial import FrozenTrial, Trial, TrialState
 
 from bica.errors import BicaError
-from bica.parameters import Setting, parsed
+from bica.parameters import Setting
 from bica.search.store import Store
 from bica.search.study import Range, Study
 
 #: What a violated constraint adds to an objective for CMA-ES, which has no constraints, per unit of the violation.
 CMA_PENALTY = 1000.0
-#: Digits of a searched number: a tune file stays readable.
-DIGITS = 4
 
 ENDED = (TrialState.COMPLETE, TrialState.PRUNED)
 
@@ -56,6 +53,10 @@ class Optimizer:
 
     def _check(self) -> None:
         stored = self._optuna.user_attrs.get("fingerprint")
+        if stored not in (None, self.study.fingerprint) and not self.ended():
+            # Nothing can be mixed: the study file was corrected before a candidate had ended.
+            self.store.patiently(lambda: optuna.delete_study(study_name=self.study.name, storage=self._optuna._storage))
+            self._optuna, stored = self.store.patiently(self._open), None
         if stored is None:
             self.store.patiently(lambda: self._optuna.set_user_attr("fingerprint", self.study.fingerprint))
         elif stored != self.study.fingerprint:
@@ -67,7 +68,8 @@ class Optimizer:
     def _resume(self) -> None:
         """Queue the default first, and anew what was being played: games that are stored are not played again."""
         if not self.trials():
-            self.store.patiently(lambda: self._optuna.enqueue_trial(self.study.defaults, skip_if_exists=True))
+            default = {name: spread.default for name, spread in self.study.parameters.items()}
+            self.store.patiently(lambda: self._optuna.enqueue_trial(default, skip_if_exists=True))
         for trial in self.trials():
             if trial.state == TrialState.RUNNING:
                 if len(trial.params) == len(self.study.parameters):
@@ -88,7 +90,7 @@ class Optimizer:
 
     def settings(self, trial: Trial | FrozenTrial) -> dict[str, Setting]:
         """Return the values of a candidate as the program takes them."""
-        return {name: _value(spread, trial.params[name]) for name, spread in self.study.parameters.items()}
+        return {name: spread.setting(trial.params[name]) for name, spread in self.study.parameters.items()}
 
     def report(self, trial: Trial, block: int, values: list[float], violations: Mapping[str, float]) -> bool:
         """Store the values after a block; returns whether the candidate should be pruned."""
@@ -98,8 +100,8 @@ class Optimizer:
         self.store.patiently(lambda: trial.report(value, block))
         return block + 1 >= self.study.prune_after and self.store.patiently(trial.should_prune)
 
-    def tell(self, trial: Trial, values: list[float], violations: Mapping[str, float], pruned: bool) -> None:
-        """End a candidate with its values."""
+    def tell(self, trial: Trial, values: list[float], violations: Mapping[str, float], pruned: bool, games: int = 0) -> None:
+        """End a candidate with its values over a number of games."""
 
         def describe() -> None:
             for name, violation in violations.items():
@@ -107,6 +109,7 @@ class Optimizer:
                     trial.set_constraint(name, violation)
             trial.set_user_attr("values", values)
             trial.set_user_attr("violation", _total(violations))
+            trial.set_user_attr("games", games)
 
         self.store.patiently(describe)
         if pruned:
@@ -116,7 +119,7 @@ class Optimizer:
             self.finish(trial.number, TrialState.COMPLETE, [value + penalty for value in values])
 
     def fail(self, trial: Trial, why: str) -> None:
-        """End a candidate that the program refuses."""
+        """End a candidate that the program refuses, or that has no value."""
         self.store.patiently(lambda: trial.set_user_attr("refused", why))
         self.finish(trial.number, TrialState.FAIL)
 
@@ -161,11 +164,3 @@ def distribution(spread: Range) -> BaseDistribution:
     if spread.kind == "f32":
         return FloatDistribution(spread.minimum, spread.maximum, log=spread.log)
     return IntDistribution(int(spread.minimum), int(spread.maximum), log=spread.log)
-
-
-def _value(spread: Range, value: Any) -> Setting:
-    if spread.variants:
-        return parsed(spread.kind, value)
-    if spread.kind != "f32":
-        return int(value)
-    return min(max(float(f"{value:.{DIGITS}g}"), spread.minimum), spread.maximum)

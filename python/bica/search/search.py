@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 from optuna.trial import Trial
@@ -11,9 +12,10 @@ from optuna.trial import Trial
 from bica.parameters import assignments
 from bica.program import ProgramError
 from bica.search.blocks import Blocks
-from bica.search.expression import columns_of
+from bica.search.expression import ExpressionError, MissingValueError, columns_of
 from bica.search.game import Game, Task
 from bica.search.optimizer import Optimizer
+from bica.search.study import Study
 
 
 @dataclass
@@ -27,6 +29,23 @@ class Candidate:
     running: set[Task] = field(default_factory=set)
     games: list[Game] = field(default_factory=list)
     steps: int = 0
+
+
+def check_columns(study: Study, blocks: Blocks) -> None:
+    """Evaluate all expressions on the default with the first seed; raises ExpressionError if one can have no value on any games."""
+    seed = study.search_seeds[0]
+    tasks = study.tasks(study.defaults, (seed,))
+    try:
+        study.program.call(["params", *assignments(study.defaults)])
+    except ProgramError:
+        # Its candidate fails with this reason.
+        return
+    blocks.play_all(tasks, lambda played, wanted: None)
+    played = [game.row() for game in blocks.store.games(tasks[0].candidate) if game.seed == seed and not game.error]
+    for expression in study.expressions if played else ():
+        with suppress(MissingValueError):
+            # Twice: a value for each game has to be two values.
+            expression.value(columns_of(played * 2))
 
 
 class Search:
@@ -79,10 +98,15 @@ class Search:
             self._candidates.remove(candidate)
             return
         if candidate.games:
-            values, violations = self._judge(candidate.games)
+            try:
+                values, violations = self._judge(candidate.games)
+            except ExpressionError as error:
+                self._fail(candidate.trial, str(error))
+                self._candidates.remove(candidate)
+                return
             pruned = self._optimizer.report(candidate.trial, candidate.steps - 1, values, violations) and bool(candidate.waiting)
             if pruned or not candidate.waiting:
-                self._optimizer.tell(candidate.trial, values, violations, pruned)
+                self._optimizer.tell(candidate.trial, values, violations, pruned, len(candidate.games))
                 self._candidates.remove(candidate)
                 self._ended += 1
                 self._progress(candidate, values, violations, pruned)

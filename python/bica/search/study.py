@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from bica.errors import BicaError
-from bica.parameters import Parameter, Setting
+from bica.parameters import Parameter, Setting, parsed, text
 from bica.program import Program
 from bica.search.expression import Constraint, Expression, ExpressionError
 from bica.search.game import Task, tasks_of
@@ -23,7 +24,10 @@ class StudyError(BicaError):
     """A study file is wrong."""
 
 
+#: Digits of a searched number: a tune file stays readable.
+DIGITS = 4
 Count = Annotated[int, Field(ge=1)]
+Number = Annotated[float, Field(allow_inf_nan=False)]
 #: A list of texts, or one of them.
 Texts = Annotated[tuple[str, ...], BeforeValidator(lambda value: tuple(value) if isinstance(value, list) else (value,))]
 
@@ -65,8 +69,8 @@ class _Pruning(_Table):
 
 
 class _RangeTable(_Table):
-    min: float | None = None
-    max: float | None = None
+    min: Number | None = None
+    max: Number | None = None
     log: bool = False
 
 
@@ -76,7 +80,7 @@ class _File(_Table):
     kind: str | None = None
     worlds: Texts = ()
     arguments: Texts = ()
-    timeout_s: float = 600.0
+    timeout_s: Annotated[Number, Field(gt=0)] = 600.0
     seeds: _SeedsTable
     objective: _Objective
     sampler: _Sampler = _Sampler()
@@ -93,6 +97,20 @@ class Range:
     maximum: float = 0.0
     log: bool = False
     variants: tuple[str, ...] = ()
+    default: Any = None
+
+    @property
+    def count(self) -> float:
+        """Number of different values."""
+        return len(self.variants) if self.variants else math.inf if self.kind == "f32" else self.maximum - self.minimum + 1
+
+    def setting(self, value: Any) -> Setting:
+        """Return a value of Optuna as the program takes it; the default is not rounded."""
+        if value == self.default:
+            value = self.default
+        elif self.kind == "f32":
+            value = min(max(float(f"{value:.{DIGITS}g}"), self.minimum), self.maximum)
+        return parsed(self.kind, value) if self.variants else value
 
 
 class Study:
@@ -100,7 +118,7 @@ class Study:
 
     def __init__(self, file: _File, path: Path, program: str | None) -> None:
         """Take what a file says; a program without a folder is looked for in PATH."""
-        own = str(path.parent / file.program) if file.program and "/" in file.program else file.program
+        own = str(path.absolute().parent / file.program) if file.program and "/" in file.program else file.program
         self.name = file.name or path.stem
         self.program = Program.find(program or own)
         self.described = self.program.params(kind=file.kind)
@@ -119,16 +137,32 @@ class Study:
         self._check()
 
     @property
-    def defaults(self) -> dict[str, Any]:
+    def defaults(self) -> dict[str, Setting]:
         """Values of the searched parameters without a search, within the ranges."""
-        return {name: _clamped(self.described[name].value, spread) for name, spread in self.parameters.items()}
+        return {name: spread.setting(spread.default) for name, spread in self.parameters.items()}
+
+    @property
+    def notes(self) -> list[str]:
+        """What a person should know before the search."""
+        count = math.prod(spread.count for spread in self.parameters.values())
+        is_small = count < self.sampler.candidates
+        return [f"the parameters have only {count:.0f} combinations, for {self.sampler.candidates} candidates"] if is_small else []
+
+    @property
+    def expressions(self) -> list[Expression]:
+        """All expressions: objectives, sides of constraints, and what is only reported."""
+        sides = [side for each in self.constraints for side in (each.left, each.right)]
+        return [*self.objectives, *sides, *self.reported]
 
     @property
     def fingerprint(self) -> str:
         """Hash of what makes the values of candidates comparable; the number of candidates is not part of it."""
         objective = [[each.text for each in self.objectives], [each.text for each in self.constraints]]
         seeds = [self.search_seeds, self.block, self.worlds, self.arguments]
-        ranges = {name: vars(spread) for name, spread in sorted(self.parameters.items())}
+        ranges = {
+            name: {key: value for key, value in vars(spread).items() if key != "default"}
+            for name, spread in sorted(self.parameters.items())
+        }
         text = json.dumps([objective, seeds, ranges, self.sampler.kind, self.program.digest])
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
@@ -144,10 +178,6 @@ class Study:
             raise StudyError("several objectives exclude cma-es and pruning\n  help: use nsga-ii")
         if is_cma and (choices := [name for name, spread in self.parameters.items() if spread.variants]):
             raise StudyError(f"cma-es needs numbers, and `{choices[0]}` is none\n  help: use tpe")
-
-
-def _clamped(value: Any, spread: Range) -> Any:
-    return value if spread.variants else min(max(value, spread.minimum), spread.maximum)
 
 
 def read_study(path: Path, program: str | None = None) -> Study:
@@ -171,11 +201,14 @@ def _range(name: str, table: _RangeTable, described: Mapping[str, Parameter]) ->
     if parameter.kind in ("bool", "choice"):
         if table != _RangeTable():
             raise StudyError(f"`{name}` is no number and has no range\n  help: write {{}}")
-        return Range(parameter.kind, variants=parameter.variants or ("false", "true"))
+        return Range(parameter.kind, variants=parameter.variants or ("false", "true"), default=text(parameter.value))
     low, high = parameter.minimum or 0.0, parameter.maximum or 0.0
     least, most = low if table.min is None else table.min, high if table.max is None else table.max
+    if parameter.kind != "f32":
+        least, most = math.ceil(least), math.floor(most)
     if not low <= least < most <= high:
         raise StudyError(f"the range of `{name}` has to be within {low:g} to {high:g}")
     if table.log and least <= 0:
         raise StudyError(f"a logarithmic range of `{name}` has to begin above 0")
-    return Range(parameter.kind, least, most, table.log)
+    kind = float if parameter.kind == "f32" else int
+    return Range(parameter.kind, least, most, table.log, default=kind(min(max(float(parameter.value), least), most)))
