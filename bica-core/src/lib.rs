@@ -92,7 +92,7 @@ pub use place::{Axis, Hint, Place};
 pub use probe::Probe;
 pub use rate::Rate;
 pub use stopwatch::Stopwatch;
-pub use tree::{Has, ParamsOf, Status, Tree};
+pub use tree::{Has, LoneMachine, ParamsOf, Status, Tree};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -29,6 +29,8 @@
 
 use core::marker::PhantomData;
 
+use embassy_time::Instant;
+
 use crate::component::Component;
 
 mod grid;
@@ -88,6 +90,12 @@ impl<C> Rate<C> {
     pub(crate) const fn period(&self) -> &Period {
         &self.period
     }
+}
+
+/// Returns the nominal instant of cycle `number`, from 0, of a tree with `cycle_hz` cycles a second whose clock begins at zero.
+#[must_use]
+pub fn instant_of_cycle(cycle_hz: f32, number: u64) -> Instant {
+    Instant::from_micros((number as f64 * 1e6 / cycle_hz as f64) as u64)
 }
 
 /// Returns the rate that a request gives.

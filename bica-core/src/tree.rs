@@ -22,6 +22,7 @@ pub(crate) mod cycle;
 pub(crate) mod cycle_state;
 pub(crate) mod engine;
 mod layout;
+mod lone_machine;
 mod operate;
 pub(crate) mod plan;
 pub(crate) mod steady;
@@ -30,6 +31,7 @@ mod visit;
 pub(crate) mod written;
 
 pub use layout::{Has, Layout, Member, MemberOf, ParamsOf};
+pub use lone_machine::LoneMachine;
 
 /// A tree of components, made by `activation_tree!`.
 ///

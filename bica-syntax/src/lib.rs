@@ -5,7 +5,7 @@
 //! macro `proc-macro2` with its feature `span-locations` gives the place of each in the text.
 
 pub mod component;
-mod number;
+pub mod number;
 pub mod params;
 pub mod plain_item;
 pub mod report;

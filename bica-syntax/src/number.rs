@@ -13,6 +13,12 @@ const TYPES: [&str; 15] =
 const UNITS: [(&str, f64); 8] =
     [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("ns", 1e-9), ("hz", 1.0), ("khz", 1e3), ("mhz", 1e6)];
 
+/// The rate that a text of the options or of a tree gives, such as `(30)` or `30_u32`; `None` if it is no finite number above zero.
+#[must_use]
+pub fn hertz(text: &str) -> Option<f32> {
+    positive(&syn::parse_str(text).ok()?, "hz", &mut Report::default())
+}
+
 /// A finite number above zero, whole or with a fraction; `None` with a mistake reported if it is not.
 pub(crate) fn positive(value: &Expr, key: &str, report: &mut Report) -> Option<f32> {
     let problem = match literal(value) {

@@ -29,6 +29,11 @@ impl Policy {
         };
         Self { initial, resume, tolerance }
     }
+
+    /// Index of the initial state of a state machine.
+    pub(crate) const fn initial(&self) -> usize {
+        self.initial as usize
+    }
 }
 
 /// Times, in clock ticks, state and activation of one component.
@@ -113,6 +118,12 @@ impl ComponentState {
             return Duration::from_ticks(0);
         }
         Duration::from_ticks(now - entered)
+    }
+
+    /// Whether the component has been in its state for at least `ms` milliseconds.
+    #[inline]
+    pub(crate) fn has_been_in_state(&self, ms: u32, now: Instant) -> bool {
+        self.in_state(now) >= Duration::from_millis(ms as u64)
     }
 
     /// Returns when the state was entered; `None` if the component was never active.

@@ -1,6 +1,6 @@
 //! One cycle of a tree: what is visited, what is due, what starts and what stops.
 
-use embassy_time::{Duration, Instant};
+use embassy_time::Instant;
 
 use super::borrow::{BorrowSet, ExclusiveStore, Write};
 use super::component_state::Policy;
@@ -244,7 +244,7 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
     where
         T: Has<C>,
     {
-        self.store.component_state::<C>().in_state(self.now()) >= Duration::from_millis(ms as u64)
+        self.store.component_state::<C>().has_been_in_state(ms, self.now())
     }
 
     /// The condition of a transition of the state machine `C` was evaluated. Returns whether it holds.

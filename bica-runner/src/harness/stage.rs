@@ -2,7 +2,8 @@
 
 use core::fmt::Debug;
 
-use bica_core::{Duration, Instant, Tree};
+use bica_core::rate::instant_of_cycle;
+use bica_core::{Instant, Tree};
 
 use super::History;
 use crate::robot::Robot;
@@ -21,19 +22,19 @@ pub trait Stage<T> {
 /// Ticks on a regular grid without a world.
 #[derive(Clone, Copy, Debug)]
 pub struct Ticks {
-    hz: f64,
+    hz: f32,
     number: u64,
 }
 
 impl Ticks {
     pub(super) const fn new(hz: f32) -> Self {
-        Self { hz: hz as f64, number: 0 }
+        Self { hz, number: 0 }
     }
 }
 
 impl<T: Tree> Stage<T> for Ticks {
     fn now(&self) -> Instant {
-        Instant::MIN + Duration::from_micros((self.number as f64 * 1e6 / self.hz) as u64)
+        instant_of_cycle(self.hz, self.number)
     }
 
     fn cycle(&mut self, tree: &mut T, history: &mut History) {

@@ -60,11 +60,14 @@ function add(...more) {
 const run = (ms) => add({ run: Math.max(1, Math.ceil(ms)) });
 const period = () => (trial.value?.period_us ?? 10_000) / 1000;
 
+/** Time to just after the next run, ms. */
+const toRun = () => (trial.value ? Math.floor(trial.value.next_run_us / 1000) + 1 - Math.ceil(trial.value.now_us / 1000) : 10);
+
 /** Switches a condition and lets the machine run once. */
 export function toggle(condition) {
   const now = trial.value;
   if (!now || !(condition in now.switches)) return;
-  add({ switch: { condition, on: !now.switches[condition] } }, ...(runs.value ? [] : [{ run: Math.ceil(period()) }]));
+  add({ switch: { condition, on: !now.switches[condition] } }, ...(runs.value ? [] : [{ run: toRun() }]));
 }
 
 /** Goes back to the moment after a state was entered. */
@@ -72,7 +75,7 @@ function back({ step, from_us }) {
   const before = steps.value.slice(0, step);
   const begun = before.reduce((sum, one) => sum + (one.run ?? 0), 0);
   runs.value = false;
-  steps.value = from_us === 0 ? [] : [...before, { run: Math.max(1, Math.ceil(from_us / 1000 - begun + period())) }];
+  steps.value = from_us === 0 ? [] : [...before, { run: Math.max(1, Math.floor(from_us / 1000) + 1 - begun) }];
 }
 
 /** Number of visits and time by state, and number of times that each way was taken. */
@@ -124,7 +127,7 @@ function Time({ now }) {
   const least = Math.min(...(next.length > 0 ? next : waiting));
   return html`<div class="join time-row"><b class="clock-text">${seconds(now.now_us)}</b>
     <button class=${runs.value ? 'on' : 'primary'} onClick=${() => { runs.value = !runs.value; }}>${runs.value ? 'Stop' : 'Run'}</button>
-    <button onClick=${() => run(period())} title="One run of the component">Step ${duration(now.period_us)}</button><button onClick=${() => run(1000)}>+1 s</button>
+    <button onClick=${() => run(toRun())} title="One run of the component">Step ${duration(now.period_us)}</button><button onClick=${() => run(1000)}>+1 s</button>
     <button disabled=${!Number.isFinite(least)} title="Until the next timer has expired" onClick=${() => run(least / 1000 + period())}>To timer</button></div>`;
 }
 

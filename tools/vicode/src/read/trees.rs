@@ -1,5 +1,7 @@
 //! Activation trees of a text.
 
+use bica_syntax::number::hertz;
+
 use super::{Kind, Token, lexed};
 
 /// A tree as its `activation_tree!` declares it. Any text is read, also a macro that declares a tree.
@@ -25,10 +27,13 @@ pub fn trees(text: &str) -> Vec<TreeSource> {
 fn tree(code: &[Token<'_>]) -> Option<TreeSource> {
     let after = |word: &str| Some(&code[code.iter().position(|token| token.is(word))? + 1..]);
     let name = after("struct")?.first()?.text.to_owned();
-    let hz = after("cycle_hz").and_then(|rest| rest.get(1)?.text.replace('_', "").parse::<f64>().ok());
+    let hz = after("cycle_hz").and_then(|rest| {
+        let value = rest.get(1..)?.split(|token| token.text == ",").next()?;
+        hertz(&value.iter().map(|token| token.text).collect::<String>())
+    });
     let list = after("components").and_then(|rest| rest.get(2..)).unwrap_or_default();
     let names = within(list).iter().filter(|token| token.kind == Kind::Word).map(|token| token.text.to_owned());
-    Some(TreeSource { name, cycle_hz: hz.filter(|hz| *hz > 0.0).unwrap_or(100.0), components: names.collect() })
+    Some(TreeSource { name, cycle_hz: hz.map_or(100.0, f64::from), components: names.collect() })
 }
 
 /// The tokens before the bracket that closes.

@@ -1,14 +1,16 @@
 //! A machine tried without its program: conditions are switches, timers run.
 //!
-//! A trial is a list of [`Step`]s; [`Trial::run`] evaluates it from the beginning, by the rules of the framework for one component that is
-//! always active: it runs at its rate, first when it becomes active; in each run the transitions of the state are tried in their order,
-//! those whose time has not come are left out, and at most one is taken. Code of states, hooks and children does not run.
+//! A trial is a list of [`Step`]s; [`Trial::run`] evaluates it from the beginning, by the code that runs trees
+//! ([`bica_core::LoneMachine`]), for one component that is active from the first cycle on. Code of states, hooks and children does not run.
 
 mod place;
 mod skeleton;
 
 use std::collections::BTreeMap;
 
+use bica_core::rate::instant_of_cycle;
+use bica_core::{Instant, LoneMachine, graph};
+use bica_syntax::number::hertz;
 use serde::{Deserialize, Serialize};
 
 pub use self::place::{Place, Tree};
@@ -42,14 +44,18 @@ pub enum Step {
 pub struct Trial {
     /// Time since the machine became active, µs.
     pub now_us: u64,
-    /// Time between two runs, µs.
+    /// Mean time between two runs, µs.
     pub period_us: u64,
+    /// Time of the next run, µs.
+    pub next_run_us: u64,
     /// The stay in each state, the current one at the end. The first one begins with the first run.
     pub visits: Vec<Visit>,
     /// Ways out of the current state, in the order in which they are tried.
     pub ways: Vec<Way>,
     /// Whether each condition holds.
     pub switches: BTreeMap<String, bool>,
+    #[serde(skip)]
+    cycle_hz: f32,
 }
 
 /// A stay in a state.
@@ -109,12 +115,14 @@ impl Trial {
 struct Machine {
     names: Vec<String>,
     edges: Vec<Edge>,
-    period: f64,
-    /// Number of runs so far.
-    runs: u64,
+    /// The edges, for the machine.
+    transitions: Vec<graph::Transition>,
+    lone: LoneMachine,
+    cycle_hz: f32,
+    hz: f32,
+    /// Number of the next cycle.
+    cycle: u64,
     now: u64,
-    state: usize,
-    entered: u64,
     switches: BTreeMap<String, bool>,
     visits: Vec<Visit>,
 }
@@ -125,31 +133,49 @@ impl Machine {
         let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
         let first =
             names.get(initial).ok_or_else(|| format!("`{}` has no states: there is nothing to try", component.key))?;
-        let own =
-            component.options.get("hz").and_then(|one| one.value.as_ref()?.text.replace('_', "").parse::<f64>().ok());
-        // A component runs at most once in a cycle.
-        let hz = own.filter(|hz| *hz > 0.0 && *hz < cycle_hz).unwrap_or(cycle_hz);
+        let cycle_hz = cycle_hz as f32;
+        let own = component.options.get("hz").and_then(|one| hertz(&one.value.as_ref()?.text));
+        // The compiler refuses a component that is faster than its tree.
+        let own = own.filter(|hz| *hz <= cycle_hz);
         let visits = vec![Visit { state: first.clone(), from_us: 0, us: 0, by: None, step: 0 }];
         let is_always = |function: &Function| function.body.is_some_and(|body| on_one_line(body.of(text)) == "true");
         let conditions = component.transitions.iter().map(|one| &one.function);
         let switches = conditions.map(|one| (one.name.text.clone(), is_always(one))).collect();
         let edges = Graph::of(component).edges;
-        Ok(Self { names, edges, period: 1e6 / hz, runs: 0, now: 0, state: initial, entered: 0, switches, visits })
+        let transition = |edge: &Edge| graph::Transition {
+            name: "",
+            doc: "",
+            from: edge.from,
+            to: edge.to,
+            after_ms: edge.after_ms,
+        };
+        Ok(Self {
+            transitions: edges.iter().map(transition).collect(),
+            lone: LoneMachine::new(cycle_hz, own, initial),
+            hz: own.unwrap_or(cycle_hz),
+            cycle: 0,
+            now: 0,
+            names,
+            edges,
+            cycle_hz,
+            switches,
+            visits,
+        })
     }
 
-    /// Lets time pass, with the runs in it.
+    /// Instant of the next cycle.
+    fn next(&self) -> Instant {
+        instant_of_cycle(self.cycle_hz, self.cycle)
+    }
+
+    /// Lets time pass, with the cycles in it.
     fn advance(&mut self, us: u64, step: usize) -> Result<(), String> {
         let end = self.now + us;
         if end > LONGEST {
             return Err("a trial lasts at most an hour: start over".to_owned());
         }
-        loop {
-            let next = (self.runs as f64 * self.period) as u64;
-            if next >= end {
-                break;
-            }
-            (self.now, self.runs) = (next, self.runs + 1);
-            self.decide(step);
+        while self.next().as_micros() < end {
+            self.run_cycle(step);
             if self.visits.len() > MOST_TRANSITIONS {
                 return Err(format!(
                     "a trial has at most {MOST_TRANSITIONS} transitions: switch a condition off, or start over"
@@ -160,36 +186,44 @@ impl Machine {
         Ok(())
     }
 
-    /// One run: the first transition of the state whose time has come and whose condition holds is taken.
-    fn decide(&mut self, step: usize) {
-        let stayed = self.now - self.entered;
-        let is_taken = |edge: &&Edge| {
-            edge.from == self.state
-                && edge.after_ms.is_none_or(|ms| stayed >= u64::from(ms) * 1000)
-                && self.switches.get(&edge.name) == Some(&true)
-        };
-        let Some(edge) = self.edges.iter().find(is_taken) else { return };
+    fn run_cycle(&mut self, step: usize) {
+        let at = self.next();
+        self.cycle += 1;
+        let holds = |index: usize| self.switches.get(&self.edges[index].name) == Some(&true);
+        let Some(taken) = self.lone.tick(at, &self.transitions, holds).flatten() else { return };
+        let from_us = at.as_micros();
         if let Some(last) = self.visits.last_mut() {
-            last.us = stayed;
+            last.us = from_us - last.from_us;
         }
-        (self.state, self.entered) = (edge.to, self.now);
-        let (state, by) = (self.names[edge.to].clone(), Some(edge.name.clone()));
-        self.visits.push(Visit { state, from_us: self.now, us: 0, by, step });
+        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].name.clone()));
+        self.visits.push(Visit { state, from_us, us: 0, by, step });
     }
 
     fn trial(mut self) -> Trial {
-        let stayed = self.now - self.entered;
+        let state = self.lone.state();
+        let stayed = self.lone.in_state(Instant::from_micros(self.now)).as_micros();
         if let Some(last) = self.visits.last_mut() {
-            last.us = stayed;
+            last.us = self.now - last.from_us;
         }
-        let ways = self.edges.iter().filter(|edge| edge.from == self.state).map(|edge| Way {
+        let ways = self.edges.iter().filter(|edge| edge.from == state).map(|edge| Way {
             condition: edge.name.clone(),
             to: self.names[edge.to].clone(),
             on: self.switches.get(&edge.name) == Some(&true),
             remaining_us: edge.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
         });
-        let (ways, period_us) = (ways.collect(), self.period.round() as u64);
-        Trial { now_us: self.now, period_us, visits: self.visits, ways, switches: self.switches }
+        let ways = ways.collect();
+        while self.next().as_micros() < LONGEST && self.lone.tick(self.next(), &[], |_| false).is_none() {
+            self.cycle += 1;
+        }
+        Trial {
+            now_us: self.now,
+            period_us: (1e6 / f64::from(self.hz)).round() as u64,
+            next_run_us: self.next().as_micros(),
+            visits: self.visits,
+            ways,
+            switches: self.switches,
+            cycle_hz: self.cycle_hz,
+        }
     }
 }
 

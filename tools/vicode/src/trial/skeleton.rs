@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
+use bica_core::rate::instant_of_cycle;
+
 use super::place::base;
-use super::{Place, Step, Trial, Visit, on_one_line};
+use super::{Place, Step, Trial, on_one_line};
 use crate::model::{Component, LinkKind};
 
 /// Most states in the name of a test.
@@ -26,25 +28,54 @@ impl Trial {
             imports.join("\n"),
             self.test_name(),
         );
-        let mut switched = 0;
-        let cycle = place.tree.as_ref().map_or(self.period_us, |tree| (1e6 / tree.cycle_hz) as u64);
-        for (index, visit) in self.visits.iter().enumerate() {
-            if index > 0 {
-                for step in &steps[switched..visit.step] {
-                    comment(&mut out, component, text, step);
+        // Number of the next cycle.
+        let (mut next, mut now, mut state) = (0, 0, self.visits[0].state.as_str());
+        let mut entered = self.visits.iter().skip(1).peekable();
+        let limit = milliseconds(2 * self.period_us.max(self.instant(1)));
+        let timed = steps.iter().rposition(|step| matches!(step, Step::Run(_))).map_or(0, |last| last + 1);
+        for (number, step) in steps[..timed].iter().enumerate() {
+            comment(&mut out, component, text, step);
+            let Step::Run(ms) = step else { continue };
+            now += u64::from(*ms) * 1000;
+            while let Some(visit) = entered.next_if(|visit| visit.step == number) {
+                // Whether a state was entered anew does not show in its name.
+                if visit.state == state {
+                    continue;
                 }
-                switched = visit.step;
-                let limit = milliseconds(2 * self.period_us.max(cycle));
-                writeln!(out, "    test.reaches::<{name}>(\"{}\", Duration::from_millis({limit}));", visit.state)
+                let cycle = self.first_cycle(visit.from_us);
+                self.stays(&mut out, (name, state), next, cycle);
+                state = &visit.state;
+                writeln!(out, "    test.reaches::<{name}>(\"{state}\", Duration::from_millis({limit}));")
                     .unwrap_or_default();
+                next = cycle + 1;
             }
-            let stay = milliseconds(stay(visit, index, cycle));
-            if stay > 0 {
-                writeln!(out, "    test.stays::<{name}>(\"{}\", Duration::from_millis({stay}));", visit.state)
-                    .unwrap_or_default();
-            }
+            let end = self.first_cycle(now);
+            self.stays(&mut out, (name, state), next, end);
+            next = next.max(end);
         }
         out + "}\n"
+    }
+
+    /// Time of a cycle, µs.
+    fn instant(&self, cycle: u64) -> u64 {
+        instant_of_cycle(self.cycle_hz, cycle).as_micros()
+    }
+
+    /// The first cycle that is not before a time, µs.
+    fn first_cycle(&self, us: u64) -> u64 {
+        let near = (us as f64 * f64::from(self.cycle_hz) / 1e6) as u64;
+        (near.saturating_sub(1)..near + 2).find(|cycle| self.instant(*cycle) >= us).unwrap_or(near)
+    }
+
+    /// The cycles from `next` to before `end` in a state.
+    fn stays(&self, out: &mut String, (name, state): (&str, &str), next: u64, end: u64) {
+        if next >= end {
+            return;
+        }
+        let [last, after] = [end - 1, end].map(|cycle| self.instant(cycle) - self.instant(next));
+        let whole = milliseconds(after);
+        let stay = if whole * 1000 > last { format!("millis({whole})") } else { format!("micros({after})") };
+        writeln!(out, "    test.stays::<{name}>(\"{state}\", Duration::from_{stay});").unwrap_or_default();
     }
 
     fn test_name(&self) -> String {
@@ -56,11 +87,6 @@ impl Trial {
         }
         names.join("_then_")
     }
-}
-
-/// Time in a state after the cycle in which it was entered, µs.
-const fn stay(visit: &Visit, index: usize, cycle: u64) -> u64 {
-    if index == 0 { visit.us } else { visit.us.saturating_sub(cycle) }
 }
 
 const fn milliseconds(us: u64) -> u64 {
