@@ -39,6 +39,9 @@ effect(() => {
 
 const takenBy = (now, arrow) => now.transitions.filter((one) => one.name === arrow.name && one.to === arrow.to && (arrow.any || one.from === arrow.from)).reduce((sum, one) => sum + one.taken, 0);
 
+/** Whether states show that an arrow was taken: one to its own state changes none. */
+const isSeen = ({ from, to, any }) => any || from !== to;
+
 /** Writes the coverage onto the drawing. */
 export function writeCoverage() {
   const now = coverage.value;
@@ -47,6 +50,7 @@ export function writeCoverage() {
     const found = now.states.find(({ name }) => name === state.name);
     return found?.visits > 0 ? { flags: ['visited'], text: countText(found) } : { flags: ['unvisited'], text: '' };
   }, (arrow) => {
+    if (!isSeen(arrow)) return { flags: [], count: 0, text: 'not known' };
     const count = takenBy(now, arrow);
     return { flags: [count > 0 ? 'visited' : 'unvisited'], count, text: '' };
   });
@@ -58,9 +62,9 @@ function ways(now) {
   const found = new Map();
   for (const arrow of machine.value.arrows) {
     const key = `${arrow.name} ${arrow.to}`;
-    const known = found.get(key) ?? { key: arrow.key, name: arrow.name, to: arrow.to, taken: 0, or: new Set() };
+    const known = found.get(key) ?? { key: arrow.key, name: arrow.name, to: arrow.to, taken: isSeen(arrow) ? 0 : null, or: new Set() };
     for (const one of now.transitions.filter(({ name, from, to, taken }) => taken > 0 && name === arrow.name && to === arrow.to && (arrow.any || from === arrow.from))) one.or.forEach((name) => known.or.add(name));
-    found.set(key, { ...known, taken: known.taken + takenBy(now, arrow) });
+    found.set(key, { ...known, taken: isSeen(arrow) ? known.taken + takenBy(now, arrow) : known.taken });
   }
   return [...found.values()];
 }
@@ -74,10 +78,10 @@ export function CoverageSide() {
   const all = ways(now);
   const missed = [...now.states.filter(({ visits }) => visits === 0).map(({ name }) => stateKey(name)), ...all.filter(({ taken }) => taken === 0).map(({ key }) => key)];
   const next = () => focusOn(missed[(missed.indexOf(selection.value.at(-1)) + 1) % missed.length]);
-  return html`<p class="now" role="status"><b>${now.states.filter(({ visits }) => visits > 0).length} of ${now.states.length} states</b>, <b>${all.filter(({ taken }) => taken > 0).length} of ${all.length} transitions</b> <span class="dim">· ${seconds(now.us)} of ${session.value.info.value.name}</span></p>
+  return html`<p class="now" role="status"><b>${now.states.filter(({ visits }) => visits > 0).length} of ${now.states.length} states</b>, <b>${all.filter(({ taken }) => taken > 0).length} of ${all.filter(({ taken }) => taken !== null).length} transitions</b> <span class="dim">· ${seconds(now.us)} of ${session.value.info.value.name}</span></p>
     <div class="join"><button disabled=${missed.length === 0} onClick=${next}>Next not visited</button></div>
     <table class="counts"><thead><tr><th>State</th><th class="n">visits</th><th class="n">time</th><th class="n">longest</th></tr></thead><tbody>${now.states.map((one) => html`<tr class=${one.visits > 0 ? '' : 'missed'}><td><button class="name" onClick=${() => focusOn(stateKey(one.name))}>${one.name}</button></td><td class="n">${one.visits || '–'}</td><td class="n">${one.visits ? seconds(one.us) : ''}</td><td class="n">${one.visits ? seconds(one.longest_us) : ''}</td></tr>`)}</tbody></table>
-    <table class="counts"><thead><tr><th>Transition</th><th class="n">taken</th></tr></thead><tbody>${all.map(({ key, name, to, taken, or }) => html`<tr class=${taken > 0 ? '' : 'missed'}><td><button class="name" onClick=${() => focusOn(key)}>${name}</button> <span class="dim">→ ${to}${or.size > 0 ? ` (or ${[...or].join(', ')})` : ''}</span></td><td class="n">${taken || '–'}</td></tr>`)}</tbody></table>
+    <table class="counts"><thead><tr><th>Transition</th><th class="n">taken</th></tr></thead><tbody>${all.map(({ key, name, to, taken, or }) => html`<tr class=${taken === 0 ? 'missed' : ''}><td><button class="name" onClick=${() => focusOn(key)}>${name}</button> <span class="dim">→ ${to}${or.size > 0 ? ` (or ${[...or].join(', ')})` : ''}</span></td><td class="n" title=${taken === null ? 'It leads to the state that it leaves: states do not show it' : ''}>${taken === null ? 'not known' : taken || '–'}</td></tr>`)}</tbody></table>
     ${now.unknown.length > 0 && html`<p class="warn">Not in this source: ${now.unknown.join(', ')}</p>`}`;
 }
 

@@ -101,8 +101,9 @@ pub struct TransitionCoverage {
     pub to: String,
     /// Whether its attribute names all states by `*`.
     pub any: bool,
-    /// Number of changes from the one state to the other.
-    pub taken: u64,
+    /// Number of changes from the one state to the other; `None` of a transition to the state that it leaves, which samples of states
+    /// do not show.
+    pub taken: Option<u64>,
     /// Other transitions between the same states: which of them was taken is not known.
     pub or: Vec<String>,
 }
@@ -119,7 +120,8 @@ impl Coverage {
             let [from, to] = [edge.from, edge.to].map(|state| names[state].to_owned());
             let same = edges.iter().filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.name != edge.name);
             let or = same.map(|one| one.name.clone()).collect();
-            let taken = visits.ways.get(&(from.clone(), to.clone())).copied().unwrap_or_default();
+            let count = |from: &str| visits.ways.get(&(from.to_owned(), to.clone())).copied().unwrap_or_default();
+            let taken = (from != to).then(|| count(&from));
             TransitionCoverage { name: edge.name.clone(), from, to, any: edge.from_any, taken, or }
         });
         Self {
@@ -138,12 +140,12 @@ impl Coverage {
         self.states.iter().filter(|state| state.stays.visits > 0).count()
     }
 
-    /// Number of conditions that led to another state, and of all. Of several between the same states all count.
+    /// Number of conditions that led to another state, and of all that can. Of several between the same states all count.
     #[must_use]
     pub fn taken(&self) -> (usize, usize) {
         let names = |is_counted: &dyn Fn(&&TransitionCoverage) -> bool| {
             self.transitions.iter().filter(is_counted).map(|one| &one.name).collect::<BTreeSet<_>>().len()
         };
-        (names(&|one| one.taken > 0), names(&|_| true))
+        (names(&|one| one.taken > Some(0)), names(&|one| one.taken.is_some()))
     }
 }

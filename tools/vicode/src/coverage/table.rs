@@ -39,8 +39,12 @@ impl Display for Coverage {
         let wide = rows.iter().map(|(name, ..)| name.len()).max().unwrap_or(0).max(10);
         writeln!(f, "\n{:wide$}  taken", "transition")?;
         for (name, taken, from) in rows {
-            let number = if taken == 0 { "-".to_owned() } else { taken.to_string() };
+            let number = taken
+                .map_or_else(|| "?".to_owned(), |taken| if taken == 0 { "-".to_owned() } else { taken.to_string() });
             writeln!(f, "{name:wide$}  {number:>5}{from}")?;
+        }
+        if self.transitions.iter().any(|one| one.taken.is_none()) {
+            writeln!(f, "\n? leads to the state that it leaves: recorded states do not show it")?;
         }
         if !self.unknown.is_empty() {
             writeln!(f, "\nnot in this source: {}", self.unknown.join(", "))?;
@@ -51,7 +55,7 @@ impl Display for Coverage {
 
 impl Coverage {
     /// Name with target, number, and sources of each transition, those of one name to one state together.
-    fn rows(&self) -> Vec<(String, u64, String)> {
+    fn rows(&self) -> Vec<(String, Option<u64>, String)> {
         let mut groups: Vec<Vec<&TransitionCoverage>> = Vec::new();
         for one in &self.transitions {
             match groups.iter_mut().find(|group| (&group[0].name, &group[0].to) == (&one.name, &one.to)) {
@@ -63,23 +67,29 @@ impl Coverage {
     }
 }
 
-fn row(group: &[&TransitionCoverage]) -> (String, u64, String) {
+fn row(group: &[&TransitionCoverage]) -> (String, Option<u64>, String) {
     let first = group[0];
     let from =
         if first.any { "*".to_owned() } else { group.iter().map(|one| &*one.from).collect::<Vec<_>>().join(" | ") };
     let mut notes = String::new();
     if group.len() > 1 {
-        let taken = group.iter().filter(|one| one.taken > 0).map(|one| format!("{} {}", one.from, one.taken));
+        let counted =
+            group.iter().filter_map(|one| one.taken.filter(|taken| *taken > 0).map(|taken| (&one.from, taken)));
+        let taken = counted.map(|(from, taken)| format!("{from} {taken}"));
         notes = taken.collect::<Vec<_>>().join(", ");
     }
     let mut or: Vec<&str> =
-        group.iter().filter(|one| one.taken > 0).flat_map(|one| &one.or).map(String::as_str).collect();
+        group.iter().filter(|one| one.taken > Some(0)).flat_map(|one| &one.or).map(String::as_str).collect();
     or.dedup();
     let mut text = if notes.is_empty() { String::new() } else { format!("  from {notes}") };
     if !or.is_empty() {
         write!(text, "  or {}", or.join(", ")).unwrap_or_default();
     }
-    (format!("{}: {from} -> {}", first.name, first.to), group.iter().map(|one| one.taken).sum(), text)
+    (
+        format!("{}: {from} -> {}", first.name, first.to),
+        group.iter().filter_map(|one| one.taken).reduce(|sum, taken| sum + taken),
+        text,
+    )
 }
 
 fn seconds(us: u64) -> String {
