@@ -1,6 +1,6 @@
 // The designer: a component's states and transitions, drawn and edited.
 
-import { effect, html, useEffect, useLayoutEffect, useMemo, useRef, useSignal } from '../lib/dom.js';
+import { effect, html, useEffect, useLayoutEffect, useMemo, useRef, useSignal, useState } from '../lib/dom.js';
 import { on } from '../lib/listen.js';
 import { hello, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
@@ -69,16 +69,19 @@ function Canvas({ machine: own, isStale, search, visible }) {
   /** Whether the focus is moved by the page, and not by a person. */
   const follows = useRef(false);
   const before = useRef(mode.value);
-  // Drawn from the machine and the places; kept while only the selection changes.
+  const shown = `${openedFile.value} ${own.name}`;
+  const [isReady, setReady] = useState(false);
+  useMemo(() => stage.begin(own), [shown, isReady]);
+  // Drawn from the machine and the places, once the size is known; kept while only the selection changes.
   const look = stage.look.value;
-  useMemo(() => stage.take(own, positions.value, notes.value), [own, positions.value, notes.value, look]);
+  useMemo(() => isReady && stage.take(own, positions.value, notes.value), [own, positions.value, notes.value, look, isReady]);
   const chosen = new Set(selection.value);
   const text = search.value.trim().toLowerCase();
   const found = (name) => (text === '' ? null : name.toLowerCase().includes(text));
-  const shown = `${openedFile.value} ${own.name}`;
 
   useLayoutEffect(() => {
     view.attach(svg.current, layer.current);
+    setReady(true);
     const observer = new ResizeObserver(() => {
       if (!view.resize()) return;
       if (view.whole) stage.fit();
@@ -88,7 +91,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
     const ends = [on(svg.current, { wheel }, { passive: false }), () => observer.disconnect()];
     return () => ends.forEach((end) => end());
   }, []);
-  useLayoutEffect(() => stage.fit(), [shown]);
+  useLayoutEffect(() => { if (isReady) stage.fit(); }, [shown, isReady]);
   // The drawing of both versions comes after its legend, with which the panel gets another size.
   useLayoutEffect(() => { if (view.whole) stage.fit(); }, [stage.notes.length, mode.value === 'diff' && own.states.length]);
   useLayoutEffect(() => stage.settle(), [look]);
@@ -98,7 +101,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
     svg.current.classList.toggle('names', view.isAutomatic && look.level === NAMES);
     svg.current.classList.toggle('brief', view.isAutomatic && look.level > ALL);
     write();
-    for (const [key, element] of stage.elements) {
+    for (const [key, element] of [...stage.elements, ...stage.labels]) {
       element.classList.toggle('wrong', marked.value.get(key) === 'error');
       element.classList.toggle('warned', marked.value.get(key) === 'warning');
     }
@@ -130,7 +133,7 @@ function Canvas({ machine: own, isStale, search, visible }) {
   return html`<div class="machine-canvas fill">
     <svg class=${`machine use-${mode.value} ${own.arrows.length > MANY && selection.value.length > 0 ? 'many' : ''} ${isStale ? 'stale' : ''}`} ref=${svg} tabindex="0" role="group" aria-label=${`States of ${own.name}`} onPointerDown=${press} onDblClick=${doubleClick} onFocusIn=${focused}>
       <${Tips} /><rect class="grid" width="100%" height="100%" fill="url(#grid)" />
-      <g ref=${layer} data-layer="1"><${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} /><${Notes} chosen=${chosen} /><${Sketch} /></g>
+      <g ref=${layer} data-layer="1">${isReady && html`<${Drawn} ...${{ machine: own, chosen, found, stops: stopKeys.value }} />`}<${Notes} chosen=${chosen} /><${Sketch} /></g>
     </svg>
     ${own.states.length === 0 && html`<${Blank} machine=${own} />`}
     <${NameField} view=${view} /><${Minimap} chosen=${chosen} />

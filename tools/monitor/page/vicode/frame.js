@@ -38,22 +38,21 @@ export function Tools({ search }) {
   const several = chosenStates().length > 1;
   return html`<${Bar} label="Designer"><${Trail} />
     ${components.length > 1 && html`<select aria-label="Component of the file" onChange=${(event) => { component.value = event.target.value; choose([]); }}>${components.map(({ key }) => html`<option value=${key} selected=${key === component.value}>${key}</option>`)}</select>`}
-    ${own && html`<span class="dim file" title=${own.file}>${own.file}</span>`}
-    <button onClick=${createComponent} disabled=${!hello.value?.source} title="A new component from a blank canvas">New…</button>
+    ${own && html`<span class="dim file wide" title=${own.file}>${own.file}</span>`}
     ${own && html`<button aria-label="Undo" title="Undo (Ctrl+Z)" onClick=${undo}>↶</button><button aria-label="Redo" title="Make it again (Ctrl+Shift+Z)" onClick=${redo}>↷</button>
     <input class="machine-search" type="search" placeholder="Search ( / )" aria-label="Search states and transitions" value=${search.value} onInput=${(event) => { search.value = event.target.value; }} onKeyDown=${next} />
     ${search.value && html`<span class="dim" role="status">${matching(search.value).length} found</span>`}
-    ${several && html`<span class="join" role="group" aria-label="Align">
-      <button title="One column: centres below each other" onClick=${() => align('x')}>Column</button><button title="One row: centres beside each other" onClick=${() => align('y')}>Row</button>
-      <button title="Same distances from left to right" onClick=${() => align('across')}>Spread ↔</button><button title="Same distances from top to bottom" onClick=${() => align('down')}>Spread ↕</button></span>`}
     <${Menu} label="More" title="More: notes, layout and pictures">
+      <button class="item" onClick=${createComponent} disabled=${!hello.value?.source} title="A new component from a blank canvas">New component…</button>
       <button class="item" disabled=${Boolean(held.value)} onClick=${() => addNote(middle())}>Note…</button>
+      ${several && html`<button class="item" title="Centres below each other" onClick=${() => align('x')}>Selected in one column</button><button class="item" title="Centres beside each other" onClick=${() => align('y')}>Selected in one row</button>
+      <button class="item" title="Same distances from left to right" onClick=${() => align('across')}>Spread selected ↔</button><button class="item" title="Same distances from top to bottom" onClick=${() => align('down')}>Spread selected ↕</button>`}
       <button class="item" onClick=${arrange}>Arrange all states automatically</button>
       <button class="item" onClick=${saveSvg}>Picture as SVG</button><button class="item" onClick=${savePng}>Picture as PNG</button><button class="item" onClick=${savePdf}>Print, or PDF…</button>
       <button class="item" onClick=${() => saveText('mermaid', 'mmd')}>Mermaid</button><button class="item" onClick=${() => saveText('dot', 'dot')}>DOT (Graphviz)</button>
       <button class="item" onClick=${() => ask('save_file', { file: own.file })}>Save now</button>
     <//>`}
-    <span class="grow"></span>${own && html`<${Modes} />`}<${Stops} /><${Check} /><${Run} />
+    <span class="grow"></span>${own && html`<${Modes} />`}<${Check} /><${Run} />
   <//>`;
 }
 
@@ -105,5 +104,5 @@ export function Footer() {
     ${hit.value && hit.value.session === session.value?.id && html`<p class="hit-line" role="status"><b>Breakpoint</b> ${wordsOf(hit.value)} at ${(hit.value.time_us / 1e6).toFixed(2)} s${hit.value.paused ? ', the world is paused' : ''} <button class="small" aria-label="Dismiss the hit" onClick=${() => { hit.value = null; }}>×</button></p>`}
     <ul class=${open.value ? 'open' : ''}>${shown.map((one) => html`<li class=${one.level}><button class="name" onClick=${() => jump(one)}>${one.place ?? one.file ?? ''}${one.line ? `:${one.line}` : ''}</button> <span title=${one.help}>${one.text}</span>${fixesOf(one).map((fix) => html` <button class="small fix" disabled=${Boolean(held.value)} onClick=${() => mend(fix)}>${fix.label.replaceAll('`', '')}</button>`)}${one.help && open.value && html` <span class="dim">${one.help}</span>`}</li>`)}</ul>
     ${list.length > 1 && html`<button class="small" aria-expanded=${open.value} onClick=${() => { open.value = !open.value; }}>${open.value ? 'fewer' : `${list.length - 1} more`}</button>`}
-    <span class="grow"></span><span class="dim" role="status" aria-label="State of the file">${locked.value && !own.conflict ? html`${locked.value} · ` : ''}${stateOf(own)}${outside ? ` · ${outside}` : ''} · ${size}</span></footer>`;
+    <${Stops} /><span class="grow"></span><span class="dim" role="status" aria-label="State of the file">${locked.value && !own.conflict ? html`${locked.value} · ` : ''}${stateOf(own)}${outside ? ` · ${outside}` : ''} · ${size}</span></footer>`;
 }

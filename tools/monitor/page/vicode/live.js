@@ -90,17 +90,19 @@ function writeArrows({ shown, index, described, now, current, own }) {
   const conditions = described ? shown.conditions_of(index).value?.conditions : null;
   const ways = counts.get(shown?.id);
   const names = new Map();
-  const stateAt = (name) => described.states.findIndex((one) => one.name === name);
+  const places = new Map(described?.states.map(({ name }, at) => [name, at]));
+  const stateAt = (name) => places.get(name) ?? -1;
+  const between = Map.groupBy(described?.transitions ?? [], ({ from, to }) => `${from}:${to}`);
   for (const arrow of own.arrows) {
     const element = stage.elements.get(arrow.key);
     if (!element) continue;
     const leaves = Boolean(now?.[0]) && current !== null && (arrow.any ? current !== arrow.to : arrow.from === current);
-    const number = leaves ? described.transitions.findIndex((one) => one.name === arrow.name && one.from === stateAt(current) && one.to === stateAt(arrow.to)) : -1;
-    const condition = number >= 0 ? conditions?.[number] : undefined;
+    const taken = leaves && between.get(`${stateAt(current)}:${stateAt(arrow.to)}`)?.find(({ name }) => name === arrow.name);
+    const condition = taken ? conditions?.[described.transitions.indexOf(taken)] : undefined;
     mark(element, leaves, condition);
     // A bundle has one name, which says what is so of the arrow that can be taken.
     const owner = stage.courses.get(arrow.key)?.owner ?? arrow.key;
-    if (leaves || !names.has(owner)) names.set(owner, { leaves, condition, text: textOf({ shown, condition, arrow, described, ways, index, stateAt }) });
+    if (leaves || !names.has(owner)) names.set(owner, { leaves, condition, text: textOf({ shown, condition, arrow, ways, index, stateAt, between }) });
   }
   for (const [owner, { leaves, condition, text }] of names) {
     const label = stage.labels.get(owner);
@@ -110,16 +112,17 @@ function writeArrows({ shown, index, described, now, current, own }) {
   }
 }
 
-function textOf({ shown, condition, arrow, described, ways, index, stateAt }) {
+function textOf({ shown, condition, arrow, ways, index, stateAt, between }) {
   const parts = [];
   if (condition && condition.holds !== null) {
     const since = shown.moment.value ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
     parts.push(`${condition.holds}${since !== null && condition.since_us > 0 ? ` for ${duration(since)}` : ''}`);
   }
   if (condition?.remaining_ms > 0) parts.push(`${(condition.remaining_ms / 1000).toFixed(1)} s left`);
-  if (described && ways && !arrow.any) {
-    const same = described.transitions.filter((one) => one.from === stateAt(arrow.from) && one.to === stateAt(arrow.to)).length;
-    const times = ways.get(`${index}:${stateAt(arrow.from)}:${stateAt(arrow.to)}`);
+  if (ways && !arrow.any) {
+    const way = `${stateAt(arrow.from)}:${stateAt(arrow.to)}`;
+    const same = between.get(way)?.length ?? 0;
+    const times = ways.get(`${index}:${way}`);
     // Of several transitions between the same states it is not known which one was taken.
     if (times) parts.push(same > 1 ? `${times}× all` : `${times}×`);
   }

@@ -67,7 +67,7 @@ function Name({ arrow, chosen, near, found, stop }) {
   return html`<g class=${`label ${arrowFlags({ arrow, chosen, near, found, stop })} ${(course.owner ?? arrow.key) === arrow.key ? '' : 'shared'} ${course.crowded ? 'crowded' : ''}`} data-key=${arrow.key} aria-hidden="true" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
     <title>${arrow.docs || arrow.name}</title>
     <rect class="ground" x=${course.anchor === 'start' ? -4 : -width / 2} y="-8" width=${width} height="16" rx="3" />
-    <text y="4">${arrow.sign && html`<tspan class="sign">${arrow.sign} </tspan>`}${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
+    <text y="4"><tspan class="fault">⚠ </tspan>${arrow.sign && html`<tspan class="sign">${arrow.sign} </tspan>`}${arrow.any && html`<tspan class="dim">any · </tspan>`}${arrow.name}${timer && html`<tspan class="timer" dx="4">${timer}</tspan>`}</text>
     <text class="live" y="17"></text></g>`;
 }
 
@@ -83,7 +83,7 @@ function State({ state, at: { x, y, width, height, box }, chosen, found, stop })
     <rect class="body" width=${width} height=${height} rx="9" />
     ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${width - 7} height=${height - 7} rx="6" />`}
     <circle class="stop" cx="12" cy="17" r="5"><title>Breakpoint (b)</title></circle>
-    <text class="name" x="24" y="21">${state.sign && `${state.sign} `}${state.name}</text>
+    <text class="fault" x="-4" y="4">⚠</text><text class="name" x="24" y="21">${state.sign && `${state.sign} `}${state.name}</text>
     <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
     ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
     ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}

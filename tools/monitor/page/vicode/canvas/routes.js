@@ -5,16 +5,19 @@ import { courseOf, gapsOf, rounded, spreadPasses } from '../../panels/tree/wires
 import { labelWidth } from './labels.js';
 
 /** Height of a lane and distance of lines in a gap, by level, points. */
-const LANE = { 1: 32, 2: 20, 3: 8 };
+const LANE = { 1: 32, 2: 18, 3: 8 };
 const APART = { 1: 10, 2: 9, 3: 6 };
-/** White above the first and below the last lane; of a corridor without any. */
-const [ABOVE, EMPTY, BESIDE] = [16, 34, 12];
+/** White above the first and below the last lane, by level; of a corridor without any. */
+const ABOVE = { 1: 16, 2: 11, 3: 16 };
+const [EMPTY, BESIDE] = [34, 12];
 /** Room at the left for the mark of the initial state. */
 const INITIAL = 44;
 /** Distance of two ends at a side of a state, and the room that an arrow head needs. */
 const [PORT, TIP] = [18, 7];
 /** Least width that is kept for what is written below a name. */
 const LIVE = 96;
+/** Largest distance of two lines between which no name stands. */
+const NEAR = 40;
 /** Room outside of all states, for lines. */
 const OUTSIDE = 90;
 
@@ -32,10 +35,10 @@ export function routed(arrows, { boxes, rows, width }, level) {
   spreadPasses(ways.filter(({ xs }) => xs.length > 2), gaps, ({ upper }) => upper.row, APART[level]);
   const { lanes, named } = lanesOf(bundles, level);
   const tops = heights(rows, lanes, level);
-  const y = (corridor, lane) => tops[corridor] + ABOVE + (lane + 0.5) * LANE[level];
+  const y = (corridor, lane) => tops[corridor] + ABOVE[level] + (lane + 0.5) * LANE[level];
   const all = [...lanes.values()];
   const [left, right] = [Math.min(0, ...all.map(({ low }) => low)) - INITIAL, Math.max(width, ...all.map(({ high }) => high)) + BESIDE];
-  return { courses: new Map(ways.map((way) => [way.arrow.key, courseFor(way, { lanes, named, y })])), area: { x: left, y: 0, width: right - left, height: tops.at(-1) + Math.max(EMPTY, ABOVE * 2 + LANE[level] * Math.max(0, ...all.filter(({ corridor }) => corridor === rows.length).map(({ count }) => count))) } };
+  return { courses: new Map(ways.map((way) => [way.arrow.key, courseFor(way, { lanes, named, y })])), area: { x: left, y: 0, width: right - left, height: tops.at(-1) + Math.max(EMPTY, ABOVE[level] * 2 + LANE[level] * Math.max(0, ...all.filter(({ corridor }) => corridor === rows.length).map(({ count }) => count))) } };
 }
 
 /** What is one bundle: transitions of one name from different states to one state. */
@@ -88,6 +91,7 @@ function passing({ upper, lower, upperX, lowerX, same, trunk }, gaps) {
 function lanesOf(bundles, level) {
   const slots = [];
   const named = new Map();
+  const ups = level < 3 && uprights([...bundles.values()].flat());
   for (const [name, all] of bundles) {
     const own = new Map();
     for (const { xs, first } of all) {
@@ -102,8 +106,10 @@ function lanesOf(bundles, level) {
     const middle = (longest.low + longest.high) / 2;
     longest.label = middle;
     if (level < 3) {
-      const half = Math.max(labelWidth(all[0].arrow), level === 1 ? LIVE : 0) / 2;
-      [longest.low, longest.high] = [Math.min(longest.low, middle - half), Math.max(longest.high, middle + half)];
+      const own = labelWidth(all[0].arrow) / 2;
+      const half = Math.max(own, level === 1 ? LIVE / 2 : 0);
+      if (all[0].upper) aside(longest, [half, own], ups.get(longest.corridor), all[0].upper === all[0].lower);
+      [longest.low, longest.high] = [Math.min(longest.low, longest.label - half), Math.max(longest.high, longest.label + half)];
     }
     named.set(name, longest);
     slots.push(...own.values());
@@ -121,6 +127,28 @@ function lanesOf(bundles, level) {
   return { lanes, named };
 }
 
+/** Where lines go up and down in each corridor, from left to right. */
+function uprights(ways) {
+  const found = new Map();
+  for (const { xs, first } of ways) {
+    for (let at = 0; at < Math.max(1, xs.length - 1); at += 1) found.set(first + at, found.get(first + at) ?? []).get(first + at).push(...xs.slice(at, at + 2));
+  }
+  found.forEach((all) => all.sort((a, b) => a - b));
+  return found;
+}
+
+/** A name that is wider than its part of the lane, and would cover lines of others or its own loop, stands beside all of them, with a line to it. */
+function aside(slot, [half, own], ups, isLoop) {
+  const { low, high, label: middle } = slot;
+  const covered = ups.some((x) => Math.abs(x - middle) < half && (x < low || x > high));
+  if (high - low >= 2 * half || !(covered || isLoop)) return;
+  const end = (from, step, sorted) => sorted.reduce((x, next) => ((next - x) * step > 0 && (next - x) * step < NEAR ? next : x), from);
+  const [left, right] = [end(low, -1, ups.toReversed()), end(high, 1, ups)];
+  const toRight = right - high <= low - left;
+  slot.label = toRight ? right + BESIDE + half : left - BESIDE - half;
+  slot.leader = toRight ? [high, slot.label - own] : [low, slot.label + own];
+}
+
 /** Puts the rows below each other, and returns the upper edge of each corridor. */
 function heights(rows, lanes, level) {
   const counts = new Array(rows.length + 1).fill(0);
@@ -129,7 +157,7 @@ function heights(rows, lanes, level) {
   let y = 0;
   counts.forEach((count, corridor) => {
     tops.push(y);
-    y += count > 0 ? count * LANE[level] + 2 * ABOVE : EMPTY;
+    y += count > 0 ? count * LANE[level] + 2 * ABOVE[level] : EMPTY;
     const row = rows[corridor] ?? [];
     const tallest = Math.max(0, ...row.map(({ height }) => height));
     for (const box of row) box.y = y + tallest / 2;
@@ -142,7 +170,7 @@ function courseFor(way, { lanes, named, y }) {
   const { arrow, all, upper, lower, xs, first, down, same } = way;
   const bundle = bundleOf(arrow);
   const laneY = (corridor) => y(corridor, lanes.get(`${corridor} ${bundle}`).lane);
-  const { label: middle, corridor } = named.get(bundle);
+  const { label: middle, corridor, leader } = named.get(bundle);
   const label = [middle, laneY(corridor)];
   const owner = all[0].arrow.key;
   if (!upper) {
@@ -156,5 +184,6 @@ function courseFor(way, { lanes, named, y }) {
   xs.slice(1).forEach((x, at) => points.push([xs[at], laneY(first + at)], [x, laneY(first + at)]));
   points.push([xs.at(-1), end]);
   if (!down) points.reverse();
-  return { d: rounded(points), label, anchor: 'middle', start: points[0], end: points.at(-1), owner };
+  const branch = leader && arrow.key === owner ? `M${leader[0].toFixed(1)} ${label[1].toFixed(1)}L${leader[1].toFixed(1)} ${label[1].toFixed(1)}` : '';
+  return { d: branch + rounded(points), label, anchor: 'middle', start: points[0], end: points.at(-1), owner };
 }

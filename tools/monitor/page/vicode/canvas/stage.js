@@ -134,6 +134,13 @@ class Stage {
     }
   }
 
+  /** What a machine that is opened is drawn with first, so that a large one is drawn once. */
+  begin({ states }) {
+    const { view } = this;
+    const shape = view.height > 0 ? Math.round((view.width / view.height) * 10) / 10 : this.look.peek().shape;
+    if (states.length > FEW) this.look.value = { level: NAMES, shape };
+  }
+
   /** Shows the whole machine; an automatic drawing shows as much as can be read. */
   fit() {
     const { view } = this;

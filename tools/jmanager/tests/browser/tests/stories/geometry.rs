@@ -80,7 +80,7 @@ for (let number = from; number < until; number += 1) {
     all.forEach((a, at) => all.slice(at + 1).forEach((b) => hit(a, b) && say(`${a.name} covers ${b.name}`)));
     labels.forEach((a, at) => { labels.slice(at + 1).forEach((b) => hit(a, b) && say(`the name ${a.name} covers ${b.name}`));
       all.forEach((b) => hit(a, b) && say(`the name ${a.name} covers the state ${b.name}`)); });
-    for (const [key, { d }] of courses) {
+    for (const [key, d] of [...courses].flatMap(([key, course]) => course.d.split('M').slice(1).map((d) => [key, d]))) {
       const points = [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
       points.slice(1).forEach(([x, y], at) => { const [px, py] = points[at];
         const part = { left: Math.min(x, px), right: Math.max(x, px), top: Math.min(y, py), bottom: Math.max(y, py) };
