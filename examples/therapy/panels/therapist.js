@@ -22,21 +22,23 @@ sheet.replaceSync(`
 .therapist { display: grid; grid-template-rows: auto auto minmax(0, 1fr) auto auto; gap: 9px; height: 100%; padding: 10px; font-size: 18px; overflow: auto; }
 .therapist h2 { font-size: 22px; } .therapist .head, .therapist .mood, .therapist .keys { display: flex; gap: 10px 16px; align-items: center; flex-wrap: wrap; }
 .therapist .mood { border: 3px solid var(--control); border-radius: 12px; padding: 8px 16px; background: color-mix(in srgb, var(--control) 14%, var(--panel)); } .therapist .mood b { font-size: 24px; }
-.therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { background: #c0182b; color: #fff; border-color: #8c0e1d; } .therapist .halt b { font-size: 64px; line-height: 1; }
-.therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 34%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
-.therapist .card h3 { font-size: 26px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .passed { display: flex; gap: 12px; align-items: center; font-weight: 600; } .therapist progress { width: 240px; height: 20px; accent-color: var(--control); }
-.therapist .attempts { display: block; width: 100%; max-width: 420px; clear: both; fill: var(--dim); stroke: none; } .therapist .attempts text { font-size: 19px; font-weight: 700; text-anchor: middle; } .therapist .attempts path, .therapist .attempts circle { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 7 5; } .therapist .attempts circle { stroke-dasharray: none; }
+.therapist .go { --control: var(--ok); } .therapist .wait { --control: var(--machine); } .therapist .halt { --control: var(--error); } .therapist .halt b { font-size: clamp(40px, 8cqw, 64px); line-height: 1; color: var(--error); }
+.therapist .middle { display: grid; grid-template-columns: minmax(0, 1fr) minmax(220px, 30%); gap: 10px; min-height: 0; } .therapist .card { border: 1px solid var(--line); border-radius: 12px; padding: 12px 16px; overflow: auto; background: var(--raised); }
+.therapist .card h3 { font-size: 28px; line-height: 1.2; } .therapist .card p { margin: 6px 0; } .therapist .told { display: grid; grid-template-columns: minmax(0, 1fr) minmax(130px, 26cqw); gap: 16px; font-size: 20px; } .therapist .card li { display: flex; gap: 10px; margin: 8px 0; } .therapist .passed { display: flex; gap: 12px; align-items: center; font-weight: 600; } .therapist .passed { white-space: nowrap; } .therapist progress { width: 240px; min-width: 60px; height: 20px; accent-color: var(--control); }
+.therapist .attempts { display: block; width: 100%; max-width: 620px; fill: var(--dim); stroke: none; } .therapist .attempts text { font-size: 19px; font-weight: 700; text-anchor: middle; } .therapist .attempts path, .therapist .attempts circle { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 7 5; } .therapist .attempts circle { stroke-dasharray: none; }
 .therapist .kind0 rect { fill: var(--ok); } .therapist .kind1 rect, .therapist .kind2 rect { fill: var(--warn); } .therapist .kind3 rect { fill: none; stroke: var(--dim); stroke-width: 2; stroke-dasharray: 4; } .therapist .last { padding: 6px 12px; border-radius: 8px; background: color-mix(in srgb, var(--warn) 16%, var(--panel)); }
-.therapist .figure { float: right; width: 110px; margin-left: 16px; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
+.therapist .figure { width: 100%; height: 100%; max-height: 50cqh; position: sticky; top: 0; place-self: center; fill: none; stroke: var(--dim); stroke-linecap: round; } .therapist .big { font-size: 40px; font-weight: 700; }
 .therapist button, .therapist select { min-height: 48px; min-width: 48px; font-size: 18px; font-weight: 600; border-radius: 10px; padding: 4px 14px; border-width: 2px; white-space: normal; }
 .therapist .parts { display: flex; flex-direction: column; gap: 6px; } .therapist .parts button { text-align: left; font-weight: 500; flex-shrink: 0; } .therapist .parts button.now { border-color: var(--control); background: var(--selection); font-weight: 700; }
 .therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 22px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
 .therapist .stop { background: #c0182b; border: 4px solid #8c0e1d; color: #fff; font-size: 34px; font-weight: 800; letter-spacing: 1px; flex: 1 0 100%; } .therapist .stop:hover { border-color: #fff; }
 .therapist .held { position: relative; overflow: hidden; border-color: var(--ok); color: var(--ok); } .therapist .held i { position: absolute; left: 0; bottom: 0; height: 8px; width: 0; background: var(--ok); } .therapist .held.on i { width: 100%; transition: width ${HOLD_MS}ms linear; }
-@container (max-width: 700px) { .therapist { grid-template-rows: none; grid-auto-rows: max-content; } .therapist .middle { grid-template-columns: 1fr; } .therapist .figure { display: none; } .therapist .keys { position: sticky; bottom: 0; background: var(--panel); } .therapist .parts { max-height: 260px; } .therapist .keys button { min-height: 52px; } }`);
+@container (max-width: 700px) { .therapist { grid-template: none / minmax(0, 1fr); grid-auto-rows: max-content; } .therapist .middle, .therapist .told { grid-template-columns: minmax(0, 1fr); } .therapist .figure { order: -1; height: 130px; } .therapist .keys { position: sticky; bottom: 0; background: var(--panel); } .therapist .parts { max-height: 260px; } .therapist .keys button { min-height: 52px; } }`);
 document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
 
 const spoken = (text) => text.replaceAll('_', ' ');
+/** What a wait is for; one without an entry is for a time. */
+const AWAITED = { speech: 'the speech to end', movement: 'the movement to end', music: 'the music to end', walk: 'the walk to end', all: 'everything to end', press: 'a press', touch: 'a touch' };
 const quoted = (text) => text?.match(/"(.*)"/)?.[1];
 const fileName = (file) => file.split('/').at(-1).replace(/\.session$/, '');
 
@@ -141,7 +143,7 @@ function Therapist({ visible }) {
       <span>Battery ${battery} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
     <div role="status" class=${`mood ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
       <span>${runs && part ? `Part ${now + 1} of ${parts.length}: ${what}` : what}${state === 'stopped' && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
-    <div class="middle"><section class="card" aria-label="Now" tabindex="0"><${Figure} targets=${read('Motors', 'targets')} />
+    <div class="middle"><section class="card told" aria-label="Now" tabindex="0"><div>
       ${state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
       ${part?.says && !part.does.startsWith('say') && html`<p>It says: “${quoted(part.says)}”</p>`}
       ${state !== 'stopped' && /arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
@@ -152,8 +154,8 @@ function Therapist({ visible }) {
       ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> of ${wanted} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
       <${Attempts} attempts=${(read('ExerciseCheck', 'attempts') ?? []).filter((one) => one)} left=${wanted - (counts?.repetitions ?? 0)} />
       ${ease < 100 && html`<p class="dim">Easier: ${ease} % of tempo and repetitions</p>`}
-      ${runs && limit > 0 && html`<${Bar} label=${state === 'exercising' ? 'Time' : 'Waits'} value=${Math.min(waited, limit)} most=${limit} />`}
-      ${part && html`<p class="dim">Line ${line ?? part.line} of ${fileName(script.value.file)}: ${script.value.lines[(line ?? part.line) - 1]}</p>`}</section>
+      ${runs && limit > 0 && html`<${Wait} ...${{ line: script.value?.lines[line - 1] ?? '', waited, limit }} />`}</div>
+      <${Figure} targets=${read('Motors', 'targets')} /></section>
       <section class="card parts" aria-label="Parts of this session" ref=${list}>
         <select aria-label="Open a session" onChange=${(event) => open(event.target)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
         ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
@@ -180,6 +182,14 @@ function Figure({ targets }) {
     return `M${x} ${y}L${(x + 46 * Math.sin(roll)).toFixed(1)} ${(y + 46 * Math.cos(roll) * Math.sin(pitch)).toFixed(1)}`;
   });
   return html`<svg class="figure" viewBox="-10 0 170 172" aria-hidden="true"><g stroke-width="4"><rect x="55" y="6" width="40" height="34" rx="15" /><rect x="53" y="45" width="44" height="56" rx="14" /><circle cx="75" cy="64" r="6" /><path d="M67 22h1M83 22h1" /></g><path stroke-width="12" d="${arms.join('')}M64 106V150M86 106V150M56 161H70M80 161H94" /></svg>`;
+}
+
+/** What the robot waits for. Only a wait for a time has a known end; else the limit is no countdown. */
+function Wait({ line, waited, limit }) {
+  const [word, what, name] = line.split(/\s+/);
+  if (word === 'wait' && !AWAITED[what]) return html`<${Bar} label="Waits" value=${Math.min(waited, limit)} most=${limit} />`;
+  const where = word === 'wait' && /^(press|touch)$/.test(what) ? ` of ${spoken(name)}` : '';
+  return html`<p class="dim">${word === 'wait' && `Waits for ${AWAITED[what]}${where}. `}Goes on after ${limit} s at the latest.</p>`;
 }
 
 /** How much of a time has passed. */

@@ -20,16 +20,21 @@ import { Palette, paletteShown } from './palette.js';
 import { Form } from './vicode/ask.js';
 import { Carried } from './vicode/carry.js';
 
+/** The last error, or else the last message, in one line under the bar: it covers tabs at the most, and moves nothing. */
 function Notices() {
-  return html`<div class="notices" role="log" aria-live="polite" aria-label="Messages">
-    ${store.notices.value.map((notice) => html`<div key=${notice.id} class=${`notice ${notice.level}`} role=${notice.level === 'error' ? 'alert' : 'status'}>
-      <span><strong>${notice.text}</strong>${notice.count > 1 && html` <span class="dim">${notice.count} times</span>`}${notice.help && html` ${notice.help}`}</span>
-      <button aria-label="Dismiss message" onClick=${() => store.dismiss(notice.id)}>×</button></div>`)}
+  const all = store.notices.value;
+  const notice = all.findLast(({ level }) => level === 'error') ?? all.at(-1);
+  return html`<div class=${`notices ${dock.isPlain() ? 'plain' : ''}`} role="log" aria-live="polite" aria-label="Messages">
+    ${notice && html`<div key=${notice.id} class=${`notice ${notice.level}`} role=${notice.level === 'error' ? 'alert' : 'status'}>
+      <span><strong>${notice.text}</strong>${notice.count > 1 && html` <span class="dim">${notice.count} times</span>`}${notice.help && html`: ${notice.help}`}</span>
+      ${all.length > 1 && html`<span class="dim more">${all.length - 1} more</span>`}
+      ${notice.action && html`<button onClick=${notice.action.run}>${notice.action.label}</button>`}
+      <button class="plain" aria-label="Dismiss message" onClick=${() => store.dismiss(notice.id)}>×</button></div>`}
   </div>`;
 }
 
 function App() {
-  return html`<${Fragment}><${Header} /><${Banner} /><div id="dock" ref=${startDock}></div><${Notices} /><${Help} /><${Palette} /><${Form} /><${Carried} /></${Fragment}>`;
+  return html`<${Fragment}><${Header} /><${Banner} /><${Notices} /><div id="dock" ref=${startDock}></div><${Help} /><${Palette} /><${Form} /><${Carried} /></${Fragment}>`;
 }
 
 /** What the page was opened with. */

@@ -1,4 +1,4 @@
-// The bar at the top: sessions, time, control, recording, view.
+// The bar at the top, one line: sessions, time, control, and one menu. In a wide window the two menus stand open in it.
 
 import { html, useSignal } from './lib/dom.js';
 import { link } from './lib/connection.js';
@@ -19,20 +19,24 @@ const CONNECTION = { connecting: 'connecting', connected: '', lost: 'lost', ende
 
 function Sessions() {
   const all = [...store.sessions.value.values()];
-  return html`<div class="sessions" role="group" aria-label="Sessions">
+  const shown = store.session.value?.info.value;
+  // In a wide window two sessions stand in the bar.
+  return html`<${Menu} inline=${all.length <= 2 && 'sessions'} label=${shown ? html`<${State} ...${shown} />` : 'No session'} title="Sessions">
     ${all.map((one) => {
       const info = one.info.value;
       const chosen = one.id === store.current.value;
       return html`<span key=${one.id} class=${`session ${chosen ? 'chosen' : ''}`}>
-        <button aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}>
-          <i class=${`state ${info.result && info.connection === 'ended' ? '' : info.connection}`} aria-hidden="true"></i>${info.name}${CONNECTION[info.connection] && html` <em>${CONNECTION[info.connection]}</em>`}</button>
+        <button class="item" aria-pressed=${chosen} title=${info.note || info.name} onClick=${() => store.show(one.id)}><${State} ...${info} /></button>
         ${!chosen && html`<${Beside} ...${{ one, name: info.name }} />`}
         ${chosen && all.length > 1 && html`<button class="close" aria-label=${`Close ${info.name}`} onClick=${() => store.act('close')}>×</button>`}
       </span>`;
     })}
     <${Add} />
-  </div>`;
+  <//>`;
 }
+
+/** The name of a session, and its connection. */
+const State = ({ name, result, connection }) => html`<span class="one"><i class=${`state ${result && connection === 'ended' ? '' : connection}`} aria-hidden="true"></i>${name}${CONNECTION[connection] && html` <em>${CONNECTION[connection]}</em>`}</span>`;
 
 /** Shows a session on the map, the timeline and the plots of the chosen one. */
 function Beside({ one, name }) {
@@ -75,18 +79,21 @@ function Clock() {
   const fresh = shown && info.connection === 'connected';
   return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
     title="Space pauses the view; the robot goes on" onClick=${playOrPause}>
-    <i class="dot" aria-hidden="true"></i>${shown && info.connection !== 'connected' ? info.connection : state} <b>${time(moment?.time_us ?? at)}</b></button>`;
+    <i class="dot" aria-hidden="true"></i><span class="state-word">${shown && info.connection !== 'connected' ? info.connection : state}</span> <b>${time(moment?.time_us ?? at)}</b></button>`;
 }
 
 function Costs() {
   const shown = store.session.value;
   const costs = shown?.costs.value;
   const budget = shown?.description.value?.budget_ms;
-  const live = shown?.live.value;
   if (!shown) return null;
   return html`<button class="chip" title="Mean duration of a cycle, from sensor values to command; opens Latency" onClick=${() => dock.open('latency')}>
-      <span class="word">chain</span> ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>
-    ${store.cursor.value === null && live?.overruns > 0 && html`<span class="chip warn" title="Cycles that ended after the next one was due">${live.overruns} late</span>`}`;
+      <span class="word">chain</span> ${costs ? duration(costs.chain_us[0]) : '–'}${budget ? html` <span class="dim">of ${number(budget)} ms</span>` : ''}</button>`;
+}
+
+function Late() {
+  const late = store.cursor.value === null && store.session.value?.live.value?.overruns;
+  return late > 0 && html`<span class="chip warn" title="Cycles that ended after the next one was due">${late} late</span>`;
 }
 
 const CONTROL = {
@@ -155,14 +162,14 @@ export function Header() {
     <b class="name" title="Activation tree">${tree ?? 'JManager'}</b>
     ${!plain && html`<${Sessions} />`}
     ${link.value !== 'open' && html`<span class="chip warn" role="status">${link.value === 'lost' ? 'program lost' : 'connecting'}</span>`}
-    ${plain ? html`<${Connected} />` : html`<${Clock} /><${Costs} />`}
+    ${plain ? html`<${Connected} />` : html`<${Clock} /><${Late} />`}
     <span class="grow"></span>
     <${Control} plain=${plain} />
-    ${!plain && html`<${World} /><${Recording} />
-    <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>⌕<span class="word"> Find…</span></button>
-    <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment, with the layout and its watches" onClick=${copyLink}>Link</button>`}
-    <${View} />
-    <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}</button>
-    <button class="plain" aria-label="Keys" title="Keys (?)" onClick=${() => { helpShown.value = true; }}>?</button>
+    <${Menu} inline="tools" label="Menu" title="Menu">${!plain && html`<${World} /><${Costs} /><${Recording} />
+      <button class="find" title="Find anything (Ctrl+K)" aria-label="Find anything" onClick=${() => { paletteShown.value = true; }}>⌕<span class="word"> Find…</span></button>
+      <button class="plain" aria-label="Copy a link to this moment" title="Copy a link to this moment, with the layout and its watches" onClick=${copyLink}>Link</button>`}
+      <${View} />
+      <button class="plain" aria-label=${`Change to the ${theme.value === 'dark' ? 'light' : 'dark'} theme`} title="Key t" onClick=${toggleTheme}>${theme.value === 'dark' ? '☀' : '☾'}<span class="narrow"> ${theme.value === 'dark' ? 'Light' : 'Dark'} theme</span></button>
+      <button class="plain" aria-label="Keys" title="Keys (?)" onClick=${() => { helpShown.value = true; }}>?<span class="narrow"> Keys</span></button><//>
   </header>`;
 }

@@ -14,6 +14,9 @@ export function drawable(description) {
   return [...found.values()];
 }
 
+/** Least height of an image with names, px; the colours of a smaller one are in the menu Findings. */
+const NAMED = 200;
+
 /** Longest time from the cycle that takes an image in to the last component that has used it, µs. */
 const USED = 33e3;
 
@@ -49,18 +52,18 @@ export function drawOverlay(context, shown, overlay, image, { at, live, taken })
     }
   }
   const first = values.find(({ label }) => label)?.label;
-  if (first) label(context, overlay.component, at.x(first.x) + Math.max((first.radius ?? 0) * at.scale, 4) + 7, at.y(first.y), { colour, taken, right: at.left + image.width * at.scale });
+  if (first && image.height * at.scale >= NAMED) label(context, overlay.component, at.x(first.x) + Math.max((first.radius ?? 0) * at.scale, 4) + 7, at.y(first.y), { colour, taken, right: at.left + image.width * at.scale, top: at.top });
 }
 
 /** Height of a name, px. */
 const TALL = 18;
 
 /** Writes a name within the image and the panel, below names that were there. */
-function label(context, text, wantedX, wantedY, { colour, taken, right }) {
+function label(context, text, wantedX, wantedY, { colour, taken, right, top }) {
   const width = context.measureText(text).width + 10;
   const { clientWidth, clientHeight } = context.canvas;
   const x = Math.max(2, Math.min(wantedX, right - width - 2, clientWidth - width - 2));
-  let y = Math.max(2, Math.min(wantedY - TALL / 2, clientHeight - TALL - 2));
+  let y = Math.max(2, top + 2, Math.min(wantedY - TALL / 2, clientHeight - TALL - 2));
   const covers = (one) => one.x < x + width && x < one.x + one.width && one.y < y + TALL && y < one.y + TALL;
   for (let one = taken.find(covers); one; one = taken.find(covers)) y = one.y + TALL + 1;
   taken.push({ x, y, width });

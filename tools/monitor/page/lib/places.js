@@ -3,6 +3,8 @@
 export const right = (beside, size) => ({ beside, direction: 'right', size });
 export const below = (beside, size) => ({ beside, direction: 'below', size });
 export const within = (beside, inactive = true) => ({ beside, direction: 'within', inactive });
+/** Below a panel of a wide window; a tab beside it in a narrower one, where both would be too small. */
+export const belowIfWide = (beside, size, width) => (width < 1400 ? within(beside) : below(beside, size));
 
 const LOWER = /^(timeline|plot|watches|log|latency|code|inspector)/;
 

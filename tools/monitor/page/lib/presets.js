@@ -2,7 +2,7 @@
 
 import { EXTENSIONS } from '../extensions.js';
 import { driven } from '../panels/drive.js';
-import { below, right, within } from './places.js';
+import { below, belowIfWide, right, within } from './places.js';
 
 /** Tabs of what moves the body of a robot, and curves of its velocity. */
 function driving(description) {
@@ -25,7 +25,7 @@ export const PRESETS = {
       ['component', right('camera', Math.max(290, width * 0.24))],
       ['drive', within('component')],
       ['recordings', within('component')],
-      ['map', below('camera', height * 0.34)],
+      ['map', belowIfWide('camera', height * 0.34, width)],
       ['plot:1', within('timeline')],
       ['watches', within('timeline')],
       ['log', within('timeline')],
@@ -66,7 +66,7 @@ export const PRESETS = {
       ['camera', {}],
       ['timeline', below('camera', height * 0.36)],
       ['tree', right('camera', width * 0.6)],
-      ['map', below('camera', height * 0.3)],
+      ['map', belowIfWide('camera', height * 0.3, width)],
       ['recordings', right('tree', Math.max(290, width * 0.22))],
       ['component', within('recordings')],
       ['log', within('timeline')],

@@ -25,7 +25,7 @@ export const playing = signal(false);
 export const selected = signal(null);
 /** Component under the pointer, in any panel. */
 export const hovered = signal(null);
-/** Messages for the operator: {id, level, text, help}. */
+/** Messages for the operator: {id, level, text, help, action}; an action is {label, run}. */
 export const notices = signal([]);
 /** Parameter changes that can be undone: {session, component, param, before, after}. */
 export const undo = signal([]);
@@ -35,10 +35,10 @@ export const redo = signal([]);
 let lastNotice = 0;
 
 /** Shows a message for some seconds; one that is shown already is counted. */
-export function notify(level, text, help = '') {
+export function notify(level, text, help = '', action = null) {
   lastNotice += 1;
   const isSame = (one) => one.level === level && one.text === text && one.help === help;
-  const notice = { id: lastNotice, level, text, help, count: (notices.value.find(isSame)?.count ?? 0) + 1 };
+  const notice = { id: lastNotice, level, text, help, action, count: (notices.value.find(isSame)?.count ?? 0) + 1 };
   notices.value = [...notices.value.filter((one) => !isSame(one)).slice(-4), notice];
   setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000);
 }
@@ -96,7 +96,7 @@ export async function operate() {
         hello.value?.read_only ? 'start it without --read-only' : 'open a world or a robot');
       return false;
     default:
-      notify('error', 'somebody else operates this robot', 'press “Take control” if that is agreed');
+      notify('error', 'somebody else operates this robot', 'take control if that is agreed', { label: 'Take control', run: () => act('take', {}, 'control was taken') });
       return false;
   }
 }

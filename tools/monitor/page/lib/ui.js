@@ -1,6 +1,6 @@
 // Small parts that panels share.
 
-import { html, useRef, useState } from './dom.js';
+import { html, signal, useRef, useState } from './dom.js';
 import { cursor } from './store.js';
 
 /** Two lines in a panel without content: what is missing, and the remedy. */
@@ -57,8 +57,8 @@ export function Spark({ information, path, pick, span = 10e6 }) {
   return html`<svg class="spark" viewBox="0 0 100 20" preserveAspectRatio="none" aria-hidden="true"><path d=${line} /></svg>`;
 }
 
-/** A menu under a button. */
-export function Menu({ label, title, children, onOpen }) {
+/** A menu under a button; with `inline`, a class, it stands open in a wide window. */
+export function Menu({ label, title, children, onOpen, inline }) {
   const button = useRef(null);
   const items = useRef(null);
   const opens = (event) => { if (event.newState === 'open') onOpen?.(); };
@@ -74,8 +74,18 @@ export function Menu({ label, title, children, onOpen }) {
   const done = (event) => {
     if (event.target.closest('button.item')) items.current.hidePopover();
   };
-  return html`<button ref=${button} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${toggle}>${label}</button>
-    <div class="menu" popover="auto" role="group" aria-label=${title} ref=${items} onBeforeToggle=${opens} onClick=${done}>${children}</div>`;
+  return html`<button ref=${button} class=${inline ? 'opener' : ''} aria-label=${title} aria-haspopup="menu" title=${title} onClick=${toggle}>${label}</button>
+    <div class=${`menu ${inline ? `inline ${inline}` : ''}`} popover="auto" role="group" aria-label=${title} ref=${items} onBeforeToggle=${opens} onClick=${done}>${children}</div>`;
+}
+
+/** A panel whose module is loaded when it is shown first; `name` is what the module exports. */
+export function later(load, name) {
+  const view = signal(null);
+  const failed = () => html`<${Empty} what="This panel cannot be loaded" help="The program does not answer: load the page again when it runs." />`;
+  return (props) => {
+    if (!view.value && props.visible.value) load().then((module) => { view.value = module[name]; }, () => { view.value = failed; });
+    return view.value && html`<${view.value} ...${props} />`;
+  };
 }
 
 /** Writes a file that the browser saves. */

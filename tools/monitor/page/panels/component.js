@@ -31,10 +31,10 @@ export function ComponentTab({ visible, params, retitle }) {
   if (!component) return html`<${Empty} what=${own ? `This tree has no component ${own}` : 'No component is chosen'} help="Click a component in the tree or in the timeline." />`;
   return html`<article class="tab" key=${name}>
     <${Head} ...${{ shown, component, index, own }} />
+    ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
     <${Why} ...${{ shown, component, index }} />
     ${component.doc && html`<p class="doc">${component.doc}</p>`}
     ${component.info.length > 0 && html`<${InformationList} ...${{ shown, component, index, visible }} />`}
-    ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
     <${ByHand} ...${{ shown, component, index }} />
     ${component.modulations.length > 0 && html`<${Modulations} ...${{ component, index }} />`}
   </article>`;

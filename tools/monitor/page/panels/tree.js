@@ -7,11 +7,8 @@ import { command, hovered, selected, session, watch } from '../lib/store.js';
 import { Bar, Empty, Toggle } from '../lib/ui.js';
 import { carry } from '../vicode/carry.js';
 import { LOW, TALL, drawBox, widthsOf } from './tree/boxes.js';
-import { placed } from './tree/places.js';
+import { READABLE, placed } from './tree/places.js';
 import { wired } from './tree/wires.js';
-
-/** Least scale of a drawing that is shown whole. */
-const READABLE = 0.8;
 
 /** Components that a folded one hides: those that the root reaches only through it. */
 function hiddenBy(description, folded) {
@@ -85,7 +82,7 @@ const matches = (component, text) => component.name.toLowerCase().includes(text.
 /** The text of a search, or an empty one if no component matches. */
 const foundAny = ({ components }, text) => (components.some((component) => matches(component, text)) ? text : '');
 /** What is shown first: all, or the upper part if nothing could be read otherwise. */
-const first = ({ width, height }, [wide, tall]) => [0, 0, width, tall / height < READABLE ? Math.min(height, (width * tall) / wide) : height];
+const first = ({ width, height }, [wide, tall]) => (Math.min(wide / width, tall / height) < READABLE ? [(width - wide) / 2, 0, wide, tall] : [0, 0, width, height]);
 
 /** Opens the first component that is found; the search ends then. */
 function openFirst(description, search) {
@@ -168,6 +165,11 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
     if (!next.delete(index)) next.add(index);
     folded.value = next;
   };
+  // The focus may go to a component that is outside.
+  const reveal = (event) => {
+    const { x: middle, y: centre } = drawing.boxes[description.components.findIndex(({ name }) => name === event.target.ariaLabel)] ?? { x, y };
+    if (middle < x || middle > x + width || centre < y || centre > y + height) box.value = [middle - width / 2, centre - height / 2, width, height];
+  };
   // Tab reaches one component; the arrow keys go to its neighbours.
   const stop = Math.max(0, selected.value ? description.components.findIndex((component) => component.name === selected.value) : description.root);
   const key = (event, component, index) => {
@@ -178,7 +180,7 @@ function Drawn({ shown, description, kinds, drawing, search, activeOnly, folded,
     event.preventDefault();
     event.stopPropagation();
   };
-  return html`<svg class="tree fill" ref=${svg} viewBox=${`${x} ${y} ${width} ${height}`} role="group" aria-label="Activation tree" onWheel=${wheel} onPointerDown=${drag}>
+  return html`<svg class="tree fill" ref=${svg} viewBox=${`${x} ${y} ${width} ${height}`} role="group" aria-label="Activation tree" onFocusIn=${reveal} onWheel=${wheel} onPointerDown=${drag}>
     ${trunks(drawing, links).map((all) => html`<g class=${`wires ${kinds[links[all[0]].from]}`}>${all.map((index) => html`<path class="link" data-link=${index} d=${drawing.wires[index].d} />`)}</g>`)}
     ${description.components.map((component, index) => {
       const { x: centre, y: middle, width: wide, height: tall } = drawing.boxes[index];

@@ -2,12 +2,17 @@
 
 import { html, useSignal } from '../../lib/dom.js';
 import { open } from '../../lib/dock.js';
-import { number, numberAt, numbers, text, time, words } from '../../lib/format.js';
+import { numberAt, numbers, text, time, words } from '../../lib/format.js';
 import { cursor, seek } from '../../lib/store.js';
 import { Spark } from '../../lib/ui.js';
 
-/** Numbers of a list or struct that are shown one by one. */
-const MAX_PARTS = 4;
+/** Longest list of plain values of which each has a row, and most rows of a struct. */
+const [MAX_PARTS, MAX_ROWS] = [4, 16];
+
+/** The plain values in a value: [path, value]. */
+const leaves = (value, path = '') => (value === null || typeof value !== 'object' ? [[path, value]]
+  : Object.entries(value).flatMap(([name, inner]) => leaves(inner, Array.isArray(value) ? `${path}[${name}]` : `${path}.${name}`)));
+const isPlain = (value) => Array.isArray(value) && value.every((inner) => inner === null || typeof inner !== 'object');
 
 export function InformationList({ shown, component, index, visible }) {
   return html`<section aria-label="Information"><h3>Information</h3>
@@ -19,7 +24,8 @@ function Info({ info, component, information, visible }) {
   const now = visible.value ? information.now.value : null;
   const value = now?.value;
   const parts = numbers(value);
-  const split = parts.length > 1 && parts.length <= MAX_PARTS && typeof value === 'object';
+  const rows = leaves(value ?? null);
+  const split = value !== null && typeof value === 'object' && rows.length > 0 && (isPlain(value) ? rows.length > 1 && rows.length <= MAX_PARTS : true);
   const name = `${component}.${info.name}`;
   const drag = (event, path = '') => {
     event.dataTransfer.setData('text/plain', name + path);
@@ -31,11 +37,12 @@ function Info({ info, component, information, visible }) {
   return html`<div class="info">
     <div class="row" draggable="true" onDragStart=${(event) => drag(event)} title=${`${info.doc}\n${info.type}${info.unit ? `, ${info.unit}` : ''}\nDrag onto a plot.`}>
       <button class="name" aria-expanded=${history.value} aria-label=${`History of ${info.name}`} onClick=${() => { history.value = !history.value; }}>${words(info.name)}</button>
-      ${parts.length === 1 ? html`<${Spark} information=${information} path=${parts[0][0]} pick=${numberAt} />` : html`<span></span>`}
-      <span class="v" aria-label=${info.name}>${now === null ? '…' : split ? '' : text(value)}${info.unit && value !== null && value !== undefined && !split ? html` <span class="unit">${info.unit}</span>` : ''}</span>
+      ${parts.length === 1 && !split ? html`<${Spark} information=${information} path=${parts[0][0]} pick=${numberAt} />` : html`<span></span>`}
+      <span class="v" aria-label=${split ? undefined : info.name}>${now === null ? '…' : split ? '' : text(value)}${info.unit && value !== null && value !== undefined && !split ? html` <span class="unit">${info.unit}</span>` : ''}</span>
     </div>
-    ${split && parts.map(([path]) => html`<div class="row part" draggable="true" onDragStart=${(event) => drag(event, path)}><span class="dim">${path.replace(/^\./, '')}</span>
-      <${Spark} information=${information} path=${path} pick=${numberAt} /><span class="v">${number(numberAt(value, path))} <span class="unit">${unitOf(info.unit, path, parts)}</span></span></div>`)}
+    ${split && rows.slice(0, MAX_ROWS).map(([path, inner]) => html`<div class="row part" draggable="true" onDragStart=${(event) => drag(event, path)}><span class="dim">${path.replace(/^\./, '')}</span>
+      ${typeof inner === 'number' ? html`<${Spark} information=${information} path=${path} pick=${numberAt} />` : html`<span></span>`}<span class="v">${text(inner)}${typeof inner === 'number' && html` <span class="unit">${unitOf(info.unit, path)}</span>`}</span></div>`)}
+    ${split && rows.length > MAX_ROWS && html`<p class="dim">${rows.length - MAX_ROWS} more</p>`}
     ${history.value && html`<div class="history"><p>${info.doc}</p><${History} information=${information} /><button class="small" disabled=${parts.length === 0} onClick=${plot}>Plot</button></div>`}
   </div>`;
 }

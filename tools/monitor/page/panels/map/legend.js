@@ -1,8 +1,11 @@
-// What the colours of a map mean: lines at the lower border.
+// What the colours of a map mean: lines at the lower border. The menu Layers has them, too.
 
 import { css } from '../../lib/theme.js';
 
-/** Draws entries, [text, colour]. Returns the height that they take. */
+/** Largest share of the map that the lines may take. */
+const SHARE = 0.2;
+
+/** Draws entries, [text, colour], where they leave enough of the map. Returns the height that they take. */
 export function drawLegend(context, width, height, entries) {
   context.font = `11px ${css('--font')}`;
   context.textBaseline = 'middle';
@@ -17,6 +20,8 @@ export function drawLegend(context, width, height, entries) {
     lines.at(-1).push({ text, colour, x: 8 + used, wide });
     used += wide;
   }
+  const taken = used > 0 ? lines.length * 17 + 4 : 0;
+  if (taken > height * SHARE) return 0;
   lines.forEach((line, number) => {
     const y = height - 12 - (lines.length - 1 - number) * 17;
     for (const { text, colour, x, wide } of line) {
@@ -28,5 +33,5 @@ export function drawLegend(context, width, height, entries) {
       context.fillText(text, x + 12, y + 0.5);
     }
   });
-  return used > 0 ? lines.length * 17 + 4 : 0;
+  return taken;
 }

@@ -9,7 +9,7 @@ export const [LOW, TALL] = [26, 44];
 const [NEAR, OVER] = [0.8, 1];
 const PADDING = 14;
 /** Usual width of a letter of a rate, px. */
-const LETTER = 6.2;
+const LETTER = 6.5;
 
 const context = document.createElement('canvas').getContext('2d');
 
@@ -19,7 +19,7 @@ export function widthsOf(components) {
   return components.map(({ name, states }) => {
     context.font = `600 11.5px ${font}`;
     const own = context.measureText(name).width;
-    context.font = `11px ${font}`;
+    context.font = `11.5px ${font}`;
     const longest = Math.max(0, ...states.map((state) => context.measureText(state.name).width + 6));
     return Math.ceil(own + longest + PADDING);
   });

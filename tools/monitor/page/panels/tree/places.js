@@ -2,6 +2,10 @@
 
 /** White around all, usual and least distance of two boxes of a row, and of two rows, px. */
 const [MARGIN, GAP, LEAST, CORRIDOR] = [8, 14, 5, 9];
+/** Largest distance of two boxes of the longest row, and of two rows, px: the boxes of a small tree stay together. */
+const [FAR, DISTANT] = [110, 64];
+/** Least scale at which the names of a tree can be read. */
+export const READABLE = 0.96;
 /** Passes over the rows that sort them; each goes down, then up. */
 const SWEEPS = 8;
 
@@ -12,22 +16,24 @@ const SWEEPS = 8;
 export function placed(components, widths, [panelWidth, panelHeight], { low, tall }) {
   const deep = rowsOf(components, widths);
   sortRows(deep, components);
-  // Text is as large as the panel allows: a row that is wider than it becomes several.
-  const { rows, width, height } = [deep, broken(deep, widths, panelWidth - 2 * MARGIN)].map((some) => {
-    const size = [Math.max(...some.map((row) => lengthOf(row, widths))) + 2 * MARGIN, some.length * (low + CORRIDOR) - CORRIDOR + 2 * MARGIN];
-    return { rows: some, width: Math.max(panelWidth, size[0]), height: Math.max(panelHeight, size[1]), scale: Math.min(panelWidth / size[0], panelHeight / size[1], 1) };
-  }).reduce((one, other) => (other.scale > one.scale ? other : one));
+  // Names can be read: a row that is wider than the panel becomes several. What is higher than the panel is moved.
+  const fits = deep.every((row) => (lengthOf(row, widths) + 2 * MARGIN) * READABLE <= panelWidth);
+  const rows = fits ? deep : broken(deep, widths, panelWidth - 2 * MARGIN);
+  const lengths = [LEAST, FAR].map((gap) => Math.max(...rows.map((row) => lengthOf(row, widths, gap))) + 2 * MARGIN);
+  const width = Math.max(panelWidth, lengths[0]);
+  const height = Math.max(panelHeight, rows.length * (low + CORRIDOR) - CORRIDOR + 2 * MARGIN);
   const pitch = (height - 2 * MARGIN) / rows.length;
   const boxHeight = Math.max(low, Math.min(tall, pitch - 3 * CORRIDOR));
-  const step = rows.length > 1 ? (height - 2 * MARGIN - boxHeight) / (rows.length - 1) : 0;
-  const x = columns(rows, components, widths, { width, gap: GAP });
-  const boxes = components.map((_, index) => ({ x: x[index], width: widths[index], height: boxHeight }));
-  rows.forEach((row, number) => row.forEach((index) => Object.assign(boxes[index], { row: number, y: MARGIN + boxHeight / 2 + number * step })));
+  const step = rows.length > 1 ? Math.min((height - 2 * MARGIN - boxHeight) / (rows.length - 1), boxHeight + DISTANT) : 0;
+  const x = columns(rows, components, widths, { width: Math.min(width, lengths[1]), gap: GAP });
+  const [left, top] = [Math.max(0, width - lengths[1]) / 2, (height - (rows.length - 1) * step) / 2];
+  const boxes = components.map((_, index) => ({ x: left + x[index], width: widths[index], height: boxHeight }));
+  rows.forEach((row, number) => row.forEach((index) => Object.assign(boxes[index], { row: number, y: top + number * step })));
   return { boxes, rows, width, height };
 }
 
-/** The length of a row with the least distances. */
-const lengthOf = (row, widths) => row.reduce((sum, index) => sum + widths[index] + LEAST, -LEAST);
+/** The length of a row with a distance of its boxes. */
+const lengthOf = (row, widths, gap = LEAST) => row.reduce((sum, index) => sum + widths[index] + gap, -gap);
 
 /** The rows, broken where they are longer than the room; no link joins two boxes of one row. */
 const broken = (rows, widths, room) => rows.flatMap((row) => row.reduce((parts, index) => {

@@ -4,7 +4,7 @@ use jmanager_browser::{Page, Server, repository, target};
 use serde_json::json;
 
 use crate::glance::SMALL;
-use crate::{open_in, put_beside};
+use crate::{open_in, put_beside, tab};
 
 /// Buttons and fields with a side below 24 px, as far as they are shown.
 pub(crate) const TARGETS: &str = r"
@@ -58,6 +58,7 @@ async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
     let table = "import('/lib/dock.js').then(({ open }) => open('table', { rows: ['Odometry.walked', 'Head.pan'] }))";
     page.run(table).await;
     put_beside(&page).await;
+    tab(&page, "Map").await;
     page.click("switch", "3D", "Map").await;
     page.counts("[aria-label=Values] thead th", "=== 7").await;
     assert_eq!((page.run(TARGETS).await, page.run(AXE).await), (json!([]), json!([])));

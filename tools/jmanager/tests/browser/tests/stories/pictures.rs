@@ -50,6 +50,7 @@ async fn picture_of_a_watch() {
     at(&page, 8.0).await;
     page.click("button", "Watch", "Watches").await;
     page.reads("The world is paused").await;
+    page.click("tab", "Map", "").await;
     page.click("switch", "3D", "Map").await;
     page.click("button", "All", "Map").await;
     page.click("tab", "Timeline", "").await;
@@ -111,6 +112,7 @@ async fn picture_of_a_comparison() {
     page.click("button", "Run again", "Replay").await;
     page.counts("[aria-label=Compare] select", "=== 2").await;
     page.find("button", "Time: paused", "").await;
+    page.click("button", "Sessions", "").await;
     page.click("button", "kick-off.mcap", "Sessions").await;
     let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()].filter(({ info }) => info.value.kind === 'recording').every(({ info }) => info.value.connection !== 'connecting'))";
     page.until("both recordings are complete", read).await;

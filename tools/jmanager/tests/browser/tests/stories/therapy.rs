@@ -83,7 +83,6 @@ async fn a_therapist_operates_a_session_with_every_control() {
     shows(&page, "Running", "1.").await;
     page.reads("You operate the robot").await;
     page.reads("of 600 s").await;
-    page.reads("Line 3 of first: wait 600 s").await;
     button(&page, "Next ▶").await;
     shows(&page, "Running", "2. Shows: arms open").await;
     page.reads("It says: “Look.”").await;
