@@ -6,17 +6,13 @@ import { Timeline } from '../panels/timeline.js';
 import { ComponentTab } from '../panels/component.js';
 import { Camera } from '../panels/camera.js';
 import { GroundMap, hasMap } from '../panels/map.js';
-import { Plot } from '../panels/plot.js';
 import { Latency } from '../panels/latency.js';
 import { Log } from '../panels/log.js';
 import { Table } from '../panels/table.js';
 import { Watches } from '../panels/watches.js';
 import { Drive, canDrive } from '../panels/drive.js';
 import { Recordings } from '../panels/recordings.js';
-import { Designer } from '../panels/vicode.js';
-import { Code } from '../panels/code.js';
-import { Inspector } from '../panels/inspector.js';
-import { Sources } from '../panels/sources.js';
+import { later } from './ui.js';
 import { EXTENSIONS } from '../extensions.js';
 
 export const PANELS = {
@@ -25,16 +21,16 @@ export const PANELS = {
   component: { title: 'Component', view: ComponentTab },
   camera: { title: 'Camera', view: Camera, offered: (shown) => shown.info.value.can.images },
   map: { title: 'Map', view: GroundMap, offered: hasMap },
-  plot: { title: 'Plot', view: Plot, many: true },
+  plot: { title: 'Plot', view: later(() => import('../panels/plot.js'), 'Plot'), many: true },
   table: { title: 'Table', view: Table, many: true },
   latency: { title: 'Latency', view: Latency, offered: (shown) => shown.info.value.can.costs },
   log: { title: 'Log', view: Log },
   watches: { title: 'Watches', view: Watches },
   drive: { title: 'Drive', view: Drive, offered: canDrive },
   recordings: { title: 'Recordings', view: Recordings },
-  vicode: { title: 'Designer', view: Designer },
-  code: { title: 'Code', view: Code },
-  inspector: { title: 'Inspector', view: Inspector },
-  sources: { title: 'Sources', view: Sources },
+  vicode: { title: 'Designer', view: later(() => import('../panels/vicode.js'), 'Designer') },
+  code: { title: 'Code', view: later(() => import('../panels/code.js'), 'Code') },
+  inspector: { title: 'Inspector', view: later(() => import('../panels/inspector.js'), 'Inspector') },
+  sources: { title: 'Sources', view: later(() => import('../panels/sources.js'), 'Sources') },
   ...Object.assign({}, ...EXTENSIONS.map(({ panels }) => panels)),
 };

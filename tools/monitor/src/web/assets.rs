@@ -22,15 +22,14 @@ pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
     Some((Cow::Borrowed(bytes), media))
 }
 
-/// Modules that the page imports when it needs them first.
-const LATER: [&str; 2] = ["panels/map/scene.js", "vendor/three.js"];
+/// Modules that the page needs at once; what a panel needs is loaded when it is opened first.
+const FIRST: &[&str] = include!(concat!(env!("OUT_DIR"), "/first.rs"));
 
-/// Returns the page, with a link to each module that it needs at once. Without them a browser learns of a module when it has read the
+/// Returns the page, with a link to each module of [`FIRST`]. Without them a browser learns of a module when it has read the
 /// one that imports it, level by level.
 pub(crate) fn page() -> (String, &'static str) {
     let (bytes, media) = file("index.html").unwrap_or_default();
-    let modules =
-        FILES.iter().map(|(name, _)| *name).filter(|name| media_type(name) == Some(SCRIPT) && !LATER.contains(name));
+    let modules = FIRST.iter().chain(&["extensions.js"]);
     let links =
         modules.fold(String::new(), |links, name| links + "<link rel=\"modulepreload\" href=\"" + name + "\">\n");
     let text = String::from_utf8_lossy(&bytes);
@@ -56,6 +55,37 @@ mod tests {
     fn each_file_has_a_media_type() {
         for (name, _) in FILES {
             assert!(file(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn editors_and_plots_are_not_loaded_with_the_page() {
+        for name in
+            ["vendor/codemirror.js", "vendor/three.js", "vendor/uplot.js", "panels/vicode.js", "motion/panel.js"]
+        {
+            assert!(file(name).is_some() && !FIRST.contains(&name), "{name}");
+        }
+        assert!(
+            ["lib/dom.js", "vendor/preact.js", "panels/tree.js"].iter().all(|name| FIRST.contains(name)),
+            "{FIRST:?}"
+        );
+    }
+
+    #[test]
+    fn no_text_is_declared_below_11_px() {
+        for (name, bytes) in FILES.iter().filter(|(name, _)| !name.starts_with("vendor/") && media_type(name).is_some())
+        {
+            for part in String::from_utf8_lossy(bytes).split("font").skip(1) {
+                let Some((before, _)) = part.split_once("px") else { continue };
+                let digits = before.trim_end_matches(|one: char| one.is_ascii_digit() || one == '.').len();
+                // Further away is the size of something else.
+                if !before.contains(';')
+                    && before.len() < 24
+                    && let Ok(size) = before[digits..].parse::<f32>()
+                {
+                    assert!(size >= 11.0, "{name}: font{before}px");
+                }
+            }
         }
     }
 
