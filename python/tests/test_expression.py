@@ -30,6 +30,15 @@ def test_values(text: str, value: float) -> None:
     assert Expression(text).value(columns_of(GAMES)) == pytest.approx(value)
 
 
+def test_any_name_of_a_column_can_be_written() -> None:
+    columns = columns_of([{"höhe": 3.0, "Filter<3>.gain": 0.5, "ﬁt": 1.0}])
+    for text, value in {"max(höhe)": 3, "max(ho\u0308he)": 3, "max(`Filter<3>.gain`) * 2": 1, "max(fit)": 1}.items():
+        assert Expression(text).value(columns) == value
+    assert Constraint("max(`Filter<3>.gain`) <= 1").left.text == "max(`Filter<3>.gain`)"
+    with pytest.raises(ExpressionError, match="no column `Filter<5>`"):
+        Expression("max(`Filter<5>`)").value(columns)
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -1,13 +1,16 @@
 """Expressions over the results of games, evaluated without `eval`.
 
-A name is a column with a value for each game. `mean(otherwise(goal_s, 120))` is one number. `sum`, `count` and `share` pass over
-missing values; all other results of a missing value are errors, so that a game without a goal is never left out by mistake.
+A name is a column with a value for each game; one that is no name of Python stands in backticks, as in
+``max(`Filter<3>.gain`)``. `mean(otherwise(goal_s, 120))` is one number. `sum`, `count` and `share` pass over missing values; all
+other results of a missing value are errors, so that a game without a goal is never left out by mistake.
 """
 
 from __future__ import annotations
 
 import ast
 import operator
+import re
+import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial, reduce
 from typing import Any
@@ -96,7 +99,7 @@ class Constraint:
         self.text, tree = text, _parse(text)
         if not isinstance(tree, ast.Compare) or len(tree.ops) != 1 or type(tree.ops[0]) not in VIOLATIONS:
             raise ExpressionError(f"`{text}` is no constraint\n  help: write one of <=, >= and ==, as `sum(falls) == 0`")
-        self.left, right = (Expression(ast.unparse(side)) for side in (tree.left, tree.comparators[0]))
+        self.left, right = (Expression(_unparse(side)) for side in (tree.left, tree.comparators[0]))
         self.right, self._violation = right, VIOLATIONS[type(tree.ops[0])]
 
     def violation(self, columns: Columns) -> float:
@@ -120,9 +123,18 @@ def _parse(text: str) -> ast.expr:
     if len(text) > MAX_LENGTH:
         raise ExpressionError(f"an expression has at most {MAX_LENGTH} characters, this one has {len(text)}")
     try:
-        return ast.parse(text.strip(), mode="eval").body
+        quoted = re.sub("`([^`]+)`", lambda name: _QUOTED + name[1].encode().hex() + "_", text.strip())
+        return ast.parse(quoted, mode="eval").body
     except (SyntaxError, ValueError, RecursionError) as error:
         raise ExpressionError(f"`{text}` is no expression: {error}") from None
+
+
+#: Begin of the name of a column in backticks, before its bytes as hexadecimal digits.
+_QUOTED = "_column_"
+
+
+def _unparse(node: ast.expr) -> str:
+    return re.sub(f"{_QUOTED}([0-9a-f]+)_", lambda name: f"`{bytes.fromhex(name[1]).decode()}`", ast.unparse(node))
 
 
 def _compile(node: ast.expr) -> Callable[[Columns], Any]:
@@ -139,7 +151,7 @@ def _compile(node: ast.expr) -> Callable[[Columns], Any]:
                 raise ExpressionError(f"there is no function `{name}`\n  help: functions are {', '.join(sorted(FUNCTIONS))}")
             count, function = FUNCTIONS[name]
             if len(parts) != count:
-                raise ExpressionError(f"`{ast.unparse(node)}` needs {count} arguments, not {len(parts)}")
+                raise ExpressionError(f"`{_unparse(node)}` needs {count} arguments, not {len(parts)}")
         case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATORS:
             function, parts = OPERATORS[type(op)], [left, right]
         case ast.UnaryOp(op=op, operand=operand) if type(op) in OPERATORS:
@@ -149,7 +161,7 @@ def _compile(node: ast.expr) -> Callable[[Columns], Any]:
         case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in OPERATORS:
             function, parts = OPERATORS[type(op)], [left, right]
         case _:
-            raise ExpressionError(f"`{ast.unparse(node)}` is not allowed\n  help: use numbers, columns, + - * / **, functions")
+            raise ExpressionError(f"`{_unparse(node)}` is not allowed\n  help: use numbers, columns, + - * / **, functions")
     values = [_compile(part) for part in parts]
     return lambda columns: function(*(value(columns) for value in values))
 
@@ -159,6 +171,9 @@ def _reduced(function: Callable[[Any, Any], Any], *values: Any) -> Any:
 
 
 def _column_of(columns: Columns, name: str) -> np.ndarray:
+    name = bytes.fromhex(name.removeprefix(_QUOTED)[:-1]).decode() if name.startswith(_QUOTED) else name
+    # As Python writes names, which a program need not.
+    name = next((known for known in columns if unicodedata.normalize("NFKC", known) == unicodedata.normalize("NFKC", name)), name)
     if name not in columns:
         raise ExpressionError(f"the results have no column `{name}`\n  help: they have {', '.join(columns)}")
     return columns[name]
