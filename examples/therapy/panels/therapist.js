@@ -1,6 +1,7 @@
 // The therapist's page: what the robot does, in words for people who are not engineers, with large buttons.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
+import { pulse } from '../lib/pulse.js';
 import { act, ask, command, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
@@ -84,9 +85,9 @@ function Therapist({ visible }) {
     if (!operates) return undefined;
     const [here, gone] = ['page_is_here', 'page_closes'].map((name) => () => call('Guard', name));
     here();
-    const timer = setInterval(here, 1000);
+    const end = pulse(here);
     return () => {
-      clearInterval(timer);
+      end();
       if (session.peek()?.info.peek().control === 'yours') gone();
     };
   }, [operates]);

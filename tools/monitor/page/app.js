@@ -1,5 +1,7 @@
 // The page: bar, docked panels, notices, keys.
 
+// The first: its listener comes before all others.
+import './lib/keys.js';
 import { Fragment, effect, html, render } from './lib/dom.js';
 import { shownTime, toTransition } from './lib/axis.js';
 import { connect } from './lib/connection.js';

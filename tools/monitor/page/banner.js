@@ -28,10 +28,11 @@ export function Banner() {
 /** How a run has ended, and what can be done next. */
 function Result({ own }) {
   const { name, connection, note, result, kind, paused, seed, can } = own;
+  const following = BigInt(seed ?? 0) + 1n;
   const restart = (next, done) => store.act('restart', { seed: next }, done);
   return html`<div class="banner" role="status"><span>${name}: <b>${result}</b>${note && html`<span class="dim">; ${note}</span>`}</span><span class="grow"></span>
     ${kind === 'world' && html`<button class="primary" onClick=${() => restart(null, 'the world begins again')}>Again</button>
-      <button onClick=${() => restart(seed + 1, `the world begins with seed ${seed + 1}`)}>Next seed, ${seed + 1}</button>`}
+      <button onClick=${() => restart(following, `the world begins with seed ${following}`)}>Next seed, ${following}</button>`}
     ${can.pause && paused && connection === 'connected' && html`<button onClick=${() => store.act('resume')}>Go on</button>`}
     <button onClick=${() => dock.open('recordings')}>Keep the recording…</button></div>`;
 }

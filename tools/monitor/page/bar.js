@@ -4,7 +4,7 @@ import { html, useSignal } from './lib/dom.js';
 import { link } from './lib/connection.js';
 import { copyLink } from './lib/links.js';
 import * as dock from './lib/dock.js';
-import { bytes, duration, number, time } from './lib/format.js';
+import { bytes, duration, number, time, typedNumber } from './lib/format.js';
 import { PANELS } from './lib/panels.js';
 import { savePicture } from './lib/picture.js';
 import { playOrPause } from './lib/playback.js';
@@ -59,7 +59,7 @@ function Add() {
       <label>Robot <input value=${address.value} onInput=${(event) => { address.value = event.target.value; }} aria-label="Address of the robot" /></label>
       <button>Connect</button></form>
     <p class="hint">tcp://HOST:PORT, or serial:DEVICE@BAUD</p>
-    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: chosen.name, seed: Number(seed.value) || 0, options: options.value }); }}>
+    <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: chosen.name, seed: typedNumber(seed.value) || 0, options: options.value }); }}>
       <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
         ${worlds.map(({ name }) => html`<option selected=${name === chosen?.name}>${name}</option>`)}</select></label>
       <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
@@ -76,10 +76,10 @@ function Clock() {
   const recording = info?.kind === 'recording';
   const moment = shown?.moment.value;
   const state = at !== null ? (store.playing.value ? 'playing' : 'paused') : info?.paused ? 'world paused' : 'live';
-  const fresh = shown && info.connection === 'connected';
+  const fresh = shown && info.connection === 'connected' && link.value === 'open';
   return html`<button class=${`chip clock ${fresh ? state.replace(' ', '-') : 'off'}`} aria-label=${`Time: ${state}. ${at === null ? 'Pause the view' : recording ? 'Play or pause' : 'Back to live'}`}
     title="Space pauses the view; the robot goes on" onClick=${playOrPause}>
-    <i class="dot" aria-hidden="true"></i><span class="state-word">${shown && info.connection !== 'connected' ? info.connection : state}</span> <b>${time(moment?.time_us ?? at)}</b></button>`;
+    <i class="dot" aria-hidden="true"></i><span class="state-word">${fresh || !shown ? state : link.value === 'open' ? info.connection : 'lost'}</span> <b>${time(moment?.time_us ?? at)}</b></button>`;
 }
 
 function Costs() {

@@ -2,8 +2,8 @@
 
 import { html, signal, useEffect, useRef, useSignal } from './lib/dom.js';
 import * as dock from './lib/dock.js';
-import { text as shortText, time } from './lib/format.js';
-import { allKeys } from './lib/keys.js';
+import { text as shortText, time, typedNumber } from './lib/format.js';
+import { allKeys, namesOf } from './lib/keys.js';
 import { PANELS } from './lib/panels.js';
 import * as store from './lib/store.js';
 import { draft, watches } from './lib/watches.js';
@@ -14,7 +14,7 @@ export const paletteShown = signal(false);
 const MOST = 60;
 
 window.addEventListener('keydown', (event) => {
-  if ((event.ctrlKey || event.metaKey) && event.key === 'k') {
+  if (namesOf(event).includes('Ctrl+k')) {
     event.preventDefault();
     paletteShown.value = !paletteShown.value;
   }
@@ -87,17 +87,19 @@ export function rowsFor(typed) {
     return rest && Number.isFinite(seconds) ? [{ kind: 'time', name: `Show ${time(seconds * 1e6)}`, place: '', value: '', run: () => store.seek(seconds * 1e6) }] : [];
   }
   if (sign === '=') {
-    const [, name, value] = rest.match(/^(\S*)\s*(\S*)$/) ?? [];
-    const found = best(ofComponents().filter(({ set }) => set), name ?? '');
+    const all = ofComponents().filter(({ set }) => set);
+    // The value follows the last space; a name may have spaces, too.
+    const [, name, value] = all.some((one) => one.name === rest) ? ['', rest] : rest.match(/^(.*\S)[\s=]+(\S+)$/) ?? ['', rest];
+    const found = best(all, name);
     if (!value) return found;
-    const number = Number(value);
+    const number = typedNumber(value);
     return found.map((one) => ({ ...one, name: `${one.name} = ${value}`, run: () => store.setParams([{ component: one.set[0], param: one.set[1], value: Number.isFinite(number) ? number : value === 'true' || (value === 'false' ? false : value) }]) }));
   }
   return best(sign === '>' ? commands() : everything(), rest);
 }
 
 function best(rows, text) {
-  const wanted = text.toLowerCase().split(/\s+/).filter(Boolean);
+  const wanted = text.normalize('NFC').toLowerCase().split(/\s+/).filter(Boolean);
   return rows.map((row) => ({ row, score: fit(row, wanted) })).filter(({ score }) => score > 0).sort((a, b) => b.score - a.score).slice(0, MOST).map(({ row }) => row);
 }
 

@@ -33,8 +33,12 @@ export function connect() {
   };
 }
 
+/** JSON, in which a whole number that a `number` cannot hold is a BigInt: `{"$int": "9007199254740993"}`, or digits in what is sent. */
+export const parsed = (text) => JSON.parse(text, text.includes('{"$int":') ? (_, value) => (value?.$int ? BigInt(value.$int) : value) : undefined);
+export const written = (value) => JSON.stringify(value, (_, one) => (typeof one === 'bigint' ? `\uE000${one}` : one)).replaceAll(/"\uE000(-?\d+)"/g, '$1');
+
 function receive(data) {
-  const message = typeof data === 'string' ? JSON.parse(data) : null;
+  const message = typeof data === 'string' ? parsed(data) : null;
   if (message?.type === 'entered') {
     keep(message.secret);
     link.value = 'open';
@@ -52,7 +56,7 @@ export function request(type, fields = {}) {
   if (link.value !== 'open') return Promise.reject(none);
   lastId += 1;
   const id = lastId;
-  socket.send(JSON.stringify({ id, type, ...fields }));
+  socket.send(written({ id, type, ...fields }));
   const answer = new Promise((resolve, reject) => waiting.set(id, { resolve, reject }));
   answer.id = id;
   return answer;

@@ -73,6 +73,6 @@ export async function film({ element, title }) {
   });
   cancelAnimationFrame(frame);
   [filming.value, looping.value] = [null, loops];
-  const name = `${title.toLowerCase().replaceAll(/\W+/g, '-')}-${(begin / 1e6).toFixed(2)}-${(end / 1e6).toFixed(2)}`;
+  const name = `${title.toLowerCase().replaceAll(/[^\p{L}\p{N}_]+/gu, '-')}-${(begin / 1e6).toFixed(2)}-${(end / 1e6).toFixed(2)}`;
   return download(`${name}.${type.includes('mp4') ? 'mp4' : 'webm'}`, new Blob(parts, { type: recorder.mimeType }));
 }

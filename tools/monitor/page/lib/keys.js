@@ -13,9 +13,24 @@ export function bind(binding) {
 
 export const allKeys = () => bindings;
 
-function nameOf(event) {
-  const shift = event.shiftKey && event.key.length > 1 ? 'Shift+' : '';
-  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${event.altKey ? 'Alt+' : ''}${shift}${event.key}`;
+/** Whether a key belongs to an input method, such as Enter that ends a conversion: it is no command, and commits nothing. */
+export const isComposed = (event) => event.isComposing || event.keyCode === 229;
+
+// Before all other listeners. An editor of code composes by itself.
+window.addEventListener('keydown', (event) => {
+  if (isComposed(event) && !event.target.isContentEditable) event.stopImmediatePropagation();
+}, true);
+
+/**
+ * Names of a key, the best first: as it was pressed; the sign alone that Alt or AltGr has made of it, as `[` on many keyboards; the digit or
+ * Latin letter of its place, for keyboards with others.
+ */
+export function namesOf({ key, code = '', shiftKey, ctrlKey, metaKey, altKey }) {
+  const name = (alt, text) => `${ctrlKey && (alt || !altKey) || metaKey ? 'Ctrl+' : ''}${alt ? 'Alt+' : ''}${shiftKey && text.length > 1 ? 'Shift+' : ''}${text}`;
+  const isSign = key.length === 1 && !/[\p{L}\p{N}\s]/u.test(key);
+  const [, letter, digit] = code.match(/^(?:Key([A-Z])|Digit(\d))$/) ?? [];
+  const here = digit && key.length === 1 && !/\d/.test(key) && !shiftKey ? digit : letter && /[^\x20-\x7e]/.test(key) ? (shiftKey ? letter : letter.toLowerCase()) : null;
+  return [name(altKey, key), ...(altKey && isSign ? [name(false, key)] : []), ...(here ? [name(altKey, here)] : [])];
 }
 
 const TYPED = new Set(['text', 'number', 'search', 'password']);
@@ -75,10 +90,12 @@ window.addEventListener('keydown', (event) => {
 
 window.addEventListener('keydown', (event) => {
   if (event.defaultPrevented || isOrphan(event)) return;
-  const name = nameOf(event);
-  if (name === 'Escape' && isTaken(event)) event.target.blur();
-  if (isTaken(event) && name !== 'Escape') return;
-  const binding = bindings.findLast((one) => one.key === name && one.where && event.target.closest(one.where)) ?? bindings.findLast((one) => one.key === name && !one.where);
+  const names = namesOf(event);
+  const isEscape = names[0] === 'Escape';
+  if (isEscape && isTaken(event)) event.target.blur();
+  if (isTaken(event) && !isEscape) return;
+  const bound = (name) => bindings.findLast((one) => one.key === name && one.where && event.target.closest(one.where)) ?? bindings.findLast((one) => one.key === name && !one.where);
+  const binding = names.map(bound).find(Boolean);
   if (!binding) return;
   event.preventDefault();
   binding.run(event);

@@ -2,6 +2,7 @@
 
 import { batch } from './dom.js';
 import { listen, request } from './connection.js';
+import { pulse } from './pulse.js';
 import { Session } from './session.js';
 import { begin, classified, current, cursor, hello, isAsked, isNewest, isShown, leaving, notify, range, seek, session, sessions, show, watchAnew, whole } from './store.js';
 
@@ -86,6 +87,7 @@ const HANDLERS = {
     begin(of);
   },
   update(message, of) {
+    for (const [component, time, active] of message.changes) of.activityOf(component).add(active ? [] : [time], active ? [time] : []);
     of.live.value = message;
     if (isNewest(of)) of.moment.value = message;
   },
@@ -156,8 +158,8 @@ function image(frame) {
 
 // ---- control: the lease ends 3 s after the last message of a page that froze or was closed
 
-setInterval(() => {
+pulse(() => {
   for (const one of sessions.value.values()) {
     if (one.info.value.control === 'yours') request('keep', { session: one.id }).catch(() => {});
   }
-}, 500);
+});

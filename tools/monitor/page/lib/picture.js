@@ -8,7 +8,7 @@ import { download } from './ui.js';
 export async function savePicture(panel) {
   if (!panel) return;
   try {
-    download(`${panel.title.toLowerCase().replaceAll(/\W+/g, '-')}.png`, await picture(panel.element));
+    download(`${panel.title.toLowerCase().replaceAll(/[^\p{L}\p{N}_]+/gu, '-')}.png`, await picture(panel.element));
   } catch (error) {
     notify('error', 'this browser makes no picture of the panel', error?.message ?? 'use a screenshot of the window');
   }

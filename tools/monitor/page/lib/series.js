@@ -34,13 +34,30 @@ export function samplesAt(curve, [from, until]) {
   return shift === 0 ? found : new Map([...found].map(([at, value]) => [at - shift, value]));
 }
 
-/** Whether a text names a curve; what is wrong with it becomes a notice. */
-export function isCurve(shown, name) {
+/** What is wrong with a text that should name a curve; empty if it does. It becomes a notice. */
+export function faultOf(shown, name) {
   try {
-    return Boolean(resolve(shown, name));
+    resolve(shown, name);
+    return '';
   } catch ({ message }) {
     notify('error', message, 'write Component.information, as in the list of the field, or an expression such as hypot(A.x, A.y) or rate(A.x)');
-    return false;
+    return message;
+  }
+}
+
+/** Reads when components were active within an interval. */
+async function readActivity(of, curves, [from, until]) {
+  try {
+    const rows = await request('timeline', { session: of.id, from_us: from, until_us: until, resolution_us: Math.round((until - from) / POINTS) });
+    // What goes on at the end of the interval has not ended: the root does.
+    const last = Math.max(...rows.flatMap(({ bars }) => bars.map(([, end]) => end)));
+    for (const { component, bars } of rows) {
+      const ends = bars.filter(([, end], index) => end < last && bars[index + 1]?.[0] !== end).map(([, end]) => end);
+      of.activityOf(component).add(bars[0]?.[0] === from ? ends : [from, ...ends], bars.map(([begin]) => begin));
+    }
+    for (const { place } of curves.flatMap(({ inputs }) => inputs)) of.info_of(...place).version.value += 1;
+  } catch {
+    // Samples are shown without it.
   }
 }
 
@@ -55,6 +72,7 @@ export function useCurves(curves, shown, visible, key) {
     if (curves.length === 0) return undefined;
     let timer = null;
     const read = async () => {
+      await Promise.all([...Map.groupBy(curves, ({ of }) => of)].map(([of, all]) => readActivity(of, all, visibleRange.peek().map((at) => Math.max(0, Math.round(at + all[0].shift))))));
       for (const { of, shift, place } of curves.flatMap(({ of, shift, inputs }) => inputs.map(({ place }) => ({ of, shift, place })))) {
         const information = of.info_of(...place);
         const [from, until] = visibleRange.peek().map((at) => Math.max(0, Math.round(at + shift)));

@@ -11,7 +11,9 @@ const LATE = 250e3;
 
 /** Values of an output over time, and the newest one for the cursor. */
 export class Information {
-  constructor() {
+  /** `activity` has the times at which its component became latent, and active, in order. */
+  constructor(activity = new Activity()) {
+    this.activity = activity;
     this.times = [];
     this.values = [];
     this.now = signal(null);
@@ -50,19 +52,46 @@ export class Information {
 
   /** Number of the samples that are not later. */
   count(time) {
-    let [low, high] = [0, this.times.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.times[middle] <= time) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    return countOf(this.times, time);
   }
 
   /** The last value that is not later. */
   at(time) {
     return this.values[this.count(time) - 1];
   }
+
+  /** The same; undefined while its component is latent. */
+  held(time) {
+    return this.activity.isLatent(time) ? undefined : this.at(time);
+  }
+}
+
+/** When a component became latent, and active, as far as it is known. */
+class Activity {
+  constructor() {
+    [this.ends, this.begins] = [[], []];
+  }
+
+  isLatent(time) {
+    const last = (times) => times[countOf(times, time) - 1] ?? -1;
+    return last(this.ends) > last(this.begins);
+  }
+
+  add(ends, begins) {
+    const merged = (all, more) => (more.length === 0 ? all : [...new Set([...all, ...more])].sort((a, b) => a - b).slice(-MAX_SAMPLES));
+    [this.ends, this.begins] = [merged(this.ends, ends), merged(this.begins, begins)];
+  }
+}
+
+/** Number of the times that are not later; `times` are in order. */
+function countOf(times, time) {
+  let [low, high] = [0, times.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 let lastLine = 0;
@@ -106,6 +135,8 @@ export class Session {
     this.linesVersion = signal(0);
     this.conditions = new Map();
     this.information = new Map();
+    /** Activity of each component, by its index. */
+    this.activities = new Map();
     this.incoming = [];
   }
 
@@ -120,6 +151,7 @@ export class Session {
     this.linesVersion.value += 1;
     this.worst.value = [];
     this.information.clear();
+    this.activities.clear();
     this.conditions.clear();
     this.live.value = null;
     this.newest = { costs: null, truth: null, image: null, conditions: new Map() };
@@ -132,8 +164,13 @@ export class Session {
   info_of(component, index) {
     const key = component * 65536 + index;
     let known = this.information.get(key);
-    if (!known) this.information.set(key, (known = new Information()));
+    if (!known) this.information.set(key, (known = new Information(this.activityOf(component))));
     return known;
+  }
+
+  activityOf(component) {
+    if (!this.activities.has(component)) this.activities.set(component, new Activity());
+    return this.activities.get(component);
   }
 
   showImage(image, live) {

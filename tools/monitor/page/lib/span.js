@@ -2,6 +2,7 @@
 
 import { effect, signal, untracked } from './dom.js';
 import { request } from './connection.js';
+import { minus } from './expression.js';
 import { numbers } from './format.js';
 import { newest, notify, session } from './store.js';
 
@@ -41,17 +42,20 @@ export function spanOf(note) {
   return text === undefined ? null : { begin: begin * 1e6, end: end * 1e6, text };
 }
 
-/** What is measured of the samples of a span, Map from time to number or null: a value holds until the next one. */
+/** What is measured of the samples of a span, Map from time to number or null: a value holds until the next one, or until null. */
 export function statistics(samples, [begin, end]) {
-  const known = [...samples].filter(([time, value]) => value !== null && time <= end);
+  const known = [...samples].filter(([time]) => time <= end);
   const first = Math.max(0, known.findLastIndex(([time]) => time <= begin));
-  const parts = known.slice(first).map(([time, value], index, all) => [value, Math.max(0, (all[index + 1]?.[0] ?? end) - Math.max(time, begin))]);
+  const all = known.slice(first).map(([time, value], index, rest) => [value, Math.max(0, (rest[index + 1]?.[0] ?? end) - Math.max(time, begin))]);
+  const base = all.find(([value]) => typeof value === 'bigint')?.[0] ?? 0;
+  const parts = all.filter(([value]) => value !== null).map(([value, weight]) => [Number(minus(value, base)), weight]);
   if (parts.length === 0) return null;
   const total = parts.reduce((sum, [, weight]) => sum + weight, 0) || 1;
   const mean = parts.reduce((sum, [value, weight]) => sum + value * weight, 0) / total;
   const deviation = Math.sqrt(parts.reduce((sum, [value, weight]) => sum + (value - mean) ** 2 * weight, 0) / total);
   const values = parts.map(([value]) => value);
-  return { min: Math.min(...values), max: Math.max(...values), mean, deviation, change: values.at(-1) - values[0] };
+  const [min, max, middle] = [Math.min(...values), Math.max(...values), mean].map((one) => (base ? base + BigInt(Math.round(one)) : one));
+  return { min, max, mean: middle, deviation, change: values.at(-1) - values[0] };
 }
 
 /** How a component spent a span: [[state, share]] of the time and the number of transitions; `row` is its bars. */

@@ -40,7 +40,13 @@ export function notify(level, text, help = '', action = null) {
   const isSame = (one) => one.level === level && one.text === text && one.help === help;
   const notice = { id: lastNotice, level, text, help, action, count: (notices.value.find(isSame)?.count ?? 0) + 1 };
   notices.value = [...notices.value.filter((one) => !isSame(one)).slice(-4), notice];
-  setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000);
+  whenSeen(() => setTimeout(() => dismiss(notice.id), level === 'error' ? 12000 : 4000));
+}
+
+/** Runs a function now, or when the tab of this page is shown. */
+function whenSeen(run) {
+  if (!document.hidden) run();
+  else document.addEventListener('visibilitychange', () => whenSeen(run), { once: true });
 }
 
 export const dismiss = (id) => { notices.value = notices.value.filter((notice) => notice.id !== id); };

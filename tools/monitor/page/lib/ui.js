@@ -44,7 +44,7 @@ export function Spark({ information, path, pick, span = 10e6 }) {
   const points = [];
   for (let index = start; index < end; index += step) {
     const value = pick(values[index], path);
-    if (value !== null) points.push([times[index], value]);
+    if (value !== null) points.push([times[index], Number(value)]);
   }
   if (points.length < 2) return html`<svg class="spark" aria-hidden="true"></svg>`;
   let [low, high] = [Infinity, -Infinity];
@@ -52,7 +52,7 @@ export function Spark({ information, path, pick, span = 10e6 }) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  if (high - low < 1e-9) [low, high] = [low - 1, high + 1];
+  if (high === low) [low, high] = [low - 1, high + 1];
   const line = points.map(([time, value], index) => `${index ? 'L' : 'M'}${(((time - last + span) / span) * 100).toFixed(1)} ${(17 - ((value - low) / (high - low)) * 14).toFixed(1)}`).join('');
   return html`<svg class="spark" viewBox="0 0 100 20" preserveAspectRatio="none" aria-hidden="true"><path d=${line} /></svg>`;
 }

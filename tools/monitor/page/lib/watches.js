@@ -4,7 +4,7 @@
 import { computed, effect, signal, untracked } from './dom.js';
 import { request } from './connection.js';
 import { resolve } from './curves.js';
-import { numberAt } from './format.js';
+import { numberAt, typedNumber } from './format.js';
 import { Information } from './session.js';
 import { act, cycle_us, newest, seek, session, watch as wish } from './store.js';
 
@@ -32,8 +32,9 @@ export function parts(text) {
 
 /** The output and the number that a condition compares: {name, limit}; null for another condition. */
 export function threshold(text) {
-  const [, name, limit] = parts(text).condition.match(/^([\w.[\]]+)\s*[<>]=?\s*(-?\d+(?:\.\d+)?)$/) ?? [];
-  return name ? { name, limit: Number(limit) } : null;
+  const [, name, limit] = parts(text).condition.match(/^(\S.*?)\s*[<>]=?\s*([-+]?[\d.][-+.\de]*)$/i) ?? [];
+  const value = limit ? typedNumber(limit) : NaN;
+  return Number.isNaN(value) ? null : { name: name.normalize('NFC'), limit: value };
 }
 
 /** Adds a watch, or replaces another one. Throws an error that says what is wrong with its condition. */

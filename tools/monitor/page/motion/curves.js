@@ -2,6 +2,7 @@
 
 import { Canvas, line } from '../lib/canvas.js';
 import { html, useRef } from '../lib/dom.js';
+import { ticks } from '../lib/format.js';
 import { css, curveColour } from '../lib/theme.js';
 import { channel, draft, form, held, keys, row, setSeconds, shapes } from './model.js';
 import { measured } from './trial.js';
@@ -52,7 +53,8 @@ export function Curves({ visible }) {
     context.font = '11px system-ui, sans-serif';
     context.fillStyle = css('--dim');
     context.textAlign = 'right';
-    for (const part of [0, 0.5, 1]) context.fillText((low + part * (high - low)).toFixed(high - low < 2 ? 2 : 0), LEFT - 5, height - BOTTOM - part * (height - TOP - BOTTOM) + 4);
+    const texts = ticks([low, (low + high) / 2, high]);
+    for (const part of [0, 0.5, 1]) context.fillText(texts[2 * part], LEFT - 5, height - BOTTOM - part * (height - TOP - BOTTOM) + 4);
     context.textAlign = 'left';
     context.fillText(unit, 4, 11);
     context.textAlign = 'center';

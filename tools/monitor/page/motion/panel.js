@@ -1,6 +1,7 @@
 // The motion editor: motions of the sources, a timeline of keyframes, and the numbers of the chosen one.
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
+import { exact, typedNumber } from '../lib/format.js';
 import { jointsOf } from '../lib/frames.js';
 import { cursor, hello, session, watch } from '../lib/store.js';
 import { curveColour } from '../lib/theme.js';
@@ -41,10 +42,13 @@ function Channel({ own, index }) {
   return html`<li class=${`channel ${index === channel.value ? 'on' : ''} ${written[index] ? '' : 'rest'}`} onFocusIn=${() => { channel.value = index; }}>
     <label for=${`channel-${index}`} onClick=${() => { channel.value = index; }}><i class="dot" ref=${(dot) => { if (dot) dot.style.background = curveColour(index); }}></i>${own.name}</label>
     <input id=${`channel-${index}`} aria-label=${own.name} type="range" min=${own.min} max=${own.max} step=${own.step} value=${value} disabled=${Boolean(held.value)} onInput=${drag} onChange=${drop} />
-    <${Field} value=${value.toFixed(digits)} label=${`${own.name} in ${own.unit}`} width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (text.trim() !== '' && Number.isFinite(Number(text))) setValue(row.value, index, Number(text)); }} /><span class="dim">${own.unit}</span>
+    <${Field} value=${edited(value)} label=${`${own.name} in ${own.unit}`} width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (Number.isFinite(typedNumber(text))) setValue(row.value, index, typedNumber(text)); }} /><span class="dim">${own.unit}</span>
     ${beyond ? html`<span class="warn" title="The motor stops there">limit ${beyond[2].toFixed(0)}°</span>` : fast ? html`<span class="warn" title="Faster than the motor: the joint arrives late">${fast[1].toFixed(0)} of ${fast[2].toFixed(0)} °/s</span>` : load > 1 ? html`<span class="warn" title="The motor holds this posture for a short time only">load ${(load * 100).toFixed(0)} %</span>` : html`<span class="dim">${now !== undefined && `measured ${now.toFixed(digits)}`}</span>`}
   </li>`;
 }
+
+/** A number as it is written in the source, without what the arithmetic of floating-point numbers added. */
+const edited = (value) => exact(Number(value.toFixed(6)));
 
 function Numbers() {
   const onlyMoved = useSignal(false);
@@ -57,7 +61,7 @@ function Numbers() {
   return html`<section class="numbers" aria-label="Keyframe">
     <p class="keyframe"><b>Keyframe ${row.value + 1} of ${keys.value.length}</b>
       <button aria-label="Previous keyframe" disabled=${row.value === 0} onClick=${() => { row.value -= 1; }}>‹</button><button aria-label="Next keyframe" disabled=${row.value >= keys.value.length - 1} onClick=${() => { row.value += 1; }}>›</button>
-      ${own.time ? html`<label>takes <${Field} value=${key.seconds.toFixed(2)} label="Duration in s" width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (Number(text) > 0) setSeconds([[row.value, Number(text)]]); }} /> s</label>` : html`<span class="dim">takes ${key.seconds.toFixed(2)} s by its way</span>`}
+      ${own.time ? html`<label>takes <${Field} value=${edited(key.seconds)} label="Duration in s" width="number" disabled=${Boolean(held.value)} onCommit=${(text) => { if (typedNumber(text) > 0) setSeconds([[row.value, typedNumber(text)]]); }} /> s</label>` : html`<span class="dim">takes ${key.seconds.toFixed(2)} s by its way</span>`}
       ${least > key.seconds + 0.005 && html`<span class="warn">${own.stretches ? 'is played in' : 'the motors need'} ${least.toFixed(2)} s</span>`}
       ${indirect.length > 0 && html`<span class="warn" title="Faster than their motors, or beyond their ranges">! ${[...new Set(indirect)].join(', ')}</span>`}
       <${Toggle} on=${onlyMoved.value} label="Only what moves" title="Leave out the numbers that no keyframe changes" onChange=${(on) => { onlyMoved.value = on; }} /></p>

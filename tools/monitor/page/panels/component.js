@@ -1,7 +1,7 @@
 // The tab of a component, made from its description.
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
-import { duration, number, time } from '../lib/format.js';
+import { duration, niceStep, number, time } from '../lib/format.js';
 import { openComponent, openSources } from '../lib/dock.js';
 import { command, cursor, hello, selected, session, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
@@ -31,12 +31,13 @@ export function ComponentTab({ visible, params, retitle }) {
   if (!component) return html`<${Empty} what=${own ? `This tree has no component ${own}` : 'No component is chosen'} help="Click a component in the tree or in the timeline." />`;
   return html`<article class="tab" key=${name}>
     <${Head} ...${{ shown, component, index, own }} />
+    ${/* Controls stand above what changes its height while time goes on: they do not move under the pointer. */ ''}
     ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
+    <${ByHand} ...${{ shown, component, index }} />
+    ${component.modulations.length > 0 && html`<${Modulations} ...${{ component, index }} />`}
     <${Why} ...${{ shown, component, index }} />
     ${component.doc && html`<p class="doc">${component.doc}</p>`}
     ${component.info.length > 0 && html`<${InformationList} ...${{ shown, component, index, visible }} />`}
-    <${ByHand} ...${{ shown, component, index }} />
-    ${component.modulations.length > 0 && html`<${Modulations} ...${{ component, index }} />`}
   </article>`;
 }
 
@@ -65,6 +66,7 @@ function ByHand({ shown, component, index }) {
   const rate = useSignal(null);
   const wanted = now?.[3] ?? component.hz;
   const most = component.hz;
+  const step = most > 10 ? 1 : niceStep(most ?? 1);
   const hold = (kind) => command('hold', { component: index, hold: kind }, kind === 'tree' ? `${component.name} is left to the tree` : `${component.name} is held ${kind}`);
   const setRate = (hz) => {
     rate.value = null;
@@ -74,7 +76,7 @@ function ByHand({ shown, component, index }) {
     <div class="row"><span>hold</span><div class="segments" role="radiogroup" aria-label=${`Hold ${component.name}`}>${HOLDS.map(([kind, title]) => html`
       <button role="radio" aria-checked=${now?.[1] === kind} class=${now?.[1] === kind ? 'on' : ''} disabled=${!can} onClick=${() => hold(kind)}>${title}</button>`)}</div></div>
     ${component.hz !== null && html`<div class="row"><span>rate</span>
-      <input type="range" min="1" max=${most} step="1" disabled=${!can} aria-label=${`Rate of ${component.name}`} value=${rate.value ?? wanted}
+      <input type="range" min=${step} max=${most} step=${step} disabled=${!can} aria-label=${`Rate of ${component.name}`} value=${rate.value ?? wanted}
         onInput=${(event) => { rate.value = Number(event.target.value); }} onChange=${(event) => setRate(Number(event.target.value))} />
       <span class=${`v ${now?.[3] !== null && now?.[3] !== undefined && now[3] !== component.hz ? 'changed' : ''}`}>${number(rate.value ?? wanted)} Hz</span>
       <button class="small" disabled=${!can || now?.[3] === component.hz} title=${`Declared: ${number(component.hz)} Hz`} onClick=${() => setRate(null)}>declared</button></div>`}

@@ -1,7 +1,7 @@
 // Driving by hand: the robot is taken over, its body and head are moved by modulations, and it is given back.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
-import { number, words } from '../lib/format.js';
+import { niceStep, number, words } from '../lib/format.js';
 import { visuals } from '../lib/frames.js';
 import { on } from '../lib/listen.js';
 import { act, command, notify, operate, session } from '../lib/store.js';
@@ -145,7 +145,7 @@ function Sliders({ part, values, disabled, live }) {
     live?.();
   };
   return part.arguments.map(({ name, min, max, step, unit, doc }) => html`<div class="row" title=${doc}><label>${words(name)}</label>
-    <input type="range" aria-label=${`${part.name} ${name}`} min=${min} max=${max} step=${step ?? 0.01} disabled=${disabled} value=${values.value[name]} onInput=${(event) => set(name, Number(event.target.value))} onDblClick=${() => set(name, 0)} />
+    <input type="range" aria-label=${`${part.name} ${name}`} min=${min} max=${max} step=${step ?? niceStep(max - min)} disabled=${disabled} value=${values.value[name]} onInput=${(event) => set(name, Number(event.target.value))} onDblClick=${() => set(name, 0)} />
     <span class="v">${number(values.value[name])} <span class="unit">${unit}</span></span></div>`);
 }
 

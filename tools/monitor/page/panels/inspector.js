@@ -1,6 +1,7 @@
 // What is selected in the designer, as fields; in its other uses the differences, the trial, or the coverage.
 
 import { html } from '../lib/dom.js';
+import { sentence } from '../lib/format.js';
 import { Empty } from '../lib/ui.js';
 import { TrySide } from '../vicode/attempt.js';
 import { CoverageSide } from '../vicode/coverage.js';
@@ -25,7 +26,7 @@ export function Inspector() {
   if (note) return html`<article class="tab inspector" key=${note.key}><h2>Note</h2><${Docs} label="Text of the note" text=${note.text} onCommit=${(text) => setNote(text.trim())} /><button onClick=${() => removeNote()} title="Delete in the canvas">Delete the note</button></article>`;
   const several = selection.value.length;
   return html`<article class="tab inspector" key=${one?.key ?? own.name}>
-    ${refusal.value && html`<p class="refusal" role="alert"><b>${refusal.value.text}</b> ${refusal.value.help} <button class="small" aria-label="Dismiss" onClick=${() => { refusal.value = null; }}>×</button></p>`}
+    ${refusal.value && html`<p class="refusal" role="alert"><b>${sentence(refusal.value.text)}</b> ${refusal.value.help} <button class="small" aria-label="Dismiss" onClick=${() => { refusal.value = null; }}>×</button></p>`}
     ${locked.value && html`<p class="warn">${locked.value}</p>`}
     ${several > 1 && html`<p class="dim">${several} are selected; this is the last one.</p>`}
     ${one ? ('sources' in one ? html`<${ArrowFields} arrow=${one} machine=${own} />` : html`<${StateFields} state=${one} machine=${own} />`) : html`<${ComponentFields} machine=${own} />`}

@@ -3,11 +3,12 @@
 import uPlot from '../vendor/uplot.js';
 import { effect, html, useEffect, useRef, useSignal } from '../lib/dom.js';
 import { resolved, valueNow } from '../lib/curves.js';
-import { number, numbers, text, time, valueAt } from '../lib/format.js';
+import { minus } from '../lib/expression.js';
+import { exact, number, numbers, text, ticks, time, valueAt } from '../lib/format.js';
 import { line } from '../lib/canvas.js';
 import { on } from '../lib/listen.js';
 import { marks, shownTime, showRange } from '../lib/axis.js';
-import { curvesOf, isCurve, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
+import { curvesOf, faultOf, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
 import { cursor, newest, range, seek, session, visibleRange } from '../lib/store.js';
 import { besideColour, css, curveColour, theme } from '../lib/theme.js';
 import { choose, span, statistics } from '../lib/span.js';
@@ -25,6 +26,7 @@ export function Plot({ visible, params, remember }) {
   const shown = session.value;
   const description = shown?.description.value;
   const typed = useSignal('');
+  const fault = useSignal('');
   const over = useSignal(false);
   // Those of other sessions are dashed.
   const { own, beside, key } = curvesOf(shown, names.value);
@@ -34,7 +36,9 @@ export function Plot({ visible, params, remember }) {
     remember({ curves: list });
   };
   const add = (name) => {
-    if (isCurve(shown, name) && !names.value.includes(name)) set([...names.value, name]);
+    const fault = faultOf(shown, name);
+    if (!fault && !names.value.includes(name)) set([...names.value, name]);
+    return fault;
   };
   // A struct becomes one curve for each of its numbers, as soon as a value of it is known.
   useEffect(() => effect(() => {
@@ -52,13 +56,13 @@ export function Plot({ visible, params, remember }) {
   };
   const submit = (event) => {
     event.preventDefault();
-    if (typed.value.trim()) add(typed.value.trim());
-    typed.value = '';
+    fault.value = typed.value.trim() && add(typed.value.trim());
+    if (!fault.value) typed.value = '';
   };
   const all = description.components.flatMap((component) => component.info.map((info) => `${component.name}.${info.name}`));
   return html`<div class=${`plot ${over.value ? 'over' : ''}`} onDragOver=${(event) => { event.preventDefault(); over.value = true; }} onDragLeave=${() => { over.value = false; }} onDrop=${drop}>
     <${Bar} label="Plot">
-      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
+      <form class="join" onSubmit=${submit}><input list="all-information" placeholder="Output or f(x)…" aria-label="Information to plot" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} /><button>Add</button></form>
       <datalist id="all-information">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
       <button disabled=${curves.length === 0} onClick=${() => csv(curves)}>CSV</button>
       ${shown.info.value.kind !== 'recording' && range.value.end !== null && html`<button class="live" onClick=${() => seek(null)}>Live</button>`}
@@ -105,8 +109,41 @@ function dataOf(curves, [from, until], margin = 1e6) {
     for (const column of columns) column.set((begin + end) / 2, null);
   }
   const sorted = Float64Array.from(times).sort();
-  return [Array.from(sorted, (at) => at / 1e6), ...columns.map((column) => Array.from(sorted, (at) => (column.has(at) ? column.get(at) : undefined)))];
+  // A gap lasts until the next value, also where other curves have samples.
+  const filled = (column) => {
+    let last;
+    return Array.from(sorted, (at) => {
+      if (column.has(at)) last = column.get(at);
+      return column.has(at) || last === null ? last : undefined;
+    });
+  };
+  return [Array.from(sorted, (at) => at / 1e6), ...columns.map(filled)];
 }
+
+/** What is subtracted of the values of an axis, so that values that differ little beside their size remain apart: a round number, mostly 0. */
+export function baseOf(columns) {
+  let [low, high] = [null, null];
+  for (const value of columns.flat()) {
+    if (value === null || value === undefined) continue;
+    if (low === null || value < low) low = value;
+    if (high === null || value > high) high = value;
+  }
+  const span = Math.abs(Number(minus(high ?? 0, low ?? 0)));
+  const isBig = [low, high].some((one) => typeof one === 'bigint');
+  if (low === null || (!isBig && (span === 0 || Math.abs(low) < 1e4 * span))) return 0;
+  const step = 10 ** Math.ceil(Math.log10(span || 1));
+  if (!isBig) return Math.floor(low / step) * step;
+  return BigInt(step) > (low < 0 ? -BigInt(low) : BigInt(low)) ? 0 : BigInt(low) - (BigInt(low) % BigInt(step));
+}
+
+/** The bases of the axes of curves, by their scales; 0 of one without values. */
+function basesOf(curves, columns, scaleOf) {
+  const groups = Map.groupBy(columns, (_, index) => scaleOf(curves[index]));
+  return new Map([...groups].map(([scale, own]) => [scale, baseOf(own)]));
+}
+
+/** Curves of another unit than the first one have the axis at the right. */
+const scaleIn = (curves) => ({ unit }) => (unit === curves[0].unit ? 'y' : 'right');
 
 function Chart({ curves, visible }) {
   const box = useRef(null);
@@ -123,7 +160,11 @@ function Chart({ curves, visible }) {
       last = now;
       const interval = visibleRange.peek();
       chart.batch(() => {
-        chart.setData(dataOf(curves, interval), false);
+        const [times, ...columns] = dataOf(curves, interval);
+        chart.columns = columns;
+        chart.bases = basesOf(curves, columns, scaleIn(curves));
+        const less = (base) => (value) => (value === null || value === undefined ? value : Number(minus(value, base)));
+        chart.setData([times, ...columns.map((column, index) => column.map(less(chart.bases.get(scaleIn(curves)(curves[index])))))], false);
         chart.setScale('x', { min: interval[0] / 1e6, max: interval[1] / 1e6 });
       });
     };
@@ -151,13 +192,12 @@ function Chart({ curves, visible }) {
 function options(box, curves) {
   const font = `11px ${css('--font')}`;
   const grid = { stroke: css('--line'), width: 1 };
-  // Curves of another unit than the first one have the axis at the right.
-  const scaleOf = ({ unit }) => (unit === curves[0].unit ? 'y' : 'right');
+  const scaleOf = scaleIn(curves);
   const range = (chart, low, high) => (low === null ? [0, 1] : padded(low, high));
   const axis = (scale, more) => {
     const own = curves.filter((curve) => curve.beside === undefined && scaleOf(curve) === scale);
     const colour = own.length === 1 ? curveColour(own[0].colour) : css('--dim');
-    return { scale, stroke: colour, grid, ticks: grid, font, size: 52, values: (_, splits) => splits.map((value) => number(value)), ...more };
+    return { scale, stroke: colour, grid, ticks: grid, font, size: (_, texts) => Math.max(52, 18 + 6.5 * Math.max(0, ...(texts ?? []).map((one) => one.length))), incrs, splits, values: (_, splits) => ticks(splits), ...more };
   };
   // A drag with Shift chooses a span.
   let shift = false;
@@ -167,7 +207,7 @@ function options(box, curves) {
     height: Math.max(box.clientHeight, 50),
     legend: { show: false },
     scales: { x: { time: false, auto: false }, y: { range }, ...(hasRight && { right: { range } }) },
-    series: [{}, ...curves.map((curve) => ({ label: curve.name, scale: scaleOf(curve), stroke: curveColour(curve.colour), dash: DASHES[curve.beside % DASHES.length], width: 1.5, spanGaps: true, points: { show: false } }))],
+    series: [{}, ...curves.map((curve) => ({ label: curve.name, scale: scaleOf(curve), stroke: curveColour(curve.colour), dash: DASHES[curve.beside % DASHES.length], width: 1.5, paths: held, points: { show: false } }))],
     axes: [
       { stroke: css('--dim'), grid, ticks: grid, font, size: 26, splits: (chart) => marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width).times.map((at) => at / 1e6), values: (chart, splits) => {
         const { digits } = marks(chart.scales.x.min * 1e6, chart.scales.x.max * 1e6, chart.width);
@@ -195,6 +235,7 @@ function options(box, curves) {
           ctx.fillRect(x, bbox.top, Math.max(1, devicePixelRatio), bbox.height);
         }
         drawSpan(chart);
+        drawBases(chart);
         drawThresholds(chart, curves);
         drawValues(chart, curves);
       }],
@@ -203,7 +244,28 @@ function options(box, curves) {
   };
 }
 
-const padded = (low, high) => (high - low < 1e-9 ? [low - 0.5, high + 0.5] : [low - (high - low) * 0.08, high + (high - low) * 0.08]);
+/** A value holds until the next one. */
+const held = uPlot.paths.stepped({ align: 1, alignGaps: 1 });
+
+/** Steps between marks of an axis that suit any interval. */
+const incrs = (chart, axis, min, max) => [-2, -1, 0].flatMap((power) => [1, 2, 2.5, 5].map((factor) => factor * 10 ** (Math.floor(Math.log10(max - min)) + power)));
+const splits = (chart, axis, min, max, step) => (step > 0 ? Array.from({ length: Math.floor(max / step) - Math.ceil(min / step) + 1 }, (_, index) => (Math.ceil(min / step) + index) * step) : []);
+
+/** The interval of an axis: it has a length, also around equal and around very large values. */
+function padded(low, high) {
+  const margin = high > low ? Math.min(high - low, 1e307) * 0.08 : Math.abs(low) * 0.1 || 0.5;
+  return [Math.max(low - margin, -8e307), Math.min(high + margin, 8e307)];
+}
+
+/** What must be added to the numbers of an axis. */
+function drawBases({ ctx, bbox, bases = new Map() }) {
+  const scale = devicePixelRatio;
+  [ctx.font, ctx.textBaseline, ctx.fillStyle] = [`${11 * scale}px ${css('--font')}`, 'top', css('--dim')];
+  for (const [axis, base] of bases) {
+    ctx.textAlign = axis === 'y' ? 'left' : 'right';
+    if (base) ctx.fillText(`+ ${typeof base === 'bigint' ? base : exact(Number(base.toPrecision(15)))}`, axis === 'y' ? bbox.left + 4 * scale : bbox.left + bbox.width - 4 * scale, bbox.top + 2 * scale);
+  }
+}
 
 function drawSpan({ ctx, bbox, valToPos }) {
   if (!span.peek()) return;
@@ -234,7 +296,8 @@ function drawThresholds(chart, curves) {
     const limit = threshold(text);
     const index = curves.findIndex(({ name }) => name === limit?.name);
     if (index < 0) continue;
-    const y = chart.valToPos(limit.limit, chart.series[index + 1].scale, true);
+    const { scale: axis } = chart.series[index + 1];
+    const y = chart.valToPos(Number(minus(limit.limit, chart.bases?.get(axis) ?? 0)), axis, true);
     const { spans = [], fired = [] } = findings.peek().get(text) ?? {};
     const x = (at) => chart.valToPos((at ?? newest.peek()) / 1e6, 'x', true);
     [ctx.fillStyle, ctx.strokeStyle] = [css('--attn'), css('--attn')];
@@ -260,7 +323,7 @@ function drawValues(chart, curves) {
   if (idx === null || idx === undefined || left < 0) return;
   const { ctx, bbox } = chart;
   const scale = devicePixelRatio;
-  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${titleOf({ ...curve, name: curve.place ? curve.name.split('.').slice(1).join('.') : curve.name })} ${number(nearest(chart.data[index + 1], idx))}`)];
+  const lines = [time(chart.data[0][idx] * 1e6, 3), ...curves.map((curve, index) => `${titleOf({ ...curve, name: curve.place ? curve.name.split('.').slice(1).join('.') : curve.name })} ${number(nearest(chart.columns[index], idx))}`)];
   ctx.save();
   ctx.font = `${11 * scale}px ${css('--font')}`;
   const width = Math.max(...lines.map((line) => ctx.measureText(line).width)) + 16 * scale;
@@ -278,8 +341,7 @@ function drawValues(chart, curves) {
 
 /** The last sample that is not later: curves have different rates. */
 function nearest(column, index) {
-  for (let at = index; at >= 0 && at > index - 50; at -= 1) if (column[at] !== undefined) return column[at];
-  return null;
+  return column.slice(0, index + 1).findLast((value) => value !== undefined) ?? null;
 }
 
 function csv(curves) {

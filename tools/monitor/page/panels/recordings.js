@@ -1,12 +1,13 @@
 // Recordings: keep what was recorded, open, compare, run again.
 
 import { html, useEffect, useSignal } from '../lib/dom.js';
-import { bytes, duration, time } from '../lib/format.js';
+import { bytes, duration, sentence, time } from '../lib/format.js';
 import { playOrPause } from '../lib/playback.js';
 import { act, ask, playing, putBeside, seek, session, sessions, show } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
-const stamp = () => new Date().toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');
+/** The local date and time, as a file is named. */
+const stamp = (now = new Date()) => new Date(now - now.getTimezoneOffset() * 60e3).toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');
 
 export function Recordings({ visible }) {
   const list = useSignal(null);
@@ -112,10 +113,10 @@ function Compare() {
     putBeside(other, true);
     seek(time_us);
   };
-  const { equal, copies, cycle, field, text, time_us: first, decisions = [] } = result.value ?? {};
+  const { equal, copies, cycle, text, time_us: first, decisions = [] } = result.value ?? {};
   return html`<section aria-label="Compare"><h3>Compare</h3><div class="join">${pick(0, 'First recording')}${pick(1, 'Second recording')}<button disabled=${title !== '' || busy.value} title=${title} onClick=${compare}>${busy.value ? 'Comparing…' : 'Compare'}</button></div>
     <p class="dim">${title || 'States the first difference, and the decisions that differ'}.</p>
-    ${result.value && (equal ? html`<p class="yes">${copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${cycle}: ${field}. ${text} <button class="small" onClick=${() => go(first)}>Show both</button></p>
+    ${result.value && (equal ? html`<p class="yes">${copies ? 'They are copies of one recording.' : 'They are equal.'}</p>` : html`<p><b class="warn">First difference</b> in cycle ${cycle}: ${sentence(text)} <button class="small" onClick=${() => go(first)}>Show both</button></p>
       ${decisions.length > 0 && html`<table class="stats" aria-label="Decisions that differ"><thead><tr><th>Time</th><th>Component</th><th>${recordings.find(({ id }) => id === one).info.value.name}</th><th>${recordings.find(({ id }) => id === other).info.value.name}</th></tr></thead>
         <tbody>${decisions.slice(0, DECISIONS).map(({ t_ms: at, component, recorded, repeated }) => html`<tr><td><button class="time" aria-label=${`Show both at ${time(at * 1000)}`} onClick=${() => go(at * 1000 + 999)}>${time(at * 1000)}</button></td><td>${component}</td><td>${recorded}</td><td>${repeated}</td></tr>`)}</tbody></table>`}`)}</section>`;
 }

@@ -4,7 +4,7 @@ import { html, useSignal } from '../lib/dom.js';
 import { shownTime } from '../lib/axis.js';
 import { number, text, time, valueAt } from '../lib/format.js';
 import { valueNow } from '../lib/curves.js';
-import { curvesOf, isCurve, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
+import { curvesOf, faultOf, readVersions, samplesAt, titleOf, useCurves } from '../lib/series.js';
 import { span, statistics } from '../lib/span.js';
 import { seek, session, visibleRange } from '../lib/store.js';
 import { besideColour } from '../lib/theme.js';
@@ -17,6 +17,7 @@ export function Table({ visible, params, remember }) {
   const names = useSignal(params.rows ?? []);
   const history = useSignal(params.history ?? false);
   const typed = useSignal('');
+  const fault = useSignal('');
   const shown = session.value;
   const description = shown?.description.value;
   const { own, beside, key } = curvesOf(shown, names.value);
@@ -28,13 +29,15 @@ export function Table({ visible, params, remember }) {
   };
   // The name of a component stands for all its outputs.
   const add = (name) => {
-    const all = description.components[shown.find(name)]?.info.map((info) => `${name}.${info.name}`) ?? [name];
-    if (all.every((one) => isCurve(shown, one))) keep([...new Set([...names.value, ...all])]);
+    const all = description.components[shown.find(name.normalize('NFC'))]?.info.map((info) => `${name}.${info.name}`) ?? [name];
+    const fault = all.map((one) => faultOf(shown, one)).find(Boolean) ?? '';
+    if (!fault) keep([...new Set([...names.value, ...all])]);
+    return fault;
   };
   const submit = (event) => {
     event.preventDefault();
-    if (typed.value.trim()) add(typed.value.trim());
-    typed.value = '';
+    fault.value = typed.value.trim() && add(typed.value.trim());
+    if (!fault.value) typed.value = '';
   };
   const drop = (event) => {
     event.preventDefault();
@@ -44,7 +47,7 @@ export function Table({ visible, params, remember }) {
   const known = description.components.flatMap(({ name, info }) => [name, ...info.map((one) => `${name}.${one.name}`)]);
   const remove = (name) => keep(names.value.filter((one) => one !== name));
   return html`<div class="plot" onDragOver=${(event) => event.preventDefault()} onDrop=${drop}><${Bar} label="Table">
-      <form class="join" onSubmit=${submit}><input list="all-rows" placeholder="Output, component or f(x)…" aria-label="Output to list" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} /><button>Add</button></form>
+      <form class="join" onSubmit=${submit}><input list="all-rows" placeholder="Output, component or f(x)…" aria-label="Output to list" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} /><button>Add</button></form>
       <datalist id="all-rows">${known.map((name) => html`<option value=${name}></option>`)}</datalist>
       <${Toggle} on=${history.value} label="History" title="A row for each time at which a value changed" onChange=${(on) => { history.value = on; keep(names.value); }} /><//>
     ${own.length === 0

@@ -17,6 +17,7 @@ export function Watches({ visible, retitle }) {
   const description = shown?.description.value;
   const typed = useSignal('');
   const edited = useSignal(null);
+  const fault = useSignal('');
   const pause = useSignal(false);
   const alerts = [...findings.value.values()].reduce((sum, { fired }) => sum + fired.length, 0);
   useEffect(() => retitle(alerts > 0 ? `Watches ${alerts}` : 'Watches'), [alerts]);
@@ -32,12 +33,13 @@ export function Watches({ visible, retitle }) {
       keep(shown, typed.value.trim(), pause.value, edited.value);
       [typed.value, edited.value, pause.value] = ['', null, false];
     } catch ({ message }) {
+      fault.value = message;
       notify('error', message, 'write a condition and perhaps its time, as in Component.output > 0.2 for 1 s');
     }
   };
   const all = description.components.flatMap((component) => component.info.map((info) => `${component.name}.${info.name}`));
   return html`<${Bar} label="Watches">
-      <form class="join" onSubmit=${add}><input class="condition" list="all-watched" placeholder="Component.output > 0.2 for 1 s" aria-label="Condition to watch" maxlength="500" value=${typed.value} onInput=${(event) => { typed.value = event.target.value; }} />
+      <form class="join" onSubmit=${add}><input class="condition" list="all-watched" placeholder="Component.output > 0.2 for 1 s" aria-label="Condition to watch" maxlength="500" aria-invalid=${fault.value !== ''} title=${fault.value} value=${typed.value} onInput=${(event) => { [typed.value, fault.value] = [event.target.value, '']; }} />
         <datalist id="all-watched">${all.map((name) => html`<option value=${name}></option>`)}</datalist>
         <${Toggle} on=${pause.value} label="Pause the world" title="When the watch fires, a simulated world is paused, and the page shows that moment" onChange=${(on) => { pause.value = on; }} />
         <button disabled=${!typed.value.trim()}>${edited.value === null ? 'Watch' : 'Change'}</button></form>

@@ -43,7 +43,7 @@ export async function paste() {
     taken.add(free);
     renamed.set(name, free);
   }
-  let code = copied.code.replace(/\b[a-z_][a-z0-9_]*\b/gi, (word) => renamed.get(word) ?? word);
+  let code = copied.code.replace(/\p{XID_Continue}+/gu, (word) => renamed.get(word) ?? word);
   if (own.states.some(({ initial }) => initial)) code = code.replace(/#\[state\(initial\)\]/g, '#[state]').replace(/#\[state\(initial,\s*/g, '#[state(');
   const keys = copied.places.map(({ name }) => stateKey(renamed.get(name)));
   if (keys.length > 0) wish(keys);

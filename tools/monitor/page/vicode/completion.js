@@ -29,30 +29,33 @@ function argumentsBefore(text) {
   const at = text.lastIndexOf('fn ');
   const found = new Map();
   if (at < 0) return found;
-  for (const [, name, type] of text.slice(at).split('{')[0].matchAll(/(\w+)\s*:\s*&(?:mut\s+)?([\w:<>, ]+?)(?=[,)])/g)) found.set(name, type.replace(/^Rate<(.*)>$/, '$1'));
+  for (const [, name, type] of text.slice(at).split('{')[0].matchAll(/(\p{XID_Continue}+)\s*:\s*&(?:mut\s+)?([\p{XID_Continue}:<>, ]+?)(?=[,)])/gu)) found.set(name, type.replace(/^Rate<(.*)>$/, '$1'));
   return found;
 }
+
+/** Letters of a name of Rust. */
+const WORD = /^\p{XID_Continue}*$/u;
 
 export function complete(context) {
   const before = context.state.sliceDoc(Math.max(0, context.pos - 4000), context.pos);
   const own = machine.value;
-  const dot = /(\w+)\.(\w*)$/.exec(before);
+  const dot = /(\p{XID_Continue}+)\.(\p{XID_Continue}*)$/u.exec(before);
   if (dot) {
     const from = context.pos - dot[2].length;
-    if (dot[1] === 'self') return { from, options: functionsOf(own?.component ?? { states: [], transitions: [], hooks: [], info: [], modulations: [], others: [], step: null }).map((one) => ({ label: one.name.text, type: 'method', info: one.docs.text || undefined })), validFor: /^\w*$/ };
+    if (dot[1] === 'self') return { from, options: functionsOf(own?.component ?? { states: [], transitions: [], hooks: [], info: [], modulations: [], others: [], step: null }).map((one) => ({ label: one.name.text, type: 'method', info: one.docs.text || undefined })), validFor: WORD };
     const child = argumentsBefore(before).get(dot[1]);
-    return child ? { from, options: methodsOf(child), validFor: /^\w*$/ } : null;
+    return child ? { from, options: methodsOf(child), validFor: WORD } : null;
   }
   const attribute = /#\[(transition|entry|exit)\(([^\])]*)$/.exec(before);
-  const word = context.matchBefore(/\w*/);
+  const word = context.matchBefore(/\p{XID_Continue}*/u);
   if (attribute && own) {
     const options = own.states.map(({ name, docs }) => ({ label: name, type: 'enum', info: docs || undefined }));
     if (attribute[1] === 'transition') options.push({ label: 'after_ms', type: 'keyword', apply: 'after_ms = ' });
-    return { from: word.from, options, validFor: /^\w*$/ };
+    return { from: word.from, options, validFor: WORD };
   }
-  if (/&(mut\s+)?\w*$/.test(before) || (context.explicit && word.text)) {
+  if (/&(mut\s+)?\p{XID_Continue}*$/u.test(before) || (context.explicit && word.text)) {
     const names = [...new Set((list.value ?? []).flatMap((file) => file.components.map((one) => one.name)))];
-    return { from: word.from, options: names.map((label) => ({ label, type: 'class', detail: 'component' })), validFor: /^\w*$/ };
+    return { from: word.from, options: names.map((label) => ({ label, type: 'class', detail: 'component' })), validFor: WORD };
   }
   return null;
 }

@@ -3,6 +3,7 @@
 import { html } from '../lib/dom.js';
 import { request } from '../lib/connection.js';
 import { open as openPanel } from '../lib/dock.js';
+import { sentence } from '../lib/format.js';
 import { notify } from '../lib/store.js';
 import { askForm } from './ask.js';
 import { ask, list, open, opened, readList } from './sources.js';
@@ -18,7 +19,7 @@ async function preview(values) {
     const { files } = await request('source', { request: { type: 'new_component', ...fieldsOf(values), dry: true } });
     return html`<div class="diffs">${files.map(({ file, diff }) => html`<h3>${file}</h3><pre class="diff">${diff}</pre>`)}</div>`;
   } catch (error) {
-    return html`<p class="error" role="alert">${error.text} ${error.help}</p>`;
+    return html`<p class="error" role="alert">${sentence(error.text)} ${error.help}</p>`;
   }
 }
 

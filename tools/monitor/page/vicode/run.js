@@ -2,6 +2,7 @@
 
 import { effect, html, signal, useSignal } from '../lib/dom.js';
 import { listen } from '../lib/connection.js';
+import { typedNumber } from '../lib/format.js';
 import { hello, notify, sessions, show } from '../lib/store.js';
 import { Menu } from '../lib/ui.js';
 import { ask } from './sources.js';
@@ -37,7 +38,7 @@ export function Run() {
   if (!hello.value?.build) return html`<button class="chip" disabled title="Start the program with --build to build and run from here">Run</button>`;
   const now = build.value;
   const busy = BUSY.has(now?.state);
-  const run = () => ask('run', { seed: Number(seed.value) || 0, robots: Number(robots.value) || 0 });
+  const run = () => ask('run', { seed: typedNumber(seed.value) || 0, robots: Number(robots.value) || 0 });
   const part = now?.total > 0 ? now.done / now.total : null;
   return html`<span class=${`chip run ${now?.state ?? ''}`} role="group" aria-label="Program">
     ${now && html`<span role="status" title=${now.text}>${TITLES[now.state]}${busy && part !== null ? ` ${now.done} of ${now.total}` : ''}</span>`}

@@ -56,14 +56,20 @@ export const locked = computed(() => {
 /** Whether the drawing can be edited, and if not, why. */
 export const held = computed(() => locked.value ?? heldBy[mode.value] ?? null);
 
+/** Shows the refusal of an edit: in the inspector, or as a notice if none is visible. */
+export function refuse(text, help = '') {
+  refusal.value = { text, help };
+  if (!document.querySelector('.inspector')?.checkVisibility()) notify('error', text, help);
+}
+
 /** Sends a request about sources. An error is shown. */
 export async function ask(type, fields = {}) {
   try {
     return (await request('source', { request: { type, ...fields } })) ?? null;
   } catch (error) {
     const { text = String(error), help = '' } = error;
-    if (type === 'edit_file') refusal.value = { text, help };
-    notify('error', text, help);
+    if (type === 'edit_file') refuse(text, help);
+    else notify('error', text, help);
     return undefined;
   }
 }
@@ -100,12 +106,14 @@ export async function open(file, name) {
 /** Opens the file that has a component; says so if there is none. */
 export async function openByName(name) {
   if (!list.value) await readList();
-  const file = list.value?.find((one) => one.components.some((each) => each.name.split('<')[0] === name));
+  // A tree has `Filter<3>`, a file `Filter<N>`.
+  const isIt = (each) => each.name.split('<')[0] === name.split('<')[0];
+  const file = list.value?.find((one) => one.components.some(isIt));
   if (!file) {
     notify('error', `no source of ${name} was found`, hello.value?.source ? 'it is not below the folder of --source' : 'start the program with --source FOLDER');
     return false;
   }
-  return open(file.file, file.components.find((each) => each.name.split('<')[0] === name).key);
+  return open(file.file, file.components.find(isIt).key);
 }
 
 const memory = stored('sessionStorage', 'vicode-open');

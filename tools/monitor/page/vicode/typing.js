@@ -2,10 +2,9 @@
 // What is typed while an undo waits for its answer is sent after it.
 
 import { Annotation, ChangeSet } from '../vendor/codemirror.js';
-import { notify } from '../lib/store.js';
 import { Lines, endOf, plain } from './lines.js';
 import { Offsets, spliced } from './offsets.js';
-import { locked, opened, refusal, replace, setTyping } from './sources.js';
+import { locked, opened, refuse, replace, setTyping } from './sources.js';
 
 /** Marks what the server changed. */
 export const remote = Annotation.define();
@@ -138,8 +137,7 @@ export class Typing {
 
   giveUp(text, help = '') {
     [this.sent, this.waiting, this.later] = [null, null, null];
-    refusal.value = { text, help };
-    notify('error', text ?? 'the change was refused', help);
+    refuse(text ?? 'the change was refused', help);
     const now = this.view.state.doc.toString();
     this.view.dispatch({ changes: difference(now, plain(opened.value.text)), annotations: remote.of(true) });
     this.next();

@@ -1,7 +1,7 @@
 // Modulations of a component: forms; calls are repeated while a button is held.
 
 import { html, useEffect, useRef, useSignal } from '../../lib/dom.js';
-import { number, words } from '../../lib/format.js';
+import { niceStep, number, words } from '../../lib/format.js';
 import { on } from '../../lib/listen.js';
 import { act, operate, session } from '../../lib/store.js';
 
@@ -66,6 +66,6 @@ export function Argument({ argument, value, set }) {
       ${argument.variants.map((variant) => html`<option selected=${variant.name === value} title=${variant.doc}>${variant.name}</option>`)}</select></div>`;
   }
   return html`<div class="row" title=${argument.doc}><label>${words(name)}</label>
-    <input type="range" aria-label=${name} min=${argument.min} max=${argument.max} step=${argument.step ?? 'any'} value=${value} onInput=${(event) => set(Number(event.target.value))} />
+    <input type="range" aria-label=${name} min=${argument.min} max=${argument.max} step=${argument.step ?? niceStep(argument.max - argument.min)} value=${value} onInput=${(event) => set(Number(event.target.value))} />
     <span class="v">${number(value)} <span class="unit">${unit ?? ''}</span></span></div>`;
 }

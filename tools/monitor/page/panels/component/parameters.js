@@ -2,7 +2,7 @@
 
 import { html, useSignal, useState } from '../../lib/dom.js';
 import { openSources } from '../../lib/dock.js';
-import { number, words } from '../../lib/format.js';
+import { exact, niceStep, number, typedNumber, words } from '../../lib/format.js';
 import { act, cursor, hello, notify, redo, redoParams, setParams, undo, undoParams } from '../../lib/store.js';
 import { jump } from '../../vicode/problems.js';
 
@@ -40,7 +40,7 @@ function Parameter({ param, component, number: place, actual, can }) {
   const [uses, setUses] = useState(null);
   // Who uses it is shown with the first change, and by its name.
   const showUses = async () => setUses((await act('param_uses', { component, param: place })) ?? null);
-  const range = 'min' in param ? `${number(param.min)} to ${number(param.max)}` : '';
+  const range = 'min' in param ? `${shownValue(param.min)} to ${shownValue(param.max)}` : '';
   const title = `${param.doc}\nDefault ${shownValue(param.default)}${param.unit ? ` ${param.unit}` : ''}${range ? `, range ${range}` : ''}`;
   return html`<div class=${`row param ${changed ? 'changed' : ''} ${wanted.value !== null && wanted.value !== actual ? 'pending' : ''}`} title=${title}>
     ${hello.value?.source ? html`<button class="name" aria-expanded=${uses !== null} aria-label=${`Uses of ${param.name}`} onClick=${() => (uses ? setUses(null) : showUses())}>${words(param.name)}</button>` : html`<label>${words(param.name)}</label>`}
@@ -63,7 +63,8 @@ function Uses({ uses }) {
     ${uses.map((use) => html`<li><button class="small" title=${use.text} onClick=${() => show(use)}>${use.file.split('/').at(-1)}:${use.line}</button> <code>${use.text}</code></li>`)}</ul>`;
 }
 
-const shownValue = (value) => (typeof value === 'number' ? number(value) : String(value));
+/** A value as it is in force, in the text that can be typed. */
+const shownValue = (value) => (typeof value === 'number' ? exact(value) : String(value));
 
 /** A slider and a number, or a choice. A slider sends when it is released, a number with Enter. */
 function Control({ param, value, can, send, wanted }) {
@@ -80,8 +81,8 @@ function Control({ param, value, can, send, wanted }) {
     const text = typed.value;
     typed.value = null;
     if (text === null || text.trim() === '') return;
-    const next = Number(text.replace(',', '.'));
-    if (!Number.isFinite(next)) notify('error', `“${text}” is no number`, `${name} is between ${number(param.min)} and ${number(param.max)}`);
+    const next = Number(typedNumber(text));
+    if (!Number.isFinite(next)) notify('error', `“${text}” is no number`, `${name} is between ${shownValue(param.min)} and ${shownValue(param.max)}`);
     else if (next !== value) send(next);
   };
   const keys = (event) => {
@@ -90,12 +91,9 @@ function Control({ param, value, can, send, wanted }) {
   };
   return html`<input type="range" min=${param.min} max=${param.max} step=${step} value=${value} disabled=${!can} aria-label=${name}
       onInput=${(event) => { wanted.value = Number(event.target.value); }} onChange=${(event) => send(Number(event.target.value))} />
-    <span class="v"><input class="number" type="text" inputmode="decimal" aria-label=${`${name}, value`} disabled=${!can} value=${typed.value ?? number(value)}
+    <span class="v"><input class="number" type="text" inputmode="decimal" aria-label=${`${name}, value`} disabled=${!can} value=${typed.value ?? shownValue(value)}
       onInput=${(event) => { typed.value = event.target.value; }} onBlur=${commit} onKeyDown=${keys} /> <span class="unit">${param.unit ?? ''}</span></span>`;
 }
-
-/** A step of about a two-hundredth of the range, with one digit. */
-const niceStep = (span) => 10 ** Math.floor(Math.log10(span / 100));
 
 function Save({ shown, component, index, changed, can, reset }) {
   const name = useSignal(shown.info.value.kind === 'world' ? shown.info.value.name.split(/[ ,]/)[0] : 'robot');

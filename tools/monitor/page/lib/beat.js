@@ -1,0 +1,3 @@
+// The worker of pulse.js.
+
+setInterval(() => postMessage(null), 500);
