@@ -26,6 +26,9 @@ const COLOURS = cm.HighlightStyle.define([
   { tag: [tags.meta, tags.attributeName, tags.labelName], color: 'var(--machine)' },
 ]);
 
+/** The mark of a line with a mistake. */
+const CROSS = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 40"><path stroke="#f43" stroke-width="8" stroke-linecap="round" d="M8 8L32 32M32 8L8 32"/></svg>';
+
 const LOOKS = cm.EditorView.theme({
   '&': { height: '100%', fontSize: '12.5px', backgroundColor: 'transparent', color: 'var(--text)' },
   '&.cm-focused': { outline: 'none' },
@@ -46,6 +49,8 @@ const LOOKS = cm.EditorView.theme({
   '.cm-button': { backgroundImage: 'none', backgroundColor: 'var(--raised)', border: '1px solid var(--line)', borderRadius: '5px' },
   '.cm-textfield': { backgroundColor: 'var(--field)', border: '1px solid var(--line)', borderRadius: '5px' },
   '.cm-diagnostic-error': { borderLeftColor: 'var(--error)' },
+  // Not the dot of a breakpoint.
+  '.cm-lint-marker-error': { content: `url('data:image/svg+xml,${encodeURIComponent(CROSS)}')` },
   '.cm-hidden-part': { color: 'var(--dim)', padding: '2px 12px', fontFamily: 'var(--font)', fontSize: '11.5px' },
 });
 
