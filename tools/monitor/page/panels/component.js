@@ -8,7 +8,7 @@ import { Empty } from '../lib/ui.js';
 import { InformationList } from './component/information.js';
 import { Modulations } from './component/modulations.js';
 import { Parameters } from './component/parameters.js';
-import { Why } from './component/why.js';
+import { First, Why } from './component/why.js';
 import { openByName } from '../vicode/sources.js';
 
 const HOLDS = [['tree', 'by the tree'], ['active', 'active'], ['latent', 'latent']];
@@ -31,6 +31,7 @@ export function ComponentTab({ visible, params, retitle }) {
   if (!component) return html`<${Empty} what=${own ? `This tree has no component ${own}` : 'No component is chosen'} help="Click a component in the tree or in the timeline." />`;
   return html`<article class="tab" key=${name}>
     <${Head} ...${{ shown, component, index, own }} />
+    <${First} ...${{ shown, component, index }} />
     ${/* Controls stand above what changes its height while time goes on: they do not move under the pointer. */ ''}
     ${component.params.length > 0 && html`<${Parameters} ...${{ shown, component, index }} />`}
     <${ByHand} ...${{ shown, component, index }} />

@@ -27,10 +27,11 @@ export function Answer({ shown, component, index, reasons }) {
   const cause = held !== 'tree' ? html`an operator holds it <b class="hand">${held}</b>.` : reasons.length === 0
     ? (active ? 'it is the root of the tree.' : 'no component activates it.')
     : html`<b>${reasons[0].name}</b> ${reasons[0].why.text}.${reasons.length > 1 ? html` <span class="dim">${reasons.length - 1} more below.</span>` : ''}`;
-  const isMachine = active && current !== null && component.transitions.length > 0;
-  return html`<div class="answer" role="status">${isMachine ? html`<${Waiting} ...${{ shown, component, index, current }} />` : html`<p><b>${active ? 'Active' : 'Latent'}</b>: ${cause}</p>`}</div>
-    ${isMachine && html`<${Way} ...${{ component, current }} />`}`;
+  return html`<div class="answer" role="status">${waits(component, shown.moment.value.components[index]) ? html`<${Waiting} ...${{ shown, component, index, current }} />` : html`<p><b>${active ? 'Active' : 'Latent'}</b>: ${cause}</p>`}</div>`;
 }
+
+/** Whether a component is a machine that runs. */
+export const waits = (component, [active, , current]) => active && current !== null && component.transitions.length > 0;
 
 function Waiting({ shown, component, index, current }) {
   const name = component.states[current].name;
@@ -51,7 +52,7 @@ function sinceText(shown, condition) {
 }
 
 /** The way to the wanted state, and the choice of that state. */
-function Way({ component, current }) {
+export function Way({ component, current }) {
   const target = wantedState(component);
   const way = shortestWay(component, current, target) ?? [];
   const choose = (event) => wish(component.name, event.target.value);

@@ -4,14 +4,20 @@ import { html } from '../../lib/dom.js';
 import { duration } from '../../lib/format.js';
 import { openComponent } from '../../lib/dock.js';
 import { cursor } from '../../lib/store.js';
-import { Answer, blocking } from './answer.js';
+import { Answer, Way, blocking, waits } from './answer.js';
+
+/** The first lines of the tab, of one height: what follows does not move. */
+export function First({ shown, component, index }) {
+  const components = shown.moment.value?.components;
+  return components ? html`<${Answer} ...${{ shown, component, index, reasons: reasonsOf(shown, index, components) }} />` : html`<div class="answer"></div>`;
+}
 
 export function Why({ shown, component, index }) {
   const components = shown.moment.value?.components;
   if (!components) return null;
   const active = components[index]?.[0];
   const reasons = reasonsOf(shown, index, components);
-  return html`<${Answer} ...${{ shown, component, index, reasons }} />
+  return html`${waits(component, components[index]) && html`<${Way} ...${{ component, current: components[index][2] }} />`}
     ${component.states.length > 0 && html`<${Machine} ...${{ shown, component, index, active }} />`}
     <${Activators} ...${{ shown, index, components, active, reasons }} />`;
 }
