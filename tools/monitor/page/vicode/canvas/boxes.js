@@ -27,7 +27,7 @@ export function cut(text, width, size = 11) {
 }
 
 /** Room for the time of the state that runs, or for the number of visits, beside the name, by level. */
-const LIVE = { 2: 74, 3: 54 };
+const LIVE = { 2: 56, 3: 54 };
 
 /** The parts of a state's box: {width, height, docs: y, hooks: [{y, …}], chips: [{x, y, width, …}]}. Above the first level it has a name only. */
 export function boxOf(state, level = 1) {
