@@ -94,7 +94,8 @@ window.addEventListener('keydown', (event) => {
 }, true);
 
 window.addEventListener('keydown', (event) => {
-  if (event.defaultPrevented || isOrphan(event)) return;
+  // The browser closes a dialog by Escape, also if the focus is on STOP in it.
+  if (event.defaultPrevented || isOrphan(event) || (event.key === 'Escape' && event.target.closest('dialog'))) return;
   const names = namesOf(event);
   const isEscape = names[0] === 'Escape';
   if (isEscape && isTaken(event)) event.target.blur();

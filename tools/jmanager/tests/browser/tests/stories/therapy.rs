@@ -19,7 +19,7 @@ const FILM: &str = "title \"Arms and shoulders\"\nsay \"Let us move our arms.\"\
 const WRONG: &str = "sya \"Hello.\"";
 
 /// How many tabs can be seen.
-const TABS: &str =
+pub(crate) const TABS: &str =
     "[...document.querySelectorAll('[role=tab]')].filter((tab) => tab.getClientRects().length > 0).length";
 
 /// Sessions in a folder.
