@@ -75,7 +75,7 @@ export function start() {
   effect(() => {
     const { classList } = document.documentElement;
     classList.toggle('stoppable', isStoppable.value);
-    classList.toggle('plain', dock.isPlain());
+    classList.toggle('plain-page', dock.isPlain());
     raise();
   });
   for (const event of ['toggle', 'close', 'fullscreenchange']) document.addEventListener(event, ({ target }) => target !== strip && raise(), true);
