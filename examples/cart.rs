@@ -30,12 +30,13 @@ impl Sonar {
 /// The motors of the wheels.
 struct Wheels {
     speed: f32,
+    stopped: bool,
 }
 
 #[component]
 impl Wheels {
     const fn new() -> Self {
-        Self { speed: 0.0 }
+        Self { speed: 0.0, stopped: false }
     }
 
     /// Sets the speed, positive ahead.
@@ -46,7 +47,19 @@ impl Wheels {
         #[unit("m/s")]
         speed: f32,
     ) {
-        self.speed = speed;
+        self.speed = if self.stopped { 0.0 } else { speed };
+    }
+
+    /// Stands until it is released.
+    #[modulation(stop)]
+    fn stop(&mut self) {
+        (self.speed, self.stopped) = (0.0, true);
+    }
+
+    /// Drives again after a stop.
+    #[modulation]
+    fn release(&mut self) {
+        self.stopped = false;
     }
 }
 

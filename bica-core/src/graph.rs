@@ -38,6 +38,13 @@ impl Graph {
         let index = component.find(self.nodes.iter().map(|node| node.name));
         index.filter(|index| *index < self.nodes.len()).map(ComponentId::new)
     }
+
+    /// Whether the modulation at an index of a component is a stop.
+    #[must_use]
+    pub fn is_stop(&self, component: ComponentId, modulation: usize) -> bool {
+        let node = self.nodes.get(component.index());
+        node.and_then(|node| node.modulations.get(modulation)).is_some_and(|modulation| modulation.stops)
+    }
 }
 
 /// One component of a tree.

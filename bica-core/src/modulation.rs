@@ -1,5 +1,8 @@
 //! Modulations: methods of a component that an operator may call as an activator does.
 //!
+//! `#[modulation(stop)]` declares a *stop*: after the call the tree, left to itself, moves the robot no more until a person starts it
+//! again. A stop takes no arguments. A server applies it without a lease, and ends the lease of whoever operates the robot.
+//!
 //! ```
 //! use bica_core::{Instant, Tree, Value};
 //! use bica_macros::{activation_tree, component};
@@ -36,6 +39,8 @@ pub struct Modulation {
     pub name: &'static str,
     /// The method's doc comment.
     pub doc: &'static str,
+    /// Whether the call stops the robot: it takes no arguments, and everybody who reaches the robot may call it.
+    pub stops: bool,
     /// The arguments. One that declares no default has the number of its range that is nearest to zero, `false`, or the
     /// first variant.
     pub arguments: &'static [Param],

@@ -1,6 +1,7 @@
 //! Requests of operators and tools to a running robot.
 
 use bica_core::action::{self, Actions};
+use bica_core::graph::Graph;
 use bica_core::params::{Setting, Value};
 use bica_core::refusal::{Reason, Refusal};
 use bica_core::{ComponentId, Hold, Instant, Key, Tree};
@@ -44,6 +45,14 @@ pub enum Change<S, V> {
         /// One value for each argument.
         arguments: V,
     },
+}
+
+impl<S, V> Change<S, V> {
+    /// Whether it calls a stop of the tree with this graph.
+    #[must_use]
+    pub fn is_stop(&self, graph: &Graph) -> bool {
+        matches!(*self, Self::Modulate { component, modulation, .. } if graph.is_stop(component, modulation.into()))
+    }
 }
 
 /// A change with borrowed values.

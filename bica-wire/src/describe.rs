@@ -230,7 +230,7 @@ impl GraphItems<'_> {
             List::Modulations => {
                 let modulation = node.modulations.get(self.index)?;
                 (self.doc, self.arguments) = (modulation.doc, modulation.arguments);
-                GraphItem::Modulation { component, index, name: modulation.name }
+                GraphItem::Modulation { component, index, name: modulation.name, stops: modulation.stops }
             }
             List::Tree | List::Components | List::End => return None,
         })

@@ -140,22 +140,28 @@ pub(crate) struct Limits {
     acceleration: f32,
 }
 
+/// Deceleration of a wheel after a stop, m/s².
+const BRAKING: f32 = 6.0;
+
 /// The drive, with limited acceleration.
 pub(crate) struct Drive {
     wanted: (f32, f32),
     speeds: WheelSpeeds,
+    /// Whether it brakes, and then stands.
+    stopped: bool,
 }
 
 #[component(budget_us = 5)]
 impl Drive {
     pub(crate) const fn new() -> Self {
-        Self { wanted: (0.0, 0.0), speeds: WheelSpeeds([0.0; 2]) }
+        Self { wanted: (0.0, 0.0), speeds: WheelSpeeds([0.0; 2]), stopped: false }
     }
 
     fn step(&mut self, limits: &Tuned<Limits>, time: &Time) {
-        let (forward, turn) = self.wanted;
+        let (forward, turn) = if self.stopped { (0.0, 0.0) } else { self.wanted };
         let wanted = [forward - 0.5 * TRACK_WIDTH * turn, forward + 0.5 * TRACK_WIDTH * turn];
-        let change = limits.acceleration * time.dt();
+        let acceleration = if self.stopped { BRAKING } else { limits.acceleration };
+        let change = acceleration * time.dt();
         for (speed, wanted) in self.speeds.0.iter_mut().zip(wanted) {
             *speed += (wanted - *speed).clamp(-change, change);
         }
@@ -173,6 +179,18 @@ impl Drive {
         turn: f32,
     ) {
         self.wanted = (forward, turn);
+    }
+
+    /// Brakes, and stands until it is released.
+    #[modulation(stop)]
+    fn stop(&mut self) {
+        self.stopped = true;
+    }
+
+    /// Drives again after a stop.
+    #[modulation]
+    fn release(&mut self) {
+        self.stopped = false;
     }
 }
 

@@ -60,3 +60,17 @@ fn robot_turns_before_a_box_that_an_operator_places() {
     let took = test.reaches::<Explorer>("turn_left", Duration::from_secs(2));
     assert!(!test.world().collided(), "{took:?}");
 }
+
+#[test]
+fn stop_brakes_within_200_ms_until_released() {
+    let mut test = start();
+    test.run_for(Duration::from_secs(3));
+    test.tree_mut().modulate("Drive", "stop", &[]).expect("a stop");
+    test.run_for(Duration::from_millis(200));
+    let before = test.world().to_string();
+    test.run_for(Duration::from_secs(5));
+    assert_eq!(test.world().to_string(), before, "it stands");
+    test.tree_mut().modulate("Drive", "release", &[]).expect("a release");
+    test.run_for(Duration::from_secs(1));
+    assert_ne!(test.world().to_string(), before, "it drives");
+}

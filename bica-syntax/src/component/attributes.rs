@@ -1,4 +1,4 @@
-//! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[start]`, `#[stop]`
+//! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[start]`, `#[stop]`, `#[modulation]`
 
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
@@ -115,6 +115,39 @@ pub fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)> {
         }
     }
     Ok((initial, last))
+}
+
+/// Words that mean a stop elsewhere.
+const STOPS: [&str; 5] = ["halt", "emergency", "emergency_stop", "estop", "e_stop"];
+
+/// Whether `#[modulation]` is marked as a stop: `#[modulation(stop)]`.
+///
+/// # Errors
+/// If it has another form, another word, or the word twice.
+pub(super) fn modulation(attribute: &Attribute) -> syn::Result<bool> {
+    let list = match &attribute.meta {
+        Meta::Path(_) => return Ok(false),
+        Meta::List(list) if !list.tokens.is_empty() => list,
+        _ => return Err(syn::Error::new_spanned(attribute, wording::MODULATION_FORM)),
+    };
+    let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
+    let mut stops = false;
+    for word in words.map_err(|_| syn::Error::new_spanned(&list.tokens, wording::MODULATION_FORM))? {
+        let written = text::name(&word);
+        if written != "stop" {
+            let nearest = if STOPS.contains(&written.as_str()) {
+                Some("stop")
+            } else {
+                text::nearest(&written, ["stop"].into_iter())
+            };
+            return Err(syn::Error::new(word.span(), wording::unknown_key(&written, nearest, "only `stop`")));
+        }
+        if stops {
+            return Err(syn::Error::new(word.span(), wording::TWICE));
+        }
+        stops = true;
+    }
+    Ok(stops)
 }
 
 /// The content of `#[transition(a | b -> c, after_ms = N)]`.

@@ -81,6 +81,8 @@ pub struct Modulation {
     pub name: Ident,
     /// Doc comment.
     pub doc: String,
+    /// Whether it is marked as a stop.
+    pub stops: bool,
     /// Arguments beside `self`.
     pub arguments: Vec<Field>,
 }

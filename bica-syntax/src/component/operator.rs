@@ -2,11 +2,11 @@
 
 use proc_macro2::Ident;
 use quote::ToTokens;
-use syn::{Attribute, Expr, FnArg, Meta, Pat, PatType, ReturnType, Type};
+use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
 
 use super::block::Function;
 use super::model::{Info, Modulation};
-use super::{arguments, info_options, signature};
+use super::{arguments, attributes, info_options, signature};
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
 use crate::report::Report;
@@ -41,15 +41,16 @@ pub(super) fn modulation(
     own: &Type,
     report: &mut Report,
 ) -> Option<Modulation> {
-    if !matches!(attribute.meta, Meta::Path(_)) {
-        report.add(attribute, wording::MODULATION_FORM);
+    let stops = report.take(attributes::modulation(attribute)).unwrap_or_default();
+    if let Some(argument) = function.signature.inputs.iter().find(|input| stops && matches!(input, FnArg::Typed(_))) {
+        report.add(argument, wording::STOP_ARGUMENTS);
     }
     if let ReturnType::Type(_, kind) = &function.signature.output
         && text::written(kind) != "()"
     {
         report.add(kind, wording::returns_nothing(&text::name(&function.signature.ident)));
     }
-    call(function, "modulation", own, report)
+    Some(Modulation { stops, ..call(function, "modulation", own, report)? })
 }
 
 /// Reads a method that an operator may call, whatever it returns, and takes the attributes of its arguments off.
@@ -63,7 +64,7 @@ pub(super) fn call(function: &mut Function, role: &str, own: &Type, report: &mut
         }
     }
     let arguments = all.into_iter().collect::<Option<Vec<_>>>()?;
-    Some(Modulation { name, doc, arguments })
+    Some(Modulation { name, doc, stops: false, arguments })
 }
 
 /// Name and doc comment of a function, which it must have.

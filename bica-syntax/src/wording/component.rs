@@ -84,7 +84,9 @@ pub(crate) const CHILD_WITHOUT_FRAME: &str =
     "a child frame has a place in another frame: add `frame = \"...\"`, the name of that frame";
 pub(crate) const INFO_ARGUMENTS: &str = "an output is read without arguments: remove this";
 pub(crate) const MODULATION_FORM: &str =
-    "`#[modulation]` takes no options: describe each argument by `#[range(a..=b)]` and `#[unit(\"...\")]` before it";
+    "write `#[modulation]` or `#[modulation(stop)]`, and `#[range(a..=b)]` and `#[unit(\"...\")]` before an argument";
+pub(crate) const STOP_ARGUMENTS: &str =
+    "a stop takes no arguments, because whoever presses it has no time to choose: remove this, or remove `stop`";
 pub(crate) const ARGUMENT_NAME: &str = "tools show the name of this argument: write a name here";
 
 pub(crate) const PLACE_FORM: &str =

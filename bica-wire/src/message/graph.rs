@@ -129,6 +129,8 @@ pub enum GraphItem<'a> {
         index: u16,
         /// Name.
         name: &'a str,
+        /// Whether it stops the robot.
+        stops: bool,
     },
     /// An action of a simulated world. Actions follow all components, in the order of their indices.
     Action {

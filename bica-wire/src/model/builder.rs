@@ -138,8 +138,8 @@ impl Builder {
                 });
                 self.last = Last::Info(component.into());
             }
-            GraphItem::Modulation { component, name, .. } => {
-                self.at(component)?.modulations.push(call(name, None));
+            GraphItem::Modulation { component, name, stops, .. } => {
+                self.at(component)?.modulations.push(Modulation { stops, ..call(name, None) });
                 self.last = Last::Call(Owner::Component(component.into()));
             }
             GraphItem::Action { name, moves } => {
@@ -226,5 +226,5 @@ fn param(group: &str, name: &str, unit: Option<&str>, kind: &Kind<u16>, default:
 
 fn call(name: &str, moves: Option<&str>) -> Modulation {
     let (name, moves) = (name.to_owned(), moves.map(str::to_owned));
-    Modulation { name, doc: String::new(), arguments: Vec::new(), moves }
+    Modulation { name, doc: String::new(), stops: false, arguments: Vec::new(), moves }
 }

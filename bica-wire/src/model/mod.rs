@@ -165,6 +165,9 @@ pub struct Modulation {
     pub name: String,
     /// Doc comment.
     pub doc: String,
+    /// Whether it stops the robot: then everybody may call it, without the lease.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub stops: bool,
     /// Arguments.
     pub arguments: Vec<Param>,
     /// Item of the world's true state that an action moves to the place of its arguments.

@@ -117,6 +117,24 @@ impl Description {
         Ok(OwnedRequest::Rate { component: ComponentId::new(index), hz })
     }
 
+    /// Returns the calls of all stops. They need no lease.
+    pub fn stops(&self) -> impl Iterator<Item = OwnedRequest> {
+        self.components.iter().enumerate().flat_map(|(index, component)| {
+            let stops = (0..).zip(&component.modulations).filter(|(_, one)| one.stops);
+            stops.map(move |(modulation, _)| OwnedRequest::Modulate {
+                component: ComponentId::new(index),
+                modulation,
+                arguments: Vec::new(),
+            })
+        })
+    }
+
+    /// Whether a request is the call of a stop.
+    #[must_use]
+    pub fn is_stop(&self, request: Request<'_>) -> bool {
+        self.stops().any(|stop| stop.borrow() == request)
+    }
+
     /// Returns the effective values in the answer to a request as JSON contains them.
     #[must_use]
     pub fn plain_values(&self, request: Request<'_>, values: &[Value]) -> Vec<Plain> {

@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+use bica_core::graph::Graph;
 use bica_core::{Hold, Instant};
 
 use super::component_set::ComponentSet;
@@ -21,6 +22,8 @@ struct Owner {
 /// A server calls [`act`](Self::act) for each action of a monitor and [`check_silence`](Self::check_silence) before each cycle. It
 /// applies the changes of [`next_ending`](Self::next_ending) before any request of a monitor. A request that
 /// [`admit`](Self::admit) accepts and the tree too is given to [`record`](Self::record).
+///
+/// A *stop* of the tree needs no lease and ends the lease, so nothing goes on under it.
 ///
 /// Times are those of the clock by which the server measures silence; it must not run backwards.
 #[derive(Clone, Debug)]
@@ -102,8 +105,8 @@ impl Lease {
         }
     }
 
-    /// Checks whether a request of a connection may be applied in the cycle at `instant`. A request of the owner also ends its
-    /// silence, expired or not.
+    /// Checks whether a request of a connection to a tree may be applied in the cycle at `instant`: a stop always, and anything else
+    /// from the owner of the lease. A request of the owner also ends its silence, expired or not.
     ///
     /// # Errors
     /// [`RefusalCode::NoLease`], [`RefusalCode::Expired`].
@@ -111,9 +114,13 @@ impl Lease {
         &mut self,
         connection: u64,
         request: &Request,
+        graph: &Graph,
         now: Duration,
         instant: Instant,
     ) -> Result<(), RefusalCode> {
+        if request.change.is_stop(graph) {
+            return Ok(());
+        }
         self.admit_lease(connection, (request.lease, request.expires_us), now, instant)
     }
 
@@ -151,13 +158,19 @@ impl Lease {
         self.ending_rates.take_all(&mut self.rates);
     }
 
-    /// Records a change that was applied, for the end of the lease.
-    pub fn record(&mut self, change: &Change) {
+    /// Records a change that was applied to a tree, for the end of the lease. Returns whether it was a stop that ended a lease.
+    pub fn record(&mut self, change: &Change, graph: &Graph) -> bool {
         match change {
+            stop if stop.is_stop(graph) => {
+                let owned = self.owner.is_some();
+                self.end();
+                return owned;
+            }
             Change::Hold { component, hold } => self.holds.set(*component, *hold != Hold::Tree),
             Change::Rate { component, hz } => self.rates.set(*component, hz.is_some()),
             Change::Params(_) | Change::Modulate { .. } | Change::World { .. } => {}
         }
+        false
     }
 
     /// Takes the next change that ends what was requested under a lease: holds first, each in the order of the tree's list.

@@ -38,8 +38,11 @@ const SIDE: Param = Param {
 const PLACEMENT: Placement<'static> = Placement { shape: "Pose2", frame: "field", child: Some("robot") };
 
 static ACTIONS: [Action; 2] = [
-    Action { call: Modulation { name: "wait", doc: "", arguments: &[] }, moves: None },
-    Action { call: Modulation { name: "place", doc: "Puts it.", arguments: &[GAIN, SIDE] }, moves: Some("cup") },
+    Action { call: Modulation { name: "wait", doc: "", stops: false, arguments: &[] }, moves: None },
+    Action {
+        call: Modulation { name: "place", doc: "Puts it.", stops: false, arguments: &[GAIN, SIDE] },
+        moves: Some("cup"),
+    },
 ];
 
 static GRAPH: Graph = Graph {
@@ -60,7 +63,7 @@ static GRAPH: Graph = Graph {
                 ty: "Option < Vec2 >",
                 placement: Some(&PLACEMENT),
             }],
-            modulations: &[Modulation { name: "look", doc: "Looks.", arguments: &[GAIN] }],
+            modulations: &[Modulation { name: "look", doc: "Looks.", stops: true, arguments: &[GAIN] }],
             ..Node::new("Eye")
         },
         Node {
@@ -106,7 +109,7 @@ fn every_part_of_the_graph_is_described_once_and_in_order() {
             type_name: "Option < Vec2 >",
             placement: Some(PLACEMENT),
         },
-        GraphItem::Modulation { component: 0, index: 0, name: "look" },
+        GraphItem::Modulation { component: 0, index: 0, name: "look", stops: true },
         doc("Looks."),
         GraphItem::Argument { name: "gain", unit: Some("1/s"), kind, default },
         doc("Part of the way."),

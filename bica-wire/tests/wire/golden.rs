@@ -4,7 +4,7 @@
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
 //! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
 //! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
-//! lines of the log got their source, and descriptions the schemas of the robot's messages.
+//! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they stop the robot.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;
@@ -20,7 +20,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0x0924_036d_830e_ba9c;
+const GOLDEN_SCHEMA: u64 = 0xa500_5e00_777a_770c;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

@@ -2,11 +2,30 @@
 
 use core::time::Duration;
 
+use bica_core::graph::{Graph, Node};
+use bica_core::modulation::Modulation;
 use bica_core::{ComponentId, Instant};
 use bica_wire::message::{Change, Hold, LeaseAction, LeaseState, RefusalCode, Request};
 use bica_wire::server::Lease;
 
 const NOW: Instant = Instant::from_micros(5);
+
+/// A tree whose only component has a modulation that starts it, and one that stops it.
+const GRAPH: Graph = Graph {
+    name: "Cart",
+    doc: "",
+    cycle_hz: 100.0,
+    budget_ms: None,
+    tunable: true,
+    root: 0,
+    nodes: &[Node {
+        modulations: &[
+            Modulation { name: "start", doc: "", stops: false, arguments: &[] },
+            Modulation { name: "stop", doc: "", stops: true, arguments: &[] },
+        ],
+        ..Node::new("Drive")
+    }],
+};
 
 const fn ms(ms: u64) -> Duration {
     Duration::from_millis(ms)
@@ -21,7 +40,7 @@ fn hold(component: u16, hold: Hold) -> Change {
 }
 
 fn admits(lease: &mut Lease, connection: u64, number: u64, at: Duration) -> bool {
-    lease.admit(connection, &request(number), at, NOW).is_ok()
+    lease.admit(connection, &request(number), &GRAPH, at, NOW).is_ok()
 }
 
 #[test]
@@ -47,12 +66,12 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
     let mut lease = Lease::new(ms(3000));
     lease.act(1, LeaseAction::Acquire, ms(1000), 1);
     for component in [255, 4, 5, 31, 32] {
-        lease.record(&hold(component, Hold::Latent));
+        lease.record(&hold(component, Hold::Latent), &GRAPH);
     }
-    lease.record(&hold(5, Hold::Tree));
-    lease.record(&Change::Rate { component: ComponentId::new(6), hz: Some(10.0) });
-    lease.record(&Change::Rate { component: ComponentId::new(7), hz: Some(10.0) });
-    lease.record(&Change::Rate { component: ComponentId::new(7), hz: None });
+    lease.record(&hold(5, Hold::Tree), &GRAPH);
+    lease.record(&Change::Rate { component: ComponentId::new(6), hz: Some(10.0) }, &GRAPH);
+    lease.record(&Change::Rate { component: ComponentId::new(7), hz: Some(10.0) }, &GRAPH);
+    lease.record(&Change::Rate { component: ComponentId::new(7), hz: None }, &GRAPH);
     assert!(!lease.check_silence(ms(4000)));
     lease.act(1, LeaseAction::Keep { lease: 1 }, ms(4000), 0);
     assert!(!lease.check_silence(ms(7000)));
@@ -98,8 +117,30 @@ fn a_request_is_refused_after_its_expiry_and_ends_the_silence_all_the_same() {
     let mut lease = Lease::new(ms(3000));
     lease.act(1, LeaseAction::Acquire, ms(0), 1);
     let expiring = |expires_us| Request { expires_us, ..request(1) };
-    assert_eq!(lease.admit(1, &expiring(5), ms(2000), NOW), Ok(()));
-    assert_eq!(lease.admit(1, &expiring(4), ms(3000), NOW), Err(RefusalCode::Expired));
-    assert_eq!(lease.admit(2, &expiring(4), ms(6000), NOW), Err(RefusalCode::NoLease));
+    assert_eq!(lease.admit(1, &expiring(5), &GRAPH, ms(2000), NOW), Ok(()));
+    assert_eq!(lease.admit(1, &expiring(4), &GRAPH, ms(3000), NOW), Err(RefusalCode::Expired));
+    assert_eq!(lease.admit(2, &expiring(4), &GRAPH, ms(6000), NOW), Err(RefusalCode::NoLease));
     assert!(!lease.check_silence(ms(6000)) && lease.check_silence(ms(6001)));
+}
+
+#[test]
+fn stop_needs_no_lease_and_ends_it_and_a_start_needs_it() {
+    let call = |component: usize, modulation| {
+        let change = Change::Modulate { component: ComponentId::new(component), modulation, arguments: [].into() };
+        Request { number: 0, lease: 0, expires_us: 0, change }
+    };
+    let mut lease = Lease::new(ms(3000));
+    let admits = |lease: &mut Lease, request: &Request| lease.admit(2, request, &GRAPH, ms(0), NOW).is_ok();
+    for owned in [false, true] {
+        assert!(admits(&mut lease, &call(0, 1)), "a stop, without the lease and after its expiry");
+        for other in [call(0, 0), call(0, 2), call(1, 1), request(7)] {
+            assert!(!admits(&mut lease, &other), "{other:?}");
+        }
+        assert_eq!(lease.record(&call(0, 1).change, &GRAPH), owned);
+        lease.act(1, LeaseAction::Acquire, ms(0), 7);
+        lease.record(&hold(0, Hold::Latent), &GRAPH);
+    }
+    assert!(lease.record(&call(0, 1).change, &GRAPH) && !lease.state(1, NOW).owned);
+    assert_eq!((lease.next_ending(), lease.next_ending()), (Some(hold(0, Hold::Tree)), None));
+    assert!(!lease.act(1, LeaseAction::Keep { lease: 7 }, ms(0), 0), "it does not come back by itself");
 }

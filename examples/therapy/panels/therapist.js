@@ -1,8 +1,9 @@
 // The therapist's page: what the robot does, in words for people who are not engineers, with large buttons.
 
 import { html, useEffect, useRef, useSignal } from '../lib/dom.js';
+import { playOrPause } from '../lib/playback.js';
 import { pulse } from '../lib/pulse.js';
-import { act, ask, command, session, show, watch } from '../lib/store.js';
+import { act, ask, command, playing, session, show, watch } from '../lib/store.js';
 import { Empty } from '../lib/ui.js';
 
 const HOLD_MS = 2000;
@@ -32,9 +33,8 @@ sheet.replaceSync(`
 .therapist button, .therapist select { min-height: 48px; min-width: 48px; font-size: 18px; font-weight: 600; border-radius: 10px; padding: 4px 14px; border-width: 2px; white-space: normal; }
 .therapist .parts { display: flex; flex-direction: column; gap: 6px; } .therapist .parts button { text-align: left; font-weight: 500; flex-shrink: 0; } .therapist .parts button.now { border-color: var(--control); background: var(--selection); font-weight: 700; }
 .therapist .keys button { min-height: 72px; } .therapist .main { min-width: 150px; font-size: 22px; } .therapist .start { background: #11703f; color: #fff; } .therapist .pause { border-color: var(--machine); color: var(--machine); }
-.therapist .stop { background: #c0182b; border: 4px solid #8c0e1d; color: #fff; font-size: 34px; font-weight: 800; letter-spacing: 1px; flex: 1 0 100%; } .therapist .stop:hover { border-color: #fff; }
 .therapist .held { position: relative; overflow: hidden; border-color: var(--ok); color: var(--ok); } .therapist .held i { position: absolute; left: 0; bottom: 0; height: 8px; width: 0; background: var(--ok); } .therapist .held.on i { width: 100%; transition: width ${HOLD_MS}ms linear; }
-@container (max-width: 700px) { .therapist { grid-template: none / minmax(0, 1fr); grid-auto-rows: max-content; } .therapist .middle, .therapist .told { grid-template-columns: minmax(0, 1fr); } .therapist .figure { height: 130px; } .therapist .keys { position: sticky; bottom: 0; background: var(--panel); } .therapist .parts { max-height: 260px; } .therapist .keys button { min-height: 52px; } }`);
+@container (max-width: 700px) or (max-height: 520px) { .therapist { display: flex; flex-direction: column; padding: 6px; } .therapist > * { flex: none; } .therapist .head { order: 1; } .therapist .mood { padding: 4px 12px; } .therapist .halt b { font-size: 30px; } .therapist .middle, .therapist .told { grid-template-columns: minmax(0, 1fr); } .therapist .figure { height: 130px; } .therapist .keys { position: sticky; bottom: 0; background: var(--panel); flex-wrap: nowrap; overflow-x: auto; scrollbar-width: none; } .therapist .keys > * { flex: none; } .therapist .keys .main { order: -1; } .therapist .parts { max-height: 260px; } .therapist .keys button { min-height: 48px; } }`);
 document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
 
 const spoken = (text) => text.replaceAll('_', ' ');
@@ -61,6 +61,7 @@ function Therapist({ visible }) {
   const description = shown?.description.value;
   const script = useSignal(null);
   const machine = shown?.find('Session') ?? -1;
+  const recorded = shown?.info.value.kind === 'recording';
   const read = (component, name) => {
     const at = shown.findInfo(component, name);
     return at && shown.info_of(...at).now.value?.value;
@@ -76,9 +77,10 @@ function Therapist({ visible }) {
   }, [visible.value, description]);
   useEffect(() => {
     script.value = null;
-    if (machine >= 0) ask('extension', { session: shown.id, name: 'therapist', message: { type: 'read' } }).then((found) => { script.value = found; });
+    // What this program plays is not what a recording has.
+    if (machine >= 0 && !recorded) ask('extension', { session: shown.id, name: 'therapist', message: { type: 'read' } }).then((found) => { script.value = found; });
   }, [description]);
-  const state = machine < 0 ? null : description.components[machine].states[shown.live.value?.components[machine]?.[2]]?.name ?? 'ready';
+  const state = machine < 0 ? null : description.components[machine].states[(recorded ? shown.moment : shown.live).value?.components[machine]?.[2]]?.name ?? 'ready';
   // Whoever operates a session must be missed if the page is lost.
   const operates = shown?.info.value.control === 'yours' && !['ready', 'finished', null].includes(state);
   useEffect(() => {
@@ -101,7 +103,7 @@ function Therapist({ visible }) {
     if (one) list.current.scrollTop = one.offsetTop - list.current.offsetTop - 60;
   }, [now, script.value]);
 
-  if (machine < 0) return html`<${Empty} what="No session" help="Open a world of the therapy player with + first." />`;
+  if (machine < 0) return html`<${Absent} info=${shown?.info.value} />`;
   const open = async (chosen) => {
     const file = chosen.value;
     chosen.value = script.value.file;
@@ -131,6 +133,7 @@ function Therapist({ visible }) {
   const [title, what] = STATES[state === 'waiting' ? 'running' : state];
   const runs = ['running', 'waiting', 'exercising'].includes(state);
   const over = state === 'ready' || state === 'finished';
+  const progress = part && !recorded ? `Part ${now + 1} of ${parts.length}: ${what}` : what;
   const lines = parts.length === 1 ? 'The session can be played.' : `All ${parts.length} parts of the session can be played.`;
   // A robot that missed the page goes on only after it has heard of it again.
   const goOn = async () => {
@@ -140,37 +143,42 @@ function Therapist({ visible }) {
   const key = (label, name, off, kind = '') => html`<button class=${kind} disabled=${off} onClick=${() => call('Session', name)}>${label}</button>`;
   const level = (label, to) => html`<button aria-label=${label} disabled=${to < 0 || to > 10} onClick=${() => call('Sound', 'set_volume', [to / 10])}>${label === 'Louder' ? '+' : '−'}</button>`;
   return html`<div class="therapist">
-    <div class="head"><h2>${script.value?.title || 'Session'}</h2><span class="grow"></span>
+    <div class="head"><h2>${recorded ? 'Recording' : script.value?.title || 'Session'}</h2><span class="grow"></span>
       <span>Battery ${battery} %</span><span>${hottest > 60 ? 'Joints warm' : 'Joints cool'}, ${Math.round(hottest ?? 0)} °C</span></div>
     <div role="status" class=${`mood ${state === 'stopped' ? 'halt' : runs ? 'go' : state === 'paused' ? 'wait' : ''}`}><b>${title}</b>
-      <span>${runs && part ? `Part ${now + 1} of ${parts.length}: ${what}` : what}${state === 'stopped' && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
+      <span>${recorded ? html`<strong>A recording:</strong> it shows what was, and nothing here reaches a robot.` : runs ? progress : what}${state === 'stopped' && !recorded && html`<br /><strong>It will not start again by itself.</strong>`}</span></div>
     <div class="middle"><section class="card told" aria-label="Now" tabindex="0"><div>
-      ${state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
+      ${recorded ? html`<h3>${shown.info.value.name}</h3>` : state === 'stopped' ? html`<h3>Before you go on, look</h3><p>Is the person well? Is nobody within reach of the arms? Does the robot stand firmly?</p>` : html`<h3>${part ? inWords(part) : 'This session has no parts'}</h3>`}
       ${part?.says && !part.does.startsWith('say') && html`<p>It says: “${quoted(part.says)}”</p>`}
       ${state !== 'stopped' && /arms_open/.test(part?.does) && html`<p class="dim">The robot’s arms end a little below the height of the shoulders: please show the full height yourself.</p>`}
       ${state === 'ready' && script.value && html`<ul aria-label="Checked before the start"><li>${yes}${lines}</li><li>${read('Guard', 'battery') > 0.3 ? yes : no}Battery ${battery} %</li><li>${hottest < 60 ? yes : no}The hottest joint has ${Math.round(hottest ?? 0)} °C</li><li>${no}<span><strong>Please look:</strong> is one arm’s length free around the robot?</span></li></ul>`}
       ${trouble && html`<p class="warn"><strong>${TROUBLES[trouble]}</strong></p>`}
       ${state === 'exercising' && examples < 3 && html`<p>The robot learns from three correct repetitions: <strong>${examples} of 3</strong></p>`}
       ${state === 'exercising' && hold > 0 && html`<${Bar} label="Hold" value=${Math.min(read('Mover', 'held') ?? 0, hold)} most=${hold} />`}
-      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span> of ${wanted} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
-      <${Attempts} attempts=${(read('ExerciseCheck', 'attempts') ?? []).filter((one) => one)} left=${wanted - (counts?.repetitions ?? 0)} />
+      ${counts && counts.repetitions > 0 && html`<p><span class="big">${counts.repetitions}</span>${recorded ? '' : ` of ${wanted}`} done: ${counts.correct} correct, ${counts.incorrect} not correct, ${counts.cannot_tell} not seen well enough</p>`}
+      <${Attempts} attempts=${(read('ExerciseCheck', 'attempts') ?? []).filter((one) => one)} left=${recorded ? 0 : wanted - (counts?.repetitions ?? 0)} />
       ${ease < 100 && html`<p class="dim">Easier: ${ease} % of tempo and repetitions</p>`}
       ${runs && limit > 0 && html`<${Wait} ...${{ line: script.value?.lines[line - 1] ?? '', waited, limit }} />`}</div>
       <${Figure} targets=${read('Motors', 'targets')} /></section>
-      <section class="card parts" aria-label="Parts of this session" ref=${list}>
+      ${!recorded && html`<section class="card parts" aria-label="Parts of this session" ref=${list}>
         <select aria-label="Open a session" onChange=${(event) => open(event.target)}>${(script.value?.files ?? []).map((file) => html`<option value=${file} selected=${file === script.value.file}>Open: ${fileName(file)}</option>`)}</select>
-        ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section></div>
-    <div class="keys">
+        ${parts.map((one, index) => html`<button key=${one.step} class=${index === now ? 'now' : ''} disabled=${state === 'finished'} title="Go to this part" onClick=${() => call('Session', 'go_to', [one.step])}>${index + 1}. ${inWords(one)}</button>`)}</section>`}</div>
+    ${recorded ? html`<div class="keys"><button class="main" onClick=${playOrPause}>${playing.value ? '❚❚ Pause the recording' : '▶ Play the recording'}</button></div>` : html`<div class="keys">
       ${key('◀ Back', 'previous', over)}
       ${state === 'ready' ? key('▶ Start', 'start', false, 'main start') : state === 'paused' ? html`<button class="main start" onClick=${goOn}>▶ Go on</button>` : state === 'stopped' ? html`<${Held} done=${goOn} />`
     : state === 'finished' ? html`<button class="main start" onClick=${() => act('restart', { seed: null })}>Once more</button>` : key('❚❚ Pause', 'pause', !runs, 'main pause')}
-      ${key('Next ▶', 'next', over)}${key('Repeat', 'repeat', over)}${key('Easier', 'easier', false)}
-      <span class="join" role="group" aria-label="Volume">Volume ${volume} ${level('Quieter', volume - 1)}${level('Louder', volume + 1)}</span>
-      <button class="stop" onClick=${() => call('Session', 'stop')}>${state === 'stopped' ? 'It is stopped' : html`<${Octagon} /> STOP`}</button></div>
-    <p class="dim">STOP is not an emergency switch. In danger: hold the robot. The bumpers of its feet stop it, too.</p></div>`;
+      ${key('Next ▶', 'next', over)}${key('Repeat', 'repeat', over)}${key('Easier', 'easier', ease <= 40)}${key('Harder', 'harder', ease >= 100)}
+      <span class="join" role="group" aria-label="Volume">Volume ${volume} ${level('Quieter', volume - 1)}${level('Louder', volume + 1)}</span></div>
+    <p class="dim">STOP is not an emergency switch. In danger: hold the robot. The bumpers of its feet stop it, too.</p>`}</div>`;
 }
 
-const Octagon = () => html`<svg width="30" height="30" viewBox="0 0 30 30" aria-hidden="true"><path fill="currentColor" d="M9 0h12l9 9v12l-9 9H9l-9-9V9z" /></svg>`;
+/** Why there is no session, and what can be done. */
+function Absent({ info }) {
+  if (info?.connection === 'connecting') return html`<${Empty} what="The robot is being prepared" help="One moment, please." />`;
+  if (info?.kind !== 'world') return html`<${Empty} what="There is no session here" help="Start the program again in its terminal: therapy play FILE --page" />`;
+  return html`<div class="therapist"><${Empty} what="This session cannot be played" help=${info.note} />
+    <div class="keys"><button class="main" onClick=${() => act('restart', { seed: null })}>Try again</button></div></div>`;
+}
 
 /** Indices of the pitch of the right and the left shoulder; their rolls follow. */
 const SHOULDERS = [18, 2];

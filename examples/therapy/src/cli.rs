@@ -94,7 +94,15 @@ pub fn run() -> ExitCode {
         return Failure::new("this program was built without the page", "build it with `--features monitor`").into();
     }
     #[cfg(feature = "monitor")]
-    let app = app.panels(crate::page::Page::new(&arguments));
+    let app = {
+        let page = crate::page::Page::new(&arguments);
+        if arguments.get(1).is_some_and(|command| command == "monitor")
+            && let Err(failure) = page.check()
+        {
+            return failure.into();
+        }
+        app.panels(page)
+    };
     app.run_from(arguments)
 }
 

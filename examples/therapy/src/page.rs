@@ -12,6 +12,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::cli;
+use crate::record;
 use crate::script::Script;
 use crate::session::{self, Step, Until};
 
@@ -39,6 +40,14 @@ impl Page {
         let options = arguments.windows(2).filter(|two| two[0] == "--option");
         let options = options.filter_map(|two| two[1].to_str()?.split_once('='));
         Self(options.map(|(name, value)| (name.to_owned(), value.to_owned())).collect())
+    }
+
+    /// Checks what the page is to play, before there is a page: its session, and the folder of its records.
+    pub(crate) fn check(&self) -> Result<(), Failure> {
+        let option = |name: &str| self.0.get(name).filter(|value| !value.is_empty());
+        option("session").map(|file| cli::open(Path::new(file))).transpose()?;
+        let folder = || Path::new(option("records").map_or(".", String::as_str));
+        option("code").map_or(Ok(()), |code| record::check(folder(), code))
     }
 }
 

@@ -17,7 +17,7 @@ use bica_wire::server::{Lease, read};
 use bica_wire::{Encoder, FromMonitor};
 use core::time::Duration;
 
-use crate::tree::Forward;
+use crate::tree::{Forward, GRAPH};
 use connection::{Connection, Outcome, PendingAnswer};
 
 pub(crate) use line::MonitorLine;
@@ -130,7 +130,8 @@ impl Monitor {
     ) {
         let time = now.unwrap_or(Instant::MIN);
         let admitted = match now {
-            Some(now) => self.lease.admit(line.id(), &request, since_start(now), now),
+            Some(now) => self.lease.admit(line.id(), &request, &GRAPH, since_start(now), now),
+            None if request.change.is_stop(&GRAPH) => Ok(()),
             None => Err(RefusalCode::NoLease),
         };
         let outcome = match admitted {
@@ -157,7 +158,9 @@ impl Monitor {
         now: Instant,
     ) -> Result<(), Refusal> {
         runner.request(now, change.borrow())?;
-        self.lease.record(change);
+        if self.lease.record(change, &GRAPH) {
+            self.connections.iter_mut().for_each(|connection| connection.lease = true);
+        }
         if let Change::Params(batch) = change {
             let changed = batch.iter().fold(0, |set, setting| set | 1_u64 << (setting.component.index() & 63));
             self.connections.iter_mut().for_each(|connection| connection.add_params(changed));

@@ -6,7 +6,7 @@ import { Fragment, effect, html, render } from './lib/dom.js';
 import { shownTime, toTransition } from './lib/axis.js';
 import { connect } from './lib/connection.js';
 import * as dock from './lib/dock.js';
-import { bind } from './lib/keys.js';
+import { bind, restrict } from './lib/keys.js';
 import { follow, parametersOf, writeAddress } from './lib/links.js';
 import './lib/messages.js';
 import { savePicture } from './lib/picture.js';
@@ -21,6 +21,7 @@ import { Help, helpShown } from './help.js';
 import { Palette, paletteShown } from './palette.js';
 import { Form } from './vicode/ask.js';
 import { Carried } from './vicode/carry.js';
+import * as stop from './stop.js';
 
 /** The last error, or else the last message, in one line under the bar: it covers tabs at the most, and moves nothing. */
 function Notices() {
@@ -72,6 +73,9 @@ const zoom = (factor) => {
   range.value = { span: Math.min(Math.max((until - from) * factor, 20e3), 4 * 3600e6), end: range.value.end };
 };
 
+/** Keys that a plain layout has, too: none of them changes what it shows, or who operates the robot. */
+const PLAIN = ['?', 't'];
+
 const KEYS = [
   ['?', 'this list', 'Page', () => { helpShown.value = !helpShown.value; }],
   ['Ctrl+k', 'find anything', 'Page', () => { paletteShown.value = true; }],
@@ -105,8 +109,14 @@ const KEYS = [
   [',', 'pause or continue a simulated world', 'Operate', () => store.act(store.session.value?.info.value.paused ? 'resume' : 'pause')],
   ['.', 'one cycle of a paused world', 'Operate', () => store.act('step', { cycles: 1 })],
 ];
-for (const [key, text, group, run] of KEYS) bind({ key, text, group, run });
-bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; } });
+for (const [key, text, group, run] of KEYS) bind({ key, text, group, run, plain: PLAIN.includes(key) });
+restrict(() => dock.isPlain());
+bind({ key: 'Escape', text: 'close this list', group: 'Page', run: () => { helpShown.value = false; }, plain: true });
+
+// A plain layout has no clock: it shows the present.
+effect(() => {
+  if (dock.isPlain() && store.cursor.value !== null && store.session.value?.info.value.kind !== 'recording') store.seek(null);
+});
 
 window.addEventListener('hashchange', follow);
 follow();
@@ -123,4 +133,5 @@ window.load = (name) => import(name);
 const place = document.getElementById('app');
 place.replaceChildren();
 render(html`<${App} />`, place);
+stop.start();
 connect();

@@ -14,7 +14,7 @@ export const paletteShown = signal(false);
 const MOST = 60;
 
 window.addEventListener('keydown', (event) => {
-  if (namesOf(event).includes('Ctrl+k')) {
+  if (namesOf(event).includes('Ctrl+k') && !dock.isPlain()) {
     event.preventDefault();
     paletteShown.value = !paletteShown.value;
   }

@@ -24,7 +24,7 @@ from rcl_interfaces.srv import (
 )
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import CameraInfo, CompressedImage, Imu, JointState, LaserScan
-from std_msgs.msg import Float32, Float32MultiArray, String
+from std_msgs.msg import Empty, Float32, Float32MultiArray, String
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import MarkerArray
 
@@ -163,6 +163,42 @@ def test_a_twist_drives_under_the_lease_only() -> None:
         driver.until(lambda: state[-1].data != "latent", "the end of the lease")
         assert other.call(f"{NODE}/lease/acquire", Trigger).success
         assert driver.call(f"{NODE}/lease/take", Trigger).success
+        other.close()
+        driver.close()
+
+
+def test_a_stop_needs_no_lease_and_a_stream_of_twists_does_not_undo_it() -> None:
+    with Robot(WALLS, "run", "--ros", "--ros-operator") as robot:
+        robot.line("ros")
+        driver, other = Peer("driver"), Peer("other")
+        odometry = driver.listen("/odom", Odometry)
+        commands = driver.node.create_publisher(Twist, "/cmd_vel", 10)
+        stop = other.node.create_publisher(Empty, f"{NODE}/stop", 10)
+        turn = Twist()
+        turn.angular.z = 1.0
+
+        def speed(one: Odometry) -> float:
+            return abs(one.twist.twist.linear.x) + abs(one.twist.twist.angular.z)
+
+        def drives() -> bool:
+            commands.publish(turn)
+            return bool(odometry) and abs(odometry[-1].twist.twist.angular.z - 1.0) < 0.01
+
+        def stands_for(count: int, push) -> None:
+            driver.until(lambda: (push(), speed(odometry[-1]) < 0.01)[1], "the stop")
+            end = len(odometry) + count
+            driver.until(lambda: (push(), len(odometry) > end)[1], "some seconds")
+            assert max(speed(one) for one in odometry[-count:]) < 0.01
+
+        driver.until(drives, "driving")
+        assert other.call(f"{NODE}/stop", Trigger, drives).success
+        stands_for(150, drives)
+        refused = driver.call(f"{NODE}/drive/release", Trigger)
+        assert not refused.success and "lease/acquire" in refused.message
+        assert driver.call(f"{NODE}/lease/acquire", Trigger).success
+        assert driver.call(f"{NODE}/drive/release", Trigger).success
+        driver.until(drives, "driving again")
+        stands_for(50, lambda: (stop.publish(Empty()), drives()))
         other.close()
         driver.close()
 

@@ -46,12 +46,12 @@ fn modulations(p: &TokenStream, all: &[Modulation]) -> TokenStream {
 
 /// `Modulation { ... }`
 pub(crate) fn description(p: &TokenStream, modulation: &Modulation) -> TokenStream {
-    let (name, doc) = (text::name(&modulation.name), &modulation.doc);
+    let (name, doc, stops) = (text::name(&modulation.name), &modulation.doc, modulation.stops);
     let arguments = modulation.arguments.iter().map(|field| {
         let default = field.default.as_ref().map(|default| quote!(#default));
         describe::param(p, field, default.as_ref())
     });
-    quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), arguments: &[#(#arguments),*] })
+    quote!(#p::Modulation { name: #name, doc: #p::doc(#doc), stops: #stops, arguments: &[#(#arguments),*] })
 }
 
 /// The checks of the arguments that `described` describes.

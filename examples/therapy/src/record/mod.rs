@@ -57,10 +57,21 @@ pub(crate) fn check_code(code: &str) -> Result<(), Failure> {
     if fits { Ok(()) } else { Err(Failure::new(what(), "choose a code such as K-27, not a name")) }
 }
 
+/// Checks a code, and that the folder of its records exists.
+pub(crate) fn check(folder: &Path, code: &str) -> Result<(), Failure> {
+    check_code(code)?;
+    let what = || format!("the folder for records `{}` does not exist", folder.display());
+    if folder.is_dir() {
+        Ok(())
+    } else {
+        Err(Failure::new(what(), "create it, or give another one: --option records=FOLDER"))
+    }
+}
+
 impl Record {
     /// Begins a record in a folder, with a new file.
     pub(crate) fn begin(folder: &Path, code: &str, session: &str, lines: Vec<usize>) -> Result<Self, Failure> {
-        check_code(code)?;
+        check(folder, code)?;
         let begun = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
         let mut paths = (1..10_000).map(|number| folder.join(format!("{code}_{number:04}.jsonl")));
         let path = paths.find(|path| !path.exists()).unwrap_or_default();

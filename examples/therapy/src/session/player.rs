@@ -242,8 +242,17 @@ impl Session {
     }
 
     #[entry(stopped)]
-    fn stop_all(&mut self, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound, lights: &mut Lights) {
+    fn stop_all(
+        &mut self,
+        mover: &mut Mover,
+        walk: &mut Walk,
+        sound: &mut Sound,
+        lights: &mut Lights,
+        guard: &mut Guard,
+    ) {
         end(Task::All, mover, walk, sound);
+        // A stop ends control, so no page can show any more that it is there.
+        guard.page_closes();
         walk.freeze();
         lights.set(Lamp::Chest, Light(1.0, 0.0, 0.0));
     }
@@ -263,23 +272,23 @@ impl Session {
     /// Starts the session.
     #[modulation]
     pub(crate) const fn start(&mut self) {
-        self.wish = Some(Wish::Start);
+        self.ask(Wish::Start);
     }
 
     /// Pauses the session: the arms go down.
     #[modulation]
     pub(crate) const fn pause(&mut self) {
-        self.wish = Some(Wish::Pause);
+        self.ask(Wish::Pause);
     }
 
     /// Lets a paused or stopped session go on, from what it did when it was interrupted.
     #[modulation]
     pub(crate) const fn go_on(&mut self) {
-        self.wish = Some(Wish::GoOn);
+        self.ask(Wish::GoOn);
     }
 
     /// Stops the session: nothing moves or sounds.
-    #[modulation]
+    #[modulation(stop)]
     pub(crate) const fn stop(&mut self) {
         self.wish = Some(Wish::Stop);
     }
@@ -287,31 +296,37 @@ impl Session {
     /// Goes on with what follows the present wait or exercise.
     #[modulation]
     pub(crate) fn next(&mut self) {
-        self.wish = Some(Wish::GoTo(self.plan.next()));
+        self.ask(Wish::GoTo(self.plan.next()));
     }
 
     /// Goes back to what was before the present wait or exercise.
     #[modulation]
     pub(crate) fn previous(&mut self) {
-        self.wish = Some(Wish::GoTo(self.plan.previous()));
+        self.ask(Wish::GoTo(self.plan.previous()));
     }
 
     /// Does the present steps again.
     #[modulation]
     pub(crate) const fn repeat(&mut self) {
-        self.wish = Some(Wish::GoTo(self.plan.begun()));
+        self.ask(Wish::GoTo(self.plan.begun()));
     }
 
     /// Goes to a step, from 0.
     #[modulation]
     pub(crate) const fn go_to(&mut self, #[range(0..=500)] step: u32) {
-        self.wish = Some(Wish::GoTo(step as u16));
+        self.ask(Wish::GoTo(step as u16));
     }
 
     /// Makes tempo and number of repetitions less, by a fifth.
     #[modulation]
     pub(crate) fn easier(&mut self) {
         self.ease = (0.8 * self.ease).max(0.4);
+    }
+
+    /// Gives tempo and number of repetitions back, by a fifth of what is left.
+    #[modulation]
+    pub(crate) fn harder(&mut self) {
+        self.ease = (1.25 * self.ease).min(1.0);
     }
 
     /// Share of tempo and repetitions that is left after what was made easier.

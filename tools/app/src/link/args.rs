@@ -92,6 +92,8 @@ pub(super) enum LinkAction {
         #[arg(long, value_name = "S", value_parser = seconds)]
         seconds: Option<f64>,
     },
+    /// Stop the robot at once, whoever operates it
+    Stop,
     /// Call a modulation of a component
     Modulate {
         /// Modulation

@@ -53,6 +53,7 @@ pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
         LinkAction::Rate { component, hz, seconds } => {
             monitor.keep(&NamedRequest::Rate { component: component.clone(), hz: Some(*hz) }, *seconds)
         }
+        LinkAction::Stop => monitor.stop(),
         LinkAction::Modulate { modulation, arguments } => monitor.modulate(modulation, arguments),
         LinkAction::Log { count } => monitor.log(*count),
     }
@@ -274,15 +275,26 @@ impl Monitor {
         self.call(&NamedRequest::Modulate { component, modulation, arguments }, "called")
     }
 
+    /// Stops the robot; needs no lease.
+    fn stop(&mut self) -> Result<Outcome, Failure> {
+        self.client.stop()?.iter().try_for_each(|answer| self.done(answer, "stopped"))?;
+        Ok(Outcome::Success)
+    }
+
     /// Requests a change that is over when it is answered.
     fn call(&mut self, request: &NamedRequest, done: &str) -> Result<Outcome, Failure> {
         let request = self.find(request)?;
-        self.operate(|monitor| {
+        let call = |monitor: &mut Self| {
             let answer = monitor.request(&request)?;
-            monitor.console.print_row(&format!("cycle {}", answer.cycle), done)?;
-            monitor.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))?;
+            monitor.done(&answer, done)?;
             Ok(Outcome::Success)
-        })
+        };
+        if self.client.description().is_stop(request.borrow()) { call(self) } else { self.operate(call) }
+    }
+
+    fn done(&self, answer: &bica_link::Answered, done: &str) -> Result<(), Failure> {
+        self.console.print_row(&format!("cycle {}", answer.cycle), done)?;
+        self.line("bica/link-done/1", json!({ "cycle": answer.cycle, "values": [] }))
     }
 
     fn log(&mut self, count: Option<u64>) -> Result<Outcome, Failure> {
@@ -337,7 +349,8 @@ fn describe_call(console: Console, call: &Modulation) -> Result<(), Failure> {
         format!("{}{unit} ({})", argument.name, argument.range())
     };
     let arguments: Vec<_> = call.arguments.iter().map(argument).collect();
-    let text = format!("{}({})", call.name, arguments.join(", "));
+    let stops = if call.stops { ", stops the robot" } else { "" };
+    let text = format!("{}({}){stops}", call.name, arguments.join(", "));
     console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&call.doc))))
 }
 

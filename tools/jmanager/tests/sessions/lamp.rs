@@ -9,35 +9,38 @@ use std::time::Duration;
 use bica::Hold;
 use bica::prelude::*;
 use bica::runner::{Runner, World};
-use bica_link::{Address, LinkServer, ServerOptions};
-use bica_monitor::protocol::{Breakpoint, Request};
+use bica_link::{Address, LinkServer, NamedRequest, ServerOptions};
+use bica_monitor::protocol::{Breakpoint, Open, Request};
+use bica_monitor::sessions::Options;
 use serde_json::json;
 
+use crate::sessions::page::{Bench, Folder, Page};
 use crate::sessions::robot::{Robot, attached};
 use crate::sessions::world::{find, hold};
 
 /// A lamp, with two transitions between the same states and one from a state to itself.
 struct Lamp {
     cycles: u32,
+    stands: bool,
 }
 
 /// Shines.
 #[component]
 impl Lamp {
     const fn new() -> Self {
-        Self { cycles: 0 }
+        Self { cycles: 0, stands: false }
     }
 
     /// Is on.
     #[state(initial)]
     fn on(&mut self) {
-        self.cycles += 1;
+        self.cycles += u32::from(!self.stands);
     }
 
     /// Is off.
     #[state]
     fn off(&mut self) {
-        self.cycles += 1;
+        self.cycles += u32::from(!self.stands);
     }
 
     /// Stays on.
@@ -62,6 +65,18 @@ impl Lamp {
     #[transition(off -> on)]
     const fn is_lit(&self) -> bool {
         self.cycles % 8 == 7
+    }
+
+    /// Changes no more.
+    #[modulation(stop)]
+    fn stop(&mut self) {
+        self.stands = true;
+    }
+
+    /// Goes on.
+    #[modulation]
+    fn start(&mut self) {
+        self.stands = false;
     }
 }
 
@@ -150,6 +165,30 @@ fn a_breakpoint_behind_a_link_is_reached_by_its_transition_only() {
         assert!(times.iter().all(|time| time / 20_000 % period == rest), "{name}: {times:?}");
         let next = page.ask(Request::NextHit { from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
         assert_eq!(next, times[1]);
+    }
+}
+
+#[test]
+fn each_page_stops_and_none_starts_without_control() {
+    let lamp = Served::new(Room(0), Duration::from_millis(5), "127.0.0.1:0");
+    let (operator, _) = attached(&lamp.address);
+    let beside = Page::new(&operator.bench);
+    beside.session.set(operator.session.get());
+    let of_reader = Bench::with(Folder::new("sessions"), |options| Options { read_only: true, ..options });
+    let reader = Page::new(&of_reader);
+    reader.open(Open::Robot { address: lamp.address.clone() });
+    reader.message("described", |_| Some(()));
+    let (component, modulation, arguments) = ("Lamp".to_owned(), "start".to_owned(), vec![]);
+    let start = Request::Operate { request: NamedRequest::Modulate { component, modulation, arguments } };
+    operator.session(|session| session["connection"] == "connected");
+    for other in [&beside, &reader] {
+        operator.ask(Request::Acquire {}).unwrap();
+        operator.ask(hold("Lamp", Hold::Latent)).unwrap();
+        assert!(other.ask(start.clone()).is_err());
+        other.ask(Request::Stop {}).unwrap();
+        operator.session(|session| session["control"] == "free");
+        operator.message("update", |update| (update["components"][0][1] == "tree").then_some(()));
+        assert!([other, &operator].iter().all(|page| page.ask(start.clone()).is_err()));
     }
 }
 

@@ -276,6 +276,22 @@ impl Client {
         answer.result()
     }
 
+    /// Stops the robot: calls all of its stops, for which it needs no lease, and waits until they are in force. Whoever operates it
+    /// operates it no more.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] if the robot declares no stop; [`Error::Refused`] if its program accepts no requests; [`Error::Timeout`],
+    /// [`Error::Disconnected`].
+    pub fn stop(&mut self) -> Result<Vec<Answered>, Error> {
+        let stops: Vec<_> = self.description().stops().collect();
+        if stops.is_empty() {
+            let what = format!("`{}` declares no stop", self.description().name);
+            return Err(Invalid::new(what, "mark a modulation that stops it with `#[modulation(stop)]`").into());
+        }
+        let numbers = stops.iter().map(|stop| self.send_request(stop.borrow())).collect::<Result<Vec<_>, _>>()?;
+        numbers.into_iter().map(|number| self.answer(number)).collect()
+    }
+
     /// Waits for the next event; `None` after `timeout`.
     ///
     /// # Errors

@@ -108,7 +108,7 @@ impl Control {
     }
 
     /// Sends the lease to every monitor.
-    fn announce_lease(&mut self, now: bica::Instant) {
+    pub(super) fn announce_lease(&mut self, now: bica::Instant) {
         for watcher in self.watchers.iter() {
             let lease = Message::Lease(self.lease.state(watcher.connection.id, now));
             self.outgoing.messages.push_back((Recipient::One(Arc::clone(&watcher.connection)), lease));
@@ -139,7 +139,8 @@ impl Control {
     /// Handles a message of a monitor. Returns a request that is to be applied.
     pub(super) fn handle(&mut self, now: bica::Instant, message: Inbound) -> Option<Applied> {
         let Inbound { from, arrived, command } = message;
-        if from.is_closed() {
+        // Whoever leaves after a stop has stopped the robot all the same.
+        if from.is_closed() && !command.stops(self.hub.graph) {
             return None;
         }
         let id = from.id;
@@ -216,7 +217,7 @@ impl Control {
         let admitted = if self.watch_only {
             Err(RefusalCode::Unsupported)
         } else {
-            self.lease.admit(from.id, &request, time, now)
+            self.lease.admit(from.id, &request, self.hub.graph, time, now)
         };
         let Request { number, change, .. } = request;
         let Err(code) = admitted else { return Some(Applied { connection: from.id, number, arrived, change }) };

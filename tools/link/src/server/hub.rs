@@ -49,6 +49,13 @@ pub(super) enum Command {
     World(WorldRequest),
 }
 
+impl Command {
+    /// Whether it stops the robot with this tree.
+    pub(super) fn stops(&self, graph: &Graph) -> bool {
+        matches!(self, Self::Request(request) if request.change.is_stop(graph))
+    }
+}
+
 #[derive(Debug)]
 pub(super) struct Hub {
     pub(super) graph: &'static Graph,
@@ -57,8 +64,9 @@ pub(super) struct Hub {
     tree_hash: u64,
     pub(super) messages: MessageSchemas,
     pub(super) options: ServerOptions,
-    /// For messages that only watch, and for the others.
+    /// For messages that only watch, for stops, and for the others.
     watches: SyncSender<Inbound>,
+    stops: SyncSender<Inbound>,
     inbox: SyncSender<Inbound>,
     connections: Mutex<Vec<Weak<Connection>>>,
     /// Connections that have sent nothing yet, the oldest first.
@@ -82,9 +90,10 @@ impl Hub {
         tree_hash: u64,
         messages: MessageSchemas,
         options: &ServerOptions,
-    ) -> (Self, [Receiver<Inbound>; 2]) {
+    ) -> (Self, [Receiver<Inbound>; 3]) {
         let (inbox, receiver) = sync_channel((MAX_PENDING + UNCOUNTED) * MAX_MONITORS);
         let (watches, watch_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
+        let (stops, stop_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
         let hub = Self {
             graph,
             description: Description::of(graph).with_actions(options.actions),
@@ -92,6 +101,7 @@ impl Hub {
             messages,
             options: *options,
             watches,
+            stops,
             inbox,
             connections: Mutex::default(),
             silent: Mutex::default(),
@@ -103,7 +113,7 @@ impl Hub {
             stopped: AtomicBool::new(false),
             result: Mutex::default(),
         };
-        (hub, [receiver, watch_receiver])
+        (hub, [receiver, watch_receiver, stop_receiver])
     }
 
     pub(super) fn attached(&self) -> Attached<'static> {
@@ -167,10 +177,14 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
-        // A stop comes before the request that was sent after it.
+        // A breakpoint comes before the request that was sent after it.
         let only_watches =
             matches!(command, Command::Watch(_) | Command::WatchKey(_) | Command::WatchImages(_) | Command::ReadParams);
-        let inbox = if only_watches { &self.watches } else { &self.inbox };
+        let inbox = match command {
+            _ if only_watches => &self.watches,
+            _ if command.stops(self.graph) => &self.stops,
+            _ => &self.inbox,
+        };
         match inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
             Ok(()) => true,
             // The queue has a place for every message that open connections may have waiting: it is full of those of closed

@@ -22,6 +22,8 @@ pub struct LinkRequests {
     inbox: Receiver<Inbound>,
     /// Messages that only watch: a request does not wait for the hundreds that a monitor may send.
     watches: Receiver<Inbound>,
+    /// Stops: they wait for nothing else.
+    stops: Receiver<Inbound>,
     control: Arc<Mutex<Control>>,
     /// Number of messages that may still be handled before this cycle.
     budget: usize,
@@ -37,9 +39,9 @@ enum Current {
 }
 
 impl LinkRequests {
-    pub(super) fn new(inboxes: [Receiver<Inbound>; 2], control: Arc<Mutex<Control>>) -> Self {
-        let [inbox, watches] = inboxes;
-        Self { inbox, watches, control, budget: MESSAGES_PER_CYCLE, current: None }
+    pub(super) fn new(inboxes: [Receiver<Inbound>; 3], control: Arc<Mutex<Control>>) -> Self {
+        let [inbox, watches, stops] = inboxes;
+        Self { inbox, watches, stops, control, budget: MESSAGES_PER_CYCLE, current: None }
     }
 
     /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
@@ -71,7 +73,7 @@ impl LinkRequests {
                 return Some(Current::Ending(Box::new(ending)));
             }
             self.budget = self.budget.checked_sub(1)?;
-            let message = self.inbox.try_recv().ok()?;
+            let message = self.stops.try_recv().or_else(|_| self.inbox.try_recv()).ok()?;
             if !matches!(message.command, Command::Open) {
                 message.from.pending.fetch_sub(1, Ordering::Relaxed);
             }
@@ -105,7 +107,8 @@ impl Requests for LinkRequests {
         let text = control.hub.description.named(applied.change.borrow()).to_string();
         match result {
             Ok(()) => {
-                control.lease.record(&applied.change);
+                let graph = control.hub.graph;
+                let ended = control.lease.record(&applied.change, graph);
                 if let Change::Params(batch) = &applied.change {
                     control.changed.extend(batch.iter().map(|setting| setting.component.index() as u16));
                 }
@@ -114,6 +117,10 @@ impl Requests for LinkRequests {
                 }
                 control.applied.push(*applied);
                 control.log(now, 2, &text);
+                if ended {
+                    control.announce_lease(now);
+                    control.log(now, 3, "the stop has ended control: holds and rates end");
+                }
             }
             Err(refusal) => {
                 let Applied { connection, number, arrived, .. } = *applied;

@@ -14,3 +14,4 @@ mod robot;
 #[cfg(target_os = "linux")]
 mod serial;
 mod session;
+mod stops;

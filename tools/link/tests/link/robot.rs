@@ -57,13 +57,14 @@ impl Range {
 
 pub(crate) struct Drive {
     speed: f32,
+    stopped: bool,
 }
 
 /// Drives.
 #[component(hz = 50)]
 impl Drive {
     const fn new() -> Self {
-        Self { speed: 0.0 }
+        Self { speed: 0.0, stopped: false }
     }
 
     fn step(&mut self) {}
@@ -76,7 +77,19 @@ impl Drive {
         #[unit("m/s")]
         speed: f32,
     ) {
-        self.speed = speed;
+        self.speed = if self.stopped { 0.0 } else { speed };
+    }
+
+    /// Stands until it is released.
+    #[modulation(stop)]
+    fn stop(&mut self) {
+        (self.speed, self.stopped) = (0.0, true);
+    }
+
+    /// Lets it drive again.
+    #[modulation]
+    fn release(&mut self) {
+        self.stopped = false;
     }
 }
 

@@ -3,15 +3,20 @@
 const bindings = [];
 
 /**
- * Adds a key: {key, text, group, run, where}. A key is `event.key`, with `Shift+`, `Ctrl+` or `Alt+` before. With `where`, a selector, it is
- * valid only where the focus is within such an element. Returns how to remove it.
+ * Adds a key: {key, text, group, run, where, plain}. A key is `event.key`, with `Shift+`, `Ctrl+` or `Alt+` before. With `where`, a selector, it is
+ * valid only where the focus is within such an element. A page that is restricted has only those with `plain`. Returns how to remove it.
  */
 export function bind(binding) {
   bindings.push(binding);
   return () => bindings.splice(bindings.indexOf(binding), 1);
 }
 
-export const allKeys = () => bindings;
+let isRestricted = () => false;
+
+/** Sets the function that says whether the page has its `plain` keys only. */
+export const restrict = (test) => { isRestricted = test; };
+
+export const allKeys = () => bindings.filter(({ plain }) => plain || !isRestricted());
 
 /** Whether a key belongs to an input method, such as Enter that ends a conversion: it is no command, and commits nothing. */
 export const isComposed = (event) => event.isComposing || event.keyCode === 229;
@@ -89,12 +94,14 @@ window.addEventListener('keydown', (event) => {
 }, true);
 
 window.addEventListener('keydown', (event) => {
-  if (event.defaultPrevented || isOrphan(event)) return;
+  // The browser closes a dialog by Escape, also if the focus is on STOP in it.
+  if (event.defaultPrevented || isOrphan(event) || (event.key === 'Escape' && event.target.closest('dialog'))) return;
   const names = namesOf(event);
   const isEscape = names[0] === 'Escape';
   if (isEscape && isTaken(event)) event.target.blur();
   if (isTaken(event) && !isEscape) return;
-  const bound = (name) => bindings.findLast((one) => one.key === name && one.where && event.target.closest(one.where)) ?? bindings.findLast((one) => one.key === name && !one.where);
+  const valid = allKeys();
+  const bound = (name) => valid.findLast((one) => one.key === name && one.where && event.target.closest(one.where)) ?? valid.findLast((one) => one.key === name && !one.where);
   const binding = names.map(bound).find(Boolean);
   if (!binding) return;
   event.preventDefault();

@@ -69,7 +69,7 @@ export function Menu({ label, title, children, onOpen, inline }) {
     const { left, right, bottom } = button.current.getBoundingClientRect();
     const { offsetWidth, offsetHeight, style } = items.current;
     style.left = `${Math.max(4, left + offsetWidth > innerWidth - 4 ? right - offsetWidth : left)}px`;
-    style.top = `${Math.max(4, Math.min(bottom + 4, innerHeight - offsetHeight - 4))}px`;
+    style.top = `${Math.max(4, Math.min(bottom + 4, document.getElementById('app').offsetHeight - offsetHeight - 4))}px`;
   };
   const done = (event) => {
     if (event.target.closest('button.item')) items.current.hidePopover();

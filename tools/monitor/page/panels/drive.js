@@ -25,7 +25,7 @@ const HEAD = ['pan', 'tilt'];
 /** Finds the modulation with the most of these arguments, among them the first `least`, and with no other ones. */
 function find(description, known, least) {
   const all = description.components.flatMap(({ name, modulations }, component) => modulations.map((one, number) => ({
-    component, number, name, arguments: one.arguments, stop: modulations.findIndex((other) => /^(stand|stop)$/.test(other.name) && other.arguments.length === 0),
+    component, number, name, arguments: one.arguments, stop: modulations.findIndex((other) => /^(stand|stop)$/.test(other.name) && !other.stops && other.arguments.length === 0),
   })));
   const fits = ({ arguments: given }) => known.slice(0, least).every((name) => given.some((one) => one.name === name)) && given.every((one) => known.includes(one.name) && typeof one.min === 'number');
   return all.filter(fits).sort((one, other) => other.arguments.length - one.arguments.length)[0] ?? null;

@@ -51,6 +51,9 @@ pub enum Request {
     /// Requests a change of the tree, or an action of its world.
     /// [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
     Operate { request: NamedRequest },
+    /// Stops the robot: calls all of its stops, whoever operates it, also from a page that may only watch. Control ends.
+    /// [as `Operate`]
+    Stop {},
     /// Pauses a simulated world between two cycles.
     Pause {},
     /// Continues a simulated world.

@@ -146,7 +146,7 @@ impl Manager {
     /// Returns the answer; none if it follows later.
     fn answer(&self, page: PageId, message: FromPage) -> Result<Option<Value>, Failed> {
         let FromPage { id, session, request } = message;
-        if self.common.options.read_only && !self.only_reads(&request) {
+        if self.common.options.read_only && !matches!(request, Request::Stop {}) && !self.only_reads(&request) {
             return Err(read_only());
         }
         match request {

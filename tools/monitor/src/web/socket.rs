@@ -16,7 +16,7 @@ use super::queue::Queue;
 use super::rate::Rate;
 use super::{Enter, Shared};
 use crate::pages::Outbox;
-use crate::protocol::{Failed, FromPage, ToPage};
+use crate::protocol::{Failed, FromPage, Request, ToPage};
 use crate::sessions::Manager;
 
 /// Largest message from a page, bytes.
@@ -96,7 +96,7 @@ async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiv
         reason = exchange(&mut socket, &queue, &requests) => reason,
         _ = stop.changed() => Some((GOING_AWAY, "the server ends")),
     };
-    // What still waits is of a page that is gone: it is not executed. The manager forgets the page when the channel is closed.
+    // What still waits is of a page that is gone: only a stop is executed. The manager forgets the page when the channel is closed.
     gone.store(true, Ordering::Release);
     drop(requests);
     if let Some(reason) = reason {
@@ -111,7 +111,7 @@ async fn close(socket: &mut WebSocket, (code, reason): (u16, &'static str)) {
 
 type Reason = Option<(u16, &'static str)>;
 
-async fn exchange(socket: &mut WebSocket, queue: &Queue, requests: &SyncSender<FromPage>) -> Reason {
+async fn exchange(socket: &mut WebSocket, queue: &Queue, requests: &Requests) -> Reason {
     let mut rate = Rate::new(Instant::now());
     let mut heard = Instant::now();
     let mut ping = interval(PING);
@@ -165,7 +165,7 @@ async fn send(socket: &mut WebSocket, message: Message) -> Reason {
 }
 
 /// Hands a message of the page to the manager; returns why it is the last one.
-fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Reason {
+fn take(message: Message, queue: &Queue, requests: &Requests) -> Reason {
     let text = match message {
         Message::Text(text) => text,
         Message::Binary(_) => return Some((POLICY, "pages send text")),
@@ -173,7 +173,7 @@ fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Rea
         Message::Ping(_) | Message::Pong(_) => return None,
     };
     match serde_json::from_str::<FromPage>(&text) {
-        Ok(request) => requests.try_send(request).is_err().then_some((POLICY, "too many requests wait")),
+        Ok(request) => (!requests.send(request)).then_some((POLICY, "too many requests wait")),
         Err(error) => {
             let id = serde_json::from_str::<serde_json::Value>(&text).ok().and_then(|value| value.get("id")?.as_u64());
             let failed = Failed {
@@ -188,15 +188,33 @@ fn take(message: Message, queue: &Queue, requests: &SyncSender<FromPage>) -> Rea
     }
 }
 
-/// Starts the thread that hands a page's requests to the manager, which may wait for files and robots.
-fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<SyncSender<FromPage>> {
-    let (sender, requests) = sync_channel(MAX_WAITING);
+/// Requests of a page to the manager. A stop waits for no other request.
+struct Requests {
+    stops: SyncSender<FromPage>,
+    others: SyncSender<FromPage>,
+}
+
+impl Requests {
+    /// Hands over a request; returns whether there was room.
+    fn send(&self, request: FromPage) -> bool {
+        let sender = if matches!(request.request, Request::Stop {}) { &self.stops } else { &self.others };
+        sender.try_send(request).is_ok()
+    }
+}
+
+/// Starts the threads that hand a page's requests to the manager, which may wait for files and robots.
+fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<Requests> {
+    let ((others, requests), (stops, stop_requests)) = (sync_channel(MAX_WAITING), sync_channel(MAX_WAITING));
     std::thread::Builder::new().name("page".to_owned()).spawn(move || {
         let page = manager.attach(queue);
-        forward(&requests, &gone, |request| manager.handle(page, request));
+        let manager = &*manager;
+        std::thread::scope(|scope| {
+            scope.spawn(move || stop_requests.iter().for_each(|stop| manager.handle(page, stop)));
+            forward(&requests, &gone, |request| manager.handle(page, request));
+        });
         manager.detach(page);
     })?;
-    Ok(sender)
+    Ok(Requests { stops, others })
 }
 
 /// Hands requests on until the page is gone; what waits then is dropped.
@@ -212,7 +230,6 @@ fn forward(requests: &Receiver<FromPage>, gone: &AtomicBool, mut handle: impl Fn
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::protocol::Request;
 
     #[test]
     fn requests_that_wait_when_the_page_is_gone_are_dropped() {

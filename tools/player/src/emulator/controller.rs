@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
+use bica::Tree;
 use bica_field::GoalColour;
 use bica_motion::robot::{self, Light, Lights};
+use bica_player::Forward;
 use bica_wire::message::{
     AnswerResult, Change, ClockMode, Hello, Identity, LeaseAction, Request, StackUsage, Telemetry,
 };
@@ -137,6 +139,10 @@ impl Controller {
             Some(lease) => lease,
             None => self.acquire()?,
         };
+        if change.is_stop(&Forward::GRAPH) {
+            // It ends the lease in the image.
+            self.lease = None;
+        }
         self.last_request = self.last_request.wrapping_add(1);
         let number = self.last_request;
         self.send(&FromMonitor::Request(Request { number, lease, expires_us: u64::MAX, change }))?;

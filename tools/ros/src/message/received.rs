@@ -11,6 +11,7 @@ messages!(derive(Serialize, Deserialize);
     geometry_msgs/Twist as Twist { linear: Vector3, angular: Vector3 }
     std_msgs/MultiArrayDimension as MultiArrayDimension { label: String, size: u32, stride: u32 }
     std_msgs/MultiArrayLayout as MultiArrayLayout { dim: Vec<MultiArrayDimension>, data_offset: u32 }
+    std_msgs/Empty as Empty { structure_needs_at_least_one_member: u8 }
     std_msgs/Float32MultiArray as Numbers { layout: MultiArrayLayout, data: Vec<f32> }
     rcl_interfaces/ParameterValue as ParameterValue {
         r#type: u8, bool_value: bool, integer_value: i64, double_value: f64, string_value: String, byte_array_value: Vec<u8>,

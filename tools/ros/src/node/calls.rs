@@ -12,7 +12,7 @@ use super::parameters::result;
 use super::pending::Reply;
 use super::robot::Robot;
 use super::values::plain;
-use crate::message::{Nothing, Numbers, Parameter, Parameters, SetResult, SingleResult, TriggerResponse};
+use crate::message::{Empty, Nothing, Numbers, Parameter, Parameters, SetResult, SingleResult, TriggerResponse};
 use crate::names::Names;
 
 /// What a service does.
@@ -21,6 +21,8 @@ enum Target {
     Acquire,
     Take,
     Release,
+    /// Stops the robot, without the lease.
+    Stop,
     World(WorldChange),
     /// Holds of components, by their names.
     Hold,
@@ -39,6 +41,8 @@ struct Service {
     served: Served,
     /// The arguments as numbers, in their order, without an answer.
     numbers: Option<Subscription<Numbers>>,
+    /// Stops without an answer.
+    stops: Option<Subscription<Empty>>,
 }
 
 /// The services.
@@ -53,6 +57,9 @@ impl Calls {
             (names.private(&["lease", "release"]), Target::Release),
             (names.private(&["hold"]), Target::Hold),
         ];
+        if description.stops().next().is_some() {
+            all.push((names.private(&["stop"]), Target::Stop));
+        }
         if robot.link.offers().contains(Offers::PAUSE) {
             all.push((names.private(&["pause"]), Target::World(WorldChange::Pause)));
             all.push((names.private(&["resume"]), Target::World(WorldChange::Resume)));
@@ -96,7 +103,8 @@ impl Service {
         let is_number = |kind: &Kind| matches!(kind, Kind::F32 { .. } | Kind::I32 { .. } | Kind::U32 { .. });
         let is_numeric = called.is_some_and(|called| called.arguments.iter().all(|one| is_number(&one.kind)));
         let numbers = (has_arguments && is_numeric).then(|| network.subscribe(name)).transpose()?;
-        Ok(Self { target, served, numbers })
+        let stops = matches!(target, Target::Stop).then(|| network.subscribe(name)).transpose()?;
+        Ok(Self { target, served, numbers, stops })
     }
 
     fn handle(&self, robot: &mut Robot, index: usize) -> Result<(), Error> {
@@ -111,6 +119,11 @@ impl Service {
                     self.call(robot, index, id, &parameters)?;
                 }
             }
+        }
+        while let Some(stops) = &self.stops
+            && let Ok(Some(_)) = stops.take()
+        {
+            robot.stop()?;
         }
         let Some((numbers, Target::Call(component, called))) = self.numbers.as_ref().map(|one| (one, &self.target))
         else {
@@ -134,6 +147,12 @@ impl Service {
             Target::Acquire => robot.operator.acquire(&mut robot.link, client, false),
             Target::Take => robot.operator.acquire(&mut robot.link, client, true),
             Target::Release => robot.operator.release(&mut robot.link, client),
+            Target::Stop => {
+                let stops = robot.stop()?;
+                let batch = robot.pending.begin(Reply::Call(index, id), stops.len());
+                stops.iter().enumerate().for_each(|(entry, stop)| robot.pending.requested(*stop, (batch, entry)));
+                return Ok(());
+            }
             Target::World(change) => robot
                 .operator
                 .check(&mut robot.link, client)

@@ -7,6 +7,8 @@ use ros2_client::Gid;
 
 /// Silence after which the lease ends, as that of an operator of the link.
 const SILENCE: Duration = Duration::from_secs(3);
+/// Silence after which a node may get a lease again that it has lost: a stop, or another operator, has ended what it commands.
+const PAUSE: Duration = Duration::from_secs(1);
 /// Number of bytes of an identifier that are common to everything in a process.
 const PROCESS: usize = 12;
 
@@ -60,11 +62,21 @@ impl Operator {
 
     /// Whether the process of a client or publisher may command; it is heard with this.
     pub(super) fn check(&mut self, link: &mut Client, id: Gid) -> Result<(), String> {
-        if self.everyone {
-            return self.acquire(link, id, false);
+        if !link.lease().yours
+            && self.holder.is_some()
+            && std::mem::replace(&mut self.heard, Instant::now()).elapsed() < PAUSE
+        {
+            return Err(format!(
+                "control has ended; command nothing for {} s, or call {}",
+                PAUSE.as_secs(),
+                self.service
+            ));
         }
         if !link.lease().yours {
             self.holder = None;
+        }
+        if self.everyone {
+            return self.acquire(link, id, false);
         }
         if self.holder != Some(process(id)) {
             let other = if link.lease().owned { "another operator has the lease" } else { "nobody has the lease" };

@@ -46,10 +46,10 @@ impl Robot {
 
     /// Sends a request for a client that has the lease; returns its number, or why it is refused.
     pub(super) fn send(&mut self, id: Gid, request: &NamedRequest) -> Result<Result<u32, String>, Error> {
-        let allowed = self.operator.check(&mut self.link, id);
-        let found = allowed.and_then(|()| {
-            let found = self.link.description().request(request);
-            found.map_err(|invalid| format!("{}; {}", invalid.what, invalid.help))
+        let found = self.link.description().request(request);
+        let found = found.map_err(|invalid| format!("{}; {}", invalid.what, invalid.help)).and_then(|request| {
+            let is_stop = self.link.description().is_stop(request.borrow());
+            if is_stop { Ok(request) } else { self.operator.check(&mut self.link, id).map(|()| request) }
         });
         Ok(match found.map(|request| self.link.send_request(request.borrow())) {
             Ok(Ok(number)) => Ok(number),
@@ -57,6 +57,12 @@ impl Robot {
             Ok(Err(error)) => return Err(error),
             Err(reason) => Err(reason),
         })
+    }
+
+    /// Stops the robot, for which nobody needs the lease; returns the numbers of the requests.
+    pub(super) fn stop(&mut self) -> Result<Vec<u32>, Error> {
+        let stops: Vec<_> = self.link.description().stops().collect();
+        stops.iter().map(|stop| self.link.send_request(stop.borrow())).collect()
     }
 
     /// Notes a refusal of which nobody else hears, for the log: the first one of a second.

@@ -20,6 +20,13 @@ pub(super) enum Wish {
 }
 
 impl Session {
+    /// Takes a wish for the next run. None replaces a stop.
+    pub(super) const fn ask(&mut self, wish: Wish) {
+        if !matches!(self.wish, Some(Wish::Stop)) {
+            self.wish = Some(wish);
+        }
+    }
+
     pub(super) fn hear(&mut self) {
         self.heard = self.wish.take();
         if let Some(Wish::GoTo(step)) = self.heard {

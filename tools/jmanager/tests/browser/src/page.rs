@@ -54,6 +54,22 @@ impl WebDriverCompatibleCommand for ConsoleLog {
     }
 }
 
+/// A size of the page, px, that the browser's window may not have.
+#[derive(Debug)]
+struct Size(u32, u32);
+
+impl WebDriverCompatibleCommand for Size {
+    fn endpoint(&self, base: &url::Url, session: Option<&str>) -> Result<url::Url, url::ParseError> {
+        base.join(&format!("session/{}/goog/cdp/execute", session.unwrap_or_default()))
+    }
+
+    fn method_and_body(&self, _: &url::Url) -> (http::Method, Option<String>) {
+        let params = json!({ "width": self.0, "height": self.1, "deviceScaleFactor": 1, "mobile": false });
+        let body = json!({ "cmd": "Emulation.setDeviceMetricsOverride", "params": params });
+        (http::Method::POST, Some(body.to_string()))
+    }
+}
+
 /// A page that shows a server.
 pub struct Page {
     pub(crate) client: Client,
@@ -121,6 +137,13 @@ impl Page {
     /// Changes the size of the window.
     pub async fn resize(&self, (width, height): (u32, u32)) {
         self.client.set_window_size(width, height).await.expect("a window");
+    }
+
+    /// Shows the page in a size that a window may not have, such as that of a telephone; only in Chromium.
+    pub async fn emulate(&self, (width, height): (u32, u32)) {
+        self.client.issue_cmd(Size(width, height)).await.expect("a size");
+        self.until("the size", &format!("return innerWidth === {width}")).await;
+        tokio::time::sleep(Duration::from_millis(400)).await;
     }
 
     /// Goes to another address.

@@ -46,6 +46,9 @@ impl Attached<'_> {
         if let Some(change) = world_change(&request) {
             return self.pace(page, id, change);
         }
+        if matches!(request, Request::Stop {}) {
+            return self.stop(page, id);
+        }
         let answer = |result| self.session.pages.answer(page, id, result);
         if !self.session.shared().can.operate {
             answer(Err(Failed::new("this session cannot be operated", "open one that can")));
@@ -79,6 +82,21 @@ impl Attached<'_> {
                 Err(invalid) => answer(Err(invalid.into())),
             },
             _ => answer(Err(Failed::new("a live session cannot do this", "choose another session"))),
+        }
+        Ok(())
+    }
+
+    /// Stops the robot, whoever operates it. The last of its stops has the answer for the page.
+    fn stop(&mut self, page: PageId, id: u32) -> LinkResult {
+        let mut last = None;
+        for request in self.client.description().stops().collect::<Vec<_>>() {
+            last = Some((self.client.send_request(request.borrow())?, Pending { page, id, request }));
+        }
+        if let Some((number, pending)) = last {
+            self.operation.pending.insert(number, pending);
+        } else {
+            let failed = Failed::new("this robot declares no stop", "mark a modulation with `#[modulation(stop)]`");
+            self.session.pages.answer(page, id, Err(failed));
         }
         Ok(())
     }

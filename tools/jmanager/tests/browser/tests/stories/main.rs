@@ -25,6 +25,7 @@ mod rolling;
 mod running;
 mod space;
 mod spans;
+mod stopping;
 mod therapy;
 mod units;
 mod uses;

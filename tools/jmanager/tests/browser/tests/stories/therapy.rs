@@ -19,11 +19,11 @@ const FILM: &str = "title \"Arms and shoulders\"\nsay \"Let us move our arms.\"\
 const WRONG: &str = "sya \"Hello.\"";
 
 /// How many tabs can be seen.
-const TABS: &str =
+pub(crate) const TABS: &str =
     "[...document.querySelectorAll('[role=tab]')].filter((tab) => tab.getClientRects().length > 0).length";
 
 /// Sessions in a folder.
-fn sessions() -> Folder {
+pub(crate) fn sessions() -> Folder {
     let folder = Folder::new("sessions");
     for (name, text) in [("first", FIRST), ("second", SECOND), ("wrong", WRONG), ("film", FILM)] {
         folder.write(&format!("{name}.session"), text);
@@ -32,7 +32,7 @@ fn sessions() -> Folder {
 }
 
 /// Waits until the page tells a state, and the part that is shown.
-async fn shows(page: &Page, mood: &str, part: &str) {
+pub(crate) async fn shows(page: &Page, mood: &str, part: &str) {
     let script = format!(
         "const [mood, part] = ['.mood b', '.parts .now'].map((one) => document.querySelector(one)?.textContent ?? ''); \
         return mood === {} && part.startsWith({})",
@@ -42,7 +42,7 @@ async fn shows(page: &Page, mood: &str, part: &str) {
     page.until(&format!("{mood}, {part}"), &script).await;
 }
 
-async fn button(page: &Page, name: &str) {
+pub(crate) async fn button(page: &Page, name: &str) {
     page.click("button", name, "").await;
 }
 
@@ -114,6 +114,8 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.reads("Volume 5").await;
     button(&page, "Easier").await;
     page.reads("80 % of tempo").await;
+    button(&page, "Harder").await;
+    page.reads_no("of tempo").await;
 
     button(&page, "STOP").await;
     shows(&page, "STOPPED", "3.").await;
@@ -145,7 +147,8 @@ async fn a_therapist_operates_a_session_with_every_control() {
     button(&page, "Give back").await;
     page.reads("Nobody operates the robot").await;
     // An engineer beside the therapist.
-    page.press("1").await;
+    button(&page, "View").await;
+    button(&page, "Overview").await;
     page.reads("operator: nobody").await;
     page.find("button", "Session", "Activation tree").await;
     // A panel without another one beside it has a tab, too.
