@@ -133,23 +133,28 @@ impl Bridge {
         })
     }
 
+    /// Passes on what both sides send, until `stop` or the robot's end.
     fn run(mut self, stop: &dyn Fn() -> bool) -> Result<(), Invalid> {
         while !stop() {
-            let mut event = match self.robot.link.poll(LOOK_AFTER) {
+            match self.step() {
                 Err(Error::Disconnected(_)) => return Ok(()),
-                event => event?,
-            };
-            for _ in 0..MAX_EVENTS {
-                let Some(present) = event.take() else { break };
-                self.event(present);
-                event = self.robot.link.poll(Duration::ZERO)?;
+                done => done?,
             }
-            if let Some(last) = event {
-                self.event(last);
-            }
-            self.look()?;
         }
         Ok(())
+    }
+
+    fn step(&mut self) -> Result<(), Error> {
+        let mut event = self.robot.link.poll(LOOK_AFTER)?;
+        for _ in 0..MAX_EVENTS {
+            let Some(present) = event.take() else { break };
+            self.event(present);
+            event = self.robot.link.poll(Duration::ZERO)?;
+        }
+        if let Some(last) = event {
+            self.event(last);
+        }
+        self.look()
     }
 
     fn begin(&mut self) -> Result<(), Error> {
@@ -172,16 +177,22 @@ impl Bridge {
         }
         self.parameters.handle(&mut self.robot)?;
         self.calls.handle(&mut self.robot)?;
+        let mut refused = None;
         if let Some((drive, commands)) = &mut self.drive {
             while let Ok(Some((twist, info))) = commands.take() {
-                let checked = drive.check(&twist);
-                let operator = &mut self.robot.operator;
-                match checked.and_then(|()| operator.check(&mut self.robot.link, info.publisher_gid())) {
+                if let Err(text) = drive.check(&twist) {
+                    refused = refused.or(text);
+                    continue;
+                }
+                match self.robot.operator.check(&mut self.robot.link, info.publisher_gid()) {
                     Ok(()) => drive.drive(&mut self.robot.link, &twist)?,
                     refused => self.robot.report(refused),
                 }
             }
             drive.end_silence(&mut self.robot.link)?;
+        }
+        if let Some(text) = refused {
+            self.log(self.now(), WARNING, &text);
         }
         if self.looks == 1 {
             self.looks = 0;

@@ -62,9 +62,6 @@ impl Robot {
     /// Notes a refusal of which nobody else hears, for the log: the first one of a second.
     pub(super) fn report<T>(&mut self, done: Result<T, String>) {
         let Err(reason) = done else { return };
-        if reason.is_empty() {
-            return;
-        }
         if self.reported.is_none_or(|last| last.elapsed() > REPORT_AFTER) {
             self.reported = Some(Instant::now());
             self.warning = Some(reason);

@@ -32,7 +32,7 @@ impl Ros {
         let stopped = Arc::new(AtomicBool::new(false));
         let (stop, address, options) = (Arc::clone(&stopped), address.clone(), options.clone());
         let work = move || {
-            let _resume = ResumeAtEnd { address: &address, stopped: &stop };
+            let mut resume_at_end = ResumeAtEnd { address: &address, is_needed: true };
             let work = || {
                 let link = Client::connect(&address, ClientOptions::default())?;
                 let mut bridge = Bridge::new(link, network, &names, options.operator)?;
@@ -42,8 +42,11 @@ impl Ros {
                 }
                 bridge.run(&|| stop.load(Ordering::Relaxed))
             };
-            if let Err(invalid) = work() {
-                eprintln!("warning: the ROS node has ended, the run goes on: {}; {}", invalid.what, invalid.help);
+            match work() {
+                Ok(()) => resume_at_end.is_needed = false,
+                Err(Invalid { what, help, .. }) => {
+                    eprintln!("warning: the ROS node has ended, the run goes on: {what}; {help}");
+                }
             }
         };
         let thread = thread::Builder::new().name("ros".to_owned()).spawn(work);
@@ -79,12 +82,12 @@ fn resume(link: &mut Client, take: bool) -> Result<(), Error> {
 /// Continues a paused world of this process when its node ends before the run: it has no other monitor.
 struct ResumeAtEnd<'a> {
     address: &'a Address,
-    stopped: &'a AtomicBool,
+    is_needed: bool,
 }
 
 impl Drop for ResumeAtEnd<'_> {
     fn drop(&mut self) {
-        if matches!(self.address, Address::Memory(_)) && !self.stopped.load(Ordering::Relaxed) {
+        if self.is_needed && matches!(self.address, Address::Memory(_)) {
             // Without a link the run has ended, or cannot be paused.
             let _ =
                 Client::connect(self.address, ClientOptions::default()).and_then(|mut link| resume(&mut link, true));

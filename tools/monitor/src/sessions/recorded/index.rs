@@ -51,20 +51,14 @@ struct Times {
     first: Option<u64>,
     /// Of the last cycle, µs.
     last: u64,
-    /// Whether the clock has stepped back.
-    has_stepped: bool,
 }
 
 impl Times {
-    /// Returns the time of a cycle, µs, and a warning at the first step of the clock.
-    fn next(&mut self, ns: u64) -> (u64, Option<String>) {
+    /// Returns the time of a cycle, µs.
+    fn next(&mut self, ns: u64) -> u64 {
         let time_us = ns.saturating_sub(*self.first.get_or_insert(ns)) / 1000;
-        let back = self.last.saturating_sub(time_us);
         self.last = self.last.max(time_us);
-        let is_first = back > 0 && !std::mem::replace(&mut self.has_stepped, true);
-        let text =
-            || format!("the robot's clock stepped back by {:.2} s: cycles stay in their order", back as f64 * 1e-6);
-        (self.last, is_first.then(text))
+        self.last
     }
 }
 
@@ -162,11 +156,7 @@ fn batch(
     }
     let mut shared = session.shared();
     for (cycle, place) in cycles {
-        let (time_us, stepped) = requested.times.next(header.nanoseconds(cycle.tick.instant));
-        if let Some(text) = stepped {
-            let source = LogSource::Robot;
-            shared.history.add_line(LogLine { time_us, level: 3, source, text, component: None });
-        }
+        let time_us = requested.times.next(header.nanoseconds(cycle.tick.instant));
         cycle.requests.iter().for_each(|request| requested.apply(request));
         if let Some(holds) = &cycle.holds {
             requested.replace(holds);
