@@ -89,6 +89,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod clock;
 mod observer;
 #[cfg(feature = "std")]
 mod queue;
@@ -106,6 +107,7 @@ pub mod harness;
 #[cfg(feature = "std")]
 pub mod realtime;
 
+pub use clock::ClockStep;
 pub use observer::{Cycle, Observer};
 #[cfg(feature = "std")]
 pub use queue::{OwnedRequest, RequestQueue};

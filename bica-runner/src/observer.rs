@@ -3,6 +3,7 @@
 use bica_core::refusal::Refusal;
 use bica_core::{Instant, Probe, Stopwatch};
 
+use crate::clock::ClockStep;
 use crate::request::Request;
 use crate::robot::Robot;
 use crate::schedule::Overrun;
@@ -16,6 +17,10 @@ use crate::schedule::Overrun;
 /// observes nothing, an `Option` may be no observer, and a pair `(A, B)` is two.
 #[expect(unused_variables, reason = "the names of the arguments are documentation")]
 pub trait Observer<R: Robot>: Probe {
+    /// Called before the cycle at `now` at which the world's clock made its first step.
+    #[inline]
+    fn clock_stepped(&mut self, now: Instant, step: &ClockStep) {}
+
     /// Called after a request was applied, before the cycle at `now`.
     #[inline]
     fn requested(&mut self, now: Instant, request: &Request<'_>) {}
@@ -64,6 +69,13 @@ impl<R: Robot, C: FnMut() -> u64, const N: usize> Observer<R> for Stopwatch<C, N
 /// Implements each method by a call of the same method of those of these observers that there are.
 macro_rules! forward {
     ($self:ident => $($observer:expr),+) => {
+        #[inline]
+        fn clock_stepped(&mut $self, now: Instant, step: &ClockStep) {
+            $(if let Some(observer) = $observer {
+                observer.clock_stepped(now, step);
+            })+
+        }
+
         #[inline]
         fn requested(&mut $self, now: Instant, request: &Request<'_>) {
             $(if let Some(observer) = $observer {

@@ -6,6 +6,7 @@ use bica_core::action::Actions;
 use bica_core::refusal::Refusal;
 use bica_core::{Instant, Tree};
 
+use crate::clock::Clock;
 use crate::observer::{Cycle, Observer};
 use crate::request::{Request, Requests};
 use crate::robot::Robot;
@@ -19,6 +20,7 @@ use crate::world::World;
 pub struct Runner<T, W = (), Q = (), O = ()> {
     robot: T,
     world: W,
+    clock: Clock,
     requests: Q,
     observer: O,
 }
@@ -26,19 +28,19 @@ pub struct Runner<T, W = (), Q = (), O = ()> {
 impl<T, W> Runner<T, W> {
     /// Creates a runner without requests and observer.
     pub const fn new(robot: T, world: W) -> Self {
-        Self { robot, world, requests: (), observer: () }
+        Self { robot, world, clock: Clock::new(), requests: (), observer: () }
     }
 }
 
 impl<T, W, Q, O> Runner<T, W, Q, O> {
     /// Sets the source of requests.
     pub fn with_requests<N: Requests>(self, requests: N) -> Runner<T, W, N, O> {
-        Runner { robot: self.robot, world: self.world, requests, observer: self.observer }
+        Runner { robot: self.robot, world: self.world, clock: self.clock, requests, observer: self.observer }
     }
 
     /// Sets the observer.
     pub fn with_observer<N>(self, observer: N) -> Runner<T, W, Q, N> {
-        Runner { robot: self.robot, world: self.world, requests: self.requests, observer }
+        Runner { robot: self.robot, world: self.world, clock: self.clock, requests: self.requests, observer }
     }
 
     /// Returns the world.
@@ -127,13 +129,23 @@ where
     Q: Requests,
     O: Observer<T::Target>,
 {
+    /// Returns the time of the cycles: that of the world's clock, as long as that makes no step.
+    pub fn now(&self) -> Instant {
+        self.clock.at(self.world.now())
+    }
+
     /// Runs one cycle: requests, sense, think, act. Returns the command that was passed to the world.
     ///
     /// # Errors
     /// If the robot rejects the sensor values. Then the tree is not ticked and the world does not advance.
     #[inline]
     pub fn cycle(&mut self) -> Result<<T::Target as Robot>::Command, <T::Target as Robot>::Error> {
-        let now = self.world.now();
+        let world = self.world.now();
+        let stepped = self.clock.begin(world, <T::Target as Tree>::GRAPH.cycle_hz);
+        let now = self.clock.at(world);
+        if let Some(step) = stepped {
+            self.observer.clock_stepped(now, &step);
+        }
         self.take_requests(now);
         sense(&mut *self.robot, &mut self.observer, now, &self.world.sensors())?;
         let command = self.think(now);
@@ -144,7 +156,7 @@ where
     /// Applies the waiting requests without a cycle, for a loop that is paused. They are in force in the next cycle, as if they
     /// had come just before it.
     pub fn apply_requests(&mut self) {
-        let now = self.world.now();
+        let now = self.now();
         self.take_requests(now);
         self.observer.requests_applied(now, &*self.robot);
     }

@@ -13,7 +13,10 @@ use crate::robot::Robot;
 ///
 /// The trait can be used as `dyn World<R>`.
 pub trait World<R: Robot> {
-    /// Time of this cycle on the clock of the world, which never runs backwards.
+    /// Time of this cycle on the clock of the world, whose zero may be any. If it steps, back or forth by more than a minute, a [`Runner`]
+    /// lets the robot's time go on by one cycle.
+    ///
+    /// [`Runner`]: crate::Runner
     fn now(&self) -> Instant;
 
     /// Sensor values of this cycle.

@@ -2,7 +2,7 @@
 
 use bica_core::{ComponentId, Hold, Instant, Probe, Tree};
 use bica_macros::{activation_tree, component};
-use bica_runner::{Cycle, Observer, Request, Requests, Robot, Runner, World};
+use bica_runner::{ClockStep, Cycle, Observer, Request, Requests, Robot, Runner, World};
 
 struct Input(i32);
 
@@ -95,6 +95,10 @@ impl Probe for Log {
 }
 
 impl Observer<Doubler> for Log {
+    fn clock_stepped(&mut self, _now: Instant, step: &ClockStep) {
+        self.0.push(format!("{step}"));
+    }
+
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         self.0.push(format!("{request:?}"));
     }
@@ -184,4 +188,43 @@ fn paused_requests_apply_in_the_next_cycle() {
     assert_eq!(runner.world().now(), Instant::from_millis(10), "no cycle has run");
     // The held component keeps its value.
     assert_eq!(runner.cycle(), Ok(6));
+}
+
+/// World whose clock is set while it runs: its times, ms.
+struct SetClock {
+    times: &'static [u64],
+    cycle: usize,
+}
+
+impl World<Doubler> for SetClock {
+    fn now(&self) -> Instant {
+        Instant::from_millis(self.times[self.cycle])
+    }
+
+    fn sensors(&mut self) -> &i32 {
+        &0
+    }
+
+    fn act(&mut self, _command: &i32) {
+        self.cycle += 1;
+    }
+}
+
+#[test]
+fn time_goes_on_without_the_steps_of_a_clock() {
+    // A stall of half a minute is none, steps back by an hour and forth by a day are.
+    const TIMES: [u64; 8] = [4_000_000, 4_000_010, 4_030_000, 430_000, 430_010, 86_830_010, 86_830_020, 7];
+    let mut robot = Doubler::new();
+    let world = SetClock { times: &TIMES, cycle: 0 };
+    let mut runner = Runner::new(&mut robot, world).with_observer(Log::default());
+    for _ in TIMES {
+        runner.cycle().expect("accepted");
+    }
+    let log = runner.into_parts().3.0;
+    let ticks: Vec<_> = log.iter().filter_map(|line| line.strip_prefix("tick at ")?.strip_suffix(" ms")).collect();
+    let expected = ["4000000", "4000010", "4030000", "4030010", "4030020", "4030030", "4030040", "4030050"];
+    assert_eq!(ticks, expected);
+    let warnings: Vec<_> = log.iter().filter(|line| line.contains("stepped")).collect();
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    assert!(warnings[0].starts_with("the world's clock stepped from 4030.00 s to 430.00 s"), "{warnings:?}");
 }

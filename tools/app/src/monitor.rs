@@ -105,6 +105,7 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
         None
     });
     let (file, recorder) = started.unzip();
+    let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
     let (server, requests, view) = LinkServer::start_in_world::<R>(&run.address(), offers, &*world)?;
     let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);

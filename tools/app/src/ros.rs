@@ -19,7 +19,7 @@ pub struct NodeArgs {
     #[arg(long = "ros-domain", value_name = "N", value_parser = clap::value_parser!(u16).range(..=MAX_DOMAIN))]
     domain: Option<u16>,
     /// Namespace of the node and of its frames, for one of several robots
-    #[arg(long = "ros-namespace", value_name = "NAME", default_value = "")]
+    #[arg(long = "ros-namespace", value_name = "NAME", default_value = "", value_parser = namespace)]
     namespace: String,
     /// Let each ROS node command the robot, without getting the lease before
     #[arg(long = "ros-operator")]
@@ -50,6 +50,13 @@ impl NodeArgs {
         let whence = if self.anywhere { "all computers" } else { "this computer" };
         format!("node {name} in domain {}, for nodes on {whence}", options.domain)
     }
+}
+
+/// Reads a namespace that ROS accepts.
+fn namespace(text: &str) -> Result<String, String> {
+    bica_ros::checked_namespace(text)
+        .map(str::to_owned)
+        .map_err(|invalid| format!("{}: {}", invalid.what, invalid.help))
 }
 
 /// Arguments of the command.

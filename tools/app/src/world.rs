@@ -1,5 +1,6 @@
 //! Worlds of a program, by name.
 
+use std::any::{Any, type_name};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -58,11 +59,21 @@ impl WorldOptions {
     /// Returns the value of `--option NAME=VALUE`, or `default` without one.
     ///
     /// # Errors
-    /// If the text is not a value of this type.
-    pub fn value<T: FromStr<Err: fmt::Display>>(&self, name: &str, default: T) -> Result<T, Failure> {
+    /// If the text is not a value of this type, or a number that is not finite.
+    pub fn value<T: FromStr<Err: fmt::Display> + 'static>(&self, name: &str, default: T) -> Result<T, Failure> {
         let Some(text) = self.values.borrow_mut().remove(name) else { return Ok(default) };
-        let wrong = |error: T::Err| format!("--option {name}={text}: {error}");
-        text.parse().map_err(|error| Failure::new(wrong(error), format!("choose another value of `{name}`")))
+        let refused = |why: &str| {
+            let what = format!("--option {name}={text}: {why}");
+            Failure::new(what, format!("choose another value of `{name}`"))
+        };
+        let value: T = text.parse().map_err(|error: T::Err| match number::<T>() {
+            Some(kind) => refused(&format!("this is not {kind}")),
+            None => refused(&error.to_string()),
+        })?;
+        let of_any = &value as &dyn Any;
+        let narrow = of_any.downcast_ref().is_none_or(|number: &f32| number.is_finite());
+        let wide = of_any.downcast_ref().is_none_or(|number: &f64| number.is_finite());
+        if narrow && wide { Ok(value) } else { Err(refused("the number is not finite")) }
     }
 
     /// # Errors
@@ -75,6 +86,15 @@ impl WorldOptions {
                 Err(Failure::new(what, "leave it out, or choose another --world"))
             }
         }
+    }
+}
+
+/// Returns what a number of a type is called; none for another type.
+fn number<T>() -> Option<&'static str> {
+    match type_name::<T>() {
+        "f32" | "f64" => Some("a number"),
+        "i8" | "i16" | "i32" | "i64" | "u8" | "u16" | "u32" | "u64" | "usize" => Some("a whole number in its range"),
+        _ => None,
     }
 }
 
@@ -116,5 +136,23 @@ impl<R: Robot> RegisteredWorld<R> {
         let world = (self.open)(options)?;
         options.check_all_read(self.name)?;
         Ok(world)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_are_finite_numbers() {
+        let read =
+            |text: &str| WorldOptions::new(0, &[format!("speed={text}")]).expect("an option").value("speed", 0.0_f32);
+        assert_eq!(read("1.5").ok(), Some(1.5));
+        for (text, why) in
+            [("NaN", "not finite"), ("-inf", "not finite"), ("1e300", "not finite"), ("fast", "not a number")]
+        {
+            let Err(Failure::Error { what, .. }) = read(text) else { panic!("{text} is accepted") };
+            assert!(what.contains(why), "{what}");
+        }
     }
 }

@@ -17,6 +17,8 @@ pub struct CostMeter {
     section_began: Clock,
     /// Time of each component in this cycle.
     this_cycle: Vec<Duration>,
+    /// Components that exceeded their budgets in the last cycle, and their times.
+    overran: Vec<(ComponentId, Duration)>,
     window: Window,
 }
 
@@ -68,6 +70,7 @@ impl CostMeter {
             cycle_began: began,
             section_began: began,
             this_cycle: vec![Duration::ZERO; components],
+            overran: Vec::with_capacity(components),
             window: Window::new(Instant::MIN, components),
         }
     }
@@ -91,6 +94,18 @@ impl CostMeter {
     #[must_use]
     pub fn components(&self) -> &[ComponentTime] {
         &self.window.components
+    }
+
+    /// Returns the components that exceeded their budgets in the last cycle, and their times.
+    #[must_use]
+    pub fn overran(&self) -> &[(ComponentId, Duration)] {
+        &self.overran
+    }
+
+    /// Returns the measured tree.
+    #[must_use]
+    pub const fn graph(&self) -> &'static Graph {
+        self.graph
     }
 
     /// Returns the costs of the cycles since the last call, and begins again.
@@ -157,14 +172,16 @@ impl Probe for CostMeter {
         if time >= window.longest {
             (window.longest, window.worst) = (time, self.now);
         }
-        let nodes = self.graph.nodes;
-        for ((component, time), node) in window.components.iter_mut().zip(&mut self.this_cycle).zip(nodes) {
+        self.overran.clear();
+        let nodes = self.graph.nodes.iter().enumerate();
+        for ((component, time), (index, node)) in window.components.iter_mut().zip(&mut self.this_cycle).zip(nodes) {
             let time = std::mem::take(time);
             component.total += time;
             component.longest = component.longest.max(time);
             if node.budget_us.is_some_and(|budget| us(time) > budget) {
                 component.overruns += 1;
                 component.overrun_us = self.now.as_micros();
+                self.overran.push((ComponentId::new(index), time));
             }
         }
     }

@@ -14,6 +14,7 @@ use bica::runner::Runner;
 use bica_app::{Console, STACK_BYTES, ServeArgs};
 use bica_link::{LinkServer, ServerOptions};
 use bica_player::tunable::Forward;
+use bica_wire::model::Description;
 use clap::Parser;
 use rustix::time::{ClockId, clock_gettime};
 
@@ -39,7 +40,12 @@ fn run(args: &Args) {
     let mut values = turns::Values::new(None);
     let options = ServerOptions { realtime: true, ..ServerOptions::default() };
     let (server, mut requests, observer) = LinkServer::start::<Forward>(&address, options).expect("an address");
-    let started = args.serve.started(Console::new(false), const { &Forward::GRAPH }, &address, server.address());
+    let started = args.serve.started(
+        Console::new(false),
+        &Description::of(const { &Forward::GRAPH }),
+        &address,
+        server.address(),
+    );
     let _node = started.expect("a network");
     let mut with = Runner::new(turns::forward(), ()).with_observer(observer.sharing_images(values.owner()));
     let mut without = Runner::new(turns::forward(), ());

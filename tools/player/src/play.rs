@@ -9,6 +9,7 @@ use crate::game::{
 use bica::Setting;
 use bica_app::RecordArgs;
 use bica_app::{Console, Failure, Outcome};
+use bica_wire::model::Description;
 use clap::ValueEnum;
 
 use crate::cli::{Play, World};
@@ -48,7 +49,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             let address = args.link.address();
             let node = OnceCell::new();
             let started = |bound: &str| {
-                let started = address.as_ref().map(|address| args.link.started(console, &GRAPH, address, bound));
+                let started = address
+                    .as_ref()
+                    .map(|address| args.link.started(console, &Description::of(&GRAPH), address, bound));
                 // The game has one server, which starts once.
                 let _ = node.set(started.transpose()?);
                 Ok(())

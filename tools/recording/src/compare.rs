@@ -1,7 +1,6 @@
 //! Comparison of a recorded run with a repeated one.
 
 use bica_link::decode_exactly;
-use bica_wire::model::Description;
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::Serialize;
 use serde_json::Value;
@@ -13,12 +12,16 @@ use crate::request::RequestRecord;
 /// Most decisions that are listed.
 const MAX_DECISIONS: usize = 1000;
 
+/// Field of a difference if one of the runs is longer, and its value of the other one.
+const LENGTH: &str = "cycle";
+const END: &str = "the end";
+
 /// The first difference between two runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
     /// Number of the cycle.
     pub cycle: u64,
-    /// Time of the cycle, s.
+    /// Time of the cycle since the first one, s.
     pub t: f64,
     /// Component whose activation or state differs; none for other fields.
     pub component: Option<String>,
@@ -30,12 +33,26 @@ pub struct Difference {
     pub repeated: String,
 }
 
+impl Difference {
+    /// Returns the difference of two runs with these names as text, without its cycle.
+    #[must_use]
+    pub fn text(&self, [one, other]: [&str; 2]) -> String {
+        let Self { component, field, recorded, repeated, .. } = self;
+        if field == LENGTH {
+            let [ends, goes_on] = if recorded == END { [one, other] } else { [other, one] };
+            return format!("{ends} ends there, {goes_on} goes on");
+        }
+        let component = component.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
+        format!("{component}{field}: {recorded} in {one}, {repeated} in {other}")
+    }
+}
+
 /// A decision that two runs take differently.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Decision {
     /// Number of the first cycle in which it differs.
     pub cycle: u64,
-    /// Time of that cycle, ms.
+    /// Time of that cycle since the first one, ms.
     pub t_ms: u64,
     /// Number of the newest large data, such as an image, at that time; none before the first, or if it is not stored.
     pub image: Option<u32>,
@@ -50,8 +67,9 @@ pub struct Decision {
 /// Comparison of two runs, cycle by cycle.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    tree: Description,
-    tick_hz: u64,
+    header: Header,
+    /// Instant of the first cycle of the recording, ticks: the zero of all times.
+    pub(crate) first_instant: u64,
     /// Number of compared cycles.
     pub cycles: u64,
     /// The first difference.
@@ -69,16 +87,14 @@ impl Comparison {
     /// A comparison of runs of the robot of a recording.
     #[must_use]
     pub fn new(header: &Header) -> Self {
-        let tree = header.tree.clone();
-        let differed = vec![false; tree.components.len()];
         Self {
-            tree,
-            tick_hz: header.tick_hz.max(1),
+            header: header.clone(),
+            first_instant: 0,
             cycles: 0,
             first: None,
             decisions: Vec::new(),
             total_decisions: 0,
-            differed,
+            differed: vec![false; header.tree.components.len()],
             last_image: None,
         }
     }
@@ -95,9 +111,9 @@ impl Comparison {
 
     /// Adds that one of the runs has no more cycles.
     pub fn end(&mut self, cycle: u64, t: f64, recorded_goes_on: bool) {
-        let side = |goes_on| if goes_on { "a cycle" } else { "the end" }.to_owned();
+        let side = |goes_on| if goes_on { "a cycle" } else { END }.to_owned();
         let (recorded, repeated) = (side(recorded_goes_on), side(!recorded_goes_on));
-        let difference = Difference { cycle, t, component: None, field: "cycle".to_owned(), recorded, repeated };
+        let difference = Difference { cycle, t, component: None, field: LENGTH.to_owned(), recorded, repeated };
         self.first.get_or_insert(difference);
     }
 
@@ -108,7 +124,7 @@ impl Comparison {
     }
 
     fn seconds(&self, cycle: &RecordedCycle) -> f64 {
-        cycle.tick.instant as f64 / self.tick_hz as f64
+        self.header.seconds_since(self.first_instant, cycle.tick.instant)
     }
 
     fn difference(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Difference> {
@@ -127,7 +143,7 @@ impl Comparison {
     fn find(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Found> {
         let (a, b) = (&recorded.tick, &repeated.tick);
         let describe = |requests: &[RequestRecord]| {
-            requests.iter().map(|request| request.describe(&self.tree)).collect::<Vec<_>>().join(", ")
+            requests.iter().map(|request| request.describe(&self.header.tree)).collect::<Vec<_>>().join(", ")
         };
         number("tick.cycle", a.cycle, b.cycle)
             .or_else(|| number("tick.instant", a.instant, b.instant))
@@ -136,7 +152,7 @@ impl Comparison {
                 (!same).then(|| Found::new("requests", (describe(&recorded.requests), describe(&repeated.requests))))
             })
             .or_else(|| {
-                let schema = self.tree.messages.as_ref().map(|messages| &messages.sensors);
+                let schema = self.header.tree.messages.as_ref().map(|messages| &messages.sensors);
                 message("sensors", schema, [&recorded.sensors, &repeated.sensors])
             })
             .or_else(|| digest("sensors", a.sensors, b.sensors))
@@ -144,7 +160,7 @@ impl Comparison {
             .or_else(|| self.tree_field(recorded, repeated))
             .or_else(|| digest("tree", a.tree, b.tree))
             .or_else(|| {
-                let schema = self.tree.messages.as_ref().map(|messages| &messages.command);
+                let schema = self.header.tree.messages.as_ref().map(|messages| &messages.command);
                 message("command", schema, [&recorded.command, &repeated.command])
             })
             .or_else(|| digest("command", a.command, b.command))
@@ -155,31 +171,31 @@ impl Comparison {
     }
 
     fn tree_field(&self, recorded: &RecordedCycle, repeated: &RecordedCycle) -> Option<Found> {
-        let component = (0..self.tree.components.len()).find(|&index| differs(index, recorded, repeated))?;
+        let component = (0..self.header.tree.components.len()).find(|&index| differs(index, recorded, repeated))?;
         let is_active = recorded.tree.is_active(component) != repeated.tree.is_active(component);
         let field = if is_active { "active" } else { "state" }.to_owned();
         let values = (self.decision(component, recorded), self.decision(component, repeated));
-        Some(Found { component: Some(self.tree.components[component].name.clone()), field, values })
+        Some(Found { component: Some(self.header.tree.components[component].name.clone()), field, values })
     }
 
     /// Returns activation and state of a component, as text.
     fn decision(&self, component: usize, cycle: &RecordedCycle) -> String {
         let active = if cycle.tree.is_active(component) { "active" } else { "latent" };
-        let state = self.tree.state(component, cycle.tree.state(component));
+        let state = self.header.tree.state(component, cycle.tree.state(component));
         state.map_or_else(|| active.to_owned(), |state| format!("{active}, {state}"))
     }
 
     fn decisions(&mut self, recorded: &RecordedCycle, repeated: &RecordedCycle) {
-        for component in 0..self.tree.components.len() {
+        for component in 0..self.header.tree.components.len() {
             let differs = differs(component, recorded, repeated);
             if differs && !self.differed[component] {
                 self.total_decisions += 1;
                 if self.decisions.len() < MAX_DECISIONS {
                     self.decisions.push(Decision {
                         cycle: repeated.tick.cycle,
-                        t_ms: repeated.tick.instant.saturating_mul(1000) / self.tick_hz,
+                        t_ms: (1000.0 * self.seconds(repeated)) as u64,
                         image: self.last_image,
-                        component: self.tree.components[component].name.clone(),
+                        component: self.header.tree.components[component].name.clone(),
                         recorded: self.decision(component, recorded),
                         repeated: self.decision(component, repeated),
                     });

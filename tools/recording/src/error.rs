@@ -12,6 +12,10 @@ pub enum Error {
     NotAFile,
     /// A damaged file has no intact header, so nothing of it can be recovered.
     NoHeader,
+    /// Two things have one name in the new file.
+    Names(String),
+    /// No cycle of a file can be recovered; the text says what is wrong with the file, and is empty if it is complete.
+    NoCycle(String),
     /// The file does not begin as an MCAP file.
     NotMcap,
     /// The file is an MCAP file without the metadata of a recording.
@@ -29,7 +33,7 @@ pub enum Error {
     Compression(String),
     /// The recording has no cycle in a span of time, or ends before the end of the span.
     Span {
-        /// Time of the last cycle, ns.
+        /// Time of the last cycle since the first one, ns.
         end: u64,
     },
     /// The file ends within a record; everything before it is intact.
@@ -49,6 +53,8 @@ impl Error {
     pub const fn help(&self) -> &'static str {
         match self {
             Self::Io(_) => "is the file there, and may it be read?",
+            Self::Names(_) => "rename one of the two",
+            Self::NoCycle(_) => "record the run again: there is nothing to be written to a new file",
             Self::NoHeader => "record the run again: without its header no message of a file can be read",
             Self::NotAFile | Self::NotMcap | Self::NotARecording => "name a file that a run with `--record FILE` wrote",
             Self::Format(_) => "open it with the version of the program that wrote it, or record the run again",
@@ -68,6 +74,9 @@ impl fmt::Display for Error {
         match self {
             Self::Io(error) => error.fmt(out),
             Self::NotAFile => out.write_str("this is a folder, a pipe or a device, not a file"),
+            Self::Names(what) => out.write_str(what),
+            Self::NoCycle(damage) if damage.is_empty() => out.write_str("the recording has no cycle"),
+            Self::NoCycle(damage) => write!(out, "no cycle can be recovered: {damage}"),
             Self::NoHeader => out.write_str("neither the header nor its copy is intact"),
             Self::NotMcap => out.write_str("this is not an MCAP file"),
             Self::NotARecording => out.write_str(

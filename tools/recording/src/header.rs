@@ -170,6 +170,13 @@ impl Header {
     /// Returns the time of an instant, ns since the start of the run's clock.
     #[must_use]
     pub fn nanoseconds(&self, ticks: u64) -> u64 {
-        (u128::from(ticks) * 1_000_000_000 / u128::from(self.tick_hz.max(1))) as u64
+        let nanoseconds = u128::from(ticks) * 1_000_000_000 / u128::from(self.tick_hz.max(1));
+        nanoseconds.try_into().unwrap_or(u64::MAX)
+    }
+
+    /// Returns the time of an instant since another one, as that of the first cycle, s; negative before it.
+    #[must_use]
+    pub fn seconds_since(&self, first: u64, ticks: u64) -> f64 {
+        (i128::from(ticks) - i128::from(first)) as f64 / self.tick_hz.max(1) as f64
     }
 }

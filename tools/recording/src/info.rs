@@ -53,7 +53,7 @@ pub struct ChannelInfo {
 /// An event of the run.
 #[derive(Clone, Debug, Serialize)]
 pub struct EventInfo {
-    /// Time, s.
+    /// Time since the first cycle, s.
     pub t: f64,
     /// Kind.
     pub event: String,
@@ -64,7 +64,7 @@ pub struct EventInfo {
 /// A request of an operator.
 #[derive(Clone, Debug, Serialize)]
 pub struct RequestInfo {
-    /// Time, s.
+    /// Time since the first cycle, s.
     pub t: f64,
     /// The request, as text.
     pub request: String,
@@ -80,7 +80,8 @@ impl Info {
     /// If the source cannot be read or is no recording.
     pub fn read(source: impl Read) -> Result<Self, Error> {
         let mut contents = Contents::new(source)?;
-        let mut reading = Reading { info: empty(contents.header.clone()), ticks: None, listed: 0 };
+        let mut reading =
+            Reading { info: empty(contents.header.clone()), ticks: None, times: Default::default(), listed: 0 };
         reading.info.damage = loop {
             let step = contents.next().and_then(|part| reading.part(part));
             match step {
@@ -99,6 +100,8 @@ struct Reading {
     info: Info,
     /// First and last.
     ticks: Option<(Tick, Tick)>,
+    /// Times of the events and of the requests, ns.
+    times: [Vec<u64>; 2],
     /// Number of bytes of events and requests.
     listed: usize,
 }
@@ -115,7 +118,7 @@ impl Reading {
     }
 
     fn message(&mut self, channel: Channel, message: &Message) -> Result<(), Error> {
-        let (t, info) = (message.time as f64 * 1e-9, &mut self.info);
+        let (t, info) = (0.0, &mut self.info);
         let counts = &mut info.channels[usize::from(channel.id()) - 1];
         counts.messages += 1;
         counts.bytes += message.data.len() as u64;
@@ -133,10 +136,12 @@ impl Reading {
             }
             Channel::Events => {
                 let RunEvent { kind, detail, .. } = decode(message)?;
+                self.times[0].push(message.time);
                 info.events.push(EventInfo { t, event: kind, detail });
             }
             Channel::Requests => {
                 let request: RequestRecord = decode(message)?;
+                self.times[1].push(message.time);
                 info.requests.push(RequestInfo { t, request: request.describe(&info.header.tree) });
             }
             _ => {}
@@ -146,9 +151,12 @@ impl Reading {
 
     fn finish(self) -> Info {
         let mut info = self.info;
-        let span = self.ticks.map_or((0, 0), |(first, last)| (first.instant, last.instant));
-        let span = info.header.nanoseconds(span.1).saturating_sub(info.header.nanoseconds(span.0));
-        info.seconds = span as f64 * 1e-9;
+        let (first, last) = self.ticks.map_or((0, 0), |(first, last)| (first.instant, last.instant));
+        info.seconds = info.header.seconds_since(first, last);
+        let start = info.header.nanoseconds(first);
+        let since = |time: u64| (i128::from(time) - i128::from(start)) as f64 / 1e9;
+        info.events.iter_mut().zip(&self.times[0]).for_each(|(event, time)| event.t = since(*time));
+        info.requests.iter_mut().zip(&self.times[1]).for_each(|(request, time)| request.t = since(*time));
         info.fingerprint = self.ticks.filter(|_| info.header.monitor.is_none()).map_or_else(String::new, fingerprint);
         info.channels.retain(|channel| channel.messages > 0);
         info

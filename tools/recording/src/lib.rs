@@ -28,6 +28,7 @@ pub mod mcap;
 mod message;
 mod metadata;
 mod monitor;
+mod names;
 mod program;
 mod recorder;
 mod recording;
@@ -50,13 +51,14 @@ pub use information::{InformationRecord, InformationValue};
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use metadata::checksum;
 pub use monitor::{MonitorRecorder, ReceivedImage};
+pub use names::NameTable;
 pub use program::{Program, Start};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use scenery::Scenery;
-pub use topics::{Jpeg, jpeg, shape};
+pub use topics::{Cameras, Jpeg, jpeg, shape};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

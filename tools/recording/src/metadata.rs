@@ -72,5 +72,10 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
         return Err(Error::Format(format));
     }
     check_metadata(fields, at)?;
-    from_metadata(fields, at)
+    let header: Header = from_metadata(fields, at)?;
+    let rates = header.tree.components.iter().filter_map(|one| one.hz).chain([header.tree.cycle_hz]);
+    if header.tick_hz == 0 || rates.into_iter().any(|hz| !(hz > 0.0 && hz.is_finite())) {
+        return Err(Error::damaged(at, "a rate of the header is not a finite number above 0"));
+    }
+    Ok(header)
 }

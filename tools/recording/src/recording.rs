@@ -15,14 +15,14 @@ use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
-use crate::mcap::{Item, Message, Reader};
+use crate::mcap::{Item, MAX_RECORD, Message, Reader};
 use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 use crate::request::RequestRecord;
 
-/// Most large data that waits for its cycle.
-const MAX_WAITING_BLOBS: usize = 64;
-/// Most bytes of messages of one cycle, and of large data that waits for its own. A loop cannot produce more, a damaged file can.
-const MAX_WAITING_BYTES: usize = 64 << 20;
+/// Most large data of a cycle, and most that waits for its cycle. Recorders write no file that needs more.
+pub(crate) const MAX_BLOBS: usize = 64;
+/// Most bytes of messages of one cycle, and of large data that waits for its own. Recorders write no more, a damaged file may have it.
+pub(crate) const MAX_CYCLE_BYTES: usize = MAX_RECORD as usize;
 
 /// Everything that is recorded of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -184,7 +184,7 @@ impl<R: Read> Recording<R> {
         let next = &mut self.next;
         // The large data of up to a second precedes its cycles.
         self.next_bytes += if channel == Channel::Blobs { 0 } else { message.data.len() };
-        if self.next_bytes > MAX_WAITING_BYTES {
+        if self.next_bytes > MAX_CYCLE_BYTES {
             return Err(Error::damaged(message.chunk_at, "too many messages without a cycle"));
         }
         match channel {
@@ -214,7 +214,7 @@ impl<R: Read> Recording<R> {
         let is_image = matches!(format, Format::Yuyv { .. });
         self.blobs.insert(id, WaitingBlob { message: message.clone(), cycle, part, is_image });
         let mut bytes: usize = self.blobs.values().map(|blob| blob.message.data.len()).sum();
-        while self.blobs.len() > MAX_WAITING_BLOBS || bytes > MAX_WAITING_BYTES {
+        while self.blobs.len() > MAX_BLOBS || bytes > MAX_CYCLE_BYTES {
             bytes -= self.blobs.pop_first().map_or(bytes, |(_, blob)| blob.message.data.len());
         }
         Ok(())

@@ -32,7 +32,7 @@ const HEADER_WITHIN: u64 = 16 << 20;
 /// Copies all complete chunks of a recording to a new file. What is damaged is left out; if it is the header, its copy is used.
 ///
 /// # Errors
-/// If the source cannot be read, has no intact header, or the target cannot be written.
+/// If the source cannot be read, has no intact header or no intact cycle, or the target cannot be written.
 pub fn recover(mut source: impl Read + Seek, target: impl Write, topics: Option<Topics>) -> Result<Copied, Error> {
     let mut damage = Vec::new();
     let header = match Contents::new(&mut source) {
@@ -75,6 +75,9 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write, topics: Option<
         let Some(next) = find_intact(&mut source, position..u64::MAX, is_useful)? else { break };
         reader = resume(&mut source, next)?;
     }
+    if copy.copied.cycles == 0 {
+        return Err(Error::NoCycle(copy.copied.damage.join("; ")));
+    }
     copy.finish()
 }
 
@@ -93,36 +96,50 @@ fn header_copy(source: &mut (impl Read + Seek)) -> Result<Option<Header>, Error>
     at.map_or(Ok(None), |at| Ok(found(&resume(source, at)?.next_item()?)))
 }
 
-/// Copies the cycles of a span of time to a new file; `from` and `until` are in ns since the start of the run's clock. `u64::MAX` is
-/// the end of the recording.
+/// Copies the cycles of a span of time to a new file; `from` and `until` are in ns since the first cycle. `u64::MAX` is the end of the
+/// recording.
 ///
 /// # Errors
 /// If the source cannot be read, is damaged, has no cycle in the span or ends before it, or the target cannot be written.
 pub fn trim(
-    source: impl Read,
+    mut source: impl Read + Seek,
     target: impl Write,
     from: u64,
     until: u64,
     topics: Option<Topics>,
 ) -> Result<Copied, Error> {
+    let first = first_time(&mut source)?;
+    source.rewind()?;
     let mut contents = Contents::new(source)?;
     let mut copy = Copy::new(target, contents.header.clone(), topics)?;
-    let mut end = 0;
+    let (from, last, mut end) = (first.saturating_add(from), first.saturating_add(until), first);
     loop {
         match contents.next()? {
             Part::End => break,
             Part::Chunk => copy.chunk()?,
             Part::Message(channel, message) => {
                 end = end.max(if channel == Channel::Tick { message.time } else { 0 });
-                copy.message(channel, message, |time| (from..=until).contains(&time))?;
+                copy.message(channel, message, |time| (from..=last).contains(&time))?;
             }
         }
     }
-    if copy.copied.cycles == 0 || (until < u64::MAX && until > end + contents.header.period()) {
-        return Err(Error::Span { end });
+    if copy.copied.cycles == 0 || (until < u64::MAX && last > end.saturating_add(contents.header.period())) {
+        return Err(Error::Span { end: end - first });
     }
     copy.ending = contents.ending;
     copy.finish()
+}
+
+/// Returns the time of the first cycle, ns since the start of the run's clock: large data of later cycles may precede it.
+fn first_time(source: &mut impl Read) -> Result<u64, Error> {
+    let mut contents = Contents::new(source)?;
+    loop {
+        match contents.next()? {
+            Part::Message(Channel::Tick, message) => return Ok(message.time),
+            Part::End => return Err(Error::NoCycle(String::new())),
+            Part::Message(..) | Part::Chunk => {}
+        }
+    }
 }
 
 struct Copy<W> {

@@ -1,6 +1,6 @@
 //! Writer of a recording.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io::{self, Write};
 
 use postcard_schema::schema::owned::OwnedNamedType;
@@ -42,7 +42,10 @@ fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
         let record =
             SchemaRecord { id, name: format!("bica.{}", schema.name), encoding: "postcard-schema".to_owned(), data };
         let topic = channel.topic().to_owned();
-        Some((record, ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned() }))
+        Some((
+            record,
+            ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned(), metadata: BTreeMap::new() },
+        ))
     };
     Channel::ALL.into_iter().filter_map(declare).unzip()
 }
@@ -52,6 +55,8 @@ impl<W: Write> RecordingWriter<W> {
     pub(crate) fn new(target: W, header: &Header) -> io::Result<Self> {
         let (schemas, channels) = channels(header);
         let fields = of_header(header).map_err(io_error)?;
+        let invalid = |invalid| io::Error::new(io::ErrorKind::InvalidInput, invalid);
+        let deriver = Deriver::new(header).map_err(invalid)?;
         let mut writer = Writer::new(target, "bica")?;
         writer.metadata(HEADER_NAME, &fields)?;
         writer.declare(schemas, channels)?;
@@ -59,7 +64,7 @@ impl<W: Write> RecordingWriter<W> {
         Ok(Self {
             writer,
             header: header.clone(),
-            deriver: Deriver::new(header),
+            deriver,
             channels: HashMap::new(),
             schemas: HashMap::new(),
             undeclared: Default::default(),
@@ -89,7 +94,13 @@ impl<W: Write> RecordingWriter<W> {
         });
         let id = FIRST_TOPIC + self.channels.len() as u16;
         let encoding = schema.encoding().to_owned();
-        self.undeclared.1.push(ChannelRecord { id, schema: schema_id, topic: topic.clone(), encoding });
+        self.undeclared.1.push(ChannelRecord {
+            id,
+            schema: schema_id,
+            topic: topic.clone(),
+            encoding,
+            metadata: BTreeMap::new(),
+        });
         self.channels.insert(topic, id);
         id
     }

@@ -3,11 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read, Write};
 
+use bica::Format;
 use bica_link::Shown;
 use bica_recording::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
 use bica_recording::repair::Copied;
-use bica_recording::{Error, RecordedCycle, Recording, Scenery};
-use bica_wire::model::Description;
+use bica_recording::{Error, NameTable, RecordedCycle, Recording, Scenery, StoredBlob};
+use bica_wire::model::{Description, Invalid};
 
 use crate::message::Encoded;
 use crate::names::Names;
@@ -26,7 +27,11 @@ const CDR_LE: [u8; 4] = [0, 1, 0, 0];
 pub fn bag<R: Read, W: Write>(source: R, target: W) -> Result<Copied, Error> {
     let mut recording = Recording::new(source)?;
     let header = recording.header().clone();
-    let mut bag = Bag::begin(Topics::new(&header.tree, Names::new(&header.tree, ""), true), target)?;
+    let invalid = |invalid: Invalid| Error::Names(invalid.what);
+    let names = Names::new(&header.tree, "").map_err(invalid)?;
+    let topics = Topics::new(&header.tree, names, true);
+    topics.check(&mut NameTable::new("ROS topic")).map_err(invalid)?;
+    let mut bag = Bag::begin(topics, target)?;
     let items: Vec<_> = header.scenery.iter().map(shown).collect();
     let mut cycles = 0;
     while let Some(cycle) = recording.next_cycle()? {
@@ -38,9 +43,10 @@ pub fn bag<R: Read, W: Write>(source: R, target: W) -> Result<Copied, Error> {
         cycles += 1;
         let states = bag.topics.states(&header.tree, states(&header.tree, &cycle));
         bag.write(time, states)?;
-        for blob in &cycle.blobs {
-            let blob = blob.blob();
-            let image = bag.topics.image(time, blob.frame, blob.format, blob.bytes);
+        let mut frames = Vec::new();
+        for blob in cycle.blobs.iter().map(StoredBlob::blob).filter(|blob| blob.format != Format::Points) {
+            let camera = bag.topics.cameras().next_frame(blob.frame, &mut frames);
+            let image = bag.topics.image(time, &camera, blob.format, blob.bytes);
             bag.write(time, image)?;
         }
         for value in cycle.information.iter().flat_map(|record| &record.values) {
@@ -117,7 +123,9 @@ impl<W: Write> Bag<W> {
         let data = declared.kind.definition().into_bytes();
         let record = (schema == next).then(|| SchemaRecord { id: schema, name, encoding: "ros2msg".to_owned(), data });
         let topic_name = declared.name.clone();
-        let channel = ChannelRecord { id: topic as u16, schema, topic: topic_name, encoding: "cdr".to_owned() };
+        let metadata = BTreeMap::from([("offered_qos_profiles".to_owned(), declared.quality.profile())]);
+        let channel =
+            ChannelRecord { id: topic as u16, schema, topic: topic_name, encoding: "cdr".to_owned(), metadata };
         self.writer.declare(record.into_iter().collect(), vec![channel])?;
         Ok(())
     }

@@ -7,4 +7,5 @@ mod node;
 mod topics;
 
 pub use bag::bag;
+pub use names::checked_namespace;
 pub use node::{Options, Ros, bridge};

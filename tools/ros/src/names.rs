@@ -1,6 +1,6 @@
 //! Names of topics, parameters and frames.
 
-use bica_wire::model::Description;
+use bica_wire::model::{Description, Invalid};
 
 /// Names of a robot in ROS.
 #[derive(Clone, Debug)]
@@ -18,11 +18,15 @@ const FRAMES: [(&str, &str); 2] = [("robot", "base_link"), ("odometry", "odom")]
 
 impl Names {
     /// The names of a robot in a namespace, which may be empty.
-    pub(crate) fn new(description: &Description, namespace: &str) -> Self {
+    ///
+    /// # Errors
+    /// If ROS refuses the namespace.
+    pub(crate) fn new(description: &Description, namespace: &str) -> Result<Self, Invalid> {
+        let namespace = checked_namespace(namespace)?;
         let placements =
             description.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
         let map = placements.filter(|one| one.child.as_deref() == Some("odometry")).map(|one| one.frame.clone()).next();
-        Self { namespace: format!("/{}", namespace.trim_matches('/')), node: snake(&description.name), map }
+        Ok(Self { namespace: format!("/{namespace}"), node: snake(&description.name), map })
     }
 
     /// Returns the absolute name of what other nodes know by its short name, such as `scan`.
@@ -41,6 +45,16 @@ impl Names {
         self.public(&self.node)
     }
 
+    /// Returns the absolute name of a topic of a camera, whose frame may have a name that no topic can have.
+    pub(crate) fn camera(&self, frame: &str, topic: &str) -> String {
+        self.public(&format!("{}/{topic}", snake(frame)))
+    }
+
+    /// Returns the name of a camera's optical frame.
+    pub(crate) fn optical(&self, frame: &str) -> String {
+        format!("{}_optical", self.frame(frame))
+    }
+
     /// Returns the name of a frame by REP 105. Those of a robot in a namespace begin with it.
     pub(crate) fn frame(&self, frame: &str) -> String {
         let known = FRAMES.iter().find(|(own, _)| *own == frame).map(|(_, name)| *name);
@@ -48,6 +62,24 @@ impl Names {
         let name = known.or_else(|| is_map.then_some("map")).map_or_else(|| snake(frame), str::to_owned);
         self.public(&name).trim_start_matches('/').to_owned()
     }
+}
+
+/// Returns a namespace without slashes at its ends, if ROS accepts it.
+///
+/// # Errors
+/// The rule that it breaks.
+pub fn checked_namespace(text: &str) -> Result<&str, Invalid> {
+    let inner = text.strip_prefix('/').unwrap_or(text);
+    let inner = inner.strip_suffix('/').unwrap_or(inner);
+    let is_name = |part: &str| {
+        let begins = part.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
+        begins && !part.contains("__") && part.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_')
+    };
+    if text.is_empty() || text == "/" || inner.split('/').all(is_name) {
+        return Ok(inner);
+    }
+    let help = "each part between two slashes has letters of ASCII, digits and single underscores, and no digit first";
+    Err(Invalid::new(format!("ROS refuses the namespace `{text}`"), help))
 }
 
 /// Returns a name in the form of ROS: small letters, digits and single underscores, with a letter first.
@@ -71,6 +103,17 @@ pub(crate) fn snake(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn namespaces_follow_the_rules_of_ros() {
+        for (text, inner) in [("", ""), ("/", ""), ("red", "red"), ("/red/", "red"), ("a/_b2", "a/_b2")] {
+            assert_eq!(checked_namespace(text), Ok(inner));
+        }
+        for text in ["7up", "a//b", "//", "a b", "grün", "a__b", "a/7", "a-b", "~a", "{a}"] {
+            let refused = checked_namespace(text).expect_err(text);
+            assert!(refused.what.contains(text) && refused.help.contains("digits"), "{refused:?}");
+        }
+    }
 
     #[test]
     fn names_have_the_form_of_ros() {

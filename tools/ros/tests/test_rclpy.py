@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist, Vector3
 from nav_msgs.msg import Odometry
 from peer import LATCHED, SENSOR, Peer, Robot
-from rcl_interfaces.msg import Parameter, ParameterEvent, ParameterValue
+from rcl_interfaces.msg import Log, Parameter, ParameterEvent, ParameterValue
 from rcl_interfaces.srv import (
     DescribeParameters,
     GetParameters,
@@ -226,12 +226,18 @@ def test_services_and_topics_call_what_the_tree_offers() -> None:
         assert not refused.successful and "-0.6 to 0.6" in refused.reason
         assert "forward, turn" in call("drive/request", number("sideways", 2.0)).reason
         commands = peer.node.create_publisher(Float32MultiArray, f"{NODE}/drive/request", 1)
+        twists, log = peer.node.create_publisher(Twist, "/cmd_vel", 10), peer.listen("/rosout", Log, LATCHED)
 
         def moves() -> bool:
             commands.publish(Float32MultiArray(data=[-0.1, 0.0]))
             return abs(odometry[-1].twist.twist.linear.x + 0.1) < 0.01
 
         peer.until(moves, "the topic")
+        commands.publish(Float32MultiArray(data=[0.2, 0.0, 0.3]))
+        twists.publish(Twist(linear=Vector3(x=math.inf)))
+        warnings = ("takes 2 arguments, found 3", "not a finite number")
+        peer.until(lambda: all(any(part in line.msg for line in log) for part in warnings), "two refusals")
+        assert abs(odometry[-1].twist.twist.linear.x + 0.1) < 0.01
         assert call("world/place_box", number("x", 5.0), number("y", 3.0)).successful
         assert peer.call(f"{NODE}/pause", Trigger).success
         before = peer.until(lambda: odometry and odometry[-1].header.stamp, "a stamp")

@@ -25,6 +25,8 @@ pub use serve::{RosNode, ServeArgs};
 
 /// Time between two looks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
+/// Time without a line after which `watch` says why there is none.
+const SILENCE: Duration = Duration::from_secs(5);
 /// Longest wait for a robot whose connection was cut.
 const RECONNECT: Duration = Duration::from_secs(10);
 
@@ -145,10 +147,22 @@ impl Monitor {
             self.client.watch_info(component, info, every)?;
         }
         let (mut seen, mut last) = (0, String::new());
+        let (mut said, mut newest) = (Instant::now(), None);
         while !interrupt::requested() {
-            match self.next()? {
+            if said.elapsed() > SILENCE {
+                self.console.print_row("silence", &silence(newest.take()))?;
+                said = Instant::now();
+            }
+            let event = self.next()?;
+            if !matches!(event, None | Some(Event::Snapshot(_))) {
+                said = Instant::now();
+            }
+            match event {
                 Some(Event::Snapshot(snapshot)) => {
-                    self.show(&snapshot, &mut last)?;
+                    newest = Some(snapshot.info.cycle);
+                    if self.show(&snapshot, &mut last)? {
+                        said = Instant::now();
+                    }
                     seen += 1;
                     if count.is_some_and(|count| seen >= count) {
                         return Ok(Outcome::Success);
@@ -164,8 +178,8 @@ impl Monitor {
         Ok(Outcome::Interrupted)
     }
 
-    /// Prints a snapshot: for people only if it differs from the last line.
-    fn show(&self, snapshot: &Snapshot, last: &mut String) -> Result<(), Failure> {
+    /// Prints a snapshot: for people only if it differs from the last line. Returns whether it does.
+    fn show(&self, snapshot: &Snapshot, last: &mut String) -> Result<bool, Failure> {
         let components = &self.client.description().components;
         let mut active = Vec::new();
         let mut rows = Vec::new();
@@ -182,7 +196,8 @@ impl Monitor {
         }
         let info = snapshot.info;
         let line = active.join(" ");
-        if line != *last {
+        let is_new = line != *last;
+        if is_new {
             self.console.print_row(&format!("{:.2} s", info.time_us as f64 * 1e-6), &line)?;
             *last = line;
         }
@@ -192,7 +207,8 @@ impl Monitor {
                 "cycle": info.cycle, "time_us": info.time_us, "sensed": info.sensed, "images": info.images,
                 "overruns": info.overruns, "components": rows,
             }),
-        )
+        )?;
+        Ok(is_new)
     }
 
     fn show_info(
@@ -314,6 +330,14 @@ impl Monitor {
             }
         }
         Ok(Outcome::Interrupted)
+    }
+}
+
+/// Returns why nothing is printed. `newest` is the last cycle that was received since the last line.
+fn silence(newest: Option<u64>) -> String {
+    match newest {
+        Some(cycle) => format!("nothing has changed, up to cycle {cycle}"),
+        None => "the robot sends nothing: it is paused, or its loop stands still".to_owned(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Arguments of programs that serve a robot.
 
-use bica::Graph;
 use bica_link::Address;
+use bica_wire::model::Description;
 use clap::Args;
 
 use super::args::address;
@@ -54,7 +54,7 @@ impl ServeArgs {
         self.address().is_some() && !self.unpaced
     }
 
-    /// Prints where the run is served, and makes it a ROS node if that is requested. `bound` is the address with the port that the
+    /// Prints where the run of a robot with this tree is served, and makes it a ROS node if that is requested. `bound` is the address with the port that the
     /// operating system chose.
     ///
     /// # Errors
@@ -62,21 +62,21 @@ impl ServeArgs {
     pub fn started(
         &self,
         console: Console,
-        graph: &'static Graph,
+        tree: &Description,
         address: &Address,
         bound: &str,
     ) -> Result<Option<RosNode>, Failure> {
         if self.serve.is_some() {
             console.print_row("link", &format!("monitors attach at {bound}"))?;
         }
-        self.node(console, graph, address, bound)
+        self.node(console, tree, address, bound)
     }
 
     #[cfg(feature = "ros")]
     fn node(
         &self,
         console: Console,
-        graph: &'static Graph,
+        tree: &Description,
         address: &Address,
         bound: &str,
     ) -> Result<Option<RosNode>, Failure> {
@@ -92,14 +92,14 @@ impl ServeArgs {
             }
         };
         let options = self.node.options()?;
-        let node = RosNode::start(&address, &bica_wire::model::Description::of(graph), &options)?;
+        let node = RosNode::start(&address, tree, &options)?;
         console.print_row("ros", &self.node.describe(node.name(), &options))?;
         Ok(Some(node))
     }
 
     #[cfg(not(feature = "ros"))]
     #[expect(clippy::unused_self, clippy::unnecessary_wraps, reason = "with the feature `ros` it starts a node")]
-    fn node(&self, _: Console, _: &'static Graph, _: &Address, _: &str) -> Result<Option<RosNode>, Failure> {
+    fn node(&self, _: Console, _: &Description, _: &Address, _: &str) -> Result<Option<RosNode>, Failure> {
         Ok(None)
     }
 }

@@ -64,7 +64,7 @@ pub(super) struct Recover {
 pub(super) struct Trim {
     #[command(flatten)]
     pub(super) written: Recover,
-    /// Begin of the span, s since the start of the run
+    /// Begin of the span, s since the first cycle
     #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
     pub(super) from: f64,
     /// End of the span, s [default: the end of the recording]
@@ -72,8 +72,8 @@ pub(super) struct Trim {
     pub(super) until: Option<f64>,
 }
 
-/// Parses a time in a recording, s.
+/// Parses a time in a recording, s since its first cycle.
 pub(crate) fn time(text: &str) -> Result<f64, String> {
-    let fits = text.parse().ok().filter(|time: &f64| (0.0..=1e9).contains(time));
-    fits.ok_or_else(|| "give a time in seconds, 0 or more".to_owned())
+    let fits = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
+    fits.ok_or_else(|| "give a time in seconds since the first cycle, 0 or more".to_owned())
 }

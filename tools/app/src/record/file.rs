@@ -1,5 +1,6 @@
 //! Recording of a run.
 
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 
@@ -91,6 +92,14 @@ impl RecordArgs {
     }
 }
 
+/// Returns the remedy if a recording cannot begin.
+fn begin_help(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::InvalidInput => "rename one of the two, or record with `--topics none`",
+        _ => "is the disk full?",
+    }
+}
+
 impl RecordedFile {
     /// Makes the file, replaces an old one by `force`, and writes its header. `is_paced` is whether the run cannot wait for the disk.
     ///
@@ -111,7 +120,7 @@ impl RecordedFile {
             let _ = sender.send(reason.to_owned());
         };
         let recorder = Recorder::start(file, header, options, on_end)
-            .map_err(|error| Failure::of_path("write", path, &error, "is the disk full?"))?;
+            .map_err(|error| Failure::of_path("write", path, &error, begin_help(&error)))?;
         Ok((Self { path: path.to_owned(), ended }, recorder))
     }
 

@@ -11,7 +11,7 @@ pub(crate) struct ReplayArgs {
     /// The recording
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
-    /// Compare from this time on, s; the code runs from the start in any case
+    /// Compare from this time on, s since the first cycle; the code runs from the start in any case
     #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
     pub(super) from: f64,
     /// End at this time, s [default: the end of the recording]

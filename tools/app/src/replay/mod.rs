@@ -81,10 +81,9 @@ fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
         console.print_row("gaps", &console.styled(Style::Bad, &text))?;
     }
     let Some(first) = &replayed.first_difference else { return Ok(()) };
-    let field = first.component.as_ref().map_or_else(|| first.field.clone(), |name| format!("{name}, {}", first.field));
-    console.print_row("first", &format!("cycle {} at {:.2} s: {field}", first.cycle, first.t))?;
-    console.print_row("recorded", &first.recorded)?;
-    console.print_row("repeated", &first.repeated)?;
+    let other = if replayed.source == "recording" { "the other recording" } else { "the repeated run" };
+    let text = first.text(["the recording", other]);
+    console.print_row("first", &format!("cycle {} at {:.2} s: {text}", first.cycle, first.t))?;
     if *equal || replayed.source == "recording" {
     } else if !replayed.set.is_empty() {
         console.print_row("cause", &format!("other parameters: {}", replayed.set.join(", ")))?;

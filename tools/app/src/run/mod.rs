@@ -12,6 +12,7 @@ use bica::runner::World;
 use bica_link::{LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_recording::{Header, Recordable};
 use bica_wire::message::Offers;
+use bica_wire::model::Description;
 
 use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::RosNode;
@@ -54,6 +55,7 @@ where
         header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
     };
     let (file, recorder) = args.record.start(header, is_paced)?.unzip();
+    let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);
     // Monitors may look at a robot that has reached its aim.
@@ -108,6 +110,7 @@ fn serve<R: Recordable>(
     let options =
         ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
     let (server, requests, observer) = LinkServer::start_in_world::<R>(&address, options, world)?;
-    let node = args.link.started(console, const { &R::GRAPH }, &address, server.address())?;
+    let tree = Description::of(const { &R::GRAPH }).with_actions(actions);
+    let node = args.link.started(console, &tree, &address, server.address())?;
     Ok((Some((server, node)), Some(requests), Some(observer)))
 }

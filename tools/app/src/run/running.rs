@@ -65,7 +65,7 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
 
     /// Time of the world since the start.
     pub(super) fn elapsed(&self) -> bica::Duration {
-        self.runner.world().now().saturating_duration_since(self.start)
+        self.runner.now().saturating_duration_since(self.start)
     }
 
     /// Statistics of a run in real time.

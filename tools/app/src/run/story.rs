@@ -1,6 +1,6 @@
 //! Changes of state as lines of text.
 
-use bica::runner::{Observer, Robot};
+use bica::runner::{ClockStep, Observer, Robot};
 use bica::{ComponentId, Graph, Instant, Probe};
 use serde::Serialize;
 
@@ -57,4 +57,8 @@ impl Probe for Story {
     }
 }
 
-impl<R: Robot> Observer<R> for Story {}
+impl<R: Robot> Observer<R> for Story {
+    fn clock_stepped(&mut self, _now: Instant, step: &ClockStep) {
+        eprintln!("warning: {step}");
+    }
+}

@@ -60,7 +60,14 @@ impl Images {
             next += 1;
         })?;
         let size = size(format)?;
-        Some(Picture { number, time_us: now.as_micros(), camera: camera.into(), size, pixels: pixels? })
+        let frame = |index: usize| message.get(places[index]..).map(|head| blobs::described(head).1);
+        let before = found.iter().take_while(|&&index| index < wanted).filter(|&&index| frame(index) == Some(camera));
+        // A second camera in the same frame, as a recording names it.
+        let camera = match before.count() {
+            0 => camera.into(),
+            count => format!("{camera}_{}", count + 1).into(),
+        };
+        Some(Picture { number, time_us: now.as_micros(), camera, size, pixels: pixels? })
     }
 }
 

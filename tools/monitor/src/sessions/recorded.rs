@@ -119,8 +119,7 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
 /// The first difference of two recordings.
 fn answer(report: ReplayReport) -> Value {
     let Some(first) = report.first_difference else { return json!({ "equal": true, "cycles": report.cycles }) };
-    let of = first.component.map(|name| format!("{name}, ")).unwrap_or_default();
-    let text = format!("{of}{}: {} in one, {} in the other", first.field, first.recorded, first.repeated);
+    let text = first.text(["the first recording", "the second one"]);
     let time_us = (first.t * 1e6).round() as u64;
     json!({
         "equal": false, "cycle": first.cycle, "time_us": time_us, "field": first.field, "text": text,

@@ -186,7 +186,7 @@ impl Game {
             self.runner.cycle().map_err(|error| Failure::new(error.to_string(), "choose a smaller --size"))?;
         let (firmware, ((meter, _), (recorder, _))) = self.runner.observer_mut();
         firmware.result()?;
-        recorder.costs(meter);
+        recorder.measured(meter);
         let ball = self.runner.world().referee().ball();
         self.fingerprint.add(&command, ball);
         self.cycles += 1;

@@ -10,7 +10,7 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, LogSource, Recorder, Report, SetUp, Topics};
+use bica_recording::{Header, ImagePolicy, LogLine, LogSource, Recorder, Report, SetUp, Topics};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -19,9 +19,6 @@ use crate::game::event;
 use crate::game::meter::Meter;
 use crate::game::rules::{Rules, WorldKind};
 use crate::game::scene::GRAPH;
-
-/// Number of cycles between two records of the components' costs.
-const COSTS_EVERY: u64 = 100;
 
 /// Level of a note in the log of a recording: information.
 const NOTE_LEVEL: u8 = 2;
@@ -71,9 +68,6 @@ impl RecordingSummary {
 pub(crate) struct GameRecorder {
     recorder: Option<Recorder>,
     file: Option<RecordedFile>,
-    /// Runs and time of each component at the last record of costs.
-    costs: Vec<ComponentCosts>,
-    cycles: u64,
 }
 
 impl GameRecorder {
@@ -93,7 +87,7 @@ impl GameRecorder {
             Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };
         let (file, recorder) = options.map(start).transpose()?.unzip();
-        Ok(Self { recorder, file, costs: vec![ComponentCosts::default(); GRAPH.nodes.len()], cycles: 0 })
+        Ok(Self { recorder, file })
     }
 
     /// Records an event of the referee.
@@ -115,21 +109,11 @@ impl GameRecorder {
         self.file.as_ref().and_then(RecordedFile::newly_ended)
     }
 
-    /// Records the costs of the components once a second.
-    pub(crate) fn costs(&mut self, meter: &Meter) {
-        let Some(recorder) = &self.recorder else { return };
-        self.cycles += 1;
-        if !self.cycles.is_multiple_of(COSTS_EVERY) {
-            return;
+    /// Records what was measured in the last cycle.
+    pub(crate) fn measured(&mut self, meter: &Meter) {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.measured(&meter.costs);
         }
-        let total =
-            meter.costs.components().iter().map(|component| (component.runs, component.total.as_nanos() as u64));
-        let since = |((runs, ns), last): ((u32, u64), &mut ComponentCosts)| {
-            let since = ComponentCosts { runs: runs.wrapping_sub(last.runs), ns: ns - last.ns };
-            *last = ComponentCosts { runs, ns };
-            since
-        };
-        recorder.costs(Costs { components: total.zip(&mut self.costs).map(since).collect() });
     }
 
     /// Closes the file.

@@ -6,6 +6,9 @@ mod reader;
 mod record;
 mod writer;
 
+/// Largest record and largest chunk of a file, bytes: a writer refuses what a reader would refuse.
+pub(crate) const MAX_RECORD: u64 = 64 << 20;
+
 pub(crate) use reader::find_intact;
 pub use reader::{Item, Message, Reader};
 pub use record::{ChannelRecord, SchemaRecord};

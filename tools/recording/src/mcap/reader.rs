@@ -6,11 +6,10 @@ use std::ops::Range;
 
 use lz4_flex::frame::FrameDecoder;
 
+use super::MAX_RECORD;
 use super::record::{ChannelRecord, Decoder, MAGIC, PREFIX, SchemaRecord, opcode};
 use crate::error::Error;
 
-/// Largest record, bytes: an image of the largest size fits.
-pub(super) const MAX_RECORD: u64 = 64 << 20;
 /// Bytes of the positions in a footer, before its checksum.
 const FOOTER_POSITIONS: usize = 16;
 
@@ -287,6 +286,7 @@ fn channel(content: &[u8]) -> Option<ChannelRecord> {
         schema: content.u16()?,
         topic: content.text()?,
         encoding: content.text()?,
+        metadata: content.texts()?,
     })
 }
 

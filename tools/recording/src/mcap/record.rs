@@ -50,6 +50,8 @@ pub struct ChannelRecord {
     pub topic: String,
     /// Encoding of the messages.
     pub encoding: String,
+    /// What else is known, by name.
+    pub metadata: BTreeMap<String, String>,
 }
 
 /// Builder of records.
@@ -113,7 +115,7 @@ impl Encoder {
                 .u16(channel.schema)
                 .text(&channel.topic)
                 .text(&channel.encoding)
-                .texts(&BTreeMap::new());
+                .texts(&channel.metadata);
         })
     }
 }

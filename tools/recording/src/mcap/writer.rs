@@ -5,7 +5,11 @@ use std::io::{self, Write};
 
 use lz4_flex::frame::{BlockMode, BlockSize, FrameEncoder, FrameInfo};
 
+use super::MAX_RECORD;
 use super::record::{ChannelRecord, Encoder, MAGIC, PREFIX, SchemaRecord, opcode};
+
+/// Size of a chunk, bytes, above which its last message begins another one: its record has some bytes more.
+const FULL: usize = MAX_RECORD as usize - (1 << 16);
 
 /// Compression of a chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +59,8 @@ pub struct Writer<W> {
     channels: Vec<ChannelRecord>,
     /// Chunks to be stored as they are, and to be compressed.
     open: [OpenChunk; 2],
+    /// Chunks that are full, and are written before them.
+    full: Vec<(Compression, OpenChunk)>,
     chunks: Vec<ChunkIndex>,
     metadata: Vec<(u64, u64, String)>,
     counts: BTreeMap<u16, u64>,
@@ -78,6 +84,7 @@ impl<W: Write> Writer<W> {
             schemas: Vec::new(),
             channels: Vec::new(),
             open: Default::default(),
+            full: Vec::new(),
             chunks: Vec::new(),
             metadata: Vec::new(),
             counts: BTreeMap::new(),
@@ -111,12 +118,12 @@ impl<W: Write> Writer<W> {
 
     /// Returns the number of bytes that wait for [`flush`](Self::flush).
     pub fn pending(&self) -> usize {
-        self.open.iter().map(|chunk| chunk.records.0.len()).sum()
+        self.full.iter().map(|(_, chunk)| chunk).chain(&self.open).map(|chunk| chunk.records.0.len()).sum()
     }
 
     /// Forgets the messages that are not written yet.
     pub fn discard(&mut self) {
-        self.open = Default::default();
+        (self.open, self.full) = Default::default();
     }
 
     /// Returns the target.
@@ -162,11 +169,16 @@ impl<W: Write> Writer<W> {
         }
         chunk.start_time = chunk.start_time.min(time);
         chunk.end_time = chunk.end_time.max(time);
-        chunk.indexes.entry(channel).or_default().push((time, chunk.records.0.len() as u64));
+        let start = chunk.records.0.len();
+        chunk.indexes.entry(channel).or_default().push((time, start as u64));
         chunk.records.record(opcode::MESSAGE, |out| {
             out.u16(channel).u32(number).u64(time).u64(time);
             data(&mut out.0);
         });
+        if start > 0 && chunk.records.0.len() > FULL {
+            let next = chunk.split_last(channel, start);
+            self.full.push((compression, std::mem::replace(chunk, next)));
+        }
         let (start, end) = self.times.unwrap_or((time, time));
         self.times = Some((start.min(time), end.max(time)));
     }
@@ -176,6 +188,9 @@ impl<W: Write> Writer<W> {
     /// # Errors
     /// If the target cannot be written.
     pub fn flush(&mut self) -> io::Result<()> {
+        for (compression, chunk) in std::mem::take(&mut self.full) {
+            self.write_chunk(compression, &chunk)?;
+        }
         for compression in [Compression::None, Compression::Lz4] {
             let chunk = std::mem::take(&mut self.open[compression as usize]);
             if !chunk.indexes.is_empty() {
@@ -198,6 +213,11 @@ impl<W: Write> Writer<W> {
             out.0.extend_from_slice(stored);
         });
         let length = out.0.len() as u64;
+        let largest = chunk.records.0.len().max(out.0.len() - PREFIX) as u64;
+        if largest > MAX_RECORD {
+            let what = format!("a chunk has {largest} bytes, a file holds at most {MAX_RECORD} in one");
+            return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
+        }
         let mut indexes = BTreeMap::new();
         for (channel, messages) in &chunk.indexes {
             indexes.insert(*channel, self.length + out.0.len() as u64);
@@ -316,6 +336,19 @@ impl<W: Write> Writer<W> {
         self.data.update(bytes);
         self.length += bytes.len() as u64;
         Ok(())
+    }
+}
+
+impl OpenChunk {
+    /// Moves the last message, of a channel and at a position, to a chunk of its own.
+    fn split_last(&mut self, channel: u16, start: usize) -> Self {
+        let records = Encoder(self.records.0.split_off(start));
+        let messages = self.indexes.entry(channel).or_default();
+        let time = messages.pop().map_or(self.end_time, |(time, _)| time);
+        if messages.is_empty() {
+            self.indexes.remove(&channel);
+        }
+        Self { records, indexes: BTreeMap::from([(channel, vec![(time, 0)])]), start_time: time, end_time: time }
     }
 }
 

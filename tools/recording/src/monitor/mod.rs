@@ -11,12 +11,12 @@ use crate::header::Header;
 use crate::image_codec::ImageCoder;
 use crate::message::{Channel, Tick, TreeRecord};
 use crate::recorder::{Output, Report, Sink};
-use crate::recording::RecordedCycle;
+use crate::recording::{MAX_BLOBS, RecordedCycle};
 
 /// Size of a chunk before compression, bytes.
 const CHUNK_BYTES: usize = 1 << 20;
-/// Most images of a chunk: a reader keeps 64 of them until their cycles have come.
-const CHUNK_IMAGES: usize = 32;
+/// Most images of a chunk: a reader keeps twice as many until their cycles have come.
+const CHUNK_IMAGES: usize = MAX_BLOBS / 2;
 
 /// An image that a monitor has received.
 #[derive(Clone, Copy, Debug)]

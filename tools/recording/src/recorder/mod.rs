@@ -1,5 +1,6 @@
 //! Recording beside a running loop.
 
+mod measured;
 mod output;
 mod queue;
 mod sink;
@@ -11,8 +12,9 @@ use std::thread::JoinHandle;
 use std::{fmt, io};
 
 use bica::refusal::Refusal;
-use bica::runner::{Cycle, Observer, Request};
-use bica::{ComponentId, Instant, Probe, Tree};
+use bica::runner::{ClockStep, Cycle, Observer, Request};
+use bica::{ComponentId, Graph, Instant, Probe, Tree};
+use bica_link::CostMeter;
 use bica_wire::Recordable;
 use bica_wire::message::LogSource;
 use bica_wire::model::Modulation;
@@ -22,6 +24,7 @@ use crate::header::{Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
+use measured::Measured;
 pub(crate) use output::Output;
 use queue::{BlobValues, CycleValues, Data, Entry, KeptBlob, Queue};
 pub use sink::{Sink, Syncing, create};
@@ -34,6 +37,9 @@ pub enum Backpressure {
     /// The loop goes on. An image is dropped and counted; if even the values of a cycle find no room, the recording ends.
     Drop,
 }
+
+/// Why a recording ends whose thread panicked.
+const FAILED: &str = "the thread of the recorder failed";
 
 /// Options of a recorder.
 #[derive(Clone, Copy, Debug)]
@@ -94,6 +100,23 @@ pub struct Recorder {
     requests: Vec<RequestRecord>,
     sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
+    meter: Option<CostMeter>,
+    measured: Measured,
+}
+
+/// Ends a recording whose thread panics: a loop would wait for it without end.
+struct EndAtPanic<'a> {
+    queue: &'a Queue,
+    on_end: &'a dyn Fn(&str),
+}
+
+impl Drop for EndAtPanic<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.queue.end();
+            (self.on_end)(FAILED);
+        }
+    }
 }
 
 /// Function that returns the owner of large data.
@@ -122,7 +145,10 @@ impl Recorder {
         let queue = Arc::new(Queue::new(options));
         let writing = thread::Writing::new(sink, header, options.chunk_bytes)?;
         let shared = Arc::clone(&queue);
-        let work = move || writing.run(&shared, &on_end);
+        let work = move || {
+            let _end = EndAtPanic { queue: &shared, on_end: &on_end };
+            writing.run(&shared, &on_end)
+        };
         let thread = std::thread::Builder::new().name("recorder".to_owned()).spawn(work)?;
         Ok(Self {
             queue,
@@ -138,6 +164,8 @@ impl Recorder {
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
+            meter: None,
+            measured: Measured::new(options.backpressure),
         })
     }
 
@@ -147,6 +175,26 @@ impl Recorder {
     pub fn sharing_blobs(mut self, owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
         self.owner = Owner(Box::new(owner));
         self
+    }
+
+    /// Measures the components of a tree, and records what [`measured`](Self::measured) records.
+    #[must_use]
+    pub fn measuring(mut self, graph: &'static Graph) -> Self {
+        let mut meter = CostMeter::new(graph);
+        meter.switch(true);
+        self.meter = Some(meter);
+        self
+    }
+
+    /// Records what a meter measured in the last cycle: once a second the costs of the components, and in a loop with a clock a line of the
+    /// log about each component that exceeded its budget, at most one a second.
+    pub fn measured(&mut self, meter: &CostMeter) {
+        for line in self.measured.overruns(meter) {
+            self.log(line);
+        }
+        if let Some(costs) = self.measured.costs(meter) {
+            self.costs(costs);
+        }
     }
 
     /// Records a request that the observed loop has not applied itself.
@@ -178,7 +226,7 @@ impl Recorder {
     fn close(&mut self, result: &str) -> Report {
         self.queue.close(result);
         let report = self.thread.take().map(JoinHandle::join);
-        let failed = || Report { reason: Some("the thread of the recorder failed".to_owned()), ..Report::default() };
+        let failed = || Report { reason: Some(FAILED.to_owned()), ..Report::default() };
         report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))
     }
 
@@ -224,9 +272,43 @@ impl Drop for Recorder {
     }
 }
 
-impl Probe for Recorder {}
+impl Probe for Recorder {
+    fn cycle_begin(&mut self, now: Instant) {
+        if let Some(meter) = &mut self.meter {
+            meter.cycle_begin(now);
+        }
+    }
+
+    fn run(&mut self, component: ComponentId) {
+        if let Some(meter) = &mut self.meter {
+            meter.run(component);
+        }
+    }
+
+    fn begin(&mut self, component: ComponentId) {
+        if let Some(meter) = &mut self.meter {
+            meter.begin(component);
+        }
+    }
+
+    fn end(&mut self, component: ComponentId) {
+        if let Some(meter) = &mut self.meter {
+            meter.end(component);
+        }
+    }
+
+    fn cycle_end(&mut self) {
+        if let Some(meter) = &mut self.meter {
+            meter.cycle_end();
+        }
+    }
+}
 
 impl<R: Recordable> Observer<R> for Recorder {
+    fn clock_stepped(&mut self, _now: Instant, step: &ClockStep) {
+        self.log(LogLine { level: 3, source: LogSource::Robot, text: step.to_string() });
+    }
+
     fn requested(&mut self, _now: Instant, request: &Request<'_>) {
         self.requests.push(RequestRecord::new(*request, &self.actions));
     }
@@ -278,6 +360,10 @@ impl<R: Recordable> Observer<R> for Recorder {
             information,
             tree: changed.then(|| self.tree.clone()),
         }));
+        if let Some(meter) = self.meter.take() {
+            self.measured(&meter);
+            self.meter = Some(meter);
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::encode::encode;
 use crate::header::{Ending, Header};
 use crate::mcap::Compression;
 use crate::message::Channel;
+use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::writer::RecordingWriter;
 
 /// Longest time that values wait in memory.
@@ -27,6 +28,8 @@ pub(crate) struct Output<S> {
     message: Vec<u8>,
     syncer: Syncer,
     chunk_bytes: usize,
+    /// Number and bytes of the large data that wait in memory.
+    blobs: (usize, usize),
     /// Number of cycles so far.
     pub(crate) cycles: u64,
     /// Number of cycles in the file.
@@ -40,8 +43,8 @@ impl<S: Sink> Output<S> {
     pub(crate) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
         let syncer = Syncer::start(sink.syncing()?)?;
         let (writer, now) = (RecordingWriter::new(sink, header)?, Instant::now());
-        let (cycles, written_cycles) = (0, 0);
-        Ok(Self { writer, message: Vec::new(), syncer, chunk_bytes, cycles, written_cycles, flushed: now, synced: now })
+        let (message, blobs, cycles, written_cycles) = (Vec::new(), (0, 0), 0, 0);
+        Ok(Self { writer, message, syncer, chunk_bytes, blobs, cycles, written_cycles, flushed: now, synced: now })
     }
 
     /// Length of the file, bytes.
@@ -62,6 +65,8 @@ impl<S: Sink> Output<S> {
     /// Adds large data.
     pub(crate) fn blob(&mut self, compression: Compression, time: u64, record: &BlobRecord<'_>) {
         self.add(Channel::Blobs, compression, time, record);
+        let (count, bytes) = self.blobs;
+        self.blobs = (count + 1, bytes + self.message.len());
     }
 
     fn add(&mut self, channel: Channel, compression: Compression, time: u64, value: &impl Serialize) {
@@ -70,9 +75,35 @@ impl<S: Sink> Output<S> {
         self.writer.message(channel, compression, time, &self.message);
     }
 
+    /// Begins a cycle. The cycles so far are written if large data of this one, of so many bytes before they are coded, might exceed
+    /// with theirs what a reader holds at once.
+    pub(crate) fn begin_cycle(&mut self, blobs: usize, bytes: usize) -> io::Result<()> {
+        // Topics and codes may need more room than the data.
+        let has_room = self.writer.pending().saturating_add(bytes.saturating_mul(4)) <= MAX_CYCLE_BYTES;
+        if has_room && self.blobs.0 + blobs <= MAX_BLOBS { Ok(()) } else { self.flush() }
+    }
+
+    /// Ends a cycle.
+    ///
+    /// # Errors
+    /// If a reader would refuse it.
+    pub(crate) fn end_cycle(&mut self) -> io::Result<()> {
+        let (cycle, (blobs, bytes)) = (self.cycles, self.blobs);
+        if blobs > MAX_BLOBS || bytes > MAX_CYCLE_BYTES {
+            let what = format!(
+                "cycle {cycle} has {bytes} bytes of {blobs} images or other large data; a recording holds at most \
+                 {MAX_CYCLE_BYTES} bytes of {MAX_BLOBS} in a cycle"
+            );
+            return Err(io::Error::new(io::ErrorKind::FileTooLarge, what));
+        }
+        self.cycles += 1;
+        Ok(())
+    }
+
     /// Writes everything.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         self.writer.flush()?;
+        self.blobs = (0, 0);
         self.written_cycles = self.cycles;
         self.flushed = Instant::now();
         Ok(())

@@ -73,7 +73,7 @@ impl<S: Sink> Writing<S> {
 
     fn entry(&mut self, entry: Entry, queue: &Queue) -> io::Result<()> {
         match entry {
-            Entry::Cycle(values) => self.cycle(values, queue),
+            Entry::Cycle(values) => self.cycle(values, queue)?,
             Entry::Event(event) => self.output.message(Channel::Events, event.at_ns, &event),
             Entry::Log(line) => self.output.message(Channel::Log, self.last_time, &line),
             Entry::Costs(costs) => self.output.message(Channel::Costs, self.last_time, &costs),
@@ -82,7 +82,7 @@ impl<S: Sink> Writing<S> {
         self.output.flush_if_due()
     }
 
-    fn cycle(&mut self, values: CycleValues, queue: &Queue) {
+    fn cycle(&mut self, values: CycleValues, queue: &Queue) -> io::Result<()> {
         let CycleValues { instant, requests, message, sensor_bytes, blobs, information, tree } = values;
         let (sensors, command) = message.split_at(sensor_bytes);
         let time = self.header.nanoseconds(instant);
@@ -93,6 +93,7 @@ impl<S: Sink> Writing<S> {
         }
         let stores_values = self.header.images == ImagePolicy::All;
         if stores_values && let BlobValues::Kept(kept) = &blobs {
+            self.output.begin_cycle(kept.len(), kept.iter().map(|blob| blob.bytes().len()).sum())?;
             self.blobs(time, sensors, kept);
         }
         let blobs_digest = match &blobs {
@@ -126,7 +127,7 @@ impl<S: Sink> Writing<S> {
         };
         tick.fingerprint = self.fingerprint.add_tick(&tick);
         self.output.message(Channel::Tick, time, &tick);
-        self.output.cycles += 1;
+        self.output.end_cycle()
     }
 
     fn blobs(&mut self, time: u64, sensors: &[u8], kept: &[KeptBlob]) {

@@ -29,8 +29,7 @@ impl Compared {
         other: &mut dyn Run,
         progress: &mut dyn FnMut(u64) -> bool,
     ) -> Result<Option<String>, Invalid> {
-        let tick_hz = recording.header().tick_hz.max(1) as f64;
-        let (mut cycle, mut is_whole) = (0, false);
+        let (mut first, mut cycle, mut is_whole) = (None, 0, false);
         let damage = loop {
             if !progress(recording.position()) {
                 return Ok(Some("stopped by Ctrl-C".to_owned()));
@@ -44,7 +43,9 @@ impl Compared {
                 Err(error @ (Error::CutOff { .. } | Error::Damaged { .. })) => break Some(error),
                 Err(error) => return Err(of_file(options.path, &error)),
             };
-            let t = recorded.tick.instant as f64 / tick_hz;
+            let first = *first.get_or_insert(recorded.tick.instant);
+            (self.before.first_instant, self.after.first_instant) = (first, first);
+            let t = recording.header().seconds_since(first, recorded.tick.instant);
             if t > options.until {
                 break None;
             }

@@ -30,9 +30,9 @@ pub use subject::{RepeatedWorld, Subject};
 pub struct ReplayOptions<'a> {
     /// The recording.
     pub path: &'a Path,
-    /// Time from which on cycles are compared, s.
+    /// Time since the first cycle from which on cycles are compared, s.
     pub from: f64,
-    /// Time up to which the run is repeated, s.
+    /// Time since the first cycle up to which the run is repeated, s.
     pub until: f64,
     /// Recording to compare with, instead of running the code.
     pub against: Option<&'a Path>,
@@ -71,7 +71,7 @@ pub struct ReplayReport {
     pub equal: bool,
     /// Number of compared cycles before the first gap.
     pub cycles: u64,
-    /// Time of the last cycle, s.
+    /// Time of the last cycle since the first one, s.
     pub seconds: f64,
     /// What is wrong with the file; none if it is complete.
     pub damage: Option<String>,

@@ -21,7 +21,7 @@ use bica_wire::model::Invalid;
 const NO_ROOM: &str = "make room on the disk, or name a file on another one";
 
 /// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
-/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle, s; if it returns false, the run
+/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle since the first one, s; if it returns false, the run
 /// ends there.
 ///
 /// # Errors
@@ -41,14 +41,15 @@ where
     let subject = subject::checked(&header, header.images == ImagePolicy::None, subject)?;
     let new = Header { program: Program::current(), start: Start::now(), images: ImagePolicy::All, ..header.clone() }
         .of_robot(&*subject.robot);
-    let mut again = Again::new(subject, start(out, &new)?);
+    let (mut again, mut first) = (Again::new(subject, start(out, &new)?), None);
     loop {
         let recorded = match recording.next_cycle() {
             Ok(Some(recorded)) => recorded,
             Ok(None) | Err(Error::CutOff { .. } | Error::Damaged { .. }) => break,
             Err(error) => return Err(of_file(path, &error)),
         };
-        let t = header.nanoseconds(recorded.tick.instant) as f64 * 1e-9;
+        let instant = recorded.tick.instant;
+        let t = header.seconds_since(*first.get_or_insert(instant), instant);
         if recorded.tick.cycle.is_multiple_of(100) && !progress(t) {
             break;
         }

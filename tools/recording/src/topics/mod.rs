@@ -3,6 +3,7 @@
 //! Their schemas are those of Foxglove, in Protocol Buffers. The crate `foxglove` (0.30, without default features) needs 98 others, among
 //! them `prost`; the few messages that are written need a table of their fields and a writer of 70 lines.
 
+mod cameras;
 mod foxglove;
 mod numbers;
 mod outputs;
@@ -16,6 +17,7 @@ use std::collections::{BTreeMap, HashMap};
 use bica::runner::Change;
 use bica::{Format, Value};
 use bica_link::decode_message;
+use bica_wire::model::Invalid;
 
 use crate::blob::BlobRecord;
 use crate::header::{Header, Topics};
@@ -23,8 +25,10 @@ use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
 use crate::mcap::Compression;
 use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
+use crate::names::NameTable;
 use crate::request::RequestRecord;
 use crate::scenery::Scenery;
+pub use cameras::Cameras;
 use outputs::{Outputs, Seen};
 pub use preview::{Jpeg, jpeg};
 use preview::{Preview, is_image};
@@ -48,6 +52,11 @@ pub(crate) struct Derived {
     pub(crate) data: Vec<u8>,
 }
 
+/// Returns a name as a part of a topic: viewers read a space as the end of a path.
+fn path(name: &str) -> String {
+    name.replace(char::is_whitespace, "_")
+}
+
 /// Large data that waits for its preview.
 #[derive(Debug)]
 struct Waiting {
@@ -60,8 +69,11 @@ struct Waiting {
 #[derive(Debug)]
 pub(crate) struct Deriver {
     header: Header,
-    /// Newest large data of each frame, in the order of its times: in a file it precedes its cycle.
-    waiting: BTreeMap<String, Vec<Waiting>>,
+    cameras: Cameras,
+    /// Cycle of the last large data, and the names of its frames.
+    last_cycle: (Option<u64>, Vec<String>),
+    /// Newest large data of each frame, points and images, in the order of its times: in a file it precedes its cycle.
+    waiting: BTreeMap<(String, bool), Vec<Waiting>>,
     coder: ImageCoder,
     /// Times of the last previews and of the last outputs that were shown, ns.
     shown: [Option<u64>; 2],
@@ -73,17 +85,30 @@ pub(crate) struct Deriver {
 
 impl Deriver {
     /// A deriver of the topics that a header requests.
-    pub(crate) fn new(header: &Header) -> Option<Self> {
-        (header.topics != Topics::None).then(|| Self {
+    ///
+    /// # Errors
+    /// If two things have one topic.
+    pub(crate) fn new(header: &Header) -> Result<Option<Self>, Invalid> {
+        if header.topics == Topics::None {
+            return Ok(None);
+        }
+        let (outputs, mut names) = (Outputs::new(&header.tree), NameTable::new("topic of the recording"));
+        outputs.topics().try_for_each(|(topic, source)| names.add(topic, source))?;
+        for Scenery { name, .. } in &header.scenery {
+            names.add(format!("/scene/{}", path(name)), format!("the scenery `{name}`"))?;
+        }
+        Ok(Some(Self {
             header: header.clone(),
+            cameras: Cameras::new(&header.tree),
+            last_cycle: (None, Vec::new()),
             waiting: BTreeMap::new(),
             coder: ImageCoder::default(),
             shown: [None; 2],
             tree: TreeRecord::default(),
-            outputs: Outputs::new(&header.tree),
+            outputs,
             has_begun: false,
             derived: Vec::new(),
-        })
+        }))
     }
 
     /// Returns the messages that follow from a message of the recording. One that cannot be read has none.
@@ -91,6 +116,7 @@ impl Deriver {
         if !std::mem::replace(&mut self.has_begun, true) {
             self.parameters();
             self.scenery(time);
+            self.derived.extend(self.outputs.first_transforms(time));
         }
         let all = self.header.topics == Topics::All;
         match channel {
@@ -178,8 +204,7 @@ impl Deriver {
             shape::each(&value, &mut |value| all.extend(shape::shapes(&shape, value)));
             let [red, green, blue] = colour.unwrap_or([u8::MAX; 3]).map(|part| f64::from(part) / 255.0);
             let scene = foxglove::scene(time, &frame, &name, &[red, green, blue, 1.0], &all);
-            // Viewers read a space as the end of a path.
-            let topic = name.replace(char::is_whitespace, "_");
+            let topic = path(&name);
             self.send(&format!("/scene/{topic}"), Schema::Foxglove("SceneUpdate"), scene);
             let points = foxglove::points(time, &frame, &all);
             self.send(&format!("/points/{topic}"), Schema::Foxglove("PointCloud"), points);
@@ -207,10 +232,16 @@ impl Deriver {
 
     /// Keeps large data until its preview is due.
     fn wait(&mut self, time: u64, data: &[u8]) {
-        let Ok(BlobRecord { format, frame, .. }) = postcard::from_bytes(data) else { return };
-        if format == Format::Points || is_image(format) {
-            let frame = self.outputs.frame_of(frame).to_owned();
-            let waiting = self.waiting.entry(frame).or_default();
+        let Ok(BlobRecord { format, frame, cycle, .. }) = postcard::from_bytes(data) else { return };
+        let is_points = format == Format::Points;
+        if is_points || is_image(format) {
+            let (last, frames) = &mut self.last_cycle;
+            if cycle.is_none() || *last != cycle {
+                (*last, *frames) = (cycle, Vec::new());
+            }
+            // Points and images have topics of different names.
+            let frame = if is_points { frame.to_owned() } else { self.cameras.next_frame(frame, frames) };
+            let waiting = self.waiting.entry((frame, is_points)).or_default();
             waiting.drain(..waiting.len().saturating_sub(MAX_WAITING - 1));
             waiting.push(Waiting { time, record: data.to_vec() });
         }
@@ -249,7 +280,7 @@ impl Deriver {
         }
         self.shown[0] = Some(time);
         let mut seen = Seen::new();
-        let due = self.waiting.iter_mut().filter_map(|(frame, waiting)| {
+        let due = self.waiting.iter_mut().filter_map(|((frame, _), waiting)| {
             let is_past = waiting.first()?.time <= time;
             is_past.then(|| (frame.clone(), waiting.remove(0)))
         });
@@ -257,10 +288,10 @@ impl Deriver {
             let Ok(record) = postcard::from_bytes::<BlobRecord<'_>>(&record) else { continue };
             if record.format == Format::Points {
                 let cloud = foxglove::cloud(time, &frame, record.stored);
-                self.send(&format!("/{frame}/points"), Schema::Foxglove("PointCloud"), cloud);
+                self.send(&format!("/{}/points", path(&frame)), Schema::Foxglove("PointCloud"), cloud);
             } else if let Some(preview) = Preview::new(&record, &mut self.coder) {
                 let image = foxglove::image(time, &self.outputs.optical(&frame), &preview);
-                let topic = format!("/{frame}/image");
+                let topic = format!("/{}/image", path(&frame));
                 self.push(topic, Schema::Foxglove("CompressedImage"), Compression::None, image.0);
                 seen.insert(frame, (time, preview));
             }

@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::foxglove::{annotations, calibration, colour, points, scene, transforms};
 use super::preview::Preview;
 use super::protobuf::Protobuf;
-use super::shape::{CALIBRATION, OPTICAL, each, is_drawn, pose, shapes};
-use super::{Derived, Schema};
+use super::shape::{CALIBRATION, OPTICAL, Pose, each, is_drawn, pose, shapes};
+use super::{Derived, Schema, path};
 use crate::mcap::Compression;
 use crate::message::TreeRecord;
 
@@ -50,15 +50,21 @@ impl Outputs {
         Self(outputs)
     }
 
-    /// Returns the name that the tree gives to the frame of large data: of several cameras it may call the one with the newest image
-    /// `camera`.
-    pub(super) fn frame_of<'a>(&'a self, frame: &'a str) -> &'a str {
-        let mut frames = self.0.iter().filter(|one| one.is_in_image()).map(|one| one.placement.frame.as_str());
-        let first = frames.next();
-        match first {
-            Some(only) if only != frame && frames.all(|other| other == only) => only,
-            _ => frame,
-        }
+    /// Returns the topics of the outputs, with their sources.
+    pub(super) fn topics(&self) -> impl Iterator<Item = (String, String)> {
+        self.0.iter().map(|Output { name, placement: Placement { shape, frame, .. }, .. }| {
+            let topic = if shape == CALIBRATION { calibration_topic(frame) } else { format!("/scene/{name}") };
+            (topic, format!("the output `{}`", name.replace('/', ".")))
+        })
+    }
+
+    /// Returns a first place of each frame, in its origin: viewers show nothing as long as the frames are no single tree.
+    pub(super) fn first_transforms(&self, time: u64) -> Option<Derived> {
+        const ORIGIN: Pose = Pose { position: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] };
+        let placements = self.0.iter().map(|one| &one.placement);
+        let frames = placements.filter_map(|one| Some((one.frame.as_str(), one.child.as_deref()?, ORIGIN)));
+        let frames: Vec<_> = frames.collect();
+        (!frames.is_empty()).then(|| derived("/tf".to_owned(), "FrameTransforms", transforms(time, &frames)))
     }
 
     /// Returns the frame of an image: x right, y down and z ahead.
@@ -132,7 +138,7 @@ impl Output {
         let frame = &self.placement.frame;
         let (time, preview) = seen?.get(frame)?;
         let message = calibration(*time, &format!("{frame}_optical"), value, preview)?;
-        Some(derived(format!("/{frame}/calibration"), "CameraCalibration", message))
+        Some(derived(calibration_topic(frame), "CameraCalibration", message))
     }
 
     /// Returns what is seen in the image of this time; in a recording without images at any time.
@@ -159,6 +165,10 @@ impl Output {
         let scene = (shape != "Scan").then(|| derived(format!("/scene/{}", self.name), "SceneUpdate", scene));
         scene.into_iter().chain([points]).collect()
     }
+}
+
+fn calibration_topic(frame: &str) -> String {
+    format!("/{}/calibration", path(frame))
 }
 
 fn derived(topic: String, schema: &'static str, message: Protobuf) -> Derived {

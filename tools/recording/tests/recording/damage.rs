@@ -6,13 +6,14 @@ use bica::Format;
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
 use bica_recording::repair::recover;
 use bica_recording::{
-    BlobRecord, Channel, Coding, Ending, Header, Info, LogLine, LogSource, RecordedCycle, Recording, RunEvent,
+    BlobRecord, Channel, Coding, Ending, Header, ImagePolicy, Info, LogLine, LogSource, RecordedCycle, Recorder,
+    Recording, RunEvent,
 };
 use proptest::prelude::*;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-use crate::support::{cycles, recorded};
+use crate::support::{Disk, cycles, header, recorded, small_chunks};
 
 /// Memory that reading a file may take beside its own length, bytes.
 const MEMORY: u64 = 4 << 20;
@@ -48,11 +49,11 @@ fn cut(step: usize) {
     for length in (0..file.len()).filter(|length| length % step == 0 || is_near_an_end(*length)) {
         let mut target = Vec::new();
         let copied = recover(Cursor::new(&file[..length]), &mut target, None);
-        if length < first {
+        let expected = ends.iter().rev().find(|(end, _)| *end <= length).map_or(0, |(_, count)| *count);
+        if length < first || expected == 0 {
             assert!(copied.is_err(), "{length}");
             continue;
         }
-        let expected = ends.iter().rev().find(|(end, _)| *end <= length).map_or(0, |(_, count)| *count);
         let copied = copied.unwrap_or_else(|error| panic!("{length}: {error}"));
         assert_eq!((copied.cycles, copied.damage.len()), (expected, 1), "{length}");
         let (found, error) = cycles(&target[..]);
@@ -70,6 +71,26 @@ fn cut(step: usize) {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_file_cut_anywhere_recovers_all_complete_chunks_and_opens() {
     cut(17);
+}
+
+#[test]
+fn a_file_without_a_cycle_is_not_recovered() {
+    let file = recorded(0);
+    let refused = |file: &[u8]| recover(Cursor::new(file), &mut Vec::new(), None).expect_err("no cycle").to_string();
+    assert_eq!(refused(&file), "the recording has no cycle");
+    let cut = refused(&file[..file.len() - 9]);
+    assert!(cut.starts_with("no cycle can be recovered: the file is cut off"), "{cut}");
+}
+
+#[test]
+fn a_header_with_a_rate_that_is_no_number_is_refused() {
+    let Header { mut tree, .. } = header(ImagePolicy::All);
+    for hz in [0.0, -50.0, f32::INFINITY] {
+        tree.cycle_hz = hz;
+        let (disk, header) = (Disk::default(), Header { tree: tree.clone(), ..header(ImagePolicy::All) });
+        drop(Recorder::start(disk.clone(), &header, small_chunks(), |_| {}).expect("memory"));
+        assert!(Recording::new(&disk.contents()[..]).is_err(), "{hz} Hz");
+    }
 }
 
 #[test]

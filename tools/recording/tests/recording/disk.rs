@@ -5,9 +5,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::runner::Runner;
+use bica::{Blob, Format};
 use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording};
 
-use crate::support::{Cart, Disk, cycles, header, pixels, record, recorded, sensors, small_chunks};
+use crate::support::{Cart, Disk, Sensors, cycles, header, pixels, record, recorded, sensors, small_chunks};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
@@ -124,4 +125,66 @@ fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
     drop(gate);
     let report = runner.into_parts().3.finish("");
     assert_eq!((report.cycles, report.dropped_images, report.reason), (count, 0, None));
+}
+
+#[test]
+fn no_small_image_is_lost_in_a_large_chunk() {
+    let (disk, options) = (Disk::default(), RecorderOptions { images: 1000, ..RecorderOptions::default() });
+    let report = record(&disk, ImagePolicy::All, 400, options).expect("there is room");
+    assert_eq!((report.cycles, report.dropped_images, report.reason), (400, 0, None));
+    let (found, error) = cycles(&disk.contents()[..]);
+    assert_eq!((found.iter().find(|cycle| cycle.is_gap()).map(|cycle| cycle.tick.cycle), error), (None, None));
+}
+
+/// Records five cycles with images of a size, and one with an image and a scan of other sizes; returns the report's reason, and the number
+/// of cycles of the file with their large data.
+fn record_large(image: usize, scan: usize) -> (Option<String>, usize, Option<String>) {
+    let (disk, mut cart) = (Disk::default(), Cart::new());
+    let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
+    let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), options, |_| {}).expect("memory");
+    let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
+    for cycle in 0..6 {
+        let [image, scan] = if cycle < 5 { [1000; 2] } else { [image, scan] }.map(|size| vec![7; size]);
+        let blob = |bytes, format, frame| Some(Blob { bytes, format, frame });
+        let image = blob(&image, Format::Jpeg, "camera");
+        let sensors = Sensors { image, scan: blob(&scan, Format::Points, "scanner"), ..sensors(cycle, &[]) };
+        let now = bica::Instant::from_millis(10 * cycle);
+        runner.sense(now, &sensors).expect("never refused");
+        runner.think(now);
+    }
+    let report = runner.into_parts().3.finish("");
+    let (found, error) = cycles(&disk.contents()[..]);
+    assert_eq!(found.len() as u64, report.cycles);
+    (report.reason, found.iter().filter(|cycle| cycle.blobs.len() == 2).count(), error)
+}
+
+#[test]
+fn a_cycle_that_no_reader_takes_ends_the_recording() {
+    const MIB: usize = 1 << 20;
+    // Their topics are further chunks.
+    assert_eq!(record_large(31 * MIB, 31 * MIB), (None, 6, None));
+    for (image, scan) in [(65 * MIB, 12), (12, 64 * MIB), (33 * MIB, 33 * MIB)] {
+        let (reason, cycles, error) = record_large(image, scan);
+        assert_eq!((cycles, error), (5, None), "{image} {scan}");
+        let reason = reason.expect("it is too large");
+        assert!(reason.contains("cycle 5 has ") && reason.contains("at most 67108864 bytes"), "{reason}");
+    }
+}
+
+#[test]
+fn a_recorder_that_panics_does_not_stop_the_loop() {
+    let disk = Disk { capacity: Some(recorded(1).len() + 300), panics: true, ..Disk::default() };
+    let options = RecorderOptions { cycles: 10, images: 2, backpressure: Backpressure::Wait, ..small_chunks() };
+    let (sender, ended) = std::sync::mpsc::channel();
+    let on_end = move |reason: &str| sender.send(reason.to_owned()).expect("somebody listens");
+    let recorder = Recorder::start(disk, &header(ImagePolicy::All), options, on_end).expect("there is room");
+    let mut cart = Cart::new();
+    let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
+    for cycle in 0..300 {
+        let (now, yuyv) = (bica::Instant::from_millis(10 * cycle), pixels(cycle));
+        runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");
+        runner.think(now);
+    }
+    assert_eq!(ended.recv().as_deref(), Ok("the thread of the recorder failed"));
+    assert_eq!(runner.into_parts().3.finish("").reason.as_deref(), Some("the thread of the recorder failed"));
 }

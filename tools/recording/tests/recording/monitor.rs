@@ -148,7 +148,7 @@ fn an_image_of_an_impossible_size_is_left_out() {
 #[test]
 fn a_trimmed_recording_begins_with_the_states_and_holds_before_it() {
     let mut part = Vec::new();
-    let copied = trim(&recorded(40, 0)[..], &mut part, 250_000_000, 300_000_000, None).expect("memory");
+    let copied = trim(Cursor::new(recorded(40, 0)), &mut part, 250_000_000, 300_000_000, None).expect("memory");
     assert_eq!(copied.cycles, 6);
     let (first, _) = read(&part[..]).remove(0);
     assert_eq!((first.tick.cycle, first.tree), (25, cycle(25).tree));

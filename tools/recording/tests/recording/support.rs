@@ -179,6 +179,8 @@ pub(crate) struct Disk {
     pub(crate) bytes: Arc<Mutex<Vec<u8>>>,
     /// Number of bytes that fit.
     pub(crate) capacity: Option<usize>,
+    /// Whether a write panics if there is no room.
+    pub(crate) panics: bool,
     /// Time of each write.
     pub(crate) delay: Duration,
     pub(crate) sync: Arc<Held>,
@@ -196,6 +198,7 @@ impl Write for Disk {
         thread::sleep(self.delay);
         let mut bytes = self.bytes.lock().expect("no panic while writing");
         let room = self.capacity.map_or(usize::MAX, |capacity| capacity - bytes.len());
+        assert!(room > 0 || !self.panics, "the disk is broken");
         if room == 0 {
             return Err(io::ErrorKind::StorageFull.into());
         }
@@ -251,7 +254,15 @@ pub(crate) fn record_topics(
     options: RecorderOptions,
 ) -> Option<Report> {
     let header = Header { topics, ..header(images) };
-    Some(run(Recorder::start(disk.clone(), &header, options, |_| {}).ok()?, cycles))
+    Some(run(Recorder::start(disk.clone(), &header, options, |_| {}).ok()?, 0, cycles))
+}
+
+/// Returns a recording whose clock begins at a time, ms.
+pub(crate) fn recorded_from(start: u64, cycles: u64) -> Vec<u8> {
+    let disk = Disk::default();
+    let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), small_chunks(), |_| {}).expect("memory");
+    assert_eq!(run(recorder, start, cycles).cycles, cycles);
+    disk.contents()
 }
 
 /// As [`record`], with images that have an owner.
@@ -263,15 +274,15 @@ pub(crate) fn record_sharing(
     owner: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static,
 ) -> Option<Report> {
     let recorder = Recorder::start(disk.clone(), &header(images), options, |_| {}).ok()?.sharing_blobs(owner);
-    Some(run(recorder, cycles))
+    Some(run(recorder, 0, cycles))
 }
 
-/// Runs the robot for a number of cycles, recorded.
-fn run(recorder: Recorder, cycles: u64) -> Report {
+/// Runs the robot from a time on, ms, for a number of cycles, recorded.
+fn run(recorder: Recorder, start: u64, cycles: u64) -> Report {
     let mut cart = Cart::new();
     let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
     for cycle in 0..cycles {
-        let now = Instant::from_millis(10 * cycle);
+        let now = Instant::from_millis(start + 10 * cycle);
         if cycle == 7 {
             runner
                 .request(now, Request::Hold { component: Cart::id::<Counter>(), hold: Hold::Active })
@@ -282,7 +293,8 @@ fn run(recorder: Recorder, cycles: u64) -> Report {
         runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");
         runner.think(now);
         if cycle == 9 {
-            runner.observer().event(RunEvent { at_ns: 90_000_000, kind: "goal".to_owned(), detail: String::new() });
+            let at_ns = 1_000_000 * start + 90_000_000;
+            runner.observer().event(RunEvent { at_ns, kind: "goal".to_owned(), detail: String::new() });
         }
     }
     let (_, (), (), recorder) = runner.into_parts();

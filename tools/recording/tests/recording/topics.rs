@@ -3,17 +3,18 @@
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
+use bica::runner::Runner;
 use bica::{Blob, Format};
 use bica_link::{Component, Description, Info as Output, Placement};
 use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
-    Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle,
-    RecorderOptions, Tick, Topics, TreeRecord,
+    Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle, Recorder,
+    RecorderOptions, Scenery, Tick, Topics, TreeRecord,
 };
 use serde_json::{Value, json};
 
-use crate::support::{Disk, cycles, record_topics, recorded};
+use crate::support::{Cart, Disk, Sensors, cycles, header, record_topics, recorded, sensors};
 
 /// Messages of the topics of other programs, with their times, ns.
 fn topics(file: &[u8]) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
@@ -87,7 +88,7 @@ fn topics_change_nothing_else_and_are_made_again_by_a_copy() {
     let (mut recovered, mut without) = (Vec::new(), Vec::new());
     recover(Cursor::new(&none), &mut recovered, Some(Topics::Standard)).expect("intact");
     assert!(topics(&recovered) == shown, "previews are of the same images");
-    trim(&recovered[..], &mut without, 0, u64::MAX, Some(Topics::None)).expect("intact");
+    trim(Cursor::new(&recovered), &mut without, 0, u64::MAX, Some(Topics::None)).expect("intact");
     assert_eq!(topics(&without), empty);
 }
 
@@ -193,7 +194,10 @@ fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
 #[test]
 fn visual_outputs_are_shown_in_their_frames() {
     let shown = monitored(2);
-    let tf = fields(&shown["/tf"][0].1, 1);
+    // Before any place is known the frames are one tree.
+    let first = fields(&shown["/tf"][0].1, 1);
+    assert_eq!((shown["/tf"][0].0, first.len(), fields(first[0], 2)), (0, 1, vec![&b"world"[..]]));
+    let tf = fields(&shown["/tf"][1].1, 1);
     let frames: Vec<_> = tf.iter().map(|tf| [2, 3].map(|at| String::from_utf8_lossy(fields(tf, at)[0]))).collect();
     assert_eq!(frames, [["world", "robot"], ["eye", "eye_optical"]]);
     assert_eq!((double(fields(tf[0], 4)[0], 2), double(fields(tf[0], 5)[0], 3)), (2.0, 1.0));
@@ -213,7 +217,7 @@ fn visual_outputs_are_shown_in_their_frames() {
 #[test]
 fn rates_are_bounded_and_what_a_latent_component_showed_disappears() {
     let shown = monitored(2);
-    assert_eq!(shown["/tf"].len(), 2 * 17, "17 a second, of 50 records");
+    assert_eq!(shown["/tf"].len(), 1 + 2 * 17, "17 a second, of 50 records");
     assert_eq!(shown["/eye/image"].len(), 7);
     let scenes = &shown["/scene/Seeing/Point2"];
     let dots: Vec<_> = scenes.iter().map(|(_, scene)| fields(fields(scene, 2)[0], 9).len()).collect();
@@ -230,4 +234,37 @@ fn a_recording_of_before_has_no_topics() {
     let header: Header = serde_json::from_value(old.into()).expect("a header");
     assert_eq!(header.topics, Topics::None);
     assert!(topics(&recorded(3)).contains_key("/states"));
+}
+
+#[test]
+fn each_camera_has_its_own_topic() {
+    let (disk, mut cart, options) = (Disk::default(), Cart::new(), RecorderOptions::default());
+    let recorder = Recorder::start(disk.clone(), &header(ImagePolicy::All), options, |_| {}).expect("memory");
+    let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
+    for cycle in 0..60 {
+        let blob = |bytes| Some(Blob { bytes, format: Format::Jpeg, frame: "left eye" });
+        let values = Sensors { image: blob(&[1; 200]), scan: blob(&[2; 200]), ..sensors(cycle, &[]) };
+        let now = bica::Instant::from_millis(10 * cycle);
+        runner.sense(now, &values).expect("never refused");
+        runner.think(now);
+    }
+    drop(runner);
+    let shown = topics(&disk.contents());
+    let pixels = |topic: &str| fields(&shown[topic][0].1, 2)[0].to_vec();
+    assert_eq!((pixels("/left_eye/image"), pixels("/left_eye_2/image")), (vec![1; 200], vec![2; 200]));
+}
+
+#[test]
+fn two_things_with_one_topic_are_refused_before_the_run() {
+    let item = |name: &str| Scenery {
+        name: name.to_owned(),
+        shape: "Point2".to_owned(),
+        frame: "room".to_owned(),
+        colour: None,
+        value: json!({ "x": 1.0, "y": 2.0 }),
+    };
+    let header = Header { scenery: vec![item("far wall"), item("far_wall")], ..header(ImagePolicy::All) };
+    let refused = Recorder::start(Disk::default(), &header, RecorderOptions::default(), |_| {}).expect_err("one topic");
+    let text = refused.to_string();
+    assert!(text.contains("`far wall`") && text.contains("`far_wall`") && text.contains("/scene/far_wall"), "{text}");
 }

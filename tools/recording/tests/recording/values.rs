@@ -1,5 +1,6 @@
 //! What is written is read again.
 
+use std::io::Cursor;
 use std::sync::Arc;
 
 use bica::ComponentId;
@@ -11,7 +12,8 @@ use bica_recording::{
 use postcard_schema::Schema;
 
 use crate::support::{
-    Cart, Command, Disk, Lamp, Sensors, cycles, header, image, pixels, record, record_sharing, recorded, sensors,
+    Cart, Command, Disk, Lamp, Sensors, cycles, header, image, pixels, record, record_sharing, recorded, recorded_from,
+    sensors,
 };
 
 /// Returns the sensor values of a cycle.
@@ -174,10 +176,25 @@ fn every_changed_value_is_a_difference_of_its_field() {
 }
 
 #[test]
+fn times_are_those_since_the_first_cycle() {
+    let unix = recorded_from(1_764_000_000_000, 60);
+    let [early, late] = [&recorded(60), &unix].map(|file| Info::read(&file[..]).expect("a recording"));
+    let times =
+        |info: &Info| (info.events.iter().map(|one| one.t).chain(info.requests.iter().map(|one| one.t))).collect();
+    assert_eq!((late.seconds, times(&late)), (0.59, vec![0.09, 0.07, 0.07]));
+    assert_eq!((early.seconds, times(&early)), (late.seconds, times(&late)));
+    let mut target = Vec::new();
+    let copied = trim(Cursor::new(&unix), &mut target, 200_000_000, 299_999_999, None).expect("a recording");
+    assert_eq!((copied.cycles, cycles(&target[..]).0[0].tick.cycle), (10, 20));
+    let beyond = trim(Cursor::new(&unix), &mut Vec::new(), 0, 700_000_000, None).expect_err("it is beyond the end");
+    assert_eq!(beyond.to_string(), "the recording has no such span: it ends at 0.59 s");
+}
+
+#[test]
 fn a_trimmed_file_has_the_cycles_of_its_span_and_their_tree() {
     let source = recorded(60);
     let mut target = Vec::new();
-    let copied = trim(&source[..], &mut target, 200_000_000, 299_999_999, None).expect("a recording");
+    let copied = trim(Cursor::new(&source), &mut target, 200_000_000, 299_999_999, None).expect("a recording");
     assert_eq!((copied.cycles, copied.damage.len()), (10, 0));
     let (all, (part, error)) = (cycles(&source[..]).0, cycles(&target[..]));
     assert_eq!(error, None);

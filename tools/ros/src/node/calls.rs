@@ -3,7 +3,7 @@
 use bica::Hold;
 use bica_link::Error;
 use bica_wire::message::{Offers, WorldChange};
-use bica_wire::model::{Invalid, Kind, Modulation, NamedRequest, Plain};
+use bica_wire::model::{Description, Invalid, Kind, Modulation, NamedRequest, Param, Plain};
 use ros2_client::RmwRequestId;
 use ros2_client::dds::{Server, Subscription};
 
@@ -17,7 +17,7 @@ use crate::names::Names;
 
 /// What a service does.
 #[derive(Clone, Debug)]
-enum Target {
+pub(super) enum Target {
     Acquire,
     Take,
     Release,
@@ -48,32 +48,53 @@ struct Service {
 /// The services.
 pub(super) struct Calls(Vec<Service>);
 
+/// Returns the services of a robot: names, what they belong to, and what they do.
+pub(super) fn services(description: &Description, can_pause: bool, names: &Names) -> Vec<(String, String, Target)> {
+    let own = |parts: &[&str], target| {
+        (names.private(parts), format!("the service that calls `{}`", parts.join(" ")), target)
+    };
+    let mut all = vec![
+        own(&["lease", "acquire"], Target::Acquire),
+        own(&["lease", "take"], Target::Take),
+        own(&["lease", "release"], Target::Release),
+        own(&["hold"], Target::Hold),
+    ];
+    if description.stops().next().is_some() {
+        all.push(own(&["stop"], Target::Stop));
+    }
+    if can_pause {
+        all.push(own(&["pause"], Target::World(WorldChange::Pause)));
+        all.push(own(&["resume"], Target::World(WorldChange::Resume)));
+    }
+    for component in &description.components {
+        for called in &component.modulations {
+            let (owner, name) = (&component.name, &called.name);
+            let target = Target::Call(Some(owner.clone()), called.clone());
+            all.push((names.private(&[owner, name]), format!("the modulation `{owner}.{name}`"), target));
+        }
+    }
+    for action in &description.actions {
+        let name = &action.name;
+        let target = Target::Call(None, action.clone());
+        all.push((names.private(&["world", name]), format!("the action of the world `{name}`"), target));
+    }
+    all
+}
+
+impl Target {
+    /// Whether it has arguments, all of which are numbers: then a topic takes them, too.
+    pub(super) fn takes_numbers(&self) -> bool {
+        let is_number = |kind: &Kind| matches!(kind, Kind::F32 { .. } | Kind::I32 { .. } | Kind::U32 { .. });
+        let Self::Call(_, Modulation { arguments, .. }) = self else { return false };
+        !arguments.is_empty() && arguments.iter().all(|one| is_number(&one.kind))
+    }
+}
+
 impl Calls {
     pub(super) fn serve(network: &mut Network, robot: &Robot, names: &Names) -> Result<Self, Invalid> {
-        let description = robot.link.description();
-        let mut all: Vec<(String, Target)> = vec![
-            (names.private(&["lease", "acquire"]), Target::Acquire),
-            (names.private(&["lease", "take"]), Target::Take),
-            (names.private(&["lease", "release"]), Target::Release),
-            (names.private(&["hold"]), Target::Hold),
-        ];
-        if description.stops().next().is_some() {
-            all.push((names.private(&["stop"]), Target::Stop));
-        }
-        if robot.link.offers().contains(Offers::PAUSE) {
-            all.push((names.private(&["pause"]), Target::World(WorldChange::Pause)));
-            all.push((names.private(&["resume"]), Target::World(WorldChange::Resume)));
-        }
-        for component in &description.components {
-            for called in &component.modulations {
-                let name = names.private(&[&component.name, &called.name]);
-                all.push((name, Target::Call(Some(component.name.clone()), called.clone())));
-            }
-        }
-        for action in &description.actions {
-            all.push((names.private(&["world", &action.name]), Target::Call(None, action.clone())));
-        }
-        let serve = |(name, target): (String, Target)| Service::serve(network, &name, target);
+        let can_pause = robot.link.offers().contains(Offers::PAUSE);
+        let all = services(robot.link.description(), can_pause, names);
+        let serve = |(name, _, target): (String, String, Target)| Service::serve(network, &name, target);
         all.into_iter().map(serve).collect::<Result<_, _>>().map(Self)
     }
 
@@ -100,9 +121,7 @@ impl Service {
         } else {
             Served::Trigger(network.serve(name, ("std_srvs", "Trigger"))?)
         };
-        let is_number = |kind: &Kind| matches!(kind, Kind::F32 { .. } | Kind::I32 { .. } | Kind::U32 { .. });
-        let is_numeric = called.is_some_and(|called| called.arguments.iter().all(|one| is_number(&one.kind)));
-        let numbers = (has_arguments && is_numeric).then(|| network.subscribe(name)).transpose()?;
+        let numbers = target.takes_numbers().then(|| network.subscribe(name)).transpose()?;
         let stops = matches!(target, Target::Stop).then(|| network.subscribe(name)).transpose()?;
         Ok(Self { target, served, numbers, stops })
     }
@@ -130,13 +149,14 @@ impl Service {
             return Ok(());
         };
         while let Ok(Some((Numbers { data, .. }, info))) = numbers.take() {
-            let number = |(value, argument): (&f32, &bica_wire::model::Param)| match argument.kind {
-                Kind::F32 { .. } => Plain::Number((*value).into()),
-                _ => Plain::Integer(*value as i64),
+            let arguments = data.iter().zip(0..).map(|(value, index)| number(*value, called.arguments.get(index)));
+            let request = named(component.as_ref(), called, arguments.collect());
+            // What is refused is no sign of an operator.
+            let sent = match robot.link.description().request(&request) {
+                Ok(_) => robot.send(info.publisher_gid(), &request)?,
+                Err(invalid) => Err(format!("{}; {}", invalid.what, invalid.help)),
             };
-            let arguments: Vec<_> = data.iter().zip(&called.arguments).map(number).collect();
-            let result = robot.send(info.publisher_gid(), &named(component.as_ref(), called, arguments))?;
-            robot.report(result);
+            robot.report(sent);
         }
         Ok(())
     }
@@ -188,6 +208,12 @@ impl Service {
     }
 }
 
+/// Returns a number of a list for an argument of a kind. One that is not whole, or has no argument, stays as it is, to be refused.
+fn number(value: f32, argument: Option<&Param>) -> Plain {
+    let is_whole = argument.is_some_and(|one| !matches!(one.kind, Kind::F32 { .. })) && value.fract() == 0.0;
+    if is_whole { Plain::Integer(value as i64) } else { Plain::Number(value.into()) }
+}
+
 fn named(component: Option<&String>, called: &Modulation, arguments: Vec<Plain>) -> NamedRequest {
     match component {
         Some(component) => {
@@ -203,7 +229,11 @@ fn arguments(called: &Modulation, parameters: &[Parameter]) -> Result<Vec<Plain>
     if let Some(unknown) = parameters.iter().find(|one| called.arguments.iter().all(|other| other.name != one.name)) {
         return Err(format!("`{}` has no argument `{}`; its arguments are {}", called.name, unknown.name, names()));
     }
-    let value = |argument: &bica_wire::model::Param| {
+    let is_twice = |(index, one): (usize, &Parameter)| parameters[..index].iter().any(|before| before.name == one.name);
+    if let Some((_, twice)) = parameters.iter().enumerate().find(|one| is_twice(*one)) {
+        return Err(format!("the argument `{}` of `{}` is given twice", twice.name, called.name));
+    }
+    let value = |argument: &Param| {
         let given = parameters.iter().find(|one| one.name == argument.name);
         given.map_or_else(|| Ok(argument.plain(argument.default)), |one| plain(&one.name, &one.value))
     };
@@ -225,6 +255,17 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_are_what_was_sent_or_are_refused() {
+        let param = serde_json::json!({ "name": "steps", "doc": "", "unit": null, "kind": "i32", "min": -9, "max": 9, "default": 0 });
+        let steps: Param = serde_json::from_value(param).expect("a parameter");
+        assert_eq!(number(-3.0, Some(&steps)), Plain::Integer(-3));
+        for wrong in [2.5, f32::NAN, f32::INFINITY] {
+            assert!(steps.value_of(&number(wrong, Some(&steps))).is_err(), "{wrong}");
+        }
+        assert_eq!(number(3.0, None), Plain::Number(3.0));
+    }
+
+    #[test]
     fn arguments_are_taken_by_name_and_the_others_are_defaults() {
         let description = serde_json::json!({ "name": "go", "doc": "", "arguments": [
             { "name": "speed", "doc": "", "unit": null, "kind": "f32", "min": 0.0, "max": 1.0, "default": 0.5 },
@@ -236,5 +277,7 @@ mod tests {
         assert_eq!(arguments(&called, &given), Ok(vec![Plain::Number(0.5), Plain::Bool(true)]));
         let unknown = [Parameter { name: "sped".to_owned(), ..Parameter::default() }];
         assert!(arguments(&called, &unknown).is_err_and(|error| error.contains("speed, side")));
+        let twice = [given[0].clone(), given[0].clone()];
+        assert!(arguments(&called, &twice).is_err_and(|error| error.contains("twice")));
     }
 }

@@ -7,7 +7,7 @@ use bica::{ComponentId, Hold, Value};
 use bica_link::{Client, Error};
 use bica_wire::model::{Description, Info, Kind, Param, Plain};
 
-use crate::message::Twist;
+use crate::message::{Twist, Vector3};
 
 /// Arguments of a modulation that moves a robot: speeds ahead and to the left, m/s, and turning speed to the left, rad/s.
 const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
@@ -34,6 +34,8 @@ pub(super) struct Drive {
     is_held: bool,
     /// Last speed, if it was not zero, and when it came.
     moving: Option<Instant>,
+    /// Whether the last speed was no number, which is reported once.
+    is_refused: bool,
 }
 
 impl Drive {
@@ -59,7 +61,20 @@ impl Drive {
             guides: guides(description),
             is_held: false,
             moving: None,
+            is_refused: false,
         })
+    }
+
+    /// Checks that all numbers are finite, also as the robot has them. If they are not, the message counts as silence.
+    ///
+    /// # Errors
+    /// The refusal; none if the message before was refused, too.
+    pub(super) fn check(&mut self, twist: &Twist) -> Result<(), Option<String>> {
+        let numbers = [&twist.linear, &twist.angular].map(|Vector3 { x, y, z }| [*x, *y, *z]);
+        let is_finite = numbers.as_flattened().iter().all(|number| (*number as f32).is_finite());
+        let was_refused = std::mem::replace(&mut self.is_refused, !is_finite);
+        let text = "a speed of cmd_vel is not a finite number: it moves nothing; send finite speeds";
+        if is_finite { Ok(()) } else { Err((!was_refused).then(|| text.to_owned())) }
     }
 
     /// Moves the robot; a speed beyond the range is the greatest one. The tree's root is held latent.
@@ -97,5 +112,32 @@ impl Drive {
             self.drive(link, &Twist::default())?;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_speed_that_is_no_number_is_refused_once() {
+        let mut drive = Drive {
+            root: ComponentId::new(0),
+            component: ComponentId::new(1),
+            modulation: 0,
+            arguments: Vec::new(),
+            guides: Vec::new(),
+            is_held: false,
+            moving: None,
+            is_refused: false,
+        };
+        let ahead = |x| Twist { linear: Vector3 { x, ..Vector3::default() }, ..Twist::default() };
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+            assert!(drive.check(&ahead(wrong)).is_err_and(|text| text.is_some()), "{wrong}");
+            assert_eq!(drive.check(&ahead(wrong)), Err(None), "{wrong}");
+            assert_eq!(drive.check(&ahead(5.0)), Ok(()), "a speed beyond the range is the greatest one");
+        }
+        let turn = Twist { angular: Vector3 { x: f64::NAN, ..Vector3::default() }, ..ahead(0.1) };
+        assert!(drive.check(&turn).is_err(), "all numbers of a message are checked");
     }
 }

@@ -1,24 +1,23 @@
 //! A robot's link as a node.
 
 mod calls;
+mod checked;
 mod drive;
 mod network;
 mod operator;
 mod parameters;
 mod pending;
 mod robot;
+mod thread;
 mod values;
 
 use std::collections::{BTreeMap, VecDeque};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::{self, JoinHandle};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use bica::Format;
-use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Snapshot};
-use bica_wire::message::{ExtraKind, Offers, WorldChange};
-use bica_wire::model::{Description, Invalid};
+use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, Snapshot};
+use bica_wire::message::{ExtraKind, Offers};
+use bica_wire::model::Invalid;
 use ros2_client::dds::Subscription;
 use serde_json::Value;
 
@@ -26,12 +25,14 @@ use crate::message::Twist;
 use crate::names::Names;
 use crate::topics::Topics;
 use calls::Calls;
+use checked::checked;
 use drive::Drive;
 use network::Network;
 use operator::Operator;
 use parameters::{Parameters, result};
 use pending::Pending;
 use robot::Robot;
+pub use thread::Ros;
 
 /// Longest time between two looks at what nodes have sent.
 const LOOK_AFTER: Duration = Duration::from_millis(2);
@@ -43,6 +44,8 @@ const MAX_WAITING: usize = 4096;
 const MAX_EVENTS: usize = 256;
 /// Level of a warning in the log of a robot.
 const WARNING: u8 = 3;
+/// Number of images in which the cameras of a robot are looked for, and one more.
+const LOOKS: u32 = 17;
 /// Difference of the clocks of robot and computer beyond which the robot's is set again, ns.
 const CLOCKS_DIFFER: u64 = 100_000_000;
 
@@ -59,62 +62,6 @@ pub struct Options {
     pub anywhere: bool,
 }
 
-/// A node of a robot that runs in this process. It leaves the network when it is dropped.
-#[derive(Debug)]
-pub struct Ros {
-    stopped: Arc<AtomicBool>,
-    thread: Option<JoinHandle<()>>,
-    name: String,
-}
-
-impl Ros {
-    /// Starts a node for the robot that is served at an address. A world that waits in this process continues once the node exists.
-    /// `description` is that of the robot's tree.
-    ///
-    /// # Errors
-    /// If the node cannot be made.
-    pub fn start(address: &Address, description: &Description, options: &Options) -> Result<Self, Invalid> {
-        let names = Names::new(description, &options.namespace);
-        let (network, name) = (Network::join(options, &names)?, names.full());
-        let stopped = Arc::new(AtomicBool::new(false));
-        let (stop, address, options) = (Arc::clone(&stopped), address.clone(), options.clone());
-        let work = move || {
-            let work = || {
-                let link = Client::connect(&address, ClientOptions::default())?;
-                let mut bridge = Bridge::new(link, network, &names, options.operator)?;
-                bridge.begin()?;
-                if matches!(address, Address::Memory(_)) {
-                    bridge.resume()?;
-                }
-                bridge.run(&|| stop.load(Ordering::Relaxed))
-            };
-            if let Err(invalid) = work() {
-                eprintln!("warning: the ROS node has ended, the run goes on: {}", invalid.what);
-            }
-        };
-        let thread = thread::Builder::new().name("ros".to_owned()).spawn(work);
-        let thread =
-            thread.map_err(|error| Invalid::new(format!("cannot start a thread: {error}"), "is there memory left?"));
-        Ok(Self { stopped, thread: Some(thread?), name })
-    }
-
-    /// Returns the full name of the node.
-    #[must_use]
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-}
-
-impl Drop for Ros {
-    fn drop(&mut self) {
-        self.stopped.store(true, Ordering::Relaxed);
-        if let Some(thread) = self.thread.take() {
-            // A panic of the thread has printed its message.
-            let _ = thread.join();
-        }
-    }
-}
-
 /// Makes a robot that is served at an address a node, until `stop` or the robot's end.
 ///
 /// # Errors
@@ -126,7 +73,7 @@ pub fn bridge(
     stop: &dyn Fn() -> bool,
 ) -> Result<(), Invalid> {
     let link = Client::connect(address, ClientOptions::default())?;
-    let names = Names::new(link.description(), &options.namespace);
+    let names = checked(link.description(), options)?;
     let (network, name) = (Network::join(options, &names)?, names.full());
     let mut bridge = Bridge::new(link, network, &names, options.operator)?;
     bridge.begin()?;
@@ -150,6 +97,8 @@ struct Bridge {
     start: u64,
     /// Values of the parameters that nodes know.
     values: Vec<Vec<bica::Value>>,
+    /// Number of images until their cameras are known, and one more; 0: nothing is looked for.
+    looks: u32,
     /// Last line of the log: what is driven repeats its own.
     last_line: String,
 }
@@ -179,27 +128,33 @@ impl Bridge {
             waiting,
             start: 0,
             values,
+            looks: 0,
             last_line: String::new(),
         })
     }
 
+    /// Passes on what both sides send, until `stop` or the robot's end.
     fn run(mut self, stop: &dyn Fn() -> bool) -> Result<(), Invalid> {
         while !stop() {
-            let mut event = match self.robot.link.poll(LOOK_AFTER) {
+            match self.step() {
                 Err(Error::Disconnected(_)) => return Ok(()),
-                event => event?,
-            };
-            for _ in 0..MAX_EVENTS {
-                let Some(present) = event.take() else { break };
-                self.event(present);
-                event = self.robot.link.poll(Duration::ZERO)?;
+                done => done?,
             }
-            if let Some(last) = event {
-                self.event(last);
-            }
-            self.look()?;
         }
         Ok(())
+    }
+
+    fn step(&mut self) -> Result<(), Error> {
+        let mut event = self.robot.link.poll(LOOK_AFTER)?;
+        for _ in 0..MAX_EVENTS {
+            let Some(present) = event.take() else { break };
+            self.event(present);
+            event = self.robot.link.poll(Duration::ZERO)?;
+        }
+        if let Some(last) = event {
+            self.event(last);
+        }
+        self.look()
     }
 
     fn begin(&mut self) -> Result<(), Error> {
@@ -207,18 +162,12 @@ impl Bridge {
             self.values[component] = self.current(component);
         }
         self.network.send(self.topics.fixed_frames());
+        if self.robot.link.offers().contains(Offers::IMAGES) && !self.topics.cameras().is_single() {
+            self.looks = LOOKS;
+            self.robot.link.watch_extra(ExtraKind::Images, 1)?;
+        }
         self.robot.link.watch(1)?;
         Ok(())
-    }
-
-    /// Continues a world that waits for its monitor.
-    fn resume(&mut self) -> Result<(), Error> {
-        if !self.robot.simulated {
-            return Ok(());
-        }
-        self.robot.link.acquire(false)?;
-        self.robot.link.change_world(WorldChange::Resume)?;
-        self.robot.link.release()
     }
 
     /// Looks at what nodes have sent, and who listens.
@@ -228,14 +177,26 @@ impl Bridge {
         }
         self.parameters.handle(&mut self.robot)?;
         self.calls.handle(&mut self.robot)?;
+        let mut refused = None;
         if let Some((drive, commands)) = &mut self.drive {
             while let Ok(Some((twist, info))) = commands.take() {
+                if let Err(text) = drive.check(&twist) {
+                    refused = refused.or(text);
+                    continue;
+                }
                 match self.robot.operator.check(&mut self.robot.link, info.publisher_gid()) {
                     Ok(()) => drive.drive(&mut self.robot.link, &twist)?,
                     refused => self.robot.report(refused),
                 }
             }
             drive.end_silence(&mut self.robot.link)?;
+        }
+        if let Some(text) = refused {
+            self.log(self.now(), WARNING, &text);
+        }
+        if self.looks == 1 {
+            self.looks = 0;
+            self.watch_images()?;
         }
         if let Some(text) = self.robot.warning.take() {
             self.log(self.now(), WARNING, &text);
@@ -245,22 +206,43 @@ impl Bridge {
 
     /// Watches what a topic needs, if somebody listens to it, or to another topic that needs it.
     fn watch(&mut self, topic: usize, is_heard: bool) -> Result<(), Error> {
+        if self.topics.is_image(topic) {
+            self.watch_images()?;
+        }
         let (link, every) = (&mut self.robot.link, u16::from(is_heard));
-        let extra = match topic {
-            _ if self.topics.is_image(topic) => Some((ExtraKind::Images, Offers::IMAGES)),
-            _ if self.topics.is_costs(topic) => Some((ExtraKind::Costs, Offers::COSTS)),
-            _ => None,
-        };
-        if let Some((kind, offer)) = extra
-            && link.offers().contains(offer)
-        {
-            link.watch_extra(kind, every)?;
+        if self.topics.is_costs(topic) && link.offers().contains(Offers::COSTS) {
+            link.watch_extra(ExtraKind::Costs, every)?;
         }
         for (component, info) in self.topics.sources(topic) {
             let is_needed = self.topics.of(component, info).any(|other| self.network.is_heard(other));
             link.watch_info(component, info, u16::from(is_needed))?;
         }
         Ok(())
+    }
+
+    /// Watches images while somebody listens to those of any camera, or while cameras are looked for.
+    fn watch_images(&mut self) -> Result<(), Error> {
+        let is_heard =
+            (0..self.topics.all().len()).any(|topic| self.topics.is_image(topic) && self.network.is_heard(topic));
+        if self.robot.link.offers().contains(Offers::IMAGES) {
+            self.robot.link.watch_extra(ExtraKind::Images, u16::from(is_heard || self.looks > 0))?;
+        }
+        Ok(())
+    }
+
+    /// Publishes an image; the first one of a camera has a new topic.
+    fn image(&mut self, image: &Image) {
+        let Image { width, height, camera, time_us, yuyv, .. } = image;
+        let camera = self.topics.cameras().frame_of(camera).to_owned();
+        let known = self.topics.all().len();
+        let format = Format::Yuyv { width: *width, height: *height };
+        let messages = self.topics.image(self.time(*time_us), &camera, format, yuyv);
+        let added = self.topics.all()[known..].iter().try_for_each(|topic| self.network.publish(topic));
+        match added {
+            Ok(()) => self.network.send(messages),
+            Err(invalid) => self.log(self.now(), WARNING, &invalid.what),
+        }
+        self.looks -= u32::from(self.looks > 1);
     }
 
     fn event(&mut self, event: Event) {
@@ -286,11 +268,7 @@ impl Bridge {
                 self.network.send(messages);
             }
             Event::Scenery(items) => self.network.send(self.topics.scenery(&items)),
-            Event::Image(image) => {
-                let format = Format::Yuyv { width: image.width, height: image.height };
-                let messages = self.topics.image(self.time(image.time_us), &image.camera, format, &image.yuyv);
-                self.network.send(messages);
-            }
+            Event::Image(image) => self.image(&image),
             _ => {}
         }
     }

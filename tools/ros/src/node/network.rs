@@ -54,7 +54,7 @@ impl Network {
     }
 
     /// Adds a topic that the robot sends; it has the next index.
-    pub(super) fn publish(&mut self, Topic { name, kind, quality }: &Topic) -> Result<(), Invalid> {
+    pub(super) fn publish(&mut self, Topic { name, kind, quality, .. }: &Topic) -> Result<(), Invalid> {
         let topic = self.topic(name, *kind, &qos(*quality))?;
         let publisher = self.node.create_publisher(&topic, None).map_err(|error| refused(name, &error))?;
         self.writers.insert(publisher.guid(), self.publishers.len());
@@ -90,7 +90,7 @@ impl Network {
     pub(super) fn send(&self, messages: Vec<Sent>) {
         for (topic, message) in messages {
             // Without room the message is lost, like that of a best-effort topic: a slow node does not delay the others.
-            let _ = self.publishers[topic].publish(message);
+            let _ = self.publishers.get(topic).map(|publisher| publisher.publish(message));
         }
     }
 

@@ -4,13 +4,13 @@ mod convert;
 mod markers;
 mod output;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use bica::Format;
 use bica_link::{Costs, Shown};
-use bica_recording::jpeg;
 use bica_recording::shape::{CALIBRATION, OPTICAL};
-use bica_wire::model::{Component, Description};
+use bica_recording::{Cameras, NameTable, jpeg};
+use bica_wire::model::{Component, Description, Invalid};
 use serde_json::Value;
 
 use crate::message::{
@@ -40,11 +40,30 @@ pub(crate) enum Quality {
     Latched,
 }
 
+impl Quality {
+    /// Returns the quality of service as the metadata of a bag have it: YAML, with a number for each choice.
+    pub(crate) fn profile(self) -> String {
+        let (depth, reliability, durability) = match self {
+            Self::Sensor => (10, 2, 2),
+            Self::Reliable => (10, 1, 2),
+            Self::Latched => (1, 1, 1),
+        };
+        let forever = "{sec: 9223372036, nsec: 854775807}";
+        format!(
+            "[{{history: 1, depth: {depth}, reliability: {reliability}, durability: {durability}, deadline: {forever}, \
+             lifespan: {forever}, liveliness: 1, liveliness_lease_duration: {forever}, \
+             avoid_ros_namespace_conventions: false}}]"
+        )
+    }
+}
+
 /// A topic.
 #[derive(Clone, Debug)]
 pub(crate) struct Topic {
     /// Absolute name.
     pub(crate) name: String,
+    /// What it is the topic of.
+    source: String,
     pub(crate) kind: Kind,
     pub(crate) quality: Quality,
 }
@@ -58,8 +77,11 @@ pub(crate) struct Topics {
     all: Vec<Topic>,
     outputs: BTreeMap<(usize, usize), Output>,
     names: Names,
-    /// Name of the frame of the cameras, if the tree calibrates one.
-    camera: Option<String>,
+    cameras: Cameras,
+    /// Topic of the images of each frame of a camera; none if ROS cannot distinguish its name from another one.
+    images: BTreeMap<String, Option<usize>>,
+    /// Frames of cameras that the tree calibrates.
+    calibrated: BTreeSet<String>,
     tf_static: usize,
     clock: usize,
     log: usize,
@@ -67,7 +89,6 @@ pub(crate) struct Topics {
     parameters: usize,
     scenery: usize,
     states: usize,
-    image: Option<usize>,
     /// Topic and last name of the state of each component with states.
     state: BTreeMap<usize, (usize, String)>,
     last_states: Vec<String>,
@@ -77,34 +98,47 @@ impl Topics {
     /// The topics of a robot.
     pub(crate) fn new(description: &Description, names: Names, has_images: bool) -> Self {
         let mut topics = Vec::new();
-        let mut add = |name: String, kind, quality| {
-            topics.push(Topic { name, kind, quality });
+        let mut add = |name: String, source: String, kind, quality| {
+            topics.push(Topic { name, source, kind, quality });
             topics.len() - 1
         };
-        let tf = add("/tf".to_owned(), Kind::of::<Transforms>(), Quality::Reliable);
-        let tf_static = add("/tf_static".to_owned(), Kind::of::<Transforms>(), Quality::Latched);
-        let clock = add("/clock".to_owned(), Kind::of::<Clock>(), Quality::Sensor);
-        let log = add("/rosout".to_owned(), Kind::of::<Log>(), Quality::Latched);
-        let diagnostics = add("/diagnostics".to_owned(), Kind::of::<DiagnosticArray>(), Quality::Reliable);
-        let parameters = add("/parameter_events".to_owned(), Kind::of::<ParameterEvent>(), Quality::Reliable);
-        let scenery = add(names.private(&["scenery"]), Kind::of::<MarkerArray>(), Quality::Latched);
-        let states = add(names.private(&["states"]), Kind::of::<DiagnosticStatus>(), Quality::Latched);
+        let mut own = |name: String, kind, quality| {
+            let source = format!("the node's own `{}`", name.rsplit('/').next().unwrap_or_default());
+            add(name, source, kind, quality)
+        };
+        let tf = own("/tf".to_owned(), Kind::of::<Transforms>(), Quality::Reliable);
+        let tf_static = own("/tf_static".to_owned(), Kind::of::<Transforms>(), Quality::Latched);
+        let clock = own("/clock".to_owned(), Kind::of::<Clock>(), Quality::Sensor);
+        let log = own("/rosout".to_owned(), Kind::of::<Log>(), Quality::Latched);
+        let diagnostics = own("/diagnostics".to_owned(), Kind::of::<DiagnosticArray>(), Quality::Reliable);
+        let parameters = own("/parameter_events".to_owned(), Kind::of::<ParameterEvent>(), Quality::Reliable);
+        let scenery = own(names.private(&["scenery"]), Kind::of::<MarkerArray>(), Quality::Latched);
+        let states = own(names.private(&["states"]), Kind::of::<DiagnosticStatus>(), Quality::Latched);
         let state = description.components.iter().enumerate().filter(|(_, one)| !one.states.is_empty());
         let state = state.map(|(index, one)| {
-            let topic = add(names.private(&[&one.name, "state"]), Kind::of::<Text>(), Quality::Latched);
+            let source = format!("the state of `{}`", one.name);
+            let topic = add(names.private(&[&one.name, "state"]), source, Kind::of::<Text>(), Quality::Latched);
             (index, (topic, String::new()))
         });
         let state = state.collect();
-        let camera = placements(description).find(|one| one.shape == CALIBRATION).map(|one| one.frame.clone());
-        let image = names.public(&format!("{}/image_raw/compressed", camera.as_deref().unwrap_or("camera")));
-        let image = has_images.then(|| add(image, Kind::of::<CompressedImage>(), Quality::Sensor));
+        let calibrated = placements(description).filter(|one| one.shape == CALIBRATION).map(|one| one.frame.clone());
+        let calibrated = calibrated.collect();
+        let is_in_image = |shape: &str| shape == CALIBRATION || shape.starts_with("Image");
+        let frames = placements(description).filter(|one| has_images && is_in_image(&one.shape));
+        let images = frames.map(|one| one.frame.clone()).collect::<BTreeSet<_>>().into_iter().map(|frame| {
+            let Topic { name, source, kind, quality } = image_topic(&names, &frame);
+            (frame, Some(add(name, source, kind, quality)))
+        });
+        let images = images.collect();
         let outputs = output::all(description, &names, tf, &mut add);
         let last_states = Vec::new();
         Self {
             all: topics,
             outputs,
             names,
-            camera,
+            cameras: Cameras::new(description),
+            images,
+            calibrated,
             tf_static,
             clock,
             log,
@@ -112,10 +146,17 @@ impl Topics {
             parameters,
             scenery,
             states,
-            image,
             state,
             last_states,
         }
+    }
+
+    /// Checks that each topic has another name.
+    ///
+    /// # Errors
+    /// The two things with one name.
+    pub(crate) fn check(&self, table: &mut NameTable) -> Result<(), Invalid> {
+        self.all.iter().try_for_each(|topic| table.add(&topic.name, &topic.source))
     }
 
     pub(crate) fn all(&self) -> &[Topic] {
@@ -134,7 +175,7 @@ impl Topics {
 
     /// Whether a topic shows images.
     pub(crate) fn is_image(&self, topic: usize) -> bool {
-        Some(topic) == self.image
+        self.images.values().any(|image| *image == Some(topic))
     }
 
     /// Whether a topic shows costs.
@@ -153,9 +194,9 @@ impl Topics {
 
     /// Returns the places of frames that never move.
     pub(crate) fn fixed_frames(&self) -> Vec<Sent> {
-        let Some(camera) = &self.camera else { return Vec::new() };
-        let optical = format!("{}_optical", self.names.frame(camera));
-        sent(self.tf_static, &Transforms { transforms: vec![transform(self.header(0, camera), optical, &OPTICAL)] })
+        let of_camera = |frame: &String| transform(self.header(0, frame), self.names.optical(frame), &OPTICAL);
+        let transforms: Vec<_> = self.calibrated.iter().map(of_camera).collect();
+        if transforms.is_empty() { Vec::new() } else { sent(self.tf_static, &Transforms { transforms }) }
     }
 
     /// Returns the time of a simulation, ns.
@@ -195,9 +236,28 @@ impl Topics {
         sent(self.scenery, &MarkerArray { markers: items.iter().flat_map(of_item).collect() })
     }
 
-    /// Returns a camera image, coded as JPEG. Cameras of other names than the tree's share its frame, as in the tree.
+    /// Frames of the cameras.
+    pub(crate) const fn cameras(&self) -> &Cameras {
+        &self.cameras
+    }
+
+    /// Returns a camera image in a frame, coded as JPEG. The first one of a frame adds its topic.
     pub(crate) fn image(&mut self, time: u64, camera: &str, format: Format<'_>, pixels: &[u8]) -> Vec<Sent> {
-        let Some(topic) = self.image else { return Vec::new() };
+        let topic = match self.images.get(camera) {
+            Some(topic) => *topic,
+            None => {
+                let topic = image_topic(&self.names, camera);
+                let other = self.all.iter().find(|other| other.name == topic.name);
+                let what = other.map(|other| format!("{} and {} have the same ROS topic", other.source, topic.source));
+                self.images.insert(camera.to_owned(), what.is_none().then_some(self.all.len()));
+                if let Some(what) = what {
+                    return self.log(time, 3, &format!("{what}: the second one is not published; rename its frame"));
+                }
+                self.all.push(topic);
+                Some(self.all.len() - 1)
+            }
+        };
+        let Some(topic) = topic else { return Vec::new() };
         let (data, size) = match format {
             Format::Jpeg => (pixels.to_vec(), None),
             _ => match jpeg(format, pixels, MAX_WIDTH) {
@@ -205,11 +265,12 @@ impl Topics {
                 None => return Vec::new(),
             },
         };
-        for output in self.outputs.values_mut().filter(|_| size.is_some()) {
-            output.image_size = size;
+        for output in self.outputs.values_mut().filter(|output| output.camera.as_deref() == Some(camera)) {
+            output.image_size = size.or(output.image_size);
         }
-        let known = self.camera.as_ref().map(|own| format!("{own}_optical"));
-        let header = self.header(time, known.as_deref().unwrap_or(camera));
+        let is_calibrated = self.calibrated.contains(camera);
+        let frame_id = if is_calibrated { self.names.optical(camera) } else { self.names.frame(camera) };
+        let header = Header { stamp: stamp(time), frame_id };
         sent(topic, &CompressedImage { header, format: "jpeg".to_owned(), data })
     }
 
@@ -249,6 +310,12 @@ impl Topics {
         let header = Header { stamp: stamp(time), frame_id: String::new() };
         sent(self.diagnostics, &DiagnosticArray { header, status })
     }
+}
+
+/// Returns the topic of the images in a frame.
+fn image_topic(names: &Names, frame: &str) -> Topic {
+    let (name, source) = (names.camera(frame, "image_raw/compressed"), format!("the images in the frame `{frame}`"));
+    Topic { name, source, kind: Kind::of::<CompressedImage>(), quality: Quality::Sensor }
 }
 
 fn placements(description: &Description) -> impl Iterator<Item = &bica_wire::model::Placement> {

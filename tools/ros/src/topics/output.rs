@@ -55,7 +55,9 @@ pub(super) struct Output {
     child: Option<String>,
     /// Topic of the messages, and of transforms.
     pub(super) topics: [Option<usize>; 2],
-    /// Size of the last image, px.
+    /// The camera's own name of its frame.
+    pub(super) camera: Option<String>,
+    /// Size of the camera's last image, px.
     pub(super) image_size: Option<[u32; 2]>,
     /// The last place and its time, ns.
     last: Option<(u64, Place)>,
@@ -66,7 +68,7 @@ pub(super) fn all(
     description: &Description,
     names: &Names,
     tf: usize,
-    add: &mut impl FnMut(String, Kind, Quality) -> usize,
+    add: &mut impl FnMut(String, String, Kind, Quality) -> usize,
 ) -> BTreeMap<(usize, usize), Output> {
     let infos = || {
         let components = description.components.iter().enumerate();
@@ -77,24 +79,25 @@ pub(super) fn all(
     let mut outputs = BTreeMap::new();
     for (key, component, info) in infos() {
         let form = Form::of(info);
-        let is_only = infos().filter(|(_, _, other)| Form::of(other) == form).count() == 1;
+        let public_of = |info: &Info| {
+            let frame = info.placement.as_ref().map(|one| one.frame.as_str()).unwrap_or_default();
+            Form::of(info).public(frame, names)
+        };
+        let public = public_of(info);
+        let is_only = infos().filter(|(_, _, other)| public_of(other) == public).count() == 1;
         let own = || names.private(&[&component.name, &info.name]);
         let placement = info.placement.as_ref();
         let frame = placement.map(|one| one.frame.as_str()).unwrap_or_default();
-        let name = match form.public(frame).filter(|_| is_only) {
-            Some(name) => names.public(&name),
-            None => own(),
-        };
-        let topic = (form != Form::Frame).then(|| add(name, form.kind(), form.quality()));
+        let name = public.filter(|_| is_only || form == Form::Camera).unwrap_or_else(own);
+        let source = format!("the output `{}.{}`", component.name, info.name);
+        let topic = (form != Form::Frame).then(|| add(name, source, form.kind(), form.quality()));
         let child = placement.and_then(|one| one.child.as_deref()).map(|child| names.frame(child));
-        let frame = match form {
-            Form::Camera => format!("{}_optical", names.frame(frame)),
-            _ => names.frame(frame),
-        };
+        let camera = (form == Form::Camera).then(|| frame.to_owned());
+        let frame = if camera.is_some() { names.optical(frame) } else { names.frame(frame) };
         let shape = placement.map(|one| one.shape.clone()).unwrap_or_default();
         let name = format!("{}/{}", component.name, info.name);
         let topics = [topic, child.is_some().then_some(tf)];
-        outputs.insert(key, Output { form, name, shape, frame, child, topics, image_size: None, last: None });
+        outputs.insert(key, Output { form, name, shape, frame, child, topics, camera, image_size: None, last: None });
     }
     outputs
 }
@@ -146,14 +149,14 @@ impl Form {
         }
     }
 
-    /// Returns the name under which other nodes look for the only output of this form.
-    fn public(self, frame: &str) -> Option<String> {
+    /// Returns the name under which other nodes look for the only output of this form, or for that of a camera.
+    fn public(self, frame: &str, names: &Names) -> Option<String> {
         Some(match self {
-            Self::Odometry => "odom".to_owned(),
-            Self::Scan => "scan".to_owned(),
-            Self::Joints => "joint_states".to_owned(),
-            Self::Imu => "imu".to_owned(),
-            Self::Camera => format!("{frame}/camera_info"),
+            Self::Odometry => names.public("odom"),
+            Self::Scan => names.public("scan"),
+            Self::Joints => names.public("joint_states"),
+            Self::Imu => names.public("imu"),
+            Self::Camera => names.camera(frame, "camera_info"),
             _ => return None,
         })
     }

@@ -37,10 +37,29 @@ pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
     Ok(recording)
 }
 
-/// Holds and rates, as requests changed them.
+/// Holds and rates, as requests changed them, and the times of the cycles.
 struct Requested {
     holds: Vec<Hold>,
     rates: Vec<Option<f32>>,
+    times: Times,
+}
+
+/// Times since the first cycle, which never run backwards: a history finds them by their order.
+#[derive(Default)]
+struct Times {
+    /// Of the first cycle, ns since the start of the run's clock.
+    first: Option<u64>,
+    /// Of the last cycle, µs.
+    last: u64,
+}
+
+impl Times {
+    /// Returns the time of a cycle, µs.
+    fn next(&mut self, ns: u64) -> u64 {
+        let time_us = ns.saturating_sub(*self.first.get_or_insert(ns)) / 1000;
+        self.last = self.last.max(time_us);
+        self.last
+    }
 }
 
 impl Requested {
@@ -79,6 +98,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
     let mut requested = Requested {
         holds: vec![Hold::Tree; description.components.len()],
         rates: description.components.iter().map(|component| component.hz).collect(),
+        times: Times::default(),
     };
     session.describe(description, can);
     let length = fs::metadata(&session.shared().recorded.path).map_or(0, |file| file.len()).max(1);
@@ -136,7 +156,7 @@ fn batch(
     }
     let mut shared = session.shared();
     for (cycle, place) in cycles {
-        let time_us = header.nanoseconds(cycle.tick.instant) / 1000;
+        let time_us = requested.times.next(header.nanoseconds(cycle.tick.instant));
         cycle.requests.iter().for_each(|request| requested.apply(request));
         if let Some(holds) = &cycle.holds {
             requested.replace(holds);
@@ -150,7 +170,8 @@ fn batch(
         if let Some(place) = place {
             shared.images_taken += 1;
             let number = place.id.wrapping_sub(1);
-            shared.recorded.places.push((number, place.time / 1000, place));
+            let of_place = place.time.saturating_sub(requested.times.first.unwrap_or_default()) / 1000;
+            shared.recorded.places.push((number, of_place, place));
         }
         for line in lines(&cycle, header, time_us) {
             shared.history.add_line(line);
