@@ -85,9 +85,15 @@ fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
     console.print_row("first", &format!("cycle {} at {:.2} s: {field}", first.cycle, first.t))?;
     console.print_row("recorded", &first.recorded)?;
     console.print_row("repeated", &first.repeated)?;
-    if *equal || replayed.source == "recording" {
+    if *equal || (replayed.source == "recording" && replayed.processors.is_none()) {
     } else if !replayed.set.is_empty() {
         console.print_row("cause", &format!("other parameters: {}", replayed.set.join(", ")))?;
+    } else if let Some([recorded, repeated]) = &replayed.processors {
+        let text = format!(
+            "the processors differ: recorded on {recorded}; here {repeated}. Worlds that use mathematical functions of the system, \
+             such as MuJoCo, differ on them"
+        );
+        console.print_row("cause", &text)?;
     } else if replayed.same_build {
         console.print_row(
             "cause",

@@ -18,7 +18,8 @@ use bica_wire::message::LogSource;
 use bica_wire::model::Modulation;
 use crc32fast::Hasher;
 
-use crate::header::{Header, ImagePolicy};
+use crate::figure::Figure;
+use crate::header::{Ending, Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
@@ -94,6 +95,7 @@ pub struct Recorder {
     requests: Vec<RequestRecord>,
     sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
+    figures: Vec<Figure>,
 }
 
 /// Function that returns the owner of large data.
@@ -138,6 +140,7 @@ impl Recorder {
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
+            figures: Vec::new(),
         })
     }
 
@@ -169,6 +172,11 @@ impl Recorder {
         self.queue.push(Entry::Costs(costs));
     }
 
+    /// Sets the numbers of the result.
+    pub fn set_figures(&mut self, figures: Vec<Figure>) {
+        self.figures = figures;
+    }
+
     /// Writes what is queued and closes the file. `result` is the result of the run, as text.
     #[must_use]
     pub fn finish(mut self, result: &str) -> Report {
@@ -176,7 +184,8 @@ impl Recorder {
     }
 
     fn close(&mut self, result: &str) -> Report {
-        self.queue.close(result);
+        let (result, figures) = (result.to_owned(), std::mem::take(&mut self.figures));
+        self.queue.close(Ending { result, figures, ..Ending::default() });
         let report = self.thread.take().map(JoinHandle::join);
         let failed = || Report { reason: Some("the thread of the recorder failed".to_owned()), ..Report::default() };
         report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))
