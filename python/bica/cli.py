@@ -32,7 +32,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("interrupted; the same command continues", file=sys.stderr)
         return INTERRUPTED
     except ImportError as error:
-        print(f"error: {error}\n  help: `pip install \"./python[search]\"` in a checkout brings what a search needs", file=sys.stderr)
+        print(f'error: {error}\n  help: `pip install "./python[search]"` in a checkout brings it', file=sys.stderr)
         return 2
     except (BicaError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
