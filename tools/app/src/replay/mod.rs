@@ -90,8 +90,8 @@ fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
         console.print_row("cause", &format!("other parameters: {}", replayed.set.join(", ")))?;
     } else if let Some([recorded, repeated]) = &replayed.processors {
         let text = format!(
-            "the processors differ: recorded on {recorded}; here {repeated}. Worlds that use mathematical functions of the system, \
-             such as MuJoCo, differ on them"
+            "perhaps the processors: recorded on {recorded}; here {repeated}. Worlds that use mathematical functions of the \
+             system, such as MuJoCo, differ on them"
         );
         console.print_row("cause", &text)?;
     } else if replayed.same_build {

@@ -10,7 +10,9 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{ComponentCosts, Costs, Header, ImagePolicy, LogLine, LogSource, Program, Recorder, Report, SetUp, Topics};
+use bica_recording::{
+    ComponentCosts, Costs, Header, ImagePolicy, LogLine, LogSource, Program, Recorder, Report, SetUp, Topics,
+};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
