@@ -166,6 +166,10 @@ impl World<Cart> for Road {
         write!(out, "{:.2} m before the obstacle", self.distance)
     }
 
+    fn figures(&self, figure: &mut dyn FnMut(&'static str, f64, &'static str)) {
+        figure("gap", self.distance.into(), "m");
+    }
+
     fn scenery(&self, scene: &mut dyn Scene) {
         let obstacle = Rectangle { x: 0.1, y: 0.0, heading: 0.0, length: 0.2, width: 1.0 };
         scene.show(&SceneItem::new("obstacle", "road"), &obstacle);

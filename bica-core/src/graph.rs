@@ -25,6 +25,10 @@ pub struct Graph {
     pub budget_ms: Option<f32>,
     /// Whether the parameters of the components can be changed at run time.
     pub tunable: bool,
+    /// Version of the package that declares the tree; none if it was not built by Cargo.
+    pub version: Option<&'static str>,
+    /// Commit of its sources: the variable `GIT_COMMIT` when it was built, as `git describe --always --dirty --abbrev=40` prints it.
+    pub commit: Option<&'static str>,
     /// Index of the root in `nodes`.
     pub root: usize,
     /// The components, in the order in which the tree lists them.

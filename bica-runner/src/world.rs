@@ -45,6 +45,11 @@ pub trait World<R: Robot> {
         Ok(())
     }
 
+    /// Reports numbers of the result so far, each with its name and unit (`""`: none), in the same order each time; none by default. A
+    /// search of parameters can optimise them; a NaN is a missing value. Names consist of letters, digits and `_`.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn figures(&self, figure: &mut dyn FnMut(&'static str, f64, &'static str)) {}
+
     /// Shows what does not move, such as walls, once before the first cycle; nothing by default.
     ///
     /// Neither this nor [`truth`](Self::truth) reaches the robot: only monitors see it.
@@ -81,6 +86,10 @@ macro_rules! forward_to_target {
 
         fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
             (**self).report(out)
+        }
+
+        fn figures(&self, figure: &mut dyn FnMut(&'static str, f64, &'static str)) {
+            (**self).figures(figure);
         }
 
         fn scenery(&self, scene: &mut dyn Scene) {

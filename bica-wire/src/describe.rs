@@ -115,8 +115,17 @@ impl Iterator for GraphItems<'_> {
 impl GraphItems<'_> {
     /// Lists the actions of a world alone, without [`GraphItem::End`].
     pub(crate) fn of_actions(actions: &'static [Action]) -> Self {
-        const NONE: Graph =
-            Graph { name: "", doc: "", cycle_hz: 0.0, budget_ms: None, tunable: false, root: 0, nodes: &[] };
+        const NONE: Graph = Graph {
+            name: "",
+            doc: "",
+            cycle_hz: 0.0,
+            budget_ms: None,
+            tunable: false,
+            version: None,
+            commit: None,
+            root: 0,
+            nodes: &[],
+        };
         Self { list: List::End, ..describe(&NONE) }.with_actions(actions)
     }
 

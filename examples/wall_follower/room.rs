@@ -204,6 +204,11 @@ impl World<WallFollower> for Room {
         write!(out, "{self}")
     }
 
+    fn figures(&self, figure: &mut dyn FnMut(&'static str, f64, &'static str)) {
+        let steps = self.track.windows(2).map(|step| (step[1][0] - step[0][0]).hypot(step[1][1] - step[0][1]));
+        figure("travelled", steps.map(f64::from).sum(), "m");
+    }
+
     fn scenery(&self, scene: &mut dyn Scene) {
         scene.show(&SceneItem::new("walls", "room"), &&walls()[..]);
     }

@@ -31,7 +31,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         signal.setitimer(signal.ITIMER_REAL, 0)
         print("interrupted; the same command continues", file=sys.stderr)
         return INTERRUPTED
-    except (BicaError, OSError, ImportError) as error:
+    except ImportError as error:
+        print(f'error: {error}\n  help: `pip install "./python[search]"` in a checkout brings it', file=sys.stderr)
+        return 2
+    except (BicaError, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
 

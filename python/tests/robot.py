@@ -62,8 +62,9 @@ def play(options: dict[str, str], values: dict[str, float]) -> dict[str, object]
     noise = (seed * 7919 % 101 / 101 - 0.5) / 10
     falls = int(values.get("Walk.speed", 0.8) < 0.1)
     world = options.get("--world", "flat")
+    facts = {"figures": [{"name": "effort", "value": 2.0, "unit": "m"}], "wall_processor": "with FMA"}
     cost = None if values.get("Walk.gain", 4.0) < float(options.get("--none", "0")) else loss(values) + noise
-    return {"schema": "test/1", "seed": seed, "world": world, "cost": cost, "falls": falls, "story": []}
+    return {"schema": "test/1", "seed": seed, "world": world, "cost": cost, "falls": falls, "story": [], **facts}
 
 
 def main(words: list[str]) -> None:

@@ -16,8 +16,9 @@ from test_program import is_running, wait
 
 from bica.cli import main
 from bica.program import Program
+from bica.search.game import Game
 from bica.search.optimizer import Optimizer
-from bica.search.store import Store, default_url, say
+from bica.search.store import Store, StoreError, default_url, say
 from bica.search.study import read_study
 
 #: Loss of the robot of tests at the default and at the optimum, without noise.
@@ -117,8 +118,21 @@ def test_a_search_of_few_combinations_says_so(study_file: StudyFile, capsys: pyt
     assert "the best candidate is the default" in err and "+0.0 %" not in err
 
 
+def test_games_of_other_processors_are_not_mixed(tmp_path: Path) -> None:
+    def game(seed: int, kind: str) -> Game:
+        return Game("candidate", "", seed, {"wall_processor": kind}, None, 1, host="here")
+
+    for seeds in ((1, 2), (3, 4)):
+        # The store of an earlier run knows the kind of its games.
+        store = Store(f"sqlite:///{tmp_path}/games.db", "study", say)
+        assert store.add([game(seeds[0], "with FMA")]) == 1
+        with pytest.raises(StoreError, match="of the kind with FMA; here is without FMA"):
+            store.add([game(seeds[1], "without FMA")])
+        store.close()
+
+
 def test_the_best_is_written_and_the_report_is_one_page(study_file: StudyFile, tmp_path: Path) -> None:
-    path, tune = study_file(), tmp_path / "tune.toml"
+    path, tune = study_file(("mean(cost)", "mean(cost + effort)")), tmp_path / "tune.toml"
     assert main(["search", str(path), "--write", str(tune)]) == 0
     assert tune.read_text().startswith("[Walk]\n")
     page = path.with_suffix(".html").read_text()
@@ -135,7 +149,7 @@ def test_the_best_is_written_and_the_report_is_one_page(study_file: StudyFile, t
         "was not spent in games",
     ):
         assert part in page
-    assert page.count("<svg") == 4 and not re.search(r"(src|href)=\"https?:", page)
+    assert "processor with FMA" in page and page.count("<svg") == 4 and not re.search(r"(src|href)=\"https?:", page)
 
 
 def test_a_changed_study_is_not_mixed_with_the_stored_one(study_file: StudyFile, capsys: pytest.CaptureFixture[str]) -> None:

@@ -57,7 +57,7 @@ fn wheel(python: &str) -> Result<(), String> {
     let clean = environment("clean")?;
     let wheel = format!("{directory}/bica-{}-py3-none-any.whl", env!("CARGO_PKG_VERSION"));
     run(&clean, &["-m", "pip", "install", "--quiet", &wheel], &[])?;
-    run(&clean, &["-I", "-c", "import bica; bica.Program, bica.Recording"], &[])
+    run(&clean, &["-I", "-c", "import bica; bica.Program, bica.Recording, bica.series"], &[])
 }
 
 /// Returns the interpreter of a virtual environment, which is made if it is missing.

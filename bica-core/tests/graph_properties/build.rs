@@ -4,7 +4,18 @@ use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
 
 /// Tree of these components; the first one is the root.
 pub(crate) const fn graph(nodes: &'static [Node]) -> Graph {
-    Graph { name: "Forward", doc: "", cycle_hz: 100.0, budget_ms: None, tunable: false, root: 0, nodes }
+    let (version, commit) = (None, None);
+    Graph {
+        name: "Forward",
+        doc: "",
+        cycle_hz: 100.0,
+        budget_ms: None,
+        tunable: false,
+        version,
+        commit,
+        root: 0,
+        nodes,
+    }
 }
 
 /// Component without declarations.

@@ -51,6 +51,8 @@ static GRAPH: Graph = Graph {
     cycle_hz: 100.0,
     budget_ms: None,
     tunable: true,
+    version: None,
+    commit: None,
     root: 1,
     nodes: &[
         Node {

@@ -38,6 +38,8 @@ class Recording:
         self.seed: int | None = self.set_up.get("seed")
         #: Result of the run as text; empty if the file was not closed.
         self.result = str(self.file.ending.get("result", ""))
+        #: Numbers of the result, as the world reports them: name, value and unit of each.
+        self.figures: list[dict[str, Any]] = self.file.ending.get("figures", [])
         self._components: list[dict[str, Any]] = self.header["tree"]["components"]
         self._names = [component["name"] for component in self._components]
 

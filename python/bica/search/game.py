@@ -114,9 +114,10 @@ def _play(program: Program, task: Task, seed: int) -> Game:
 
 
 def _values(result: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the single values of a result, with a fingerprint if it has none."""
+    """Return the single values of a result and its figures, with a fingerprint if it has none."""
     known = ("schema", "seed", "world")
-    values = {name: value for name, value in result.items() if name not in known and not isinstance(value, list | dict)}
+    figures = {figure["name"]: figure["value"] for figure in result.get("figures", [])}
+    values = figures | {name: value for name, value in result.items() if name not in known and not isinstance(value, list | dict)}
     if "fingerprint" not in values:
         whole = {name: value for name, value in result.items() if not name.startswith("wall")}
         values["fingerprint"] = hashlib.sha256(json.dumps(whole, sort_keys=True).encode()).hexdigest()[:16]

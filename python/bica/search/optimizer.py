@@ -37,6 +37,8 @@ class Optimizer:
         self._optuna = store.patiently(self._open)
         self._distributions = {name: distribution(spread) for name, spread in study.parameters.items()}
         self._check()
+        # A continued search draws other candidates than it began with.
+        self._optuna.sampler = sampler(study, len(self.trials()))
         self._resume()
 
     def _open(self) -> optuna.Study:
@@ -47,7 +49,6 @@ class Optimizer:
             study_name=self.study.name,
             load_if_exists=True,
             directions=["minimize"] * len(self.study.objectives),
-            sampler=sampler(self.study),
             pruner=optuna.pruners.MedianPruner(n_startup_trials=4, n_warmup_steps=(self.study.prune_after or 1) - 1),
         )
 
@@ -145,9 +146,9 @@ def _total(violations: Mapping[str, float]) -> float:
     return sum(max(0.0, each) for each in violations.values())
 
 
-def sampler(study: Study) -> optuna.samplers.BaseSampler:
-    """Return Optuna's sampler of a study."""
-    kind, seed = study.sampler.kind, study.sampler.seed
+def sampler(study: Study, candidates: int) -> optuna.samplers.BaseSampler:
+    """Return Optuna's sampler of a study that has a number of candidates."""
+    kind, seed = study.sampler.kind, study.sampler.seed + candidates
     if kind == "cma-es":
         return optuna.samplers.CmaEsSampler(seed=seed, consider_pruned_trials=True)
     if kind == "nsga-ii":

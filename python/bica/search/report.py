@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from bica.parameters import Setting, text
 from bica.search.comparison import Compared, Estimate
 from bica.search.optimizer import Optimizer
+from bica.search.store import PROCESSOR
 from bica.search.study import Study
 
 STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222}
@@ -41,10 +42,11 @@ def write_report(
     study, store, trials = optimizer.study, optimizer.store, _judged(optimizer)
     name = html.escape(study.name)
     failed = [f"seed {game.seed} of {game.candidate}: {game.error}" for game in store.games() if game.error]
+    processors = sorted({f"processor {kind}" for game in store.games() if (kind := game.values.get(PROCESSOR))})
     same = "<p>The best candidate is the default.</p>" if best == study.defaults else ""
     parts = [
         f"<!doctype html><meta charset=utf-8><title>Search {name}</title><style>{STYLE}</style><h1>Search {name}</h1>",
-        _list([*_about(study), *facts]),
+        _list([*_about(study), *processors, *facts]),
         f"<h2>Best against default on {len(study.final_seeds)} held-out seeds</h2>",
         same + _comparison(compared) if compared else f"<p>{NOTHING}</p>",
         "<h2>Parameters of the best</h2>",

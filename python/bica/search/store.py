@@ -8,7 +8,7 @@ import os
 import sys
 import time
 import zlib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import IO, TypeVar
@@ -21,6 +21,8 @@ from bica.search.game import Game
 
 T = TypeVar("T")
 
+#: Value of a game that names the kind of its processor: programs of BICA print it.
+PROCESSOR = "wall_processor"
 #: Longest time for which a database may be away, s.
 PATIENCE = 120.0
 
@@ -60,6 +62,7 @@ class Store:
         self.url, self.study, self._report = url, study, report
         self._file: IO[str] | None = None
         self._guard: sa.Connection | None = None
+        self._processor: str | None = None
         options = {} if url.startswith("sqlite") else {"pool_pre_ping": True}
         try:
             self.engine = sa.create_engine(url, **options)
@@ -135,8 +138,22 @@ class Store:
 
         return self.patiently(transaction)
 
-    def add(self, games: Iterable[Game]) -> int:
-        """Store games; returns how many of them were new."""
+    def _check_processor(self, games: Iterable[Game]) -> None:
+        """Refuse games of another kind of processor than that of the first game: equal seeds may be different games there."""
+        for game in games:
+            kind = game.values.get(PROCESSOR)
+            self._processor = self._processor or kind
+            if kind and kind != self._processor:
+                raise StoreError(
+                    f"the games of `{self.study}` in `{self.url}` are of processors of the kind {self._processor}; {game.host} is "
+                    f"{kind}\n  help: use computers of one kind, or another store: on the other kind a seed may be another game"
+                )
+
+    def add(self, games: Sequence[Game]) -> int:
+        """Store games; returns how many of them were new. Raises StoreError if they are of another kind of processor."""
+        if self._processor is None:
+            self._check_processor(self.games())
+        self._check_processor(games)
         insert = (sqlite.insert(_games) if self.is_local else postgresql.insert(_games)).on_conflict_do_nothing()
         keys = ("candidate", "world", "seed")
         rows = [{"study": self.study, "game": json.dumps(row), **{key: row[key] for key in keys}} for row in map(asdict, games)]

@@ -22,7 +22,7 @@ pub use bica_monitor;
 pub use clap;
 pub use console::*;
 pub use link::{RosNode, ServeArgs};
-pub use params::{Layer, TuningArgs};
+pub use params::{InForce, Layer, TuningArgs, in_force, print_in_force};
 pub use record::{Images, RecordArgs, RecordedFile, TopicsArg};
 #[cfg(feature = "ros")]
 pub use ros::NodeArgs;

@@ -71,6 +71,7 @@ impl<R: Recordable<Error: fmt::Display> + 'static> LocalWorld for Simulated<R> {
         if let Some(tune) = &setup.tune {
             layers.read(tune)?;
         }
+        setup.set.iter().try_for_each(|assignment| layers.assign(assignment, "the page"))?;
         layers.apply(&mut *(self.robots.make)())?;
         let options: Vec<_> = setup.options.iter().map(|(name, value)| format!("{name}={value}")).collect();
         let options = WorldOptions::new(setup.seed, &options)?;
@@ -109,6 +110,7 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
     let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
     let (server, requests, view) = LinkServer::start_in_world::<R>(&run.address(), offers, &*world)?;
     let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
+    running.figures()?;
     while !run.is_ended() {
         if let Some(end) = running.end(is_done, None).filter(|_| run.over()) {
             server.set_result(&running.result(end));
@@ -123,7 +125,11 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
             run.not_recorded(&reason);
         }
     }
+    let figures = running.figures()?;
     let (_, _, _, (_, (_, recorder))) = running.runner.into_parts();
-    recorder.map(|recorder| recorder.finish("ended by the monitor"));
+    recorder.map(|mut recorder| {
+        recorder.set_figures(figures);
+        recorder.finish("ended by the monitor")
+    });
     Ok(())
 }

@@ -57,6 +57,7 @@ impl LocalWorld for SoccerWorld {
         if let Some(tune) = &setup.tune {
             layers.read(tune)?;
         }
+        setup.set.iter().try_for_each(|assignment| layers.assign(assignment, "the page"))?;
         // Without end, in real time.
         let rules = Rules {
             world: self.kind,

@@ -58,7 +58,7 @@ impl Error {
             }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { code: RefusalCode::World, .. } => {
-                "only a simulated world can be changed; the command `link ADDR describe` prints what can be done in it"
+                "the command `link ADDR describe` prints what can be done in the world, and with which values"
             }
             Self::Refused { .. } => "the command `link ADDR describe` prints names, kinds and ranges",
             Self::Unknown(Invalid { help, .. }) => help,

@@ -53,18 +53,20 @@ function Add() {
   const options = useSignal({});
   const worlds = store.hello.value?.worlds ?? [];
   const chosen = worlds.find(({ name }) => name === world.value) ?? worlds[0];
+  const full = store.sessions.value.size >= (store.hello.value?.limits.sessions ?? Infinity);
   const open = (source) => store.ask('open', { source }).then((opened) => opened && store.show(opened.session));
   return html`<${Menu} label="+" title="Open another session">
     <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'robot', address: address.value }); }}>
       <label>Robot <input value=${address.value} onInput=${(event) => { address.value = event.target.value; }} aria-label="Address of the robot" /></label>
-      <button>Connect</button></form>
+      <button disabled=${full}>Connect</button></form>
     <p class="hint">tcp://HOST:PORT, or serial:DEVICE@BAUD</p>
     <form class="form" onSubmit=${(event) => { event.preventDefault(); open({ kind: 'world', world: chosen.name, seed: typedNumber(seed.value) || 0, options: options.value }); }}>
       <label>World <select aria-label="World" onChange=${(event) => { world.value = event.target.value; }}>
         ${worlds.map(({ name }) => html`<option selected=${name === chosen?.name}>${name}</option>`)}</select></label>
       <label>Seed <input class="short" inputmode="numeric" value=${seed.value} onInput=${(event) => { seed.value = event.target.value; }} aria-label="Seed of the world" /></label>
       ${chosen?.options.map(({ name, doc, max }) => html`<label title=${doc}>${name} <input class="short" type="number" min="0" max=${max} value=${options.value[name] ?? 0} onInput=${(event) => { options.value = { ...options.value, [name]: event.target.value }; }} aria-label=${doc} /></label>`)}
-      <button disabled=${!chosen}>Start</button></form>
+      <button disabled=${!chosen || full}>Start</button></form>
+    ${full && html`<p class="warn" role="alert">${store.sessions.value.size} sessions are open, and more are not possible: close one of them</p>`}
     <button class="item" onClick=${() => dock.open('recordings')}>Recordings…</button>
   <//>`;
 }
@@ -129,7 +131,7 @@ function World() {
   return html`<span class="chip world" role="group" aria-label="Simulated world"><span class="dim">world</span>
     <button onClick=${() => store.act(info.paused ? 'resume' : 'pause')} title="Key ,">${info.paused ? 'Continue' : 'Pause'}</button>
     <button disabled=${!info.paused} onClick=${() => store.act('step', { cycles: 1 })} title="Key . — one cycle">Step</button>
-    ${info.kind === 'world' && html`<button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning">Restart</button>`}</span>`;
+    ${info.kind === 'world' && html`<button onClick=${() => store.act('restart', { seed: null }, 'the world begins again')} title="The same game from its beginning; changed parameters and control stay">Restart</button>`}</span>`;
 }
 
 function Recording() {

@@ -3,7 +3,7 @@
 import { html, useSignal } from './lib/dom.js';
 import * as dock from './lib/dock.js';
 import { applyFile, shared } from './lib/links.js';
-import { ask, notify } from './lib/store.js';
+import { ask, hello, notify } from './lib/store.js';
 import { download } from './lib/ui.js';
 import { askForm } from './vicode/ask.js';
 
@@ -11,7 +11,7 @@ const NAME = { name: 'name', label: 'Name of the layout' };
 
 /** Asks for a name that no other layout has, or that is to be replaced; null if it is given up. */
 async function freeName(title, submit, value, known) {
-  const name = (await askForm({ title, submit, fields: [{ ...NAME, value }] }))?.name.trim();
+  const name = (await askForm({ title, submit, fields: [{ ...NAME, value, max: hello.value.limits.name }] }))?.name.trim();
   if (!name || name === value) return null;
   if (!Object.hasOwn(known, name)) return name;
   return (await askForm({ title: `Replace the layout “${name}”?`, hint: 'All pages of this server lose the old one.', submit: 'Replace', fields: [] })) ? name : null;

@@ -4,10 +4,10 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
-use crate::protocol::Failed;
+use crate::protocol::{Failed, LIMITS};
 
-/// Longest name, bytes.
-const MAX_NAME: usize = 100;
+/// Longest name, bytes: a file system allows 255 with the ending.
+const MAX_BYTES: usize = 240;
 
 /// Help if something cannot be written.
 pub(crate) const WRITE_HELP: &str = "is the disk full, or the folder write-protected?";
@@ -20,13 +20,16 @@ pub(crate) const WRITE_HELP: &str = "is the disk full, or the folder write-prote
 pub fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> {
     let is_allowed = |letter: char| letter.is_alphanumeric() || "-_. ()[]+,=@#'!~".contains(letter);
     let valid = !name.is_empty()
-        && name.len() <= MAX_NAME
+        && name.chars().count() <= LIMITS.name
+        && name.len() <= MAX_BYTES
         && !name.starts_with(['.', ' '])
         && name.trim_end() == name
         && name.chars().all(is_allowed);
     if !valid {
-        let help =
-            format!("use at most {MAX_NAME} letters, digits, spaces and -_.()[]+,=@#'!~, with no dot at the beginning");
+        let help = format!(
+            "use at most {} letters, digits, spaces and -_.()[]+,=@#'!~, with no dot at the beginning",
+            LIMITS.name
+        );
         return Err(Failed::new(format!("`{}` is no name of a file", name.escape_debug()), help));
     }
     let name = name.strip_suffix(ending).unwrap_or(name);

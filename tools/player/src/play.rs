@@ -7,8 +7,8 @@ use crate::game::{
     FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
 };
 use bica::Setting;
-use bica_app::RecordArgs;
-use bica_app::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, Outcome, RecordArgs, in_force, print_in_force};
+use bica_tuning::Layers;
 use bica_wire::model::Description;
 use clap::ValueEnum;
 
@@ -30,6 +30,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let built = FirmwareImage::built(args.size, args.link.address().is_some());
     let image = || args.image.clone().unwrap_or_else(|| built.into());
     let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
+    let console = Console::new(args.json);
+    let kind = args.world.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
+    let layers = args.tuning.layers(&GRAPH, &kind)?;
     let rules = Rules {
         world: world(args.world)?,
         seed: args.seed,
@@ -38,9 +41,11 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         limit: Duration::from_secs_f64(args.seconds),
         realtime: args.realtime || args.link.is_paced(),
         firmware,
-        settings: settings(args)?,
+        settings: settings(args, &layers)?,
     };
-    let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
+    let layers = in_force(&layers);
+    print_in_force(console, &layers)?;
+    let pictures = args.pictures.as_deref();
     match args.games {
         None => {
             let RecordArgs { record, images, force, .. } = &args.record;
@@ -58,19 +63,18 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             };
             let anywhere = args.link.listen_anywhere;
             let serve = address.as_ref().map(|address| ServeOptions { address, anywhere, started: &started });
-            play_one(&rules, console, pictures, args.film.as_deref(), record, serve)
+            play_one(&rules, console, pictures, args.film.as_deref(), record, serve, &layers)
         }
         Some(games) => {
             let options = SeriesOptions { games, threads: args.threads, at_least: args.at_least };
-            play_series(&rules, console, pictures, &options)
+            play_series(&rules, console, pictures, &options, layers)
         }
     }
 }
 
 /// Returns the parameters of the command line and of the tune files of the world.
-fn settings(args: &Play) -> Result<&'static [Setting], Failure> {
-    let kind = args.world.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
-    let settings = crate::game::settings(&args.tuning.layers(&GRAPH, &kind)?)?;
+fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure> {
+    let settings = crate::game::settings(layers)?;
     if args.world == World::Firmware && !settings.is_empty() {
         let help = "leave out --set and tune files, or play in another world";
         return Err(Failure::new("the parameters of a firmware image are constants", help));

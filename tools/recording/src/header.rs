@@ -9,6 +9,7 @@ use bica_wire::Recordable;
 use bica_wire::model::{Description, Messages};
 use serde::{Deserialize, Serialize};
 
+use crate::figure::Figure;
 use crate::program::{Program, Start};
 use crate::scenery::Scenery;
 
@@ -89,7 +90,7 @@ impl From<ImagePolicy> for Topics {
 }
 
 /// The last record of a recording that was closed.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ending {
     /// Number of recorded cycles.
     pub cycles: u64,
@@ -99,6 +100,17 @@ pub struct Ending {
     pub reason: String,
     /// Result of the run, as text; empty if unknown.
     pub result: String,
+    /// Numbers of the result, as the world reports them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub figures: Vec<Figure>,
+}
+
+impl Ending {
+    /// Returns the result with its numbers, for people; empty if unknown.
+    #[must_use]
+    pub fn text(&self) -> String {
+        Figure::with(&self.result, &self.figures)
+    }
 }
 
 /// Ticks of an instant of this program in a second.
@@ -112,7 +124,7 @@ impl Header {
     pub fn new(graph: &Graph, set_up: SetUp, images: ImagePolicy) -> Self {
         Self {
             format: FORMAT,
-            program: Program::current(),
+            program: Program::of(graph),
             start: Start::now(),
             tree: Description::of(graph),
             tick_hz: tick_hz(),

@@ -2,9 +2,11 @@
 
 use std::env;
 use std::fs::{self, File};
+use std::hint::black_box;
 use std::io::{self, Read};
 use std::time::SystemTime;
 
+use bica::Graph;
 use serde::{Deserialize, Serialize};
 
 /// Name of the host, on Linux.
@@ -13,12 +15,18 @@ const HOST_FILE: &str = "/proc/sys/kernel/hostname";
 /// The program that wrote a recording.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Program {
-    /// Version of the package.
+    /// Version of the robot's package; empty if unknown.
     pub version: String,
-    /// Commit of the sources; empty if unknown.
+    /// Commit of its sources; empty if unknown.
     pub git_hash: String,
     /// Whether the sources differed from the commit.
     pub git_dirty: bool,
+    /// Version and commit of BICA.
+    #[serde(default)]
+    pub bica: String,
+    /// What results of mathematical functions depend on, see [`processor`]; empty in recordings before there was this field.
+    #[serde(default)]
+    pub processor: String,
     /// Target triple.
     pub target: String,
     /// CRC-32 of the executable file, hexadecimal; empty if it cannot be read.
@@ -35,25 +43,64 @@ pub struct Start {
 }
 
 impl Program {
-    /// This program.
+    /// This program, whose robot is one of BICA's own.
     #[must_use]
-    pub fn current() -> Self {
+    pub fn bica() -> Self {
+        let (version, git_hash) = (env!("CARGO_PKG_VERSION").to_owned(), env!("BICA_GIT_HASH").to_owned());
+        let git_dirty = env!("BICA_GIT_DIRTY") == "true";
+        let changed = if git_dirty { " with changes" } else { "" };
         Self {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            git_hash: env!("BICA_GIT_HASH").to_owned(),
-            git_dirty: env!("BICA_GIT_DIRTY") == "true",
+            bica: format!("{version} {git_hash}{changed}"),
+            version,
+            git_hash,
+            git_dirty,
+            processor: processor(),
             target: env!("BICA_TARGET").to_owned(),
             executable: executable().unwrap_or_default(),
         }
     }
 
-    /// Returns whether another program is the same build, so that its results must be equal.
+    /// This program, whose robot has this tree.
+    #[must_use]
+    pub fn of(graph: &Graph) -> Self {
+        let (version, commit) = (graph.version.unwrap_or_default(), graph.commit.unwrap_or_default());
+        let (git_hash, git_dirty) = (commit.trim_end_matches("-dirty").to_owned(), commit.ends_with("-dirty"));
+        Self { version: version.to_owned(), git_hash, git_dirty, ..Self::bica() }
+    }
+
+    /// Returns whether another program is the same build: the same file, so that its results must be equal on equal processors.
     #[must_use]
     pub fn is_same_build(&self, other: &Self) -> bool {
-        let same_file = !self.executable.is_empty() && self.executable == other.executable;
-        let same_commit = !self.git_hash.is_empty() && self.git_hash == other.git_hash;
-        same_file || (same_commit && !self.git_dirty && !other.git_dirty)
+        !self.executable.is_empty() && self.executable == other.executable
     }
+
+    /// Returns this kind of processor and another one if they differ.
+    #[must_use]
+    pub fn other_processor(&self, other: &Self) -> Option<[String; 2]> {
+        let [one, two] = [self, other].map(|program| &program.processor);
+        (one != two && !one.is_empty() && !two.is_empty()).then(|| [one.clone(), two.clone()])
+    }
+}
+
+/// Returns the kind of this processor: its architecture, on x86 whether it has fused multiplication and addition (FMA), and a checksum
+/// over results of the system's mathematical functions.
+///
+/// Those of glibc have variants for processors with FMA, of which few results differ in the last bit. Code of the robot does not use
+/// them; MuJoCo does, so its games differ from one kind to another.
+#[must_use]
+pub fn processor() -> String {
+    let mut hash = crc32fast::Hasher::new();
+    for index in 1..=1000 {
+        let x = black_box(f64::from(index) * 0.7321);
+        for result in [x.sin(), x.cos(), x.tan(), (0.1 * x).exp(), x.ln(), x.powf(1.37)] {
+            hash.update(&result.to_le_bytes());
+        }
+    }
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    let fused = if std::arch::is_x86_feature_detected!("fma") { " with FMA" } else { " without FMA" };
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    let fused = "";
+    format!("{}{fused}, mathematical functions {:08x}", env::consts::ARCH, hash.finalize())
 }
 
 impl Start {

@@ -118,6 +118,22 @@ impl Layers {
         self.places().map(|(_, value)| value)
     }
 
+    /// Returns what sets values that are in force, in the order of the parameters, with these values as assignments.
+    #[must_use]
+    pub fn in_force(&self) -> Vec<(String, Vec<String>)> {
+        let mut layers: Vec<(String, Vec<String>)> = Vec::new();
+        for value in self.all() {
+            let Some(source) = value.source else { continue };
+            let source = source.rsplit_once(" line ").map_or(source, |(file, _)| file);
+            let assignment = format!("{}.{}={}", value.component.name, value.param.name, value.text());
+            match layers.iter_mut().find(|(before, _)| before == source) {
+                Some((_, values)) => values.push(assignment),
+                None => layers.push((source.to_owned(), vec![assignment])),
+            }
+        }
+        layers
+    }
+
     /// Removes the values for which `keep` is false; their parameters have the defaults again.
     pub fn retain(&mut self, keep: impl Fn(&Value<'_>) -> bool) {
         let removed: Vec<_> = self.places().filter(|(_, value)| !keep(value)).map(|(place, _)| place).collect();

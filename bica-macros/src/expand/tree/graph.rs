@@ -30,6 +30,8 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 cycle_hz: #cycle_hz,
                 budget_ms: #budget_ms,
                 tunable: #tunable,
+                version: ::core::option_env!("CARGO_PKG_VERSION"),
+                commit: ::core::option_env!("GIT_COMMIT"),
                 root: #root,
                 nodes: &[#(#nodes),*],
             };

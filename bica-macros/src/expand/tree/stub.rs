@@ -45,8 +45,10 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
         #layout
 
         impl #p::Tree for #name {
-            const GRAPH: #p::Graph =
-                #p::Graph { name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, tunable: false, root: 0, nodes: &[] };
+            const GRAPH: #p::Graph = #p::Graph {
+                name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, tunable: false, root: 0, nodes: &[],
+                version: ::core::option::Option::None, commit: ::core::option::Option::None,
+            };
         }
 
         /// Any component.

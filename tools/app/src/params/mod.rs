@@ -11,7 +11,7 @@ pub(crate) use args::Params;
 use args::ParamsFormat;
 
 use crate::console::{Console, Failure, Outcome, Style};
-pub use tuning::{Layer, TuningArgs};
+pub use tuning::{InForce, Layer, TuningArgs, in_force, print_in_force};
 
 /// Lists or writes parameters as the command line requests. `kind` is the kind of robot without `--kind`.
 pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> Result<Outcome, Failure> {

@@ -6,11 +6,14 @@ use std::path::{Path, PathBuf};
 use bica::Graph;
 use bica_tuning::Layers;
 use clap::Args;
+use serde::Serialize;
 
-use crate::console::Failure;
+use crate::console::{Console, Failure};
 
 /// Folder of tune files without `--tune`.
 const FOLDER: &str = "tune";
+/// Number of values of a source that a line shows.
+const SHOWN: usize = 3;
 
 /// Arguments of a program's own layer of parameters, between the tune file of the world and that of the robot. `()` adds none.
 pub trait Layer: Args + Clone + fmt::Debug + Send + 'static {
@@ -25,6 +28,33 @@ impl Layer for () {
     fn assign(&self, _layers: &mut Layers) -> Result<(), Failure> {
         Ok(())
     }
+}
+
+/// What sets parameters that are in force: a tune file, a profile, or `--set`.
+#[derive(Clone, Debug, Serialize)]
+pub struct InForce {
+    source: String,
+    /// Assignments `Component.name=value`.
+    values: Vec<String>,
+}
+
+/// Returns what sets the parameters of a run.
+#[must_use]
+pub fn in_force(layers: &Layers) -> Vec<InForce> {
+    layers.in_force().into_iter().map(|(source, values)| InForce { source, values }).collect()
+}
+
+/// Prints what sets the parameters of a run, a line for each source.
+///
+/// # Errors
+/// If stdout cannot be written.
+pub fn print_in_force(console: Console, layers: &[InForce]) -> Result<(), Failure> {
+    for InForce { source, values } in layers {
+        let (few, more) = values.split_at(values.len().min(SHOWN));
+        let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
+        console.print_row("parameters", &format!("{source}: {}{more}", few.join(", ")))?;
+    }
+    Ok(())
 }
 
 /// Arguments that select the values of parameters.

@@ -61,7 +61,14 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     let program = &header.program;
     let dirty = if program.git_dirty { ", with changes" } else { "" };
     let commit = if program.git_hash.is_empty() { "unknown commit" } else { &program.git_hash };
-    console.print_row("program", &format!("{} at {commit}{dirty}, for {}", program.version, program.target))?;
+    let version = if program.version.is_empty() { "unknown version" } else { &program.version };
+    console.print_row("program", &format!("{version} at {commit}{dirty}, for {}", program.target))?;
+    if !program.bica.is_empty() {
+        console.print_row("made with", &format!("BICA {}", program.bica))?;
+    }
+    if !program.processor.is_empty() {
+        console.print_row("processor", &program.processor)?;
+    }
     console.print_row("begun", &format!("{} on {}", header.start.time, header.start.host))?;
     let tree = &header.tree;
     let count = tree.components.len();
@@ -93,6 +100,9 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     )?;
     if !info.fingerprint.is_empty() {
         console.print_row("fingerprint", &info.fingerprint)?;
+    }
+    for figure in info.ending.iter().flat_map(|ending| &ending.figures) {
+        console.print_row("figure", &figure.to_string())?;
     }
     match (&info.ending, &info.damage) {
         (_, Some(damage)) => console.print_row("file", &console.styled(Style::Bad, damage))?,

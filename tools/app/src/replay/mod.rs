@@ -84,9 +84,15 @@ fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
     let other = if replayed.source == "recording" { "the other recording" } else { "the repeated run" };
     let text = first.text(["the recording", other]);
     console.print_row("first", &format!("cycle {} at {:.2} s: {text}", first.cycle, first.t))?;
-    if *equal || replayed.source == "recording" {
+    if *equal || (replayed.source == "recording" && replayed.processors.is_none()) {
     } else if !replayed.set.is_empty() {
         console.print_row("cause", &format!("other parameters: {}", replayed.set.join(", ")))?;
+    } else if let Some([recorded, repeated]) = &replayed.processors {
+        let text = format!(
+            "perhaps the processors: recorded on {recorded}; here {repeated}. Worlds that use mathematical functions of the \
+             system, such as MuJoCo, differ on them"
+        );
+        console.print_row("cause", &text)?;
     } else if replayed.same_build {
         console.print_row(
             "cause",

@@ -16,7 +16,7 @@ use bica_wire::model::Description;
 
 use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::RosNode;
-use crate::params::Layer;
+use crate::params::{self, Layer};
 use crate::record::RecordedFile;
 use crate::world::{RegisteredWorld, Robots, WorldOptions};
 pub use args::{RunArgs, seconds};
@@ -46,8 +46,10 @@ where
     let mut world = registered.open(&options)?;
     let actions = world.actions().map_or(&[][..], |actions| actions.list());
     let mut robot = make();
-    args.tuning.layers(const { &R::GRAPH }, registered.name)?.apply(&mut *robot)?;
-    let console = Console::new(args.json);
+    let layers = args.tuning.layers(const { &R::GRAPH }, registered.name)?;
+    layers.apply(&mut *robot)?;
+    let (console, layers) = (Console::new(args.json), params::in_force(&layers));
+    params::print_in_force(console, &layers)?;
     let is_paced = args.realtime || registered.is_device || args.link.is_paced();
     let (served, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
     let header = |images| {
@@ -58,6 +60,7 @@ where
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);
+    running.figures()?;
     // Monitors may look at a robot that has reached its aim.
     let aim = is_done.filter(|_| served.is_none());
     let limit = args.seconds.map(|seconds| bica::Duration::from_micros((seconds * 1e6) as u64));
@@ -77,15 +80,18 @@ where
     if let Some((server, _)) = served {
         server.set_result(&running.result(end));
     }
+    let figures = running.figures()?;
     let (seconds, cycles, schedule) = (running.elapsed().as_micros() as f64 * 1e-6, running.cycles, running.schedule());
     let (_, world, _, (story, (_, recorder))) = running.runner.into_parts();
-    if let Some((file, recorder)) = file.zip(recorder) {
+    if let Some((file, mut recorder)) = file.zip(recorder) {
+        recorder.set_figures(figures.clone());
         console.print_row("recording", &file.describe(&recorder.finish(end.text())))?;
     }
     let mut text = String::new();
     world.report(&mut text).map_err(|fmt::Error| Failure::new("the world cannot write its report", "correct it"))?;
     let story = story.map(|story| story.changes).unwrap_or_default();
-    Report::new(args, end, seconds, cycles, &story, &text).print(console, schedule.as_ref())?;
+    let measured = (seconds, cycles, &story[..]);
+    Report::new(args, end, measured, &text, (figures, layers)).print(console, schedule.as_ref())?;
     Ok(match end {
         End::Interrupted => Outcome::Interrupted,
         End::Over | End::Limit if is_done.is_some() => Outcome::Unsuccessful,

@@ -1,12 +1,13 @@
 //! Result of a run.
 
 use bica::runner::Schedule;
+use bica_recording::{Figure, processor};
 use serde::Serialize;
 
 use super::args::RunArgs;
 use super::story::StateChange;
 use crate::console::{Console, Failure, Style};
-use crate::params::Layer;
+use crate::params::{InForce, Layer};
 
 /// Reason for which a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -45,19 +46,22 @@ pub(super) struct Report<'a> {
     /// What the world writes.
     #[serde(rename = "report")]
     text: &'a str,
+    figures: Vec<Figure>,
+    layers: Vec<InForce>,
+    wall_processor: String,
 }
 
 impl<'a> Report<'a> {
     pub(super) fn new(
         args: &'a RunArgs<impl Layer>,
         result: End,
-        simulated_s: f64,
-        cycles: u64,
-        story: &'a [StateChange],
+        (simulated_s, cycles, story): (f64, u64, &'a [StateChange]),
         text: &'a str,
+        (figures, layers): (Vec<Figure>, Vec<InForce>),
     ) -> Self {
         let (schema, world, seed) = ("bica/run/1", &*args.world, args.seed);
-        Self { schema, world, seed, result, simulated_s, cycles, story, text }
+        let wall_processor = processor();
+        Self { schema, world, seed, result, simulated_s, cycles, story, text, figures, layers, wall_processor }
     }
 
     /// Prints the result, with the statistics of a run in real time.
@@ -72,6 +76,9 @@ impl<'a> Report<'a> {
         }
         if !text.is_empty() {
             console.print(text.trim_end())?;
+        }
+        for figure in &self.figures {
+            console.print_row("figure", &figure.to_string())?;
         }
         console.print_json(self)
     }

@@ -8,7 +8,7 @@ use bica::Instant;
 use bica::runner::realtime::Clock;
 use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
 use bica_link::{LinkObserver, LinkRequests};
-use bica_recording::{Recordable, Recorder};
+use bica_recording::{Figure, Recordable, Recorder};
 
 use super::report::End;
 use super::story::Story;
@@ -83,9 +83,15 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         }
     }
 
+    /// Numbers of the result so far.
+    pub(crate) fn figures(&self) -> Result<Vec<Figure>, Failure> {
+        Ok(Figure::all(&**self.runner.world())?)
+    }
+
     /// How the run has ended, for people.
     pub(crate) fn result(&self, end: End) -> String {
-        format!("{} after {:.2} s", end.text(), self.elapsed().as_micros() as f64 * 1e-6)
+        let result = format!("{} after {:.2} s", end.text(), self.elapsed().as_micros() as f64 * 1e-6);
+        Figure::with(&result, &self.figures().unwrap_or_default())
     }
 
     /// Prints the changes of state since the last call.

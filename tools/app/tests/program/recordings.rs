@@ -21,6 +21,22 @@ fn recording_replays_bit_for_bit_and_with_other_parameters() {
 }
 
 #[test]
+fn recording_has_figures_and_the_version_of_its_program() {
+    let folder = Folder::new("figures");
+    let file = folder.file("run.mcap");
+    let ran = run(&["--seconds", "2.5", "--record", &file, "--json"]).json();
+    assert_eq!((&ran["figures"][0]["name"], &ran["figures"][0]["unit"]), (&"travelled".into(), &"m".into()), "{ran}");
+    assert!(ran["figures"][0]["value"].as_f64().is_some_and(|metres| metres > 0.1), "{ran}");
+    let info = run(&["record", "info", &file, "--json"]).json();
+    assert_eq!(info["ending"]["figures"], ran["figures"]);
+    let program = &info["header"]["program"];
+    // The commit of BICA is not that of the robot's sources.
+    assert_eq!((&program["version"], &program["git_hash"]), (&env!("CARGO_PKG_VERSION").into(), &"".into()));
+    assert!(program["bica"].as_str().is_some_and(|bica| bica.starts_with(env!("CARGO_PKG_VERSION"))), "{program}");
+    assert_eq!(program["processor"], ran["wall_processor"]);
+}
+
+#[test]
 fn recording_names_its_world_and_replaces_no_file() {
     let folder = Folder::new("named");
     let file = folder.file("run.mcap");

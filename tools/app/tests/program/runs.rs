@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use crate::process::{Folder, refused, run};
+use serde_json::json;
+
+use crate::process::{Folder, Ran, example, refused, run};
 
 #[test]
 fn run_ends_at_its_aim_with_equal_results_each_time() {
@@ -24,6 +26,16 @@ fn run_that_ends_before_its_aim_is_unsuccessful() {
 }
 
 #[test]
+#[cfg(all(target_arch = "x86_64", target_env = "gnu"))]
+fn processor_is_another_kind_without_fma() {
+    let mut program = example("wall_follower");
+    program.args(["--seconds", "0.1", "--json"]).env("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-AVX2");
+    let (without, here) = (Ran::of(program).json(), run(&["--seconds", "0.1", "--json"]).json());
+    let differs = without["wall_processor"] != here["wall_processor"];
+    assert_eq!(differs, std::arch::is_x86_feature_detected!("fma"), "{without} {here}");
+}
+
+#[test]
 fn tune_file_and_assignment_change_the_run_alike() {
     let (folder, set) = (Folder::new("tune"), ["--set", "Explorer.speed=0.3"]);
     let (file, seconds) = (folder.file("slow.toml"), ["--seconds", "9", "--json"]);
@@ -31,8 +43,16 @@ fn tune_file_and_assignment_change_the_run_alike() {
     assert_eq!(written.code, Some(0), "{}", written.stderr);
     assert!(fs::read_to_string(&file).expect("the file").contains("[Explorer]\n"));
     let tuned = run(&[&seconds[..], &["--tune", &file]].concat());
-    assert_eq!(tuned.stdout, run(&[&seconds[..], &set].concat()).stdout);
-    assert_ne!(tuned.stdout, run(&seconds).stdout);
+    assert!(tuned.stderr.contains(&format!("{file}: Explorer.speed=0.3")), "{}", tuned.stderr);
+    let [tuned, set, default] = [tuned, run(&[&seconds[..], &set].concat()), run(&seconds)].map(|ran| {
+        let mut report = ran.json();
+        let layers = report["layers"].take();
+        (report, layers)
+    });
+    assert_eq!(tuned.0, set.0);
+    assert_ne!(tuned.0, default.0);
+    let speed = |source: &str| json!([{ "source": source, "values": ["Explorer.speed=0.3"] }]);
+    assert_eq!([tuned.1, set.1, default.1], [speed(&file), speed("--set"), json!([])]);
 }
 
 #[test]

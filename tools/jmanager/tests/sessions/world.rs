@@ -161,6 +161,27 @@ fn a_world_is_paused_stepped_and_begun_again() {
 }
 
 #[test]
+fn a_world_begins_again_with_its_parameters_and_its_operator() {
+    let (page, description) = running();
+    let (component, _) = find(&description, "FaceBall", "params", "gain");
+    page.ask(Request::Acquire {}).unwrap();
+    let gain = |value: f64| {
+        let setting = json!({"component": "FaceBall", "param": "gain", "value": value});
+        serde_json::from_value(json!({"type": "operate", "request": {"type": "set", "settings": [setting]}})).unwrap()
+    };
+    for value in [0.9, 0.5] {
+        page.ask(gain(value)).unwrap();
+        page.ask(Request::Restart { seed: Some(5) }).unwrap();
+        let described = page.message("described", |message| Some(message["description"].clone()));
+        let params = described["components"][component]["params"].as_array().unwrap();
+        let param = params.iter().find(|param| param["name"] == "gain").unwrap();
+        assert_eq!(param["value"], value);
+        page.message("update", |update| (update["cycle"].as_u64()? > 3).then_some(()));
+        page.ask(Request::Keep {}).expect("the page still operates");
+    }
+}
+
+#[test]
 fn a_note_after_the_request_to_begin_again_is_in_the_log_and_the_recording_of_the_new_game() {
     let (page, _) = running();
     page.send(Request::Restart { seed: Some(5) });

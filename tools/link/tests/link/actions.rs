@@ -58,7 +58,7 @@ fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     let error = operator.request(placed(&[Value::F32(0.0)])).unwrap_err();
-    assert!(error.help().contains("what can be done"), "{}", error.help());
+    assert!(error.help().contains("what can be done in the world,"), "{}", error.help());
     assert_eq!(refusal(Err(error)), (RefusalCode::World, 0, "`world.place_wall`: the cart is there".to_owned()));
     logged(&mut watcher, "act place_wall(0) refused: `world.place_wall`: the cart is there");
     for (x, reason) in [(FARTHEST + 1.0, "4 is outside 0..=3"), (f32::NAN, "the value is not finite")] {

@@ -74,7 +74,7 @@ export async function act(type, fields = {}, done = '') {
     return undefined;
   }
   if (REQUESTS.has(type)) return ask('operate', { session: shown.id, request: named(shown.description.value, type, fields) }, done);
-  if ((type === 'release' || type === 'restart') && shown.info.value.control === 'yours') leaving.add(shown.id);
+  if (type === 'release' && shown.info.value.control === 'yours') leaving.add(shown.id);
   return ask(type, { session: shown.id, ...fields }, done);
 }
 

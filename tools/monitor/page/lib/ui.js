@@ -31,6 +31,12 @@ export function Field({ value, label, onCommit, type = 'text', width, ...rest })
     }} />`;
 }
 
+/** Number of characters beyond a limit; 0 without a limit. */
+export const excess = (text, max = Infinity) => Math.max(0, [...String(text)].length - max);
+
+/** Says while somebody types that a text is too long. */
+export const TooLong = ({ text, max }) => excess(text, max) > 0 && html`<small class="warn" role="alert">at most ${max} characters; this has ${max + excess(text, max)}</small>`;
+
 /** A curve of the last values before the shown moment, drawn as one path. */
 export function Spark({ information, path, pick, span = 10e6 }) {
   void information.version.value;

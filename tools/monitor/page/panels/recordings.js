@@ -3,8 +3,8 @@
 import { html, useEffect, useSignal } from '../lib/dom.js';
 import { bytes, duration, sentence, time } from '../lib/format.js';
 import { playOrPause } from '../lib/playback.js';
-import { act, ask, playing, putBeside, seek, session, sessions, show } from '../lib/store.js';
-import { Empty } from '../lib/ui.js';
+import { act, ask, hello, playing, putBeside, seek, session, sessions, show } from '../lib/store.js';
+import { Empty, TooLong, excess } from '../lib/ui.js';
 
 /** The local date and time, as a file is named. */
 const stamp = (now = new Date()) => new Date(now - now.getTimezoneOffset() * 60e3).toISOString().slice(0, 19).replace('T', ' ').replaceAll(':', '-');
@@ -55,7 +55,7 @@ function Current({ shown, read }) {
       ${info.recording.file && html` It is written to <b>${info.recording.file}</b>.`} <span class=${info.recording.on && info.recording.note ? 'warn' : 'dim'}>${info.recording.note}</span></p>
     ${info.kind === 'robot' && html`<p class="dim">The recording has what the robot sent, and images of the times when a camera panel was open. It can be viewed, but not run again; for that, record on the robot (player play --record).</p>`}
     <form class="join" onSubmit=${keep}><input aria-label="Name of the recording" placeholder=${stamp()} value=${name.value ?? ''} onInput=${(event) => { name.value = event.target.value || null; }} />
-      <button disabled=${!info.recording.on}>Keep recording</button></form></section>`;
+      <button disabled=${!info.recording.on || excess(name.value ?? '', hello.value.limits.name) > 0}>Keep recording</button><${TooLong} text=${name.value ?? ''} max=${hello.value.limits.name} /></form></section>`;
 }
 
 function Replay({ shown, info }) {
@@ -75,7 +75,7 @@ function Replay({ shown, info }) {
     if (opened) show(opened.session);
   };
   return html`<section aria-label="Replay"><h3>${info.name}</h3>
-    <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <span class="dim">${info.note}</span></p>
+    <p>${duration(info.until_us - info.from_us)}, from ${time(info.from_us)} to ${time(info.until_us)}. <b>${info.result}</b> <span class="dim">${info.note}</span></p>
     <div class="buttons"><button onClick=${() => seek(info.from_us)} aria-label="To the beginning">|◂</button><button class="wide" onClick=${playOrPause}>${playing.value ? 'Pause' : 'Play'}</button><button onClick=${() => seek(info.until_us)} aria-label="To the end">▸|</button></div>
     ${info.can.run_again && html`<h3>Run again</h3><p class="dim">Runs the code of this program again on the recorded inputs. Add parameters to change their values.</p>
       <div class="join"><input list="params-of-run" aria-label="Parameter" placeholder="Component.name" value=${path.value} onInput=${(event) => { path.value = event.target.value; }} />

@@ -5,9 +5,9 @@ import { request } from '../lib/connection.js';
 import { Canvas } from '../lib/canvas.js';
 import { openComponent } from '../lib/dock.js';
 import { pan, showRange, showWhole, shownTime, toTransition, zoomAt } from '../lib/axis.js';
-import { act, companions, cursor, cycle_us, hovered, range, seek, session, visibleRange } from '../lib/store.js';
+import { act, companions, cursor, cycle_us, hello, hovered, range, seek, session, visibleRange } from '../lib/store.js';
 import { choose, span } from '../lib/span.js';
-import { Bar, Empty, Toggle } from '../lib/ui.js';
+import { Bar, Empty, Toggle, TooLong, excess } from '../lib/ui.js';
 import { findings, watches } from '../lib/watches.js';
 import { AXIS, LABELS, drawTimeline, viewOf } from './timeline/draw.js';
 import { SpanBar, Speed } from './timeline/span.js';
@@ -46,7 +46,7 @@ export function Timeline({ visible }) {
   const addNote = async (event) => {
     event.preventDefault();
     const text = note.value.trim();
-    if (!text) return;
+    if (!text || excess(text, hello.value.limits.note)) return;
     if ((await act('note', { text }, 'the note is in the log, the timeline and the recording')) !== undefined) note.value = '';
   };
   return html`<${Bar} label="Timeline">
@@ -61,7 +61,7 @@ export function Timeline({ visible }) {
       ${shown.info.value.kind === 'recording' && !span.value && html`<${Speed} />`}
       <span class="grow"></span>
       <span class="dim hint wide">click: moment · drag: zoom · Shift+drag: span · wheel: zoom</span>
-      <form class="note" onSubmit=${addNote}><input placeholder="Note…" aria-label="Note" maxlength="500" value=${note.value} onInput=${(event) => { note.value = event.target.value; }} /><button>Add note</button></form>
+      <form class="note" onSubmit=${addNote}><input placeholder="Note…" aria-label="Note" value=${note.value} onInput=${(event) => { note.value = event.target.value; }} /><button>Add note</button><${TooLong} text=${note.value} max=${hello.value.limits.note} /></form>
     <//>
     <${SpanBar} rows=${rows.value} />
     <div class="fill" ref=${place}><${Canvas} reads=${reads} draw=${draw} visible=${visible} label="Activation timeline" ...${handlers} /></div>`;

@@ -1,6 +1,7 @@
 // Questions to the user: a name at its place on the canvas, and small forms.
 
 import { html, signal, useEffect, useLayoutEffect, useRef, useState } from '../lib/dom.js';
+import { excess, TooLong } from '../lib/ui.js';
 
 /** The name that is being typed on the canvas: {at: [x, y] of the drawing, value, label, done}. */
 export const naming = signal(null);
@@ -17,7 +18,7 @@ const asking = (place, answerOf) => (question) => new Promise((resolve) => {
 export const askName = asking(naming, (name) => name && name.trim());
 
 /**
- * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, area, number, select or check, options, hint}], preview}.
+ * Asks with a form: {title, hint, submit, fields: [{name, label, value, kind: text, area, number, select or check, options, hint, max}], preview}.
  * `preview(values)` may return more to show. Null if it is given up.
  */
 export const askForm = asking(form, (values) => values);
@@ -80,7 +81,7 @@ function Fields({ asked, finish }) {
   }, []);
   const submit = (event) => {
     event.preventDefault();
-    finish(values);
+    if (!asked.fields.some(({ name, max }) => excess(values[name], max))) finish(values);
   };
   // A list does not hand Enter on to its form.
   const enter = (event) => event.key === 'Enter' && (event.target.tagName === 'SELECT' || event.ctrlKey) && submit(event);
@@ -95,6 +96,7 @@ function Fields({ asked, finish }) {
         : html`<input type="text" aria-label=${field.label} autofocus=${index === 0} spellcheck="false" autocomplete="off" inputmode=${field.kind === 'number' ? 'numeric' : undefined} list=${field.options && !field.kind ? `list-${field.name}` : undefined}
             value=${values[field.name]} onInput=${(event) => set(field.name, event.target.value)} />`}
       ${field.options && !field.kind && html`<datalist id=${`list-${field.name}`}>${field.options.map((one) => html`<option value=${one} />`)}</datalist>`}
+      <${TooLong} text=${values[field.name]} max=${field.max} />
       ${field.hint && html`<small class="dim">${field.hint}</small>`}</label>`)}
     ${more}
     <p class="buttons"><button class="primary" type="submit">${asked.submit}</button><button type="button" onClick=${() => finish(null)}>Cancel</button></p>

@@ -41,6 +41,8 @@ pub struct WorldSetup {
     pub options: BTreeMap<String, String>,
     /// File with parameters of this world, if there is one.
     pub tune: Option<PathBuf>,
+    /// Parameters `Component.name=value` over that file: what pages have changed before the world began again.
+    pub set: Vec<String>,
 }
 
 /// A run of a world, for the world and for its session. Clones are the same run.

@@ -12,6 +12,7 @@ pub mod binary;
 mod breakpoint;
 mod compiler;
 mod from_page;
+mod limits;
 mod open;
 mod session;
 mod source_file;
@@ -24,6 +25,8 @@ mod world;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use from_page::{FromPage, Request};
+pub(crate) use limits::check_length;
+pub use limits::{LIMITS, Limits};
 pub use open::Open;
 pub use session::{Capabilities, Connection, Control, RecordingState, SessionInfo, SessionKind};
 pub use source_file::{

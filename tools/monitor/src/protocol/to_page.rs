@@ -5,8 +5,8 @@ use bica_link::{Description, Plain, Shown};
 use serde::Serialize;
 
 use super::{
-    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, InfoSample, LogLine, SessionId, SessionInfo,
-    SourceChange, SourceState, World,
+    Breakpoint, Build, Check, ComponentNow, Conditions, Costs, Hit, InfoSample, Limits, LogLine, SessionId,
+    SessionInfo, SourceChange, SourceState, World,
 };
 
 /// A message to the page.
@@ -26,6 +26,7 @@ pub enum ToPage {
         build: bool,
         worlds: Vec<World>,
         sessions: Vec<SessionInfo>,
+        limits: Limits,
     },
     /// A session is new, or something of it changed.
     Session { session: SessionInfo },

@@ -16,12 +16,11 @@ use crate::options::Options;
 use crate::pages::Outbox;
 use crate::pages::{PageId, lock};
 use crate::program::{Extension, Program, Reply};
-use crate::protocol::{Failed, FromPage, Open, Request, SessionId, SessionKind, ToPage, VERSION, World};
+use crate::protocol::{
+    Failed, FromPage, LIMITS, Open, Request, SessionId, SessionKind, ToPage, VERSION, World, check_length,
+};
 use crate::source::{Editor, Host};
 use bica_wire::message::LogSource;
-
-/// Longest note, characters.
-const MAX_NOTE: usize = 500;
 
 /// All sessions and sources. Pages attach to it; what they ask for is answered through their outboxes.
 pub struct Manager {
@@ -105,6 +104,7 @@ impl Manager {
             build: self.common.options.source.is_some() && self.common.options.build && !self.common.options.read_only,
             worlds: self.worlds(),
             sessions,
+            limits: LIMITS,
         });
         self.common.pages.add(page, outbox);
         // What changed before the page was registered is sent again.
@@ -155,6 +155,9 @@ impl Manager {
             Request::Layouts {} => return storage::layouts(&self.common.options).map(Some),
             Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
             Request::SaveLayout { name, layout } => {
+                if !layout.is_null() {
+                    check_length("the name of the layout", &name, LIMITS.name)?;
+                }
                 let _one_at_a_time = lock(&self.layouts);
                 return storage::save_layout(&self.common.options, &name, layout).map(|()| Some(Value::Null));
             }
@@ -174,9 +177,7 @@ impl Manager {
                 Ok(Some(Value::Null))
             }
             Request::Note { text } => {
-                if text.chars().count() > MAX_NOTE {
-                    return Err(Failed::new("the note is too long", format!("write at most {MAX_NOTE} characters")));
-                }
+                check_length("the note", &text, LIMITS.note)?;
                 if session.command(commands::Command::Note { page, id, text: text.clone() }).is_ok() {
                     return Ok(None);
                 }

@@ -13,11 +13,11 @@ use super::{folder, live, recorded};
 use crate::options::Options;
 use crate::pages::{PageId, lock};
 use crate::program::Program;
-use crate::protocol::{Failed, Open, SessionId, SessionInfo, ToPage};
+use crate::protocol::{Failed, LIMITS, Open, SessionId, SessionInfo, ToPage};
 use crate::source::Host;
 
 /// Largest number of sessions.
-const MAX_SESSIONS: usize = 16;
+const MAX_SESSIONS: usize = LIMITS.sessions;
 
 /// Longest wait for the end of a file that is recorded.
 const END: Duration = Duration::from_secs(10);
@@ -46,7 +46,7 @@ impl Registry {
         let id = self.next_id();
         let session = match source {
             Open::World { world, seed, options } => {
-                let setup = Setup { world, seed, options };
+                let setup = Setup { world, seed, options, tuned: BTreeMap::new() };
                 live::open_world(id, &self.common, setup, record)?
             }
             Open::Robot { address } => live::open_robot(id, &self.common, &address, record)?,

@@ -61,6 +61,8 @@ pub(super) struct Shared {
     /// Whether the rules of a world of this process have ended its run.
     pub(super) is_over: bool,
     pub(super) description: Option<Arc<Description>>,
+    /// The description with the parameters at the beginning of the run.
+    begun: Option<Arc<Description>>,
     pub(super) kinds: Vec<Kind>,
     /// What does not move in the world.
     pub(super) scenery: Vec<Shown>,
@@ -227,7 +229,8 @@ impl Session {
             shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
         }
         shared.kinds = kinds(&description);
-        shared.description = Some(Arc::new(description));
+        let description = Some(Arc::new(description));
+        (shared.begun, shared.description) = (description.clone(), description);
         shared.can = can;
         // A world of this process that a person has paused begins again paused.
         shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
@@ -320,6 +323,20 @@ impl Session {
     pub(super) fn description(&self) -> Result<Arc<Description>, Failed> {
         let none = || Failed::new("nothing is known of this session yet", "wait until it is connected");
         self.shared().description.clone().ok_or_else(none)
+    }
+
+    /// Returns the parameters that have changed since the run began, `Component.name` with the value.
+    pub(super) fn tuned(&self) -> Vec<(String, String)> {
+        let shared = self.shared();
+        let (Some(begun), Some(now)) = (&shared.begun, &shared.description) else { return Vec::new() };
+        let components = begun.components.iter().zip(&now.components);
+        let params = components.flat_map(|(begun, now)| {
+            let params = begun.params.iter().zip(&now.params).filter(|(begun, now)| begun.current() != now.current());
+            params.map(|(_, param)| {
+                (format!("{}.{}", now.name, param.name), param.kind.text(param.current()).to_string())
+            })
+        });
+        params.collect()
     }
 
     /// Returns the binary frame of an image, or of the classes of its pixels.

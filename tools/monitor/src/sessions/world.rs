@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use bica_wire::model::Invalid;
 
+use super::session::Session;
 use super::storage;
 use crate::files;
 use crate::options::Options;
@@ -23,6 +24,8 @@ pub(super) struct Setup {
     pub(super) world: String,
     pub(super) seed: u64,
     pub(super) options: BTreeMap<String, String>,
+    /// Parameters that pages have changed, `Component.name`, with their values.
+    pub(super) tuned: BTreeMap<String, String>,
 }
 
 /// A world that is run by a thread of its own.
@@ -34,6 +37,12 @@ pub(super) struct World {
 }
 
 impl Setup {
+    /// Begins again, with another seed if given, and with the parameters that pages have changed.
+    pub(super) fn again(&mut self, seed: Option<u64>, session: &Session) {
+        self.seed = seed.unwrap_or(self.seed);
+        self.tuned.extend(session.tuned());
+    }
+
     /// Checks the set-up, and returns what runs it.
     pub(super) fn prepare(&self, program: &Program, options: &Options) -> Result<Game, Failed> {
         let world = program.world(&self.world)?;
@@ -42,7 +51,8 @@ impl Setup {
         if let Some(tune) = &tune {
             files::open(tune).map_err(|error| files::failed("read", tune, &error, "remove it"))?;
         }
-        let setup = WorldSetup { seed: self.seed, options: self.options.clone(), tune };
+        let set = self.tuned.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        let setup = WorldSetup { seed: self.seed, options: self.options.clone(), tune, set };
         Ok(world.prepare(&setup)?)
     }
 }

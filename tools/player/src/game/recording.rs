@@ -10,7 +10,7 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{Header, ImagePolicy, LogLine, LogSource, Recorder, Report, SetUp, Topics};
+use bica_recording::{Header, ImagePolicy, LogLine, LogSource, Program, Recorder, Report, SetUp, Topics};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -151,7 +151,7 @@ pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy)
         ("world", world.into()),
     ];
     let set_up: SetUp = set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    Header::new(&GRAPH, set_up, images)
+    Header { program: Program::bica(), ..Header::new(&GRAPH, set_up, images) }
 }
 
 impl Probe for GameRecorder {}

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Instant;
 
-use bica_app::{Batch, Console, Failure, Outcome, interrupt};
+use bica_app::{Batch, Console, Failure, InForce, Outcome, interrupt};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::game::album::Album;
@@ -31,11 +31,12 @@ pub(crate) fn play_series(
     console: Console,
     pictures: Option<&Path>,
     options: &SeriesOptions,
+    layers: Vec<InForce>,
 ) -> Result<Outcome, Failure> {
     let began = Instant::now();
     let batch = Batch::new(rules.seed, options.games, options.threads);
     let games = play_all(rules, pictures, &batch)?;
-    let series = SeriesSummary::new(&batch, games, began.elapsed().as_secs_f64());
+    let series = SeriesSummary::new(&batch, games, layers, began.elapsed().as_secs_f64());
     series_summary::print(console, &series)?;
     console.print_json(&series)?;
     let required = options.at_least.unwrap_or(options.games) as usize;

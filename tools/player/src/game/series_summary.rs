@@ -1,7 +1,8 @@
 //! Summary of a series of games.
 
-use bica_app::{Batch, Console, Failure, Style};
+use bica_app::{Batch, Console, Failure, InForce, Style};
 use bica_evaluation::statistics::percentile;
+use bica_recording::processor;
 use serde::Serialize;
 
 use crate::game::latency::{Latencies, LatencySummary};
@@ -16,6 +17,8 @@ pub(crate) struct SeriesSummary {
     requested: u64,
     summary: Totals,
     games: Vec<GameSummary>,
+    layers: Vec<InForce>,
+    wall_processor: String,
     wall: Wall,
 }
 
@@ -49,7 +52,7 @@ struct Wall {
 
 impl SeriesSummary {
     /// The summary of the games of a batch that took `real_s` seconds.
-    pub(crate) fn new(batch: &Batch, games: Vec<GameSummary>, real_s: f64) -> Self {
+    pub(crate) fn new(batch: &Batch, games: Vec<GameSummary>, layers: Vec<InForce>, real_s: f64) -> Self {
         let mut all = Latencies::default();
         for game in &games {
             all.extend(&game.latencies);
@@ -60,6 +63,8 @@ impl SeriesSummary {
             requested: batch.runs.into(),
             summary: Totals::new(&games),
             games,
+            layers,
+            wall_processor: processor(),
             wall: Wall { threads: batch.threads, real_s, latency_ms: all.summarize() },
         }
     }

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use bica_app::{Console, Failure, Outcome};
+use bica_app::{Console, Failure, InForce, Outcome};
+use bica_recording::processor;
 use serde::Serialize;
 
 use crate::game::album::Album;
@@ -25,6 +26,8 @@ struct GameReport<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     recording: Option<&'a RecordingSummary>,
     story: &'a [TreeChange],
+    layers: &'a [InForce],
+    wall_processor: String,
 }
 
 /// Plays a game, prints story and summary; on request writes pictures, a film and a recording, and serves monitors.
@@ -35,6 +38,7 @@ pub(crate) fn play_one(
     film: Option<&Path>,
     record: Option<RecordOptions<'_>>,
     serve: Option<ServeOptions<'_>>,
+    layers: &[InForce],
 ) -> Result<Outcome, Failure> {
     let mut album = pictures.map(Album::new).transpose()?;
     let mut recorder = film.map(Film::new).transpose()?;
@@ -59,7 +63,8 @@ pub(crate) fn play_one(
         console.print_row("recording", &recording.text)?;
     }
     let recording = recording.as_ref();
-    let report = GameReport { schema: "bica-player/game/1", summary: &summary, recording, story: &story.changes };
+    let (schema, wall_processor) = ("bica-player/game/1", processor());
+    let report = GameReport { schema, summary: &summary, recording, story: &story.changes, layers, wall_processor };
     console.print_json(&report)?;
     Ok(match summary.result {
         GameResult::Goal => Outcome::Success,

@@ -15,7 +15,7 @@ impl Header {
     pub fn of_monitor(address: &str, description: &Description) -> Self {
         Self {
             format: FORMAT,
-            program: Program::current(),
+            program: Program::bica(),
             start: Start::now(),
             tree: description.clone(),
             tick_hz: TICK_HZ,

@@ -7,7 +7,7 @@ use std::io;
 use bica::{Blob, Format};
 
 use crate::blob::{Place, code};
-use crate::header::Header;
+use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
 use crate::message::{Channel, Tick, TreeRecord};
 use crate::recorder::{Output, Report, Sink};
@@ -121,7 +121,7 @@ impl<S: Sink> MonitorRecorder<S> {
     /// Closes the file. `reason` is why the recording ends early; if it is a failure of the disk, the file keeps all complete chunks.
     #[must_use]
     pub fn finish(mut self, reason: Option<String>, dropped_images: u64) -> Report {
-        let reason = self.output.finish(reason, String::new(), dropped_images);
+        let reason = self.output.finish(reason, Ending::default(), dropped_images);
         Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason }
     }
 }

@@ -20,7 +20,8 @@ use bica_wire::message::LogSource;
 use bica_wire::model::Modulation;
 use crc32fast::Hasher;
 
-use crate::header::{Header, ImagePolicy};
+use crate::figure::Figure;
+use crate::header::{Ending, Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
@@ -102,6 +103,7 @@ pub struct Recorder {
     owner: Owner,
     meter: Option<CostMeter>,
     measured: Measured,
+    figures: Vec<Figure>,
 }
 
 /// Ends a recording whose thread panics: a loop would wait for it without end.
@@ -166,6 +168,7 @@ impl Recorder {
             owner: Owner(Box::new(|_| None)),
             meter: None,
             measured: Measured::new(options.backpressure),
+            figures: Vec::new(),
         })
     }
 
@@ -217,6 +220,11 @@ impl Recorder {
         self.queue.push(Entry::Costs(costs));
     }
 
+    /// Sets the numbers of the result.
+    pub fn set_figures(&mut self, figures: Vec<Figure>) {
+        self.figures = figures;
+    }
+
     /// Writes what is queued and closes the file. `result` is the result of the run, as text.
     #[must_use]
     pub fn finish(mut self, result: &str) -> Report {
@@ -224,7 +232,8 @@ impl Recorder {
     }
 
     fn close(&mut self, result: &str) -> Report {
-        self.queue.close(result);
+        let (result, figures) = (result.to_owned(), std::mem::take(&mut self.figures));
+        self.queue.close(Ending { result, figures, ..Ending::default() });
         let report = self.thread.take().map(JoinHandle::join);
         let failed = || Report { reason: Some(FAILED.to_owned()), ..Report::default() };
         report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))

@@ -126,8 +126,9 @@ impl<S: Sink> Output<S> {
         Ok(())
     }
 
-    /// Closes the file; returns why the recording ended early. A file that cannot be closed keeps its complete chunks.
-    pub(crate) fn finish(&mut self, reason: Option<String>, result: String, dropped_images: u64) -> Option<String> {
+    /// Closes the file with the result in `ending`; returns why the recording ended early. A file that cannot be closed keeps its complete
+    /// chunks.
+    pub(crate) fn finish(&mut self, reason: Option<String>, ending: Ending, dropped_images: u64) -> Option<String> {
         let mut failed = reason;
         if failed.is_none() {
             failed = self.flush().err().map(|error| format!("cannot write: {error}"));
@@ -139,7 +140,7 @@ impl<S: Sink> Output<S> {
             let _ = self.writer.target_mut().truncate(length);
         }
         let reason = failed.clone().unwrap_or_default();
-        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, result };
+        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, ..ending };
         let closed = self.writer.close(&ending).and_then(|()| self.syncer.finish());
         if let Err(error) = closed {
             let length = self.writer.length();

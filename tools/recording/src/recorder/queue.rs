@@ -8,6 +8,7 @@ use std::time::Duration;
 use crc32fast::Hasher;
 
 use super::{Backpressure, RecorderOptions};
+use crate::header::Ending;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
 
@@ -85,7 +86,7 @@ struct State {
     /// Buffers for copies of large data that are free.
     buffers: Vec<Vec<u8>>,
     dropped_images: u64,
-    closing: Option<String>,
+    closing: Option<Ending>,
     /// The queue was full.
     overflow: bool,
 }
@@ -104,7 +105,7 @@ pub(super) struct Queue {
 pub(super) struct Batch {
     pub(super) entries: VecDeque<Entry>,
     /// Result of the run, once it is over.
-    pub(super) closing: Option<String>,
+    pub(super) closing: Option<Ending>,
     pub(super) dropped_images: u64,
     pub(super) overflow: bool,
 }
@@ -218,9 +219,9 @@ impl Queue {
         self.room.notify_one();
     }
 
-    /// Ends the run.
-    pub(super) fn close(&self, result: &str) {
-        self.lock().closing = Some(result.to_owned());
+    /// Ends the run, with its result.
+    pub(super) fn close(&self, ending: Ending) {
+        self.lock().closing = Some(ending);
         self.wake.notify_one();
     }
 

@@ -9,7 +9,7 @@ use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
 use crate::blob::{Place, code};
 use crate::digest::{RunningFingerprint, blobs_digest};
-use crate::header::{Header, ImagePolicy};
+use crate::header::{Ending, Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
 use crate::message::{Channel, Tick};
 use bica_wire::blobs::described;
@@ -43,27 +43,27 @@ impl<S: Sink> Writing<S> {
     /// Writes until the run is over or writing fails.
     pub(super) fn run(mut self, queue: &Queue, on_end: &dyn Fn(&str)) -> Report {
         let mut dropped_images;
-        let (reason, result) = loop {
+        let (reason, ending) = loop {
             let batch = queue.take();
             dropped_images = batch.dropped_images;
             if let Err(error) = batch.entries.into_iter().try_for_each(|entry| self.entry(entry, queue)) {
-                break (Some(format!("cannot write: {error}")), String::new());
+                break (Some(format!("cannot write: {error}")), Ending::default());
             }
             if batch.overflow {
                 let slow = || "the disk is too slow: the queue of cycles is full".to_owned();
                 break (
                     Some(self.output.flush().map_or_else(|error| format!("cannot write: {error}"), |()| slow())),
-                    String::new(),
+                    Ending::default(),
                 );
             }
-            if let Some(result) = batch.closing {
-                break (None, result);
+            if let Some(ending) = batch.closing {
+                break (None, ending);
             }
             if let Err(error) = self.output.flush_if_due() {
-                break (Some(format!("cannot write: {error}")), String::new());
+                break (Some(format!("cannot write: {error}")), Ending::default());
             }
         };
-        let reason = self.output.finish(reason, result, dropped_images);
+        let reason = self.output.finish(reason, ending, dropped_images);
         if let Some(reason) = &reason {
             queue.end();
             on_end(reason);

@@ -65,6 +65,8 @@ pub struct ReplayReport {
     pub simulated: bool,
     /// Whether the same build wrote the recording.
     pub same_build: bool,
+    /// Kinds of the [processors](crate::processor()) of the recorded and the repeated run, if they differ.
+    pub processors: Option<[String; 2]>,
     /// Parameters that are not those of the recording.
     pub set: Vec<String>,
     /// Whether all cycles before the first gap were equal, bit for bit.
@@ -155,6 +157,7 @@ fn report(
         gaps: Vec::new(),
         seconds: 0.0,
     };
+    let program = other.program().unwrap_or_else(Program::bica);
     let damage = compared.compare(options, &mut recording, other, progress)?;
     let Compared { before, after, gaps, seconds, .. } = compared;
     let after_gap =
@@ -164,7 +167,8 @@ fn report(
         source,
         feedback,
         simulated: header.is_simulated(),
-        same_build: options.against.is_none() && Program::current().is_same_build(&header.program),
+        same_build: options.against.is_none() && program.is_same_build(&header.program),
+        processors: header.program.other_processor(&program),
         set: options.set.to_vec(),
         equal: before.is_equal(),
         cycles: before.cycles,

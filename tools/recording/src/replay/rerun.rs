@@ -39,8 +39,9 @@ where
     let mut recording = open(path)?;
     let header = recording.header().clone();
     let subject = subject::checked(&header, header.images == ImagePolicy::None, subject)?;
-    let new = Header { program: Program::current(), start: Start::now(), images: ImagePolicy::All, ..header.clone() }
-        .of_robot(&*subject.robot);
+    let new =
+        Header { program: Program::of(&R::GRAPH), start: Start::now(), images: ImagePolicy::All, ..header.clone() }
+            .of_robot(&*subject.robot);
     let (mut again, mut first) = (Again::new(subject, start(out, &new)?), None);
     loop {
         let recorded = match recording.next_cycle() {

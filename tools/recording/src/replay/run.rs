@@ -14,6 +14,7 @@ use super::{FileRecording, of_file, open};
 use crate::digest::RunningFingerprint;
 use crate::header::Header;
 use crate::message::RunEvent;
+use crate::program::Program;
 use crate::recorder::tree_record;
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
@@ -23,6 +24,11 @@ use bica_wire::model::Invalid;
 pub(super) trait Run {
     /// Returns the cycle that corresponds to a recorded one; none after the last.
     fn next(&mut self, recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid>;
+
+    /// Returns the program of another recording; none if the code runs in this program.
+    fn program(&self) -> Option<Program> {
+        None
+    }
 
     /// Returns whether there are cycles beyond those of the recording.
     fn goes_on(&mut self) -> Result<bool, Invalid> {
@@ -51,6 +57,10 @@ impl<'a> Other<'a> {
 impl Run for Other<'_> {
     fn next(&mut self, _recorded: &RecordedCycle) -> Result<Option<RecordedCycle>, Invalid> {
         self.recording.next_cycle().map_err(|error| of_file(self.path, &error))
+    }
+
+    fn program(&self) -> Option<Program> {
+        Some(self.recording.header().program.clone())
     }
 
     fn goes_on(&mut self) -> Result<bool, Invalid> {

@@ -7,7 +7,7 @@ use std::process;
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
 use bica_recording::{
-    Header, ImagePolicy, Info, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun,
+    Header, ImagePolicy, Info, Program, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun,
 };
 
 use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
@@ -85,6 +85,19 @@ fn a_cart_replays_bit_for_bit() {
         let closed = replayed(&ReplayOptions { closed_loop: true, ..ReplayOptions::whole(&file.0) }, None);
         assert!(closed.equal && closed.source == "rules", "{:?}", closed.first_difference);
     }
+}
+
+#[test]
+fn other_processors_are_named_if_both_are_known() {
+    let here = Program::bica();
+    let other = Program { processor: "x86_64 without FMA".to_owned(), ..here.clone() };
+    assert_eq!(other.other_processor(&here), Some([other.processor.clone(), here.processor.clone()]));
+    let unknown = Program { processor: String::new(), ..here.clone() };
+    assert_eq!([here.other_processor(&here), unknown.other_processor(&here)], [None, None]);
+    let mut header = header(ImagePolicy::All);
+    assert_eq!((&header.program.processor, header.program.bica.is_empty()), (&here.processor, false));
+    header.program.executable.push('0');
+    assert!(!header.program.is_same_build(&Program::bica()), "equal commits may be different builds");
 }
 
 #[test]

@@ -7,7 +7,7 @@ import { SPEEDS, looping, playSpan, speed } from '../../lib/playback.js';
 import { visiblePanels } from '../../lib/dock.js';
 import { film, filming, isDrawn } from '../../lib/film.js';
 import { noteOf, span, sharesOf, table } from '../../lib/span.js';
-import { act, playing, selected, session } from '../../lib/store.js';
+import { act, hello, playing, selected, session } from '../../lib/store.js';
 import { Bar, Toggle, download } from '../../lib/ui.js';
 import { askForm } from '../../vicode/ask.js';
 
@@ -33,12 +33,12 @@ export function SpanBar({ rows }) {
     if (text) download(`span-${(begin / 1e6).toFixed(2)}-${(end / 1e6).toFixed(2)}.csv`, new Blob([text], { type: 'text/csv' }));
   };
   const keep = async () => {
-    const asked = await askForm({ title: 'Keep the span as a recording', submit: 'Keep', fields: [{ name: 'name', label: 'Name of the recording', value: `${shown.info.value.name} ${(begin / 1e6).toFixed(1)}-${(end / 1e6).toFixed(1)} s`.replace('.mcap', '').replaceAll(/[/:\\]/g, '-') }] });
+    const asked = await askForm({ title: 'Keep the span as a recording', submit: 'Keep', fields: [{ name: 'name', label: 'Name of the recording', max: hello.value.limits.name, value: `${shown.info.value.name} ${(begin / 1e6).toFixed(1)}-${(end / 1e6).toFixed(1)} s`.replace('.mcap', '').replaceAll(/[/:\\]/g, '-') }] });
     if (asked?.name.trim()) await act('keep_span', { name: asked.name.trim(), from_us: begin, until_us: end }, `the span is kept as “${asked.name.trim()}”; Recordings opens it`);
   };
   // A note of the span has its times, from which the timeline draws it.
   const annotate = async () => {
-    const asked = await askForm({ title: 'Annotate the span', submit: 'Annotate', fields: [{ name: 'text', label: 'Text', value: '' }] });
+    const asked = await askForm({ title: 'Annotate the span', submit: 'Annotate', fields: [{ name: 'text', label: 'Text', value: '', max: hello.value.limits.note - noteOf(span.value, '').length }] });
     if (asked?.text.trim()) await act('note', { text: noteOf(span.value, asked.text.trim()) }, 'the span is annotated in the timeline, the log and the recording');
   };
   const record = async () => {

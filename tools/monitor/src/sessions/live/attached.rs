@@ -105,6 +105,7 @@ impl<'a> Attached<'a> {
     fn begin(&mut self) -> Result<(), bica_link::Error> {
         self.client.watch(1)?;
         self.watch()?;
+        self.resume_control()?;
         if self.world.is_some() && self.client.offers().contains(Offers::OPERATE) && !self.is_paused {
             self.request_pace(WorldChange::Resume)?;
         }

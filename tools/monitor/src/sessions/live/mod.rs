@@ -98,10 +98,13 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
                 idle(session, inbox, (!world).then_some(RETRY))
             }
         };
-        session.shared().operator = Operator::Nobody;
+        // Whoever operates a world does so when it begins again.
+        if !matches!(exit, Exit::Restart(_)) {
+            session.shared().operator = Operator::Nobody;
+        }
         match (exit, &mut source) {
             (Exit::Close, _) => break,
-            (Exit::Restart(seed), Source::World(setup)) => setup.seed = seed.unwrap_or(setup.seed),
+            (Exit::Restart(seed), Source::World(setup)) => setup.again(seed, session),
             (Exit::Lost(failed), Source::World(_)) => {
                 session.set_connection(Connection::Ended, format!("{}: {}", failed.text, failed.help));
                 session.log(4, LogSource::Monitor, format!("the world has ended: {}", failed.text));
@@ -109,7 +112,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
                     Exit::Close => break,
                     Exit::Restart(seed) => {
                         if let Source::World(setup) = &mut source {
-                            setup.seed = seed.unwrap_or(setup.seed);
+                            setup.again(seed, session);
                         }
                     }
                     Exit::Lost(_) | Exit::Retry => {}

@@ -131,6 +131,18 @@ impl Attached<'_> {
         Ok(())
     }
 
+    /// Lets the page operate that has operated the world before it began again.
+    pub(super) fn resume_control(&mut self) -> LinkResult {
+        if matches!(self.operator(), Operator::Page(_)) {
+            match self.client.acquire(false) {
+                Ok(()) => self.operation.kept = Some(Instant::now()),
+                Err(bica_link::Error::Lease) => self.set_operator(Operator::Nobody),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
     /// Takes in who owns the robot's lease.
     pub(super) fn lease(&mut self, lease: LeaseState) -> LinkResult {
         let waiting = self.operation.waiting.take();

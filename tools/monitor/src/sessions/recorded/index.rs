@@ -6,7 +6,7 @@ use std::path::Path;
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_recording::{Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord, RunEvent};
+use bica_recording::{Ending, Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord, RunEvent};
 use serde_json::Value;
 
 use super::tree;
@@ -113,7 +113,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
                 for line in lines(recording.rest(), &header, time_us) {
                     session.shared().history.add_line(line);
                 }
-                let result = recording.ending().map(|ending| ending.result.clone());
+                let result = recording.ending().map(Ending::text);
                 session.shared().result = result.unwrap_or_default();
                 break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned());
             }
