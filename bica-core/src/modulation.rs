@@ -31,6 +31,25 @@
 
 use crate::params::{Param, Value};
 use crate::refusal::Reason;
+use crate::text::Text;
+
+/// Largest number of arguments of a modulation or an action: requests have room for them.
+pub const MAX_ARGUMENTS: usize = 16;
+
+/// Stops the compiler if there are too many.
+///
+/// # Panics
+/// If it is so.
+#[track_caller]
+pub const fn assert_arguments(modulation: &Modulation) {
+    if modulation.arguments.len() > MAX_ARGUMENTS {
+        let mut text = Text::<128>::new();
+        text.push("an operator calls a method with at most ");
+        text.push_number(MAX_ARGUMENTS as f64);
+        text.push(" arguments: make two of it, or parameters of some");
+        panic!("{}", text.as_str());
+    }
+}
 
 /// Description of a modulation.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -109,12 +109,12 @@ pub trait Params: Sized + 'static {
     label = "not `f32`, `i32`, `u32`, `bool` or an enum with `#[derive(ParamEnum)]`",
     note = "write `#[derive(Clone, Copy, ParamEnum)]` on an enum without fields to make it one"
 )]
-pub trait ParamEnum: Copy + 'static {
+pub trait ParamEnum: Sized + 'static {
     /// The variants, in the order of the text.
     const VARIANTS: &'static [Variant];
 
     /// Index of the variant in [`VARIANTS`](Self::VARIANTS).
-    fn index(self) -> u32;
+    fn index(&self) -> u32;
 
     /// The variant at an index.
     fn at(index: u32) -> Option<Self>;

@@ -8,7 +8,7 @@ pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 pub use crate::info::{Info, InfoSink};
-pub use crate::modulation::Modulation;
+pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
     assert_range, assert_rule, assert_step, natural_default, variant,
@@ -58,6 +58,26 @@ pub trait ComponentDoc {
 }
 
 impl<C> ComponentDoc for C {}
+
+/// Whether a type is a struct of parameters: `#[derive(Params)]` writes a constant of this name that takes precedence.
+pub trait Parameters {
+    /// No, as the macro on the impl block cannot see it.
+    const __PARAMS: bool = false;
+}
+
+impl<C> Parameters for C {}
+
+/// Stops the compiler if a component is a struct of parameters.
+///
+/// # Panics
+/// If it is so.
+#[track_caller]
+pub const fn assert_no_params(is_params: bool) {
+    assert!(
+        !is_params,
+        "`#[derive(Params)]` makes no parameters of a component's own fields: move them to a struct `P` of their own, and take `&Tuned<P>`"
+    );
+}
 
 /// Returns the doc comment of a component's type or, if it has none, of its step.
 #[must_use]

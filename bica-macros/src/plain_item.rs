@@ -47,7 +47,7 @@ pub(crate) fn component_doc(item: TokenStream) -> TokenStream {
     quote! {
         impl #parameters #name #arguments #bounds {
             #[doc(hidden)]
-            pub const __DOC: &'static str = #doc;
+            pub const __DOC: &'static ::core::primitive::str = #doc;
         }
         #errors
     }

@@ -4,7 +4,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::quote;
 use syn::{File, Item, parse2};
 
-use crate::{actions, component, tree};
+use crate::{actions, component, params, plain_item, tree};
 
 fn machine() -> TokenStream {
     quote! {
@@ -93,6 +93,103 @@ fn the_struct_is_the_first_item_of_a_tree() {
 fn generated_code_contains_no_unsafe() {
     for code in [component::run(quote!(), &machine()), tree::run(forward())] {
         assert!(!words(code).contains(&"unsafe".to_owned()));
+    }
+}
+
+/// The names in generated code that a user's own item could have: words of the language's libraries that no path precedes.
+fn bare(code: TokenStream) -> Vec<String> {
+    const NAMES: [&str; 30] = [
+        "bool",
+        "char",
+        "str",
+        "f32",
+        "f64",
+        "i32",
+        "u8",
+        "u16",
+        "u32",
+        "u64",
+        "usize",
+        "Option",
+        "Some",
+        "None",
+        "Result",
+        "Ok",
+        "Err",
+        "Default",
+        "Clone",
+        "Copy",
+        "From",
+        "Into",
+        "Iterator",
+        "Drop",
+        "Vec",
+        "panic",
+        "assert",
+        "matches",
+        "unreachable",
+        "std",
+    ];
+    let words = words(code);
+    let is_bare = |three: &&[String]| NAMES.contains(&three[2].as_str()) && !(three[0] == ":" && three[1] == ":");
+    words.windows(3).filter(is_bare).map(|three| three.join(" ")).collect()
+}
+
+#[test]
+fn generated_code_names_everything_by_its_path() {
+    let attributes = quote!(/** Docs. */ #[derive(Params)] #[params(check = rule)]);
+    let params = quote!(#attributes struct P { /** Gain. */ #[param(default = 1, range = 0..=2, step = 1)] gain: Own, /** M. */ #[param(default = M::A)] mode: M });
+    let operator = quote! {
+        impl Head {
+            fn step(&mut self, own: &Tuned<P>, rate: &mut Rate<Neck>, time: &Time) {}
+            /// Angle.
+            #[info(unit = "rad", frame = "robot")]
+            fn angle(&self) -> Angle {}
+            /// Turns.
+            #[modulation]
+            fn turn(&mut self, side: Side) {}
+        }
+    };
+    let world = quote!(impl Room { /** Pushes. */ #[action] fn push(&mut self, side: Side) {} });
+    let tunable = quote!(struct Robot { root: Player, cycle_hz: 100, budget_ms: 5, tunable, components: [Player] });
+    let codes = [
+        component::run(quote!(hz = 30), &operator),
+        component::run(quote!(), &quote!(impl Head { fn step(&mut self, body: Body) {} })),
+        tree::run(forward()),
+        tree::run(tunable),
+        tree::run(quote!(
+            struct Robot {
+                root: Player,
+            }
+        )),
+        params::params(params.to_string().replace("Own", "i32").parse().expect("tokens")),
+        params::params(quote!(
+            struct P {
+                gain: Own,
+            }
+        )),
+        params::choice(quote!(
+            enum M {
+                A,
+                B,
+            }
+        )),
+        params::choice(quote!(
+            enum M {
+                A(Own),
+            }
+        )),
+        actions::run(quote!(), &world),
+        plain_item::component_doc(quote!(
+            /** Docs. */
+            struct Head;
+        )),
+    ];
+    // The machine above has a `bool` of its own.
+    let of_machine = bare(component::run(quote!(), &machine()));
+    assert_eq!(of_machine, ["- > bool", "- > bool"]);
+    for code in codes {
+        assert_eq!(bare(code), [""; 0]);
     }
 }
 

@@ -14,6 +14,7 @@ pub(crate) fn run(input: TokenStream) -> TokenStream {
     };
     match check::check(&draft, &mut report) {
         Some(tree) => expand::expand(&tree),
+        None if draft.names_a_component() => report.to_compile_errors(),
         None => expand::stub(&draft, &report),
     }
 }

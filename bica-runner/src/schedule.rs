@@ -97,10 +97,30 @@ impl Schedule {
         (self.start, self.number) = (None, 0);
     }
 
-    /// Returns the next deadline. The first one is `now`.
+    /// Returns the next deadline. The first one is `now`. If the policy is to skip, deadlines that are at least one period old are
+    /// skipped here too: the loop may have been held up between two cycles.
     pub fn deadline(&mut self, now: Instant) -> Instant {
         let start = *self.start.get_or_insert(now);
+        if !matches!(self.policy, OverrunPolicy::Shift) {
+            self.skip(self.missed(start, now));
+        }
         self.at(start, self.number)
+    }
+
+    /// Number of deadlines before the last one that has passed, from the next one on.
+    fn missed(&self, start: Instant, now: Instant) -> u64 {
+        // From the elapsed time; rounding may make it too small by one.
+        let elapsed = u128::from(now.saturating_duration_since(start).as_micros());
+        let mut last = (elapsed * u128::from(self.millihertz) / 1_000_000_000) as u64;
+        if self.at(start, last + 1) <= now {
+            last += 1;
+        }
+        last.saturating_sub(self.number)
+    }
+
+    fn skip(&mut self, count: u64) {
+        self.number += count;
+        self.skipped += count;
     }
 
     /// Deadline `number` of the grid that begins at `start`.
@@ -111,7 +131,7 @@ impl Schedule {
 
     /// Records the beginning of a cycle.
     pub fn begin(&mut self, now: Instant) {
-        let due = self.deadline(now);
+        let due = self.start.map_or(now, |start| self.at(start, self.number));
         self.jitter.add(now.saturating_duration_since(due));
         self.begun = now;
     }
@@ -128,19 +148,12 @@ impl Schedule {
             return None;
         }
         let late = now.saturating_duration_since(due);
-        // Number of the last deadline that has passed, from the elapsed time; rounding may make it too small by one.
-        let elapsed = u128::from(now.saturating_duration_since(start).as_micros());
-        let mut last = (elapsed * u128::from(self.millihertz) / 1_000_000_000) as u64;
-        if self.at(start, last + 1) <= now {
-            last += 1;
-        }
-        let skipped = last.saturating_sub(self.number);
-        match self.policy {
-            OverrunPolicy::Skip | OverrunPolicy::Abort => self.number += skipped,
-            OverrunPolicy::Shift => (self.start, self.number) = (Some(now), 0),
+        let skipped = self.missed(start, now);
+        self.skip(skipped);
+        if matches!(self.policy, OverrunPolicy::Shift) {
+            (self.start, self.number) = (Some(now), 0);
         }
         self.overruns += 1;
-        self.skipped += skipped;
         Some(Overrun { late, skipped })
     }
 

@@ -12,7 +12,8 @@ const MAX_ARRAY: usize = 32;
 
 /// The crate that `#[attribute(crate = path)]` names, with mistakes reported. The attribute is `output` or `message`.
 pub fn framework(attribute: &str, options: TokenStream, item: &TokenStream, report: &mut Report) -> Path {
-    if syn::parse2::<DeriveInput>(item.clone()).is_err() {
+    let is_possible = |input: DeriveInput| !matches!(input.data, Data::Union(_));
+    if !syn::parse2(item.clone()).is_ok_and(is_possible) {
         report.add(item, wording::plain_item(attribute));
     }
     krate(attribute, options, report)

@@ -177,13 +177,13 @@ impl<B: Board> Controller<B> {
         tx.send(&self.identity()).await;
     }
 
-    /// Runs a cycle by the robot's own clock; `due` is its deadline.
-    pub(crate) async fn tick(&mut self, due: Instant, link: LinkStats, tx: &mut MessageTx<impl Write>) {
+    /// Runs a cycle by the robot's own clock; `skipped` is the number of deadlines without a cycle since the start.
+    pub(crate) async fn tick(&mut self, skipped: u64, link: LinkStats, tx: &mut MessageTx<impl Write>) {
         let now = Instant::now();
-        let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
-        if now.saturating_duration_since(due) >= period {
-            self.late_cycles = self.late_cycles.wrapping_add(1);
-            defmt::warn!("late by {=u64} us", (now - due).as_micros());
+        let late = (skipped as u32).wrapping_sub(self.late_cycles);
+        if late > 0 {
+            self.late_cycles = skipped as u32;
+            defmt::warn!("late by {=u32} cycles", late);
         }
         let safe_stop = now.saturating_duration_since(self.last_message) > SILENCE;
         if safe_stop != self.safe_stop {

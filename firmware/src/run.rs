@@ -1,6 +1,7 @@
 //! The robot's task: receives messages and ticks the tree.
 
 use bica::Tree;
+use bica::runner::{OverrunPolicy, Schedule};
 #[cfg(feature = "monitor")]
 use bica_player::input::Colours;
 #[cfg(feature = "monitor")]
@@ -8,7 +9,9 @@ use bica_vision::table::GradualTable;
 use bica_wire::message::ClockMode;
 use bica_wire::{Decoder, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
-use embassy_time::{Duration, Instant, Ticker};
+use embassy_time::Instant;
+#[cfg(feature = "monitor")]
+use embassy_time::{Duration, Timer};
 use embedded_io_async::Read;
 use static_cell::ConstStaticCell;
 
@@ -36,13 +39,17 @@ static COLOURS: ConstStaticCell<GradualTable> = ConstStaticCell::new(GradualTabl
 #[cfg(feature = "monitor")]
 const MOST_SERVED: usize = 16;
 
+/// Longest time between two services of the monitors' line while no clock runs.
+#[cfg(feature = "monitor")]
+const SERVED: Duration = Duration::from_millis(10);
+
 /// Size of the buffer for received bytes.
 const RX_BYTES: usize = 256;
 
 /// Receives messages and ticks the tree, forever. Called once.
 ///
 /// The loop is not `Runner::run_async`: in lockstep a message is the clock, and in free-running mode messages are handled
-/// between the ticks. A late cycle is executed, not skipped.
+/// between the ticks. The deadlines are those of all loops, [`Schedule`]: ones that are at least a period old are skipped and counted.
 ///
 /// # Panics
 /// If it is called twice.
@@ -61,9 +68,7 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
         #[cfg(feature = "monitor")]
         init::monitor(),
     );
-    let period = Duration::from_hz(Forward::GRAPH.cycle_hz as u64);
-    let mut ticker = Ticker::every(period);
-    let mut due = Instant::now() + period;
+    let mut schedule = Schedule::new(Forward::GRAPH.cycle_hz, OverrunPolicy::Skip);
     let mut buffer = [0; RX_BYTES];
     tx.send(&controller.identity()).await;
     loop {
@@ -71,7 +76,7 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
             #[cfg(not(feature = "monitor"))]
             let count = rx.read(&mut buffer).await.unwrap_or(0);
             #[cfg(feature = "monitor")]
-            let count = match select(rx.read(&mut buffer), ticker.next()).await {
+            let count = match select(rx.read(&mut buffer), Timer::after(SERVED)).await {
                 Either::First(count) => count.unwrap_or(0),
                 Either::Second(()) => 0,
             };
@@ -83,16 +88,16 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
                     break;
                 }
             }
-            ticker.reset();
-            due = Instant::now() + period;
+            schedule.restart();
             continue;
         }
-        // The receiver is polled first: late cycles, which are always due, must not block it.
-        match select(rx.read(&mut buffer), ticker.next()).await {
+        // The receiver is polled first: a late cycle, which is always due, must not block it.
+        match select(rx.read(&mut buffer), schedule.wait()).await {
             Either::First(count) => receive(&buffer[..count.unwrap_or(0)], decoder, &mut controller, &mut tx).await,
-            Either::Second(()) => {
-                controller.tick(due, decoder.stats(), &mut tx).await;
-                due += period;
+            Either::Second(_) => {
+                schedule.begin(Instant::now());
+                controller.tick(schedule.skipped, decoder.stats(), &mut tx).await;
+                schedule.end(Instant::now());
                 #[cfg(feature = "monitor")]
                 line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller);
             }

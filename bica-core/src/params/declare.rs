@@ -5,6 +5,9 @@
 use super::{Kind, Param, ParamGroup, Value, Variant};
 use crate::text::Text;
 
+/// One, and what the difference of two decimal numbers may be off in `f32`.
+const ROUNDED: f32 = 1.000_01;
+
 /// Stops the compiler if the range holds no number.
 ///
 /// # Panics
@@ -51,7 +54,7 @@ pub const fn assert_default(param: &Param) {
     }
 }
 
-/// Stops the compiler if the step leads nowhere.
+/// Stops the compiler if the step leads nowhere, or out of the range.
 ///
 /// # Panics
 /// If it is so.
@@ -64,6 +67,13 @@ pub const fn assert_step(param: &Param) {
         _ => true,
     };
     assert!(good, "a step is a finite number above zero");
+    let fits = match param.kind {
+        Kind::F32 { min, max, step: Some(step) } => step <= (max - min) * ROUNDED,
+        Kind::I32 { min, max, step: Some(step) } => step as i64 <= max as i64 - min as i64,
+        Kind::U32 { min, max, step: Some(step) } => step as i64 <= max as i64 - min as i64,
+        _ => true,
+    };
+    assert!(fits || !has_range(&param.kind), "this step is larger than the range: write a smaller one");
 }
 
 /// The default of an argument that declares none: the number of the range that is nearest to zero, `false`, or the first

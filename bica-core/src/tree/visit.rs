@@ -56,7 +56,7 @@ macro_rules! __visit_functions {
         // Nested visits become one function without calls.
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn visit_steady<__P: $crate::__private::Probe, const __PLAN: usize>(
+        fn visit_steady<__P: $crate::__private::Probe, const __PLAN: ::core::primitive::usize>(
             cycle: &mut $crate::__private::Cycle<'_, Self, __P>,
         ) {
             if const { $crate::__private::is_fixed::<Self, $component>(__PLAN) } {
@@ -105,9 +105,13 @@ macro_rules! __pass {
     }};
     ($component:ty, $cycle:ident, $is_due:ident, $plan:ident) => {{
         #[inline(always)]
-        fn pass<__T: $crate::__private::Has<$component>, __P: $crate::__private::Probe, const __PLAN: usize>(
+        fn pass<
+            __T: $crate::__private::Has<$component>,
+            __P: $crate::__private::Probe,
+            const __PLAN: ::core::primitive::usize,
+        >(
             cycle: &mut $crate::__private::Cycle<'_, __T, __P>,
-            is_due: bool,
+            is_due: ::core::primitive::bool,
         ) {
             <__T::Member as $crate::__private::MemberOf<__T>>::pass_steady::<__P, __PLAN>(cycle, is_due);
         }

@@ -12,6 +12,7 @@ mod params;
 mod paths;
 mod rate;
 mod requests;
+mod statements;
 mod stopwatch;
 mod text;
 mod time;

@@ -29,22 +29,31 @@ pub(crate) fn expand(world: &WorldActions, report: &Report) -> TokenStream {
         };
         operator::arm(&p, index, &action.call, &refused, called)
     });
+    let list = quote!({
+        let list: &'static [#p::Action] = const { &[#(#descriptions),*] };
+        #(#checks;)*
+        list
+    });
+    // A constant is checked whether or not something uses the world; it knows no generics.
+    let (constant, list) = if block.header.generics.params.is_empty() {
+        (quote!(const __LIST: &'static [#p::Action] = #list;), quote!(__LIST))
+    } else {
+        (TokenStream::new(), quote!(const #list))
+    };
     let items = quote! {
+        #constant
+
         #[automatically_derived]
         impl #parameters #p::Actions for #own #bounds {
             fn list(&self) -> &'static [#p::Action] {
-                const {
-                    let list: &'static [#p::Action] = const { &[#(#descriptions),*] };
-                    #(#checks;)*
-                    list
-                }
+                #list
             }
 
             fn perform(
                 &mut self,
-                index: usize,
+                index: ::core::primitive::usize,
                 arguments: &[#p::Value],
-            ) -> ::core::result::Result<(), &'static str> {
+            ) -> ::core::result::Result<(), &'static ::core::primitive::str> {
                 match (index, arguments) {
                     #(#arms)*
                     _ => #refused,

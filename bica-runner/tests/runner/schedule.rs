@@ -54,3 +54,24 @@ fn a_rate_is_limited_to_its_bounds() {
         assert_eq!(cycle(&mut schedule, &mut now, 0).0, period, "{hz} Hz");
     }
 }
+
+/// The loops of a computer, of embassy and of the firmware have this rule.
+#[test]
+fn after_a_stall_there_is_no_burst_of_cycles() {
+    let stall = 2_000_000;
+    let counts = ["in a cycle", "between two cycles", "while waiting"].map(|place| {
+        let (mut schedule, mut now) = (Schedule::new(100.0, OverrunPolicy::Skip), 0);
+        cycle(&mut schedule, &mut now, if place == "in a cycle" { stall } else { 100 });
+        if place == "between two cycles" {
+            now += stall;
+        } else if place == "while waiting" {
+            schedule.deadline(at(now));
+            now += stall;
+            schedule.begin(at(now));
+            schedule.end(at(now));
+        }
+        let end = now + 100_000;
+        (0..).take_while(|_| cycle(&mut schedule, &mut now, 100).0 < end && now < end).count()
+    });
+    assert_eq!(counts, [10; 3]);
+}

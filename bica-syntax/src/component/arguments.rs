@@ -1,5 +1,6 @@
 //! Arguments: links, the time, rates, parameters.
 
+use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{
     Attribute, FnArg, GenericArgument, Generics, Lifetime, PathArguments, PathSegment, Signature, Type, TypePath,
@@ -9,7 +10,7 @@ use syn::{
 use super::model::Argument;
 use super::signature::Form;
 use crate::report::Report;
-use crate::types::plain;
+use crate::types::{is_unsized, plain, unsized_argument};
 use crate::{text, wording};
 
 /// Types of the language that can be no components.
@@ -120,6 +121,11 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
     None
 }
 
+/// Whether the language has a type of that name.
+pub(super) fn is_value(name: &Ident) -> bool {
+    VALUES.iter().any(|value| name == value)
+}
+
 /// The message about a type that can be no component.
 fn no_value(path: &TypePath) -> Option<String> {
     let (written, last) = (text::written(path), path.path.segments.last()?);
@@ -128,7 +134,11 @@ fn no_value(path: &TypePath) -> Option<String> {
     if is_one_of(&WRAPPERS) && (is_of_std || path.path.segments.len() == 1) {
         let inner = plain(only_type(last)?);
         let inner = if let Type::Reference(reference) = inner { plain(&reference.elem) } else { inner };
-        return Some(wording::wrapped(&written, &text::written(inner)));
+        // A remedy that would be refused is none.
+        return Some(match inner {
+            Type::Path(path) if no_value(path).is_none() => wording::wrapped(&written, &text::written(inner)),
+            _ => wording::value(&written),
+        });
     }
     if path.path.segments.len() > 1 {
         return is_of_std.then(|| wording::value(&written));
@@ -140,7 +150,9 @@ fn no_value(path: &TypePath) -> Option<String> {
 }
 
 fn no_component(kind: &Type, report: &mut Report) -> Option<Argument> {
-    report.add(kind, wording::no_component(&text::written(kind)));
+    let written = text::written(kind);
+    report
+        .add(kind, if let Type::Tuple(_) = kind { wording::tuple(&written) } else { wording::no_component(&written) });
     None
 }
 
@@ -224,6 +236,10 @@ fn rate(
 
 fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) -> Option<Argument> {
     let child = plain(&reference.elem).clone();
+    if let Some(of) = unsized_argument(&child) {
+        report.add(of, wording::no_size(&text::written(of)));
+        return None;
+    }
     if is_own(&child, own) {
         report.add(reference, wording::OWN_LINK);
         return None;
@@ -238,16 +254,17 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate` or `Tuned` without a type, which is reported, so that the compiler does not report it again.
+/// Completes a `Rate` or `Tuned` without a type, and replaces one without a size, which are reported, so that the compiler does not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };
         let Type::Reference(reference) = &mut *input.ty else { continue };
         let Type::Path(path) = &mut *reference.elem else { continue };
-        if let Some(last) = path.path.segments.last_mut()
-            && (last.ident == "Rate" || last.ident == "Tuned")
-            && last.arguments.is_none()
-        {
+        let Some(last) = path.path.segments.last_mut() else { continue };
+        if let PathArguments::AngleBracketed(list) = &mut last.arguments {
+            list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
+        }
+        if (last.ident == "Rate" || last.ident == "Tuned") && last.arguments.is_none() {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
         }
     }

@@ -13,7 +13,7 @@ use crate::{number, text, wording};
 const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
 
 /// Names from other frameworks for our attributes.
-const SYNONYMS: [(&str, &str); 11] = [
+const SYNONYMS: [(&str, &str); 12] = [
     ("enter", "entry"),
     ("on_entry", "entry"),
     ("on_enter", "entry"),
@@ -23,6 +23,7 @@ const SYNONYMS: [(&str, &str); 11] = [
     ("guard", "transition"),
     ("information", "info"),
     ("modulate", "modulation"),
+    ("action", "modulation"),
     ("initial", "state(initial)"),
     ("last", "state(last)"),
 ];

@@ -26,9 +26,9 @@ pub(crate) fn check(component: &Component, report: &mut Report) {
 }
 
 fn is_near(name: &str) -> bool {
-    let name = name.to_lowercase();
-    let bare = name.trim_matches('_');
-    !WORDS.contains(&bare) && text::distance(bare, "step") <= 1
+    let lower = name.to_lowercase();
+    let bare = lower.trim_matches('_');
+    name != "step" && !WORDS.contains(&bare) && text::distance(bare, "step") <= 1
 }
 
 /// Whether a signature could be that of a step.

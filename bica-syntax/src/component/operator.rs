@@ -6,6 +6,7 @@ use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
 
 use super::block::Function;
 use super::model::{Info, Modulation};
+use super::signature::Wanted;
 use super::{arguments, attributes, info_options, signature};
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
@@ -15,11 +16,23 @@ use crate::{text, wording};
 /// The attributes of an argument.
 const KEYS: [&str; 5] = ["range", "unit", "step", "default", "place"];
 
+/// Names that a user may try for them.
+const SYNONYMS: [(&str, &str); 8] = [
+    ("min", "range"),
+    ("max", "range"),
+    ("limits", "range"),
+    ("bounds", "range"),
+    ("value", "default"),
+    ("increment", "step"),
+    ("param", "range"),
+    ("frame", "place"),
+];
+
 /// Reads a getter.
 pub(super) fn info(function: &Function, attribute: &Attribute, own: &Type, report: &mut Report) -> Option<Info> {
     let (unit, placement) = report.take(info_options::parse(attribute))?;
     let (name, doc) = described(function, "info", report);
-    signature::read_operator(&function.signature, own, "&self", report);
+    signature::read_operator(&function.signature, own, Wanted::Shared, report);
     for input in function.signature.inputs.iter().filter(|input| matches!(input, FnArg::Typed(_))) {
         report.add(input, wording::INFO_ARGUMENTS);
     }
@@ -56,7 +69,8 @@ pub(super) fn modulation(
 /// Reads a method that an operator may call, whatever it returns, and takes the attributes of its arguments off.
 pub(super) fn call(function: &mut Function, role: &str, own: &Type, report: &mut Report) -> Option<Modulation> {
     let (name, doc) = described(function, role, report);
-    signature::read_operator(&function.signature, own, "&mut self", report);
+    let wanted = if role == "action" { Wanted::World } else { Wanted::Exclusive };
+    signature::read_operator(&function.signature, own, wanted, report);
     let mut all = Vec::new();
     for input in &mut function.signature.inputs {
         if let FnArg::Typed(input) = input {
@@ -100,14 +114,28 @@ fn argument(input: &mut PatType, report: &mut Report) -> Option<Field> {
 }
 
 fn nearest(name: &Ident) -> Option<&'static str> {
-    text::nearest(&name.to_string(), KEYS.into_iter())
+    let name = name.to_string();
+    let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, ours)| *ours);
+    synonym.or_else(|| text::nearest(&name, KEYS.into_iter()))
+}
+
+/// Reports the attributes of arguments of a function that no operator calls, and takes them off.
+pub(super) fn no_keys(function: &mut Function, report: &mut Report) {
+    for input in &mut function.signature.inputs {
+        let FnArg::Typed(input) = input else { continue };
+        let is_ours =
+            |one: &mut Attribute| one.path().get_ident().is_some_and(|name| KEYS.iter().any(|key| name == key));
+        for attribute in input.attrs.extract_if(.., is_ours) {
+            report.add(attribute.path(), wording::key_without_role(&text::written(attribute.path())));
+        }
+    }
 }
 
 /// `#[range(a..=b)]`, `#[unit("m")]`, `#[step(0.1)]`, `#[default(0.5)]`, `#[place("field.x")]`
 fn key(attribute: &Attribute, keys: &mut Keys) -> syn::Result<()> {
     let written = text::written(attribute.path());
     if !KEYS.contains(&written.as_str()) {
-        let nearest = text::nearest(&written, KEYS.into_iter()).unwrap_or_default();
+        let nearest = attribute.path().get_ident().and_then(nearest).unwrap_or_default();
         let at = attribute.path().to_token_stream();
         return Err(syn::Error::new_spanned(at, wording::misspelt_attribute(&written, nearest)));
     }

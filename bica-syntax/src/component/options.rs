@@ -6,6 +6,7 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Expr, Path, Token, parse_quote};
 
 use super::model::Options;
+use crate::comma::comma;
 use crate::report::Report;
 use crate::{number, text, wording};
 
@@ -44,14 +45,6 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Options {
     let parsed = parser.parse2(tokens);
     report.take(parsed);
     options
-}
-
-fn comma(input: ParseStream) -> syn::Result<()> {
-    if input.is_empty() {
-        return Ok(());
-    }
-    let missing = |_| input.error(wording::COMMA);
-    input.parse::<Token![,]>().map(|_| ()).map_err(missing)
 }
 
 /// Skips to the token after the next comma.

@@ -2,7 +2,11 @@
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Attribute, GenericArgument, Generics, Item as AnyItem, Lifetime, PathArguments, Type, parse_quote};
+use syn::punctuated::Punctuated;
+use syn::{
+    Attribute, GenericArgument, Generics, Item as AnyItem, Lifetime, PathArguments, Token, Type, TypeParamBound,
+    WherePredicate, parse_quote,
+};
 
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
@@ -31,6 +35,11 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     *block.header.self_ty = plain(&block.header.self_ty).clone();
     let own = &block.header.self_ty;
     let name = component_name(own);
+    if is_of_nobody(own, &block.header.generics) {
+        report.add(own, wording::NOT_A_NAME);
+        // The compiler would refuse the block, and what makes a component of it, once more.
+        return Parsed::Misplaced { item: TokenStream::new(), of: None };
+    }
     let misplaced = match (&block.header.trait_, &name) {
         (Some((path, _)), _) => Some((path.to_token_stream(), wording::TRAIT_IMPL.to_owned())),
         (None, None) => Some((own.to_token_stream(), wording::NOT_A_NAME.to_owned())),
@@ -62,11 +71,15 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     for second in component.block.header.attrs.extract_if(.., |one| attributes::is_component(one)) {
         report.add(second, wording::TWICE);
     }
-    let unnamed = unnamed_lifetimes(component.own()).map(ToTokens::to_token_stream);
+    let unnamed = lifetimes(component.own()).filter(|lifetime| lifetime.ident == "_").map(ToTokens::to_token_stream);
     let named = component.block.header.generics.lifetimes().map(ToTokens::to_token_stream);
     for lifetime in named.chain(unnamed) {
         report.add(lifetime, wording::LIFETIME);
     }
+    for lifetime in lifetimes(component.own()).filter(|lifetime| lifetime.ident == "static") {
+        report.add(lifetime, wording::STATIC);
+    }
+    without_unsized(&mut component.block.header.generics, report);
     let reason = parse_quote!(#[allow(clippy::new_without_default, reason = "a tree makes it by `new`")]);
     component.block.header.attrs.push(reason);
     functions(&mut component, report);
@@ -86,17 +99,40 @@ fn without_roles(mut component: Component, at: TokenStream, problem: &str, repor
     Parsed::Misplaced { item, of }
 }
 
-/// Each `'_` in a type.
-fn unnamed_lifetimes(own: &Type) -> impl Iterator<Item = &Lifetime> {
+/// The lifetimes of a type.
+fn lifetimes(own: &Type) -> impl Iterator<Item = &Lifetime> {
     let last = if let Type::Path(path) = own { path.path.segments.last() } else { None };
     let arguments = last.and_then(|last| match &last.arguments {
         PathArguments::AngleBracketed(list) => Some(&list.args),
         _ => None,
     });
     arguments.into_iter().flatten().filter_map(|argument| match argument {
-        GenericArgument::Lifetime(lifetime) if lifetime.ident == "_" => Some(lifetime),
+        GenericArgument::Lifetime(lifetime) => Some(lifetime),
         _ => None,
     })
+}
+
+/// Takes off each bound `?Sized`, so that the compiler reports no further ones.
+fn without_unsized(generics: &mut Generics, report: &mut Report) {
+    let mut sized = |bounds: &mut Punctuated<TypeParamBound, Token![+]>| {
+        let (wrong, rest): (Vec<_>, Vec<_>) =
+            std::mem::take(bounds).into_iter().partition(|bound| text::written(bound).starts_with('?'));
+        wrong.iter().for_each(|bound| report.add(bound, wording::NO_SIZE_BOUND));
+        *bounds = rest.into_iter().collect();
+    };
+    generics.type_params_mut().for_each(|parameter| sized(&mut parameter.bounds));
+    for predicate in generics.where_clause.iter_mut().flat_map(|clause| &mut clause.predicates) {
+        if let WherePredicate::Type(predicate) = predicate {
+            sized(&mut predicate.bounds);
+        }
+    }
+}
+
+/// Whether a type is written as one of the language or a type parameter, of which nobody can make a component.
+fn is_of_nobody(own: &Type, generics: &Generics) -> bool {
+    let Type::Path(path) = own else { return false };
+    let Some(name) = path.path.get_ident() else { return false };
+    name == "String" || arguments::is_value(name) || generics.type_params().any(|parameter| parameter.ident == *name)
 }
 
 fn component_name(own: &Type) -> Option<String> {
@@ -130,6 +166,9 @@ fn functions(component: &mut Component, report: &mut Report) {
             Item::Function(function) => {
                 let name = text::name(&function.signature.ident);
                 let ours = take_ours(component, function, report);
+                if !ours.iter().any(|one| attributes::role(one) == Some("modulation")) {
+                    operator::no_keys(function, report);
+                }
                 let is_called = name == "step" || !ours.is_empty();
                 match twice.iter().find(|(other, _)| *other == name) {
                     Some((_, condition)) if is_called => {
@@ -207,6 +246,12 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
             _ => wording::TWO_ROLES.to_owned(),
         };
         report.add(other, problem);
+    }
+    if let Some(role @ ("info" | "modulation")) = role
+        && text::name(&function.signature.ident) == "step"
+    {
+        component.incomplete = true;
+        return report.add(first, wording::role_of_step(role));
     }
     match role {
         Some("state") => state(component, function, first, report),

@@ -30,21 +30,35 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
     arguments::read(signature, own, form, report)
 }
 
-/// Reports what a function that an operator calls may not have; `wanted` is how it takes the component.
-pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: &str, report: &mut Report) {
+/// How a function that an operator calls takes its component or world.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    Shared,
+    Exclusive,
+    /// The world, exclusively.
+    World,
+}
+
+/// Reports what a function that an operator calls may not have.
+pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: Wanted, report: &mut Report) {
     no_modifiers(signature, report);
     generics(signature, report);
     let as_wanted = match signature.inputs.first() {
         Some(FnArg::Receiver(receiver)) => {
-            taken(receiver, own) == if wanted == "&self" { Taken::Shared } else { Taken::Exclusive }
+            taken(receiver, own) == if wanted == Wanted::Shared { Taken::Shared } else { Taken::Exclusive }
         }
         _ => false,
     };
     if !as_wanted {
         let name = text::name(&signature.ident);
+        let problem = match wanted {
+            Wanted::Shared => wording::receiver(&name, "&self"),
+            Wanted::Exclusive => wording::receiver(&name, "&mut self"),
+            Wanted::World => wording::world_receiver(&name),
+        };
         match signature.inputs.first() {
-            Some(FnArg::Receiver(receiver)) => report.add(receiver, wording::receiver(&name, wanted)),
-            _ => report.add(&signature.ident, wording::receiver(&name, wanted)),
+            Some(FnArg::Receiver(receiver)) => report.add(receiver, problem),
+            _ => report.add(&signature.ident, problem),
         }
     }
 }
@@ -128,7 +142,7 @@ fn lifetime(receiver: &Receiver) -> Option<&Lifetime> {
 fn output(signature: &Signature, form: Form, report: &mut Report) {
     let name = text::name(&signature.ident);
     match (&signature.output, form) {
-        (ReturnType::Type(_, kind), Form::Condition) if text::written(plain(kind)) == "bool" => {}
+        (ReturnType::Type(_, kind), Form::Condition) if is_bool(kind) => {}
         (ReturnType::Type(_, kind), Form::Condition) => report.add(kind, wording::returns_bool(&name)),
         (ReturnType::Default, Form::Condition) => report.add(&signature.ident, wording::returns_bool(&name)),
         (ReturnType::Type(_, kind), _) if text::written(kind) != "()" => {
@@ -136,4 +150,9 @@ fn output(signature: &Signature, form: Form, report: &mut Report) {
         }
         _ => {}
     }
+}
+
+/// Whether a type is `bool`, by any path.
+fn is_bool(kind: &Type) -> bool {
+    matches!(plain(kind), Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "bool"))
 }

@@ -7,6 +7,7 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Type};
 
 use super::model::{Field, Kind, Number, NumberKind, Place};
+use crate::comma::comma;
 use crate::report::Report;
 use crate::types::plain;
 use crate::{number, text, wording};
@@ -63,9 +64,7 @@ pub(crate) fn keys(attribute: &Attribute, report: &mut Report) -> Option<Keys> {
     let parsed = list.parse_args_with(|input: ParseStream| {
         while !input.is_empty() {
             one(input, &mut keys, &mut seen)?;
-            if !input.is_empty() {
-                input.parse::<Token![,]>().map_err(|found| syn::Error::new(found.span(), wording::COMMA))?;
-            }
+            comma(input)?;
         }
         Ok(())
     });
@@ -212,6 +211,7 @@ fn other_kind(last: &str, ty: &Type, keys: &Keys, report: &mut Report) -> Option
         keys.range.as_ref().map(|(.., range)| ("range", range.to_token_stream())),
         keys.step.as_ref().map(|step| ("step", step.to_token_stream())),
         keys.unit.as_ref().map(|_| ("unit", ty.to_token_stream())),
+        keys.place.as_ref().map(|_| ("place", ty.to_token_stream())),
     ];
     let mut good = true;
     for (key, at) in number_only.into_iter().flatten() {

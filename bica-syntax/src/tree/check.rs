@@ -8,6 +8,10 @@ use crate::{text, wording};
 
 /// The tree, or `None` with mistakes reported.
 pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
+    if draft.names_a_component() {
+        report.add(&draft.name, wording::tree_of_a_component(&text::name(&draft.name)));
+        return None;
+    }
     let components = draft.components.as_ref().map(|entries| distinct(entries, &draft.name, report));
     // After an error of the parser nothing is missing: it was not read.
     if report.is_empty() {

@@ -6,8 +6,9 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
+use crate::comma::comma;
 use crate::report::Report;
-use crate::types::plain;
+use crate::types::{plain, unsized_argument};
 use crate::{number, text, wording};
 
 /// The fields that messages name; `crate` is for the crates of the framework.
@@ -49,13 +50,6 @@ pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) 
         }
     }
     Ok(())
-}
-
-fn comma(input: ParseStream) -> syn::Result<()> {
-    if input.is_empty() {
-        return Ok(());
-    }
-    input.parse::<Token![,]>().map(|_| ()).map_err(|found| syn::Error::new(found.span(), wording::COMMA))
 }
 
 /// Skips to the next name of a field.
@@ -119,6 +113,9 @@ fn component(input: ParseStream) -> syn::Result<Type> {
         input.parse().map_err(|found: syn::Error| syn::Error::new(found.span(), wording::COMPONENT_TYPE))?;
     if !matches!(plain(&kind), Type::Path(_)) {
         return Err(syn::Error::new_spanned(&kind, wording::COMPONENT_TYPE));
+    }
+    if let Some(of) = unsized_argument(&kind) {
+        return Err(syn::Error::new_spanned(of, wording::no_size(&text::written(of))));
     }
     if input.peek(token::Paren) || input.peek(token::Brace) {
         return Err(syn::Error::new_spanned(&kind, wording::COMPONENT_VALUE));

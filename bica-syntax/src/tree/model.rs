@@ -3,6 +3,8 @@
 use proc_macro2::Ident;
 use syn::{Attribute, Expr, Path, Type, Visibility};
 
+use crate::text;
+
 /// A tree as written.
 pub struct Draft {
     /// Attributes of the struct.
@@ -23,6 +25,14 @@ pub struct Draft {
     pub components: Option<Vec<Entry>>,
     /// The crate that generated code uses.
     pub krate: Path,
+}
+
+impl Draft {
+    /// Whether the root has the name of the tree: then this is the name of a component, and no struct can have it.
+    #[must_use]
+    pub fn names_a_component(&self) -> bool {
+        self.root.as_ref().is_some_and(|root| text::written(root) == self.name.to_string())
+    }
 }
 
 /// A tree without mistakes in its text.

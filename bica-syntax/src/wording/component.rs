@@ -10,6 +10,10 @@ pub(crate) const NOT_A_NAME: &str = "a component is a struct or an enum: write i
 pub(crate) const LIFETIME: &str =
     "a component cannot borrow, because its tree owns it: store values, and read other components in `step`";
 
+pub(crate) const STATIC: &str =
+    "a component has no lifetime: remove this one from the type, and write `&'static` in the types of its fields";
+pub(crate) const NO_SIZE_BOUND: &str = "a tree stores its components, so each type in them has a size: remove `?Sized`";
+
 pub(crate) fn reserved(name: &str) -> String {
     let used = match name {
         "Time" => "an argument `&Time` is the time of the cycle",
@@ -27,8 +31,7 @@ pub(crate) const RESUME_WITHOUT_STATES: &str =
 
 // The attributes of functions.
 pub(crate) const STATE_WORDS: &str = "write `#[state]`, `#[state(initial)]` or `#[state(last)]`";
-pub(crate) const ARROW: &str =
-    "a transition names the states that it leaves and enters: write `#[transition(from -> to)]`";
+pub(crate) const ARROW: &str = "a transition names the states that it leaves and enters: write `#[transition(from -> to)]`, or `one | other -> to`";
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
 pub(crate) const TIMER: &str = "only `after_ms = 1500` can follow the arrow: remove this";
 pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
@@ -66,6 +69,8 @@ pub(crate) fn no_arguments(role: &str) -> String {
 }
 
 messages! {
+    key_without_role(key) = "`#[{key}]` describes an argument of a `#[modulation]`, and this function is none: remove one, or add the other";
+    role_of_step(role) = "`step` runs in each run of the component: remove `#[{role}]`, or give this function another name";
     hook_states(role) = "a hook names its states: write `#[{role}(state)]` or `#[{role}(one | other)]`";
 }
 
@@ -95,6 +100,9 @@ pub(crate) const ACTION_FORM: &str =
     "write `#[action]`, or `#[action(moves = \"cup\")]` with the item of the true state that it moves";
 pub(crate) const WORLD_ACTIONS: &str =
     "`#[world_actions]` belongs on an impl block of a world: write it above `impl Room { ... }`";
+
+pub(crate) const NO_ACTION: &str =
+    "this world has no action: mark a method with `#[action]`, or remove `#[world_actions]`";
 
 messages! {
     frame_form(key) = "`{key}` is the name of a frame: write `{key} = \"robot\"`";
@@ -153,6 +161,7 @@ messages! {
     lifetime(name) = "a link is borrowed for this call only: remove `{name}`";
     receiver(function, receiver) =
         "the tree owns the component and `{function}` borrows it: write `{receiver}` as the first argument";
+    world_receiver(function) = "an action changes the world, and `{function}` borrows it: write `&mut self` as the first argument";
     returns_nothing(function) =
         "`{function}` must return nothing: store the result in a field, which other components can read";
     returns_bool(function) = "transition `{function}` must return whether it is taken: write `-> bool`";
@@ -192,5 +201,8 @@ messages! {
          to modulate it";
     no_component(written) =
         "`{written}` is no link to a component: write `&Name` to read one, `&mut Name` to modulate one";
+    tuple(written) =
+        "`{written}` is no link to a component: write each one as an argument of its own, such as `ball: &Ball, head: &mut Head`";
+    no_size(written) = "`{written}` has no fixed size, and a component stores its values: name a type with a size, such as an array";
     two_links(written) = "two links to `{written}` in one signature: keep one; `&mut` can also read";
 }

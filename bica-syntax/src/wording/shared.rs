@@ -2,6 +2,7 @@
 
 pub(crate) const TWICE: &str = "this is written twice: remove one";
 pub(crate) const EXTRA_COMMA: &str = "nothing stands before this comma: remove it";
+pub(crate) const NO_SEMICOLON: &str = "commas separate these: write `,` in place of `;`";
 pub(crate) const COMMA: &str = "a comma is missing before this";
 
 pub(crate) fn unknown_key(found: &str, nearest: Option<&str>, known: &str) -> String {

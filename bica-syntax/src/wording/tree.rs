@@ -12,7 +12,7 @@ pub(crate) const COMPONENT_LIST: &str = "the components are a list in brackets: 
 pub(crate) const COMPONENT_TYPE: &str = "a component is listed by its type, which the tree owns: write its name here";
 pub(crate) const COMPONENT_VALUE: &str =
     "a component is listed by its type: write its name here; in `components` a value can follow, `Name = Name::new()`";
-pub(crate) const TREE_IN_ITSELF: &str = "a tree is no component of itself: remove it here";
+pub(crate) const TREE_IN_ITSELF: &str = "the tree itself has this name: remove it here, or give the tree another name";
 pub(crate) const VALUE_SIGN: &str = "an initial value follows `=`: write `Name = Name::new()`";
 pub(crate) const SEMICOLON: &str = "the fields of a tree end with a comma: write `,` in place of each `;`";
 pub(crate) const FIELD_NAME: &str = "a field of a tree is `root`, `cycle_hz`, `budget_ms`, `tunable` or `components`";
@@ -26,6 +26,7 @@ pub(crate) fn derived(name: &str) -> String {
 }
 
 messages! {
+    tree_of_a_component(name) = "the tree and its root are both called `{name}`: give the tree another name";
     colon(key) = "a colon follows the name of a field: `{key}: ...`";
     missing(key, example) = "the tree has no `{key}`: add `{key}: {example}`";
     listed_twice(component) = "`{component}` is listed twice, but a tree has one instance of a component: remove one";

@@ -1,5 +1,6 @@
 //! Requests of an operator.
 
+pub use bica_core::modulation::MAX_ARGUMENTS;
 use bica_core::params::{Setting, Value};
 use heapless::Vec;
 use postcard_schema::Schema;
@@ -7,8 +8,6 @@ use serde::{Deserialize, Serialize};
 
 /// Largest number of settings in one batch.
 pub const MAX_BATCH: usize = 32;
-/// Largest number of arguments of a modulation in a request.
-pub const MAX_ARGUMENTS: usize = 16;
 
 /// An action on the lease, which makes one monitor the operator. Only its owner may send requests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]

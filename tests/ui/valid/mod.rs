@@ -6,5 +6,6 @@ mod items;
 mod names;
 mod numbers;
 mod places;
+mod shadows;
 mod signatures;
 mod trees;

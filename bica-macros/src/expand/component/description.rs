@@ -28,11 +28,11 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         impl #parameters #p::Component for #own #bounds {
             type Itself = Self;
             type Block = __Block;
-            const NAME: &'static str = #name;
-            const DOC: &'static str = #doc;
-            const HZ: ::core::option::Option<f32> = #hz;
-            const BUDGET_US: ::core::option::Option<f32> = #budget_us;
-            const RESUME: bool = #resume;
+            const NAME: &'static ::core::primitive::str = #name;
+            const DOC: &'static ::core::primitive::str = #doc;
+            const HZ: ::core::option::Option<::core::primitive::f32> = #hz;
+            const BUDGET_US: ::core::option::Option<::core::primitive::f32> = #budget_us;
+            const RESUME: ::core::primitive::bool = #resume;
             #states
             #tuning
             #operator
@@ -81,7 +81,7 @@ fn states(behaviour: &Behaviour) -> TokenStream {
     let states = machine.states.iter().enumerate().map(|(index, one)| state(&p, machine, index, one));
     quote! {
         const STATES: &'static [#p::State] = &[#(#states),*];
-        const INITIAL: usize = #initial;
+        const INITIAL: ::core::primitive::usize = #initial;
     }
 }
 

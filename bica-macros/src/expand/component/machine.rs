@@ -17,7 +17,7 @@ pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits, tuning
     let steady = visits.exist().then(|| {
         let rounds = arms(machine, |state| round(p, (machine, state), visits, tuning, true));
         quote! {
-            fn pass_steady<__P: #p::Probe, const __PLAN: usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: bool) {
+            fn pass_steady<__P: #p::Probe, const __PLAN: ::core::primitive::usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: ::core::primitive::bool) {
                 let visit = #p::Visit { due: is_due, entering: false };
                 let machine = cycle.machine::<Self>(visit);
                 match machine.state {

@@ -44,7 +44,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         #[automatically_derived]
         impl #parameters #p::MemberOf<__T, __Block> for #own #bounds {
             #node
-            const TIMED: bool = #timed;
+            const TIMED: ::core::primitive::bool = #timed;
             #rates
 
             #code
@@ -75,7 +75,7 @@ fn rates(p: &TokenStream, component: &Component) -> Option<TokenStream> {
             _ => None,
         })
         .collect();
-    (!borrowed.is_empty()).then(|| quote!(const RATES: &'static [usize] = &[#(#borrowed),*];))
+    (!borrowed.is_empty()).then(|| quote!(const RATES: &'static [::core::primitive::usize] = &[#(#borrowed),*];))
 }
 
 /// All children, each text once.

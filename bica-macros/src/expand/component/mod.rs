@@ -16,7 +16,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::FnArg;
 
-use crate::expand::quoting::{at, enclosed};
+use crate::expand::quoting::{at, enclosed, placed, runtime};
 use bica_syntax::component::block::Function;
 use bica_syntax::component::model::{Behaviour, Component};
 use bica_syntax::text;
@@ -30,7 +30,8 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let member = member::expand(component, behaviour);
     let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
-    let traits = enclosed(&component.options.krate, &quote!(pub struct __Block; #description #member));
+    let own_fields = component.block.header.generics.params.is_empty().then(|| no_params(component));
+    let traits = enclosed(&component.options.krate, &quote!(pub struct __Block; #description #member #own_fields));
     quote!(#block #traits #no_step)
 }
 
@@ -39,6 +40,18 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
 fn is_whole(component: &Component) -> bool {
     let constructs = |function: &Function| !matches!(function.signature.inputs.first(), Some(FnArg::Receiver(_)));
     component.functions().next().is_some() || component.block.functions().any(constructs)
+}
+
+/// An assertion that the component's type, which has no generics as all parameters, is no struct of parameters.
+fn no_params(component: &Component) -> TokenStream {
+    let (p, own) = (runtime(), component.own());
+    let called = placed(&quote!(#p::assert_no_params), at(own));
+    quote_spanned! {at(own) =>
+        const _: () = {
+            use #p::Parameters as _;
+            #called(<#own>::__PARAMS)
+        };
+    }
 }
 
 /// A constant that collides with a function `step` in another impl block, which no tree would ever call.

@@ -59,7 +59,9 @@ pub(crate) fn checks(p: &TokenStream, modulation: &Modulation, described: &Token
     let each = modulation.arguments.iter().enumerate().flat_map(|(place, field)| {
         describe::checks(p, field, &quote!(#described.arguments[#place])).into_iter().map(|(_, check)| check)
     });
-    each.collect()
+    let place = at(&modulation.name);
+    let (p, described) = (placed(p, place), placed(described, place));
+    each.chain([quote_spanned!(place => #p::assert_arguments(&#described))]).collect()
 }
 
 /// The functions of `impl MemberOf`.
@@ -78,7 +80,7 @@ fn read(p: &TokenStream, infos: &[Info]) -> TokenStream {
         quote!(#index => { let value = this.#name(); #take; })
     });
     quote! {
-        fn read_info<__S: #p::InfoSink>(tree: &__T, index: usize, sink: &mut __S) -> bool {
+        fn read_info<__S: #p::InfoSink>(tree: &__T, index: ::core::primitive::usize, sink: &mut __S) -> ::core::primitive::bool {
             let this = #p::component::<__T, Self>(tree);
             match index {
                 #(#arms)*
@@ -95,7 +97,7 @@ fn call(p: &TokenStream, modulations: &[Modulation]) -> TokenStream {
         arm(p, index, modulation, &quote!(return), called)
     });
     quote! {
-        fn modulate(tree: &mut __T, index: usize, arguments: &[#p::Value]) {
+        fn modulate(tree: &mut __T, index: ::core::primitive::usize, arguments: &[#p::Value]) {
             let this = #p::component_mut::<__T, Self>(tree);
             match (index, arguments) {
                 #(#arms)*

@@ -31,7 +31,7 @@ pub(super) fn expand(p: &TokenStream, step: Option<&Function>, visits: &Visits, 
 
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn pass_steady<__P: #p::Probe, const __PLAN: usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: bool) {
+        fn pass_steady<__P: #p::Probe, const __PLAN: ::core::primitive::usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: ::core::primitive::bool) {
             #before_steady
             if is_due {
                 #run

@@ -47,13 +47,13 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
         impl #parameters #p::Component for #own #bounds {
             type Itself = Self;
             type Block = __Block;
-            const NAME: &'static str = #name;
-            const DOC: &'static str = "";
-            const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
-            const BUDGET_US: ::core::option::Option<f32> = ::core::option::Option::None;
-            const RESUME: bool = false;
+            const NAME: &'static ::core::primitive::str = #name;
+            const DOC: &'static ::core::primitive::str = "";
+            const HZ: ::core::option::Option<::core::primitive::f32> = ::core::option::Option::None;
+            const BUDGET_US: ::core::option::Option<::core::primitive::f32> = ::core::option::Option::None;
+            const RESUME: ::core::primitive::bool = false;
             const STATES: &'static [#p::State] = &[];
-            const IS_STUB: bool = true;
+            const IS_STUB: ::core::primitive::bool = true;
             type Params = ();
             const DEFAULT_PARAMS: () = ();
             const CONSTANT_PARAMS: &'static () = &();
@@ -63,7 +63,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
         impl #member_parameters #p::MemberOf<__T, __Block> for #own #bounds {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
             const NODE: #p::Node = #p::Node::new(#name);
-            const TIMED: bool = false;
+            const TIMED: ::core::primitive::bool = false;
 
             fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, __T, __P>, _: #p::Visit) {
                 const { ::core::panic!("`#[component]` could not read the block of this component: write it in plainer Rust") }

@@ -72,7 +72,7 @@ impl Tuning {
         let groups: Vec<_> = self.each(p, &quote!(GROUP)).collect();
         let (get, put, check) = (self.each(p, &quote!(get)), self.each(p, &quote!(put)), self.each(p, &quote!(check)));
         quote! {
-            fn param(params: &Self::Params, index: usize) -> ::core::option::Option<#p::Value> {
+            fn param(params: &Self::Params, index: ::core::primitive::usize) -> ::core::option::Option<#p::Value> {
                 let first = 0;
                 #(
                     let next = first + #groups.params.len();
@@ -85,7 +85,7 @@ impl Tuning {
                 ::core::option::Option::None
             }
 
-            fn put_param(params: &mut Self::Params, index: usize, value: #p::Value) {
+            fn put_param(params: &mut Self::Params, index: ::core::primitive::usize, value: #p::Value) {
                 let first = 0;
                 #(
                     let next = first + #groups.params.len();
@@ -97,7 +97,7 @@ impl Tuning {
                 let _ = first;
             }
 
-            fn check_params(params: &Self::Params) -> ::core::result::Result<(), &'static str> {
+            fn check_params(params: &Self::Params) -> ::core::result::Result<(), &'static ::core::primitive::str> {
                 #(#check(&params #paths)?;)*
                 ::core::result::Result::Ok(())
             }

@@ -20,13 +20,13 @@ pub(crate) fn choice(choice: &Choice) -> TokenStream {
         impl #p::ParamEnum for #name {
             const VARIANTS: &'static [#p::Variant] = &[#(#p::Variant { name: #labels, doc: #p::doc(#docs) }),*];
 
-            fn index(self) -> u32 {
+            fn index(&self) -> ::core::primitive::u32 {
                 match self {
                     #(Self::#variants => #indices,)*
                 }
             }
 
-            fn at(index: u32) -> ::core::option::Option<Self> {
+            fn at(index: ::core::primitive::u32) -> ::core::option::Option<Self> {
                 match index {
                     #(#indices => ::core::option::Option::Some(Self::#variants),)*
                     _ => ::core::option::Option::None,
@@ -48,10 +48,10 @@ pub(crate) fn choice_stub(choice: &Choice, report: &Report) -> TokenStream {
         #[automatically_derived]
         impl #p::ParamEnum for #name {
             const VARIANTS: &'static [#p::Variant] = &[];
-            fn index(self) -> u32 {
+            fn index(&self) -> ::core::primitive::u32 {
                 0
             }
-            fn at(_: u32) -> ::core::option::Option<Self> {
+            fn at(_: ::core::primitive::u32) -> ::core::option::Option<Self> {
                 ::core::option::Option::None
             }
         }

@@ -97,7 +97,7 @@ pub(crate) fn to_value(p: &TokenStream, field: &Field, read: &TokenStream) -> To
         Kind::Choice => {
             let ty = &field.ty;
             let p = placed(p, at(ty));
-            quote_spanned!(at(ty) => #p::Value::Choice(<#ty as #p::ParamEnum>::index(#read)))
+            quote_spanned!(at(ty) => #p::Value::Choice(<#ty as #p::ParamEnum>::index(&#read)))
         }
     }
 }

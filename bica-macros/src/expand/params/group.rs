@@ -31,7 +31,7 @@ pub(crate) fn params(params: &Params) -> TokenStream {
     });
     let check = (!params.checks.is_empty()).then(|| {
         quote! {
-            fn check(&self) -> ::core::result::Result<(), &'static str> {
+            fn check(&self) -> ::core::result::Result<(), &'static ::core::primitive::str> {
                 #(#each)*
                 ::core::result::Result::Ok(())
             }
@@ -56,6 +56,12 @@ pub(crate) fn params(params: &Params) -> TokenStream {
             }
         }
 
+        impl #name {
+            #[doc(hidden)]
+            #[allow(dead_code, reason = "a component asks for it")]
+            pub const __PARAMS: ::core::primitive::bool = true;
+        }
+
         #(#assertions)*
         #rules
     };
@@ -74,14 +80,14 @@ fn access(params: &Params, p: &TokenStream) -> TokenStream {
         quote!(#place => if let ::core::option::Option::Some(value) = #value { self.#name = value; },)
     });
     quote! {
-        fn get(&self, index: usize) -> ::core::option::Option<#p::Value> {
+        fn get(&self, index: ::core::primitive::usize) -> ::core::option::Option<#p::Value> {
             match index {
                 #(#places => ::core::option::Option::Some(#reads),)*
                 _ => ::core::option::Option::None,
             }
         }
 
-        fn put(&mut self, index: usize, value: #p::Value) {
+        fn put(&mut self, index: ::core::primitive::usize, value: #p::Value) {
             match index {
                 #(#writes)*
                 _ => {}
@@ -102,7 +108,7 @@ fn rules(params: &Params, p: &TokenStream) -> TokenStream {
         quote_spanned! {at(check) =>
             impl #name {
                 #[doc(hidden)]
-                const fn #rule(&self) -> ::core::result::Result<(), &'static str> {
+                const fn #rule(&self) -> ::core::result::Result<(), &'static ::core::primitive::str> {
                     #check(self)
                 }
             }
@@ -122,10 +128,10 @@ pub(crate) fn stub(params: &Params, report: &Report) -> TokenStream {
         impl #p::Params for #name {
             const DEFAULT: Self = #default;
             const GROUP: #p::ParamGroup = #p::ParamGroup { name: "", doc: "", params: &[] };
-            fn get(&self, _: usize) -> ::core::option::Option<#p::Value> {
+            fn get(&self, _: ::core::primitive::usize) -> ::core::option::Option<#p::Value> {
                 ::core::option::Option::None
             }
-            fn put(&mut self, _: usize, _: #p::Value) {}
+            fn put(&mut self, _: ::core::primitive::usize, _: #p::Value) {}
         }
     };
     let items = enclosed(krate, &items);

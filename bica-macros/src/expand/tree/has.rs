@@ -24,7 +24,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             impl #p::Has<#kind> for #name {
                 type Member = #member;
                 type Stored = #stored;
-                const INDEX: usize = #index;
+                const INDEX: ::core::primitive::usize = #index;
 
                 #[inline]
                 fn slot(slots: &Self::Slots) -> &#p::Slot<#kind, Self::Stored> {

@@ -19,9 +19,9 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         #[automatically_derived]
         impl #p::Layout for #name {
             type Slots = __Slots;
-            const CYCLE_HZ: f32 = #cycle_hz;
-            const ACTIVATORS: &'static [usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
-            const ORDER: &'static [u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
+            const CYCLE_HZ: ::core::primitive::f32 = #cycle_hz;
+            const ACTIVATORS: &'static [::core::primitive::usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
+            const ORDER: &'static [::core::primitive::u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
             #[inline]
             fn engine(&self) -> &#p::Engine<Self> {
@@ -69,42 +69,42 @@ fn access(tree: &Tree, p: &TokenStream) -> TokenStream {
     let kinds = kinds(tree);
     let places: Vec<usize> = (0..kinds.len()).collect();
     quote! {
-        fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+        fn visit<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: ::core::primitive::usize) {
             match index {
                 #(#places => <Self as #p::Has<#kinds>>::visit(cycle),)*
                 _ => {}
             }
         }
 
-        fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: usize) {
+        fn stop<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, Self, __P>, index: ::core::primitive::usize) {
             match index {
                 #(#places => cycle.stop::<#kinds>(),)*
                 _ => {}
             }
         }
 
-        fn component_state(slots: &Self::Slots, index: usize) -> ::core::option::Option<&#p::ComponentState> {
+        fn component_state(slots: &Self::Slots, index: ::core::primitive::usize) -> ::core::option::Option<&#p::ComponentState> {
             match index {
                 #(#places => ::core::option::Option::Some(#states),)*
                 _ => ::core::option::Option::None,
             }
         }
 
-        fn member<__M: #p::Member<Self>>(index: usize, action: __M) -> ::core::option::Option<__M::Output> {
+        fn member<__M: #p::Member<Self>>(index: ::core::primitive::usize, action: __M) -> ::core::option::Option<__M::Output> {
             match index {
                 #(#places => ::core::option::Option::Some(<__M as #p::Member<Self>>::visit::<#kinds>(action)),)*
                 _ => ::core::option::Option::None,
             }
         }
 
-        fn hz(&self, index: usize) -> ::core::option::Option<f32> {
+        fn hz(&self, index: ::core::primitive::usize) -> ::core::option::Option<::core::primitive::f32> {
             match index {
                 #(#places => #p::hz::<Self, #kinds>(self),)*
                 _ => ::core::option::Option::None,
             }
         }
 
-        fn set_hz(&mut self, index: usize, hz: ::core::option::Option<f32>) {
+        fn set_hz(&mut self, index: ::core::primitive::usize, hz: ::core::option::Option<::core::primitive::f32>) {
             match index {
                 #(#places => #p::set_hz::<Self, #kinds>(self, hz),)*
                 _ => {}

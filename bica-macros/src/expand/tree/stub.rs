@@ -57,11 +57,11 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
         impl #p::Component for Any {
             type Itself = Self;
             type Block = ();
-            const NAME: &'static str = "";
-            const DOC: &'static str = "";
-            const HZ: ::core::option::Option<f32> = ::core::option::Option::None;
-            const BUDGET_US: ::core::option::Option<f32> = ::core::option::Option::None;
-            const RESUME: bool = false;
+            const NAME: &'static ::core::primitive::str = "";
+            const DOC: &'static ::core::primitive::str = "";
+            const HZ: ::core::option::Option<::core::primitive::f32> = ::core::option::Option::None;
+            const BUDGET_US: ::core::option::Option<::core::primitive::f32> = ::core::option::Option::None;
+            const RESUME: ::core::primitive::bool = false;
             const STATES: &'static [#p::State] = &[];
             type Params = ();
             const DEFAULT_PARAMS: () = ();
@@ -71,14 +71,14 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
         impl #p::MemberOf<#name> for Any {
             const WRITTEN: &'static [#p::WrittenLink] = &[];
             const NODE: #p::Node = ::core::unreachable!();
-            const TIMED: bool = false;
+            const TIMED: ::core::primitive::bool = false;
             fn pass<__P: #p::Probe>(_: &mut #p::Cycle<'_, #name, __P>, _: #p::Visit) {}
         }
 
         impl<__C: 'static> #p::Has<__C> for #name {
             type Member = Any;
             type Stored = ();
-            const INDEX: usize = 0;
+            const INDEX: ::core::primitive::usize = 0;
             fn slot(_: &Self::Slots) -> &#p::Slot<__C> {
                 ::core::unreachable!()
             }
@@ -97,9 +97,9 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
     quote! {
         impl #p::Layout for #name {
             type Slots = ();
-            const CYCLE_HZ: f32 = 1.0;
-            const ACTIVATORS: &'static [usize] = &[];
-            const ORDER: &'static [u16] = &[];
+            const CYCLE_HZ: ::core::primitive::f32 = 1.0;
+            const ACTIVATORS: &'static [::core::primitive::usize] = &[];
+            const ORDER: &'static [::core::primitive::u16] = &[];
             fn engine(&self) -> &#p::Engine<Self> {
                 &self.engine
             }
@@ -107,18 +107,18 @@ fn layout(draft: &Draft, p: &TokenStream) -> TokenStream {
                 &mut self.engine
             }
             fn visit_root<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>) {}
-            fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
-            fn stop<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: usize) {}
-            fn component_state(_: &Self::Slots, _: usize) -> ::core::option::Option<&#p::ComponentState> {
+            fn visit<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: ::core::primitive::usize) {}
+            fn stop<__P: #p::Probe>(_: &mut #p::Cycle<'_, Self, __P>, _: ::core::primitive::usize) {}
+            fn component_state(_: &Self::Slots, _: ::core::primitive::usize) -> ::core::option::Option<&#p::ComponentState> {
                 ::core::option::Option::None
             }
-            fn member<__M: #p::Member<Self>>(_: usize, _: __M) -> ::core::option::Option<__M::Output> {
+            fn member<__M: #p::Member<Self>>(_: ::core::primitive::usize, _: __M) -> ::core::option::Option<__M::Output> {
                 ::core::option::Option::None
             }
-            fn hz(&self, _: usize) -> ::core::option::Option<f32> {
+            fn hz(&self, _: ::core::primitive::usize) -> ::core::option::Option<::core::primitive::f32> {
                 ::core::option::Option::None
             }
-            fn set_hz(&mut self, _: usize, _: ::core::option::Option<f32>) {}
+            fn set_hz(&mut self, _: ::core::primitive::usize, _: ::core::option::Option<::core::primitive::f32>) {}
         }
     }
 }

@@ -24,7 +24,11 @@ pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> 
     if let Some(path) = &args.write {
         write(&layers, path, args.force)?;
         let count = layers.all().filter(|value| !value.is_default()).count();
-        Console::new(false).print(&format!("{count} values in {}", path.display()))?;
+        Console::new(false).print(&format!(
+            "{count} value{} in {}",
+            if count == 1 { "" } else { "s" },
+            path.display()
+        ))?;
         return Ok(Outcome::Success);
     }
     let values: Vec<_> = layers.all().filter(|value| is_listed(args, value)).collect();
