@@ -42,7 +42,7 @@ def main():
     if not python.exists():
         venv.create(FOLDER / "venv", with_pip=True)
         output(str(python), "-m", "pip", "install", "--quiet", PACKAGE)
-    bench = "cargo bench --quiet -p bica-benches --bench vision --".split()
+    bench = "cargo bench --quiet -p bica-bench --bench bica -- vision".split()
     frames = str(FOLDER / "frames")
     output(*bench, "export", frames)
     table = {}

@@ -5,6 +5,7 @@
 //!
 //! - `robot.rs`: the components, the activation tree, its sensors and its command.
 //! - `room.rs`: the simulated world.
+//! - `budgets.rs`: the benchmark, `cargo bench -p bica-app --bench wall_follower`.
 //! - `tests.rs`: tests that advance time and check states by name.
 
 mod robot;

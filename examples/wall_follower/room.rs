@@ -215,8 +215,8 @@ impl World<WallFollower> for Room {
 
     fn truth(&self, scene: &mut dyn Scene) {
         let pose = |[x, y]: [f32; 2], heading| Pose2 { x, y, heading };
-        scene.show(&SceneItem::new("start", "room").place_of("odometry"), &pose(self.track[0], 0.0));
-        scene.show(&SceneItem::new("robot", "room").place_of("robot"), &pose(self.position, self.heading));
+        scene.show(&SceneItem::new("start", "room").child("odometry"), &pose(self.track[0], 0.0));
+        scene.show(&SceneItem::new("robot", "room").child("robot"), &pose(self.position, self.heading));
         let (length, width) = (2.0 * BOX, 2.0 * BOX);
         let placed = self.obstacle.map(|[x, y]| Rectangle { x, y, heading: 0.0, length, width });
         scene.show(&SceneItem::new("box", "room"), &placed);

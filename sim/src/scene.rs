@@ -59,8 +59,8 @@ pub(crate) fn show_truth(referee: &Referee, scene: &mut dyn Scene) {
         let item = SceneItem::new(name, FRAME).colour(if is_blue { SKY_BLUE } else { YELLOW });
         scene.show(&item.line_width(FIELD.post_diameter()), &Segment { start, end });
     }
-    scene.show(&SceneItem::new("start", FRAME).place_of("odometry"), &pose(referee.start()));
-    scene.show(&SceneItem::new("robot", FRAME).place_of("robot"), &pose(referee.robot()));
+    scene.show(&SceneItem::new("start", FRAME).child("odometry"), &pose(referee.start()));
+    scene.show(&SceneItem::new("robot", FRAME).child("robot"), &pose(referee.robot()));
     scene.show(&SceneItem::new("other robots", FRAME), &others);
     let ball = circle(referee.ball(), FIELD.ball_radius());
     scene.show(&SceneItem::new("ball", FRAME), &ball);

@@ -14,8 +14,8 @@ use crate::install::{folder, packages};
 use crate::process::{run, works};
 use crate::python::SHORT;
 use crate::{
-    browser, build, deny, firmware, league, miri, mujoco, no_std, peers, publish, python, room, ros, slow_tests,
-    spelling, viewers,
+    browser, build, deny, figures, firmware, league, miri, mujoco, no_std, peers, publish, python, room, ros,
+    slow_tests, spelling, viewers,
 };
 
 /// Step of CI, in its order.
@@ -126,7 +126,7 @@ fn lints() -> Result<(), String> {
 
 /// Tests the scripts that judge times and instruction counts, then counts.
 fn budget() -> Result<(), String> {
-    ["test_budget.py", "test_times.py", "budget.py"]
+    ["test_budget.py", "budget.py"]
         .iter()
         .try_for_each(|script| run("python3", &[&format!("benches/scripts/{script}")], &[]))
 }
@@ -161,10 +161,11 @@ pub(crate) fn with_mujoco(wanted: bool) -> Result<&'static [&'static str], Strin
     if wanted { mujoco::install().map(|()| &["bica-player-program/mujoco", "therapy/mujoco"][..]) } else { Ok(&[]) }
 }
 
-/// Plays games in the built-in world.
+/// Plays games in the built-in world, and compares the figures in the docs.
 fn games() -> Result<(), String> {
     let play = ["--", "play", "--games", "20", "--at-least", "19"];
-    run("cargo", &[&["run", "--release"], build::release(), &play].concat(), &[])
+    run("cargo", &[&["run", "--release"], build::release(), &play].concat(), &[])?;
+    figures::figures(true)
 }
 
 /// Runs the selected steps, and prints the time of each and what was left out.

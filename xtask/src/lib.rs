@@ -7,6 +7,7 @@ mod build;
 mod ci;
 pub mod cli;
 mod deny;
+mod figures;
 mod firmware;
 mod fuzz;
 mod install;
@@ -55,6 +56,7 @@ fn perform(task: &Task) -> Result<(), String> {
         Task::Python => python::check(&[]),
         Task::Ros => ros::check(true),
         Task::Peers(options) => peers::measure(options),
+        Task::Figures(options) => figures::figures(options.check),
         Task::Browser(options) if options.figures => browser::measure(),
         Task::Browser(_) => {
             browser::test()?;

@@ -31,7 +31,7 @@ impl<'a> SceneItem<'a> {
 
     /// The value is the true place of a frame; it has to be a pose.
     #[must_use]
-    pub const fn place_of(self, child: &'a str) -> Self {
+    pub const fn child(self, child: &'a str) -> Self {
         Self { child: Some(child), ..self }
     }
 

@@ -161,7 +161,7 @@ fn messages_that_only_a_computer_offers_have_the_documented_bytes() {
     let content = SceneContent::Values { time_us: 2 };
     let part = ScenePart { scene: SceneKind::Truth, number: 1, content, last: true, bytes: &[9] };
     assert_eq!(to(&ToMonitorExtra::Scene(part)), [3, 1, 1, 1, 2, 1, 1, 9]);
-    let item = SceneItem::new("a", "b").place_of("c").colour([1, 2, 3]).line_width(1.0);
+    let item = SceneItem::new("a", "b").child("c").colour([1, 2, 3]).line_width(1.0);
     let declaration = postcard::to_stdvec(&SceneDeclaration { item, shape: "e", schema: &[9] }).expect("serializable");
     let (names, colour) = ([1, 97, 1, 98, 1, 1, 99], [1, 1, 2, 3]);
     assert_eq!(declaration, [&names[..], &colour, &[1, 0, 0, 128, 63, 1, 101, 1, 9]].concat());

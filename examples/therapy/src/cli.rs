@@ -75,12 +75,23 @@ Examples:
 
 It is no medical device, and its stop is no certified safety function.";
 
-/// Runs the command of the command line; returns the exit code.
-pub fn run() -> ExitCode {
+/// The robot in its rooms. A run is done at the end of the session.
+fn rooms() -> App<Therapist> {
     let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
     let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
-    let app = app.until(|robot| robot.state_name::<Session>() == Some("finished"));
-    let app = app.commands(|command| match command {
+    app.until(|robot| robot.state_name::<Session>() == Some("finished"))
+}
+
+/// Measures each component in the simulated room, in the session of physiotherapy; returns the exit code.
+pub fn bench() -> ExitCode {
+    let session = concat!("session=", env!("CARGO_MANIFEST_DIR"), "/sessions/physiotherapy.session");
+    let own = ["--world", "room", "--option", session].map(OsString::from);
+    rooms().bench_from(env::args_os().chain(own))
+}
+
+/// Runs the command of the command line; returns the exit code.
+pub fn run() -> ExitCode {
+    let app = rooms().commands(|command| match command {
         Commands::Check { file } => check(&file),
         Commands::New { file } => new(&file),
         Commands::Report(Records { folder, code }) => print(&record::report(&folder, &code)?),

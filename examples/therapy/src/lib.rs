@@ -25,4 +25,4 @@ pub mod skeleton;
 mod speech;
 
 #[cfg(feature = "host")]
-pub use cli::run;
+pub use cli::{bench, run};

@@ -11,6 +11,7 @@ use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 use clap::builder::PossibleValuesParser;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
+use crate::bench::{self, BenchArgs};
 use crate::console::{Failure, Outcome};
 use crate::params::Layer;
 use crate::replay;
@@ -200,6 +201,29 @@ where
     {
         let matches = self.command().get_matches_from(arguments);
         start(move || self.dispatch(&matches))
+    }
+
+    /// Measures the robot for `cargo bench`: runs it in its simulated worlds over some seeds and compares the slowest run of each
+    /// component with its `budget_us`, and the slowest cycle with the `budget_ms` of the tree. Returns the exit code, 1 if a
+    /// budget is exceeded. It is the `main` of a `[[bench]]` with `harness = false`.
+    #[must_use]
+    pub fn bench(self) -> ExitCode
+    where
+        R: Robot<Error: fmt::Display>,
+    {
+        self.bench_from(std::env::args_os())
+    }
+
+    /// Measures as [`bench`](Self::bench) does with other arguments, of which the first is the name of the program.
+    #[must_use]
+    pub fn bench_from(self, arguments: impl IntoIterator<Item = OsString>) -> ExitCode
+    where
+        R: Robot<Error: fmt::Display>,
+    {
+        let Self { command, worlds, robot, .. } = self;
+        let name = command.get_name().to_owned();
+        let matches = BenchArgs::augment_args(command).get_matches_from(arguments);
+        start(move || bench::bench::<R>(&name, &worlds, robot, &parse(&matches)?))
     }
 
     /// Runs the robot as `run` does with these arguments, for a command of another program.

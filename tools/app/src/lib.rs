@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod app;
+mod bench;
 mod console;
 mod graph;
 mod link;

@@ -1,19 +1,28 @@
-//! Drawings for tools: activation trees as SVG and in pictures, with canvas, text and PNG.
+//! Drawings for tools: activation trees as SVG, and with the feature `pictures` in pictures, with canvas, text and PNG.
 //!
 //! Coordinates of pictures are pixels: x right, y down.
 
+#[cfg(feature = "pictures")]
 pub mod canvas;
 pub mod layout;
+#[cfg(feature = "pictures")]
 pub mod palette;
+#[cfg(feature = "pictures")]
 pub mod png;
+#[cfg(feature = "pictures")]
 pub mod polar;
+#[cfg(feature = "pictures")]
 mod shapes;
 mod svg;
+#[cfg(feature = "pictures")]
 pub mod text;
+#[cfg(feature = "pictures")]
 mod tree_state;
+#[cfg(feature = "pictures")]
 pub mod tree_view;
 
 pub use svg::svg;
+#[cfg(feature = "pictures")]
 pub use tree_state::TreeState;
 
 #[cfg(doctest)]

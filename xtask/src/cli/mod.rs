@@ -58,6 +58,11 @@ pub(crate) enum Task {
     ///
     /// First installs both (with pip, no ROS is needed) into target/ros. Takes about seven minutes.
     Ros,
+    /// Write the figures in the docs that a program computes
+    ///
+    /// They stand between marks, as `<!--=lines player/k1/src-->31<!--/-->`; `xtask/src/figures.rs` lists the kinds. First builds the
+    /// program `player`, whose recordings are measured.
+    Figures(Figures),
     /// Test JManager's page in a real browser
     ///
     /// Builds JManager, drives Chromium, and writes screenshots to target/browser. First installs Chromium (with apt).
@@ -95,6 +100,13 @@ pub(crate) struct Firmware {
     /// Only build the image, and play ten games with each size of camera images
     #[arg(long)]
     pub(crate) games: bool,
+}
+
+#[derive(Debug, Default, Args)]
+pub(crate) struct Figures {
+    /// Write nothing, and fail if a figure has changed, as CI does
+    #[arg(long)]
+    pub(crate) check: bool,
 }
 
 #[derive(Debug, Default, Args)]

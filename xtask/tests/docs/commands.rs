@@ -18,7 +18,7 @@ pub(crate) struct Shown {
 /// Subcommands of cargo whose arguments are checked.
 const CARGO: [&str; 8] = ["bench", "build", "check", "doc", "fetch", "publish", "run", "test"];
 /// Subcommands of cargo that users run in their own workspace.
-const ELSEWHERE: [&str; 2] = ["add", "new"];
+const ELSEWHERE: [&str; 3] = ["add", "install", "new"];
 /// Options of cargo without a value.
 const FLAGS: [&str; 9] =
     ["--dry-run", "--help", "--no-deps", "--open", "--quiet", "--release", "--timings", "--workspace", "--all-targets"];
@@ -117,7 +117,9 @@ fn cargo(subcommand: &str, words: &[&str], workspace: &Workspace) -> Result<(), 
         None => (words, None),
     };
     if let Some(place) = options.iter().position(|option| *option == "--manifest-path") {
-        let manifest = options.get(place + 1).filter(|manifest| root().join(manifest).is_file());
+        // Beside a clone, whose folder is `bica`.
+        let manifest = options.get(place + 1).map(|manifest| manifest.strip_prefix("bica/").unwrap_or(manifest));
+        let manifest = manifest.filter(|manifest| root().join(manifest).is_file());
         let manifest = manifest.ok_or_else(|| "`--manifest-path` names no manifest".to_owned())?;
         return cargo(subcommand, &[&options[..place], &options[place + 2..]].concat(), &Workspace::of(manifest));
     }
@@ -181,7 +183,7 @@ mod tests {
             "cargo run --release -- play --game 3",
             "cargo run --release -- plai",
             "cargo run --release --features jumoco -- play",
-            "cargo bench -p bica-benches --bench frame",
+            "cargo bench -p bica-bench --bench frame",
             "cargo run --example nothing",
             "cargo run -p bica-none",
             "cargo buidl",

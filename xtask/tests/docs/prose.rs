@@ -16,7 +16,11 @@ pub(crate) fn faults(page: &Page, is_prose: impl Fn(&str) -> bool) -> Vec<String
         !is_code && !is_fence && is_prose(line)
     });
     let faults = lines.flat_map(|(index, line)| {
-        let width = line.chars().count();
+        // Marks of figures are not shown.
+        let shown = line.split("<!--").enumerate().map(|(place, part)| {
+            if place == 0 { part } else { part.split_once("-->").map_or(part, |(_, shown)| shown) }
+        });
+        let width = shown.map(|part| part.chars().count()).sum::<usize>();
         let long = (width > WIDTH && !line.contains("://")).then(|| format!("{width} characters, at most {WIDTH}"));
         let banned = line.to_lowercase().contains(BANNED).then(|| format!("`{BANNED}`"));
         long.into_iter().chain(banned).map(move |fault| format!("{}:{}: {fault}", page.name, index + 1))

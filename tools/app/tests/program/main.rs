@@ -3,6 +3,7 @@
 mod link;
 #[cfg(all(unix, feature = "monitor"))]
 mod monitor;
+mod new;
 mod page;
 mod process;
 mod recordings;

@@ -2,22 +2,8 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use crate::process::{Folder, Ran, Served, example};
-
-/// Packages that only a humanoid or a soccer robot needs.
-const FOREIGN: [&str; 9] = [
-    "bica-body",
-    "bica-motion",
-    "bica-field",
-    "bica-vision",
-    "bica-sim",
-    "bica-player",
-    "bica-player-program",
-    "bica-evaluation",
-    "jmanager",
-];
 
 /// Block of a page: its language and its lines.
 struct Block {
@@ -29,8 +15,8 @@ fn repository() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-fn page() -> Vec<Block> {
-    let text = fs::read_to_string(repository().join("docs/your-robot.md")).expect("the page");
+fn page(name: &str) -> Vec<Block> {
+    let text = fs::read_to_string(repository().join("docs").join(name)).expect("the page");
     let mut blocks: Vec<Block> = Vec::new();
     let mut is_open = false;
     for line in text.lines() {
@@ -44,13 +30,37 @@ fn page() -> Vec<Block> {
     blocks
 }
 
+fn template(file: &str) -> String {
+    fs::read_to_string(repository().join("tools/app/template").join(file)).expect("a file of a template")
+}
+
+/// The blocks of a page in a language, but those that are one of these files.
+fn code(page: &str, language: &str, files: &[&str]) -> String {
+    let blocks = self::page(page).into_iter().filter(|block| block.language == language);
+    let mut code: Vec<_> = blocks.map(|block| block.lines.join("\n")).collect();
+    for file in files {
+        let text = template(file);
+        let place = code.iter().position(|block| block.trim_end() == text.trim_end());
+        code.remove(place.unwrap_or_else(|| panic!("{file} is not on the page {page}")));
+    }
+    code.join("\n\n")
+}
+
 #[test]
-fn code_is_the_example() {
-    let blocks = page().into_iter().filter(|block| block.language == "rust");
-    let code = blocks.map(|block| block.lines.join("\n")).collect::<Vec<_>>().join("\n\n");
-    let example = fs::read_to_string(repository().join("examples/cart.rs")).expect("the example");
-    let (_, example) = example.split_once("\n\n").expect("code after the first comment");
-    assert_eq!(code.trim_end(), example.trim_end());
+fn page_of_the_cart_shows_its_template() {
+    let library = template("cart/lib.rs");
+    let (_, library) = library.split_once("\n\n").expect("code after the first comment");
+    let shown = code("your-robot.md", "rust", &["cart/main.rs", "cart/budgets.rs"]);
+    assert_eq!(shown.trim_end(), library.trim_end());
+    let manifest = code("your-robot.md", "toml", &[]);
+    assert!(template("cart/manifest.toml").contains(&manifest), "not in the template's manifest:\n{manifest}");
+}
+
+#[test]
+fn page_of_the_firmware_shows_its_template() {
+    assert_eq!(code("firmware.md", "rust", &["embassy/main.rs"]), "");
+    let manifest = code("firmware.md", "toml", &["embassy/config.toml"]);
+    assert!(template("embassy/manifest.toml").contains(&manifest), "not in the template's manifest:\n{manifest}");
 }
 
 #[test]
@@ -58,7 +68,8 @@ fn commands_print_what_the_page_shows() {
     let folder = Folder::new("page");
     // None: the command before was not run.
     let (mut served, mut output, mut commands) = (None::<Served>, None::<String>, 0);
-    for line in page().iter().filter(|block| block.language == "console").flat_map(|block| &block.lines) {
+    for line in page("your-robot.md").iter().filter(|block| block.language == "console").flat_map(|block| &block.lines)
+    {
         let Some(command) = line.strip_prefix("$ ") else {
             let shown = line.replace(":7400", "");
             if let Some(output) = &output {
@@ -66,7 +77,7 @@ fn commands_print_what_the_page_shows() {
             }
             continue;
         };
-        // VICODE is a program of the repository, and the monitor is a feature with a test of its own.
+        // VICODE and `bica` are programs of the repository, and the monitor is a feature with a test of its own.
         let is_here = |args: &&str| !args.contains("--manifest-path") && !args.contains(" monitor");
         let Some(args) = command.strip_prefix("cargo run").filter(is_here) else {
             output = None;
@@ -90,25 +101,4 @@ fn commands_print_what_the_page_shows() {
         output = Some(ran.stdout);
     }
     assert!(commands > 12, "{commands} commands");
-}
-
-#[test]
-fn manifest_names_packages_of_the_repository() {
-    let folder = Folder::new("manifest");
-    let blocks = page();
-    let dependencies = blocks.iter().find(|block| block.language == "toml").expect("dependencies").lines.join("\n");
-    let dependencies = dependencies.replace("../bica", repository().to_str().expect("UTF-8"));
-    let manifest = format!("[package]\nname = \"cart\"\nedition = \"2024\"\n\n{dependencies}\n\n[workspace]\n");
-    fs::create_dir(folder.path().join("src")).expect("a folder");
-    fs::write(folder.path().join("src/main.rs"), "fn main() {}\n").expect("a source");
-    fs::write(folder.path().join("Cargo.toml"), manifest).expect("a manifest");
-    fs::copy(repository().join("Cargo.lock"), folder.path().join("Cargo.lock")).expect("a lock file");
-    let mut tree = Command::new(env!("CARGO"));
-    tree.args(["tree", "--offline", "--edges", "normal", "--prefix", "none"]).current_dir(folder.path());
-    let ran = Ran::of(tree);
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    let packages: Vec<_> = ran.stdout.lines().filter_map(|line| line.split(' ').next()).collect();
-    assert!(packages.contains(&"bica-link") && packages.contains(&"bica-recording"), "{packages:?}");
-    let found: Vec<_> = FOREIGN.iter().filter(|name| packages.contains(name)).collect();
-    assert!(found.is_empty(), "the program of a cart needs {found:?}");
 }

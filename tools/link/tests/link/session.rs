@@ -73,7 +73,7 @@ impl World<CartTree> for Wall {
 
     fn truth(&self, scene: &mut dyn Scene) {
         // The declarations change.
-        let item = SceneItem::new("cart", "road").place_of("cart");
+        let item = SceneItem::new("cart", "road").child("cart");
         let colour = [COLOURS[usize::from(is_late(self.cycle.saturating_sub(1)))], 0, 0];
         scene.show(&item.colour(colour), &Pose2 { x: self.distance, y: 0.0, heading: 0.0 });
         scene.show(&SceneItem::new("birds", "road"), &None::<Point2>);

@@ -35,10 +35,14 @@ export const mover = (shown, { name, frame }) => onGround(shown).find((call) => 
 
 const rounded = (value) => Math.round(value * 1000) / 1000;
 
-/** One value for each argument: what `known(place)` gives, or the default. */
+/** A number within the range of an argument: a place may be beyond it. */
+export const within = ({ min, max }, value) => Math.min(Math.max(value, min ?? -Infinity), max ?? Infinity);
+
+/** One value for each argument: what `known(place)` gives, within its range, or the default. */
 export const valuesAt = (call, known) => call.arguments.map((argument) => {
   const value = argument.place && known(argument.place);
-  return value === undefined || value === null ? initial(argument) : typeof value === 'number' ? rounded(value) : value;
+  if (value === undefined || value === null) return initial(argument);
+  return typeof value === 'number' ? within(argument, rounded(value)) : value;
 });
 
 /** A form that requests a call. */

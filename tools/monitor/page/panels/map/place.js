@@ -3,7 +3,7 @@
 import { useRef, useSignal } from '../../lib/dom.js';
 import { request } from '../../lib/connection.js';
 import { cursor, notify, operate } from '../../lib/store.js';
-import { mover, valuesAt } from '../actions.js';
+import { mover, valuesAt, within } from '../actions.js';
 
 /** Distance from the pointer at which something is taken, px. */
 const REACH = 14;
@@ -35,10 +35,7 @@ async function follow(session, drag) {
 }
 
 /** A position within the ranges of the arguments that take it. */
-const within = (call, at) => ['x', 'y'].map((axis, index) => {
-  const { min, max } = call.arguments.find(({ place: of }) => of?.axis === axis);
-  return Math.min(Math.max(at[index], min), max);
-});
+const inRange = (call, at) => ['x', 'y'].map((axis, index) => within(call.arguments.find(({ place: of }) => of?.axis === axis), at[index]));
 
 /**
  * Dragging of what a world lets move. `shown` is the session, `mapOf(element)` the map as it is drawn, `visible` whether the truth is drawn.
@@ -81,7 +78,7 @@ export function useDrag({ shown, mapOf, visible }) {
       event.currentTarget.style.cursor = 'grabbing';
       const at = mapOf(event.currentTarget).at(event.offsetX, event.offsetY);
       const begins = moving.drag.to === null;
-      moving.drag.to = within(moving.drag.call, at.map((value, axis) => value + moving.offset[axis]));
+      moving.drag.to = inRange(moving.drag.call, at.map((value, axis) => value + moving.offset[axis]));
       dragged.value = moving.drag.to;
       if (!begins) return;
       follow(shown.id, moving.drag).finally(() => {

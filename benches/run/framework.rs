@@ -1,7 +1,4 @@
 //! Cost of the framework: visits, runs and state machines, and the growth with the number of components.
-//!
-//! `cargo bench -p bica-benches --bench framework` prints minimum times, which other programs on the machine hardly affect.
-//! Figures of one run may be compared with each other, never with figures of another machine.
 
 use std::hint::black_box;
 use std::time::Instant as Clock;
@@ -13,6 +10,7 @@ use bica_benches::trees::machine::{ByHand, Machine, Ring};
 use bica_benches::trees::shared::Diamond;
 use bica_benches::trees::switch::{Root, Switch};
 use bica_benches::trees::wide::{WideHundred, WideTen};
+use serde_json::json;
 
 /// Number of measurements of each row; the rows alternate.
 const ROUNDS: usize = 500;
@@ -67,7 +65,8 @@ fn rows() -> Vec<Row> {
     ]
 }
 
-fn main() {
+/// Measures all rows, and prints a table or a line of JSON.
+pub(crate) fn run(is_json: bool) {
     let mut rows = rows();
     let mut now = 0;
     for _ in 0..ROUNDS {
@@ -80,11 +79,16 @@ fn main() {
             row.minimum = row.minimum.min(began.elapsed().as_nanos() as f64 / CYCLES as f64);
         }
     }
-    println!("minimum time, ns{:>24}{:>16}{:>12}", "a cycle", "a component", "ratio");
+    if is_json {
+        let row = |row: &Row| json!({ "group": row.group, "name": row.name, "components": row.components, "cycle_ns": row.minimum });
+        println!("{}", json!({ "schema": "bica/bench-framework/1", "rows": rows.iter().map(row).collect::<Vec<_>>() }));
+        return;
+    }
+    println!("The framework: minimum time of a cycle, ns{:>16}{:>12}", "a component", "ratio");
     for group in rows.chunk_by(|row, next| row.group == next.group) {
         for row in group {
             let each = |row: &Row| row.minimum / row.components as f64;
-            println!("{:<26}{:>14.1}{:>16.2}{:>12.2}", row.name, row.minimum, each(row), each(row) / each(&group[0]));
+            println!("{:<26}{:>15.1}{:>17.2}{:>12.2}", row.name, row.minimum, each(row), each(row) / each(&group[0]));
         }
     }
 }

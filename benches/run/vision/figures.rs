@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
-use crate::stages::{Buffers, Input, MEMCPY, STAGES, Stage};
+use super::stages::{Buffers, Input, MEMCPY, STAGES, Stage};
 use bica_benches::frames::FrameSet;
+use serde_json::json;
 
 /// Number of rounds over all frames.
 const ROUNDS: usize = 15;
@@ -58,6 +59,17 @@ pub(crate) fn print(frame_sets: &[FrameSet]) {
         }
         println!();
     }
+}
+
+/// Prints the times of each stage on a set of frames as a line of JSON.
+pub(crate) fn print_json(frame_set: &FrameSet) {
+    let (width, height) = frame_set.size();
+    let figures = measure(frame_set, &STAGES);
+    let row = |figure: &Figure| json!({ "stage": figure.stage, "mean_us": figure.mean, "max_us": figure.max });
+    let stages: Vec<_> = figures.iter().map(row).collect();
+    let set =
+        json!({ "schema": "bica/bench-vision/1", "set": frame_set.name, "size": [width, height], "stages": stages });
+    println!("{set}");
 }
 
 /// Prints the slowest frame of each stage and its ratio to a typical frame.

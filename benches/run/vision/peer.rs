@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use crate::figures;
-use crate::stages::{EVERYTHING, MEMCPY, STAGES};
+use super::figures;
+use super::stages::{EVERYTHING, MEMCPY, STAGES};
 use bica_benches::frames::FrameSet;
 
 /// Writes the frames of a set to a file `NAME-WIDTHxHEIGHT.yuyv`, without separators.

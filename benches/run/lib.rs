@@ -1,0 +1,1 @@
+//! The benchmarks that `cargo bench` runs are the target `bica` of this package.

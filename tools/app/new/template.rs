@@ -1,0 +1,82 @@
+//! Templates: files of a crate. The pages of `docs/` show the same texts.
+
+use std::fs;
+use std::path::Path;
+
+use bica_app::Failure;
+
+/// Path of the checkout of BICA in the templates.
+const CHECKOUT: &str = "../bica";
+
+/// Files of a crate.
+pub(crate) struct Template {
+    /// Name of the crate in its texts.
+    name: &'static str,
+    pub(crate) manifest: &'static str,
+    /// Further files: path and text.
+    files: &'static [(&'static str, &'static str)],
+    /// Files that are copied from the checkout: path and origin.
+    copies: &'static [(&'static str, &'static str)],
+    /// The first command.
+    pub(crate) run: &'static str,
+}
+
+/// The cart of `docs/your-robot.md`.
+pub(crate) const CART: Template = Template {
+    name: "cart",
+    manifest: include_str!("../template/cart/manifest.toml"),
+    files: &[
+        ("src/lib.rs", include_str!("../template/cart/lib.rs")),
+        ("src/main.rs", include_str!("../template/cart/main.rs")),
+        ("benches/budgets.rs", include_str!("../template/cart/budgets.rs")),
+        ("tune/road.toml", include_str!("../template/cart/road.toml")),
+        (".gitignore", include_str!("../template/cart/gitignore")),
+        (".github/workflows/ci.yml", include_str!("../template/cart/ci.yml")),
+        ("README.md", include_str!("../template/cart/README.md")),
+    ],
+    copies: &[],
+    run: "cargo run",
+};
+
+/// The firmware of `docs/firmware.md`.
+pub(crate) const EMBASSY: Template = Template {
+    name: "my-robot",
+    manifest: include_str!("../template/embassy/manifest.toml"),
+    files: &[
+        (".cargo/config.toml", include_str!("../template/embassy/config.toml")),
+        ("src/main.rs", include_str!("../template/embassy/main.rs")),
+        (".gitignore", include_str!("../template/cart/gitignore")),
+        ("README.md", include_str!("../template/embassy/README.md")),
+    ],
+    copies: &[("memory.x", "firmware/boards/an500/memory.x"), ("src/clock.rs", "firmware/boards/an500/clock.rs")],
+    run: "cargo run --release",
+};
+
+impl Template {
+    /// Returns the path and text of each file, for a crate with this name, from which `checkout` is the path to the checkout.
+    ///
+    /// # Errors
+    /// If a file of the checkout cannot be read.
+    pub(crate) fn files(&self, name: &str, checkout: &str, repository: &Path) -> Result<Vec<(&str, String)>, Failure> {
+        let copied = self.copies.iter().map(|(path, from)| {
+            let from = repository.join(from);
+            let text = fs::read_to_string(&from);
+            Ok((
+                *path,
+                text.map_err(|error| Failure::of_path("read", &from, &error, "restore it from the repository"))?,
+            ))
+        });
+        let own = [("Cargo.toml", self.manifest)].into_iter().chain(self.files.iter().copied());
+        own.map(|(path, text)| Ok((path, self.named(text, name, checkout)))).chain(copied).collect()
+    }
+
+    /// Replaces the name of the template by another one: that of the package, of the crate in code, and of the program.
+    fn named(&self, text: &str, name: &str, checkout: &str) -> String {
+        let old = self.name;
+        text.replace(CHECKOUT, checkout)
+            .replace(&format!("name = \"{old}\""), &format!("name = \"{name}\""))
+            .replace(&format!("new(\"{old}\")"), &format!("new(\"{name}\")"))
+            .replace(&format!("{old}::app()"), &format!("{}::app()", name.replace('-', "_")))
+            .replace(&format!("# {old}\n"), &format!("# {name}\n"))
+    }
+}
