@@ -155,7 +155,9 @@ impl SearchBall {
         head.look_at(0.0, tuned.path_tilt);
         body.go(tuned.walk_speed, 0.0);
         self.path = path_ahead(strip, boundary, camera, robots);
-        self.walked = odometry.pose().position.distance(self.left.position);
+        // A way that is not known ends the walk.
+        let walked = odometry.pose().position.distance(self.left.position);
+        self.walked = if odometry.is_fresh() { walked } else { tuned.walk_distance };
         (self.glance, self.turns) = (0, 0);
     }
 

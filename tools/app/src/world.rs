@@ -65,9 +65,11 @@ impl WorldOptions {
         text.parse().map_err(|error| Failure::new(wrong(error), format!("choose another value of `{name}`")))
     }
 
+    /// Checks that the world, of this name, has read all options.
+    ///
     /// # Errors
     /// If there is a value that the world has not read.
-    pub(crate) fn check_all_read(&self, world: &str) -> Result<(), Failure> {
+    pub fn check_all_read(&self, world: &str) -> Result<(), Failure> {
         match self.values.borrow().keys().next() {
             None => Ok(()),
             Some(name) => {

@@ -38,6 +38,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         realtime: args.realtime || args.link.is_paced(),
         firmware,
         settings: settings(args)?,
+        options: args.option.clone().leak(),
     };
     let (console, pictures) = (Console::new(args.json), args.pictures.as_deref());
     match args.games {

@@ -36,4 +36,6 @@ pub use rules::{Rules, WorldKind};
 pub use scene::GRAPH;
 pub(crate) use series::{SeriesOptions, play_series};
 pub(crate) use single::play_one;
+pub use summary::{FaultRecord, GameResult, GameSummary};
 pub use tuning::settings;
+pub(crate) use world_factory::OPTIONS;
