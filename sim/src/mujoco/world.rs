@@ -208,7 +208,9 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
         self.pushes = Pushes::default();
         let command = self.limbs.over::<M>(command, &self.body.sensors().angles);
         let change = self.body.act(&command);
-        self.update_referee(change);
+        if self.body.failure().is_none() {
+            self.update_referee(change);
+        }
     }
 
     fn actions(&mut self) -> &mut dyn Actions {
