@@ -142,8 +142,9 @@ impl<M: RobotModel> Health<M> {
     fn check_joints(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) -> Option<Fault> {
         let deviates = |joint: Joint| {
             let most = if joint.index() < 2 { STUCK_HEAD_DEVIATION } else { STUCK_DEVIATION };
+            let deviation = (targets[joint] - sensors.angles[joint]).abs();
             // A measurement that is no number deviates, too.
-            !((targets[joint] - sensors.angles[joint]).abs() <= most)
+            deviation > most || deviation.is_nan()
         };
         let watched = M::JOINTS.iter().copied().filter(|&joint| follows(joint));
         watched.fold(None, |found, joint| {

@@ -17,11 +17,11 @@ const IMAGES: u16 = 30;
 /// Number of cycles of 10 ms without an image that are a fault.
 const NO_IMAGE_CYCLES: u16 = 150;
 /// Number of cycles after which a robot without new targets for its legs has come to rest.
-const REST_CYCLES: u16 = 50;
-/// Number of further cycles over which its turn rate is averaged.
-const MEAN_CYCLES: u16 = 100;
-/// Largest mean turn rate of a gyroscope in order, rad/s: several times the drift of a cheap one.
-const MAX_OFFSET: f32 = 0.05;
+const REST_CYCLES: u16 = 30;
+/// Numbers of further cycles over which its turn rate is averaged, and the largest mean of a gyroscope in order, rad/s: in a short
+/// stand the body may still sway, and in a long one several times the drift of a cheap gyroscope.
+const SHORT: (u16, f32) = (50, 0.12);
+const LONG: (u16, f32) = (150, 0.04);
 /// Largest change of the targets of legs that rest, rad.
 const MAX_CHANGE: f32 = 0.03;
 /// Indices of the leg joints.
@@ -125,9 +125,11 @@ impl Senses {
         if self.rested > REST_CYCLES {
             self.turned += sensors.inertial.gyro;
         }
-        if self.rested == REST_CYCLES + MEAN_CYCLES {
-            // A mean that is no number is no zero, either.
-            self.has_offset = !(self.turned.length() <= MAX_OFFSET * f32::from(MEAN_CYCLES));
+        let turns = |(cycles, most): (u16, f32)| self.turned.length() > most * f32::from(cycles);
+        if self.rested == REST_CYCLES + SHORT.0 {
+            self.has_offset |= turns(SHORT);
+        } else if self.rested == REST_CYCLES + LONG.0 {
+            self.has_offset = turns(LONG);
             (self.rested, self.turned) = (REST_CYCLES, Vec3::ZERO);
         }
     }

@@ -36,7 +36,8 @@ impl GameObserver for LastState {
 }
 
 fn play(seed: u64, option: &str) -> Result<(GameSummary, String), Failure> {
-    let options: Vec<String> = [option, "from=8"].iter().filter(|text| !text.is_empty()).map(ToString::to_string).collect();
+    let options: Vec<String> =
+        [option, "from=8"].iter().filter(|text| !text.is_empty()).map(ToString::to_string).collect();
     let rules = Rules {
         world: WorldKind::BuiltIn,
         seed,
@@ -54,12 +55,15 @@ fn play(seed: u64, option: &str) -> Result<(GameSummary, String), Failure> {
 }
 
 fn main() -> Result<(), Failure> {
-    println!("| option | goals of {GAMES} | state at the end of the others | what it says, and after how long at most |");
+    println!(
+        "| option | goals of {GAMES} | state at the end of the others | what it says, and after how long at most |"
+    );
     println!("|---|---|---|---|");
     for option in FAULTS {
         let games = (0..GAMES).map(|seed| play(seed, option)).collect::<Result<Vec<_>, _>>()?;
         let goals = games.iter().filter(|(game, _)| game.result == GameResult::Goal).count();
-        let mut states: Vec<_> = games.iter().filter(|(game, _)| game.result != GameResult::Goal).map(|(_, state)| &**state).collect();
+        let mut states: Vec<_> =
+            games.iter().filter(|(game, _)| game.result != GameResult::Goal).map(|(_, state)| &**state).collect();
         states.sort_unstable();
         states.dedup();
         let first = games.iter().filter_map(|(game, _)| game.faults.first());

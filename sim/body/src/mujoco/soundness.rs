@@ -8,7 +8,7 @@ const MAX_SPEED: f64 = 200.0;
 /// Returns why the simulation cannot continue, if it cannot.
 pub(super) fn check(data: &Data) -> Option<String> {
     let first = |name: &str, values: &[f64], most: f64| {
-        let odd = values.iter().position(|value| !(value.abs() <= most))?;
+        let odd = values.iter().position(|value| value.is_nan() || value.abs() > most)?;
         Some(format!("{name}[{odd}] is {:.3e}", values[odd]))
     };
     let warning = data.warning().iter().position(|warning| warning.number > 0);
