@@ -47,6 +47,41 @@ pub struct Inertial {
     pub pitch: f32,
 }
 
+/// Largest joint angle that a sensor in order measures, rad.
+const MAX_ANGLE: f32 = 4.0;
+/// Largest turn rate, rad/s: 2000 °/s, with a margin.
+const MAX_GYRO: f32 = 40.0;
+/// Largest specific force, m/s²: 16 g, with a margin.
+const MAX_ACCELERATION: f32 = 200.0;
+/// Largest force on a pressure sensor, N.
+const MAX_FORCE: f32 = 5000.0;
+/// Temperatures of a motor, °C.
+const TEMPERATURES: core::ops::RangeInclusive<f32> = -40.0..=200.0;
+
+/// Whether a joint can have this angle, rad.
+#[must_use]
+pub const fn is_plausible_angle(angle: f32) -> bool {
+    angle.abs() <= MAX_ANGLE
+}
+
+/// Returns a temperature that a motor can have, °C; NaN, which means unknown, in place of another one.
+#[must_use]
+pub fn plausible_temperature(temperature: f32) -> f32 {
+    if TEMPERATURES.contains(&temperature) { temperature } else { f32::NAN }
+}
+
+impl Inertial {
+    /// Whether the values are finite and within what inertial units measure.
+    #[must_use]
+    pub fn is_plausible(&self) -> bool {
+        let within = |vector: Vec3, most: f32| vector.abs().cmple(Vec3::splat(most)).all();
+        within(self.gyro, MAX_GYRO)
+            && within(self.acceleration, MAX_ACCELERATION)
+            && is_plausible_angle(self.roll)
+            && is_plausible_angle(self.pitch)
+    }
+}
+
 /// Forces on the four pressure sensors of one sole, N; 0 when the foot is in the air.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Schema)]
 pub struct FootPressure {
@@ -61,6 +96,15 @@ pub struct FootPressure {
 }
 
 impl FootPressure {
+    /// Whether the values are finite and within what pressure sensors measure.
+    #[must_use]
+    pub const fn is_plausible(&self) -> bool {
+        self.front_left.abs() <= MAX_FORCE
+            && self.front_right.abs() <= MAX_FORCE
+            && self.rear_left.abs() <= MAX_FORCE
+            && self.rear_right.abs() <= MAX_FORCE
+    }
+
     /// Total force on the sole, N.
     #[must_use]
     pub fn total(&self) -> f32 {

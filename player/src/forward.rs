@@ -11,8 +11,8 @@ use crate::input::{CameraInput, Colours, FrameTooLarge, GameState, HealthMonitor
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
-    RobotDetector,
+    self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
+    OwnBody, RobotDetector,
 };
 
 /// Chest light of a robot in the game (rules of RoboCup 2009).
@@ -49,7 +49,8 @@ macro_rules! forward {
             type Error = FrameTooLarge;
 
             fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
-                let commanded = *self.get::<Motors>().commanded();
+                perception::pass_cycle(self);
+        let commanded = *self.get::<Motors>().commanded();
                 self.get_mut::<RobotState>().measure(sensors, &commanded);
                 self.get_mut::<HealthMonitor>().check(sensors, &commanded);
                 self.get_mut::<GameState>().set_button(sensors.buttons.chest);

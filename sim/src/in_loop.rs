@@ -36,6 +36,14 @@ macro_rules! controlled {
                 Some(World::actions(self))
             }
 
+            fn is_over(&self) -> bool {
+                World::failure(self).is_some()
+            }
+
+            fn report(&self, out: &mut dyn core::fmt::Write) -> core::fmt::Result {
+                World::failure(self).map_or(Ok(()), |failure| writeln!(out, "{failure}"))
+            }
+
             fn scenery(&self, scene: &mut dyn Scene) {
                 show_field(&FIELD, scene);
             }

@@ -21,6 +21,7 @@
 
 mod actions;
 mod camera;
+pub mod faults;
 mod field;
 mod in_loop;
 pub mod kinematic;

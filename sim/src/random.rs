@@ -20,6 +20,8 @@ pub(crate) enum Stream {
     Grain,
     /// Shots at a goal.
     Shots,
+    /// Noise of faulty images.
+    Faults,
 }
 
 impl From<Stream> for u64 {

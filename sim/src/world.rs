@@ -14,6 +14,24 @@ use crate::shared_image::SharedImage;
 /// Camera images in ten control cycles: 30 per second.
 const FRAMES_PER_TEN_CYCLES: u64 = 3;
 
+/// Largest sum of the pushes of a cycle, m/s: that of the strongest one.
+const MAX_PUSH: f32 = 2.0;
+
+/// Sum of the pushes of a cycle, m/s, field frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Pushes(Vec2);
+
+impl Pushes {
+    /// Adds a push, and returns the part of it that the limit allows; zero for values that are not finite.
+    pub(crate) fn add(&mut self, push: Vec2) -> Vec2 {
+        let before = self.0;
+        if push.is_finite() {
+            self.0 = (before + push).clamp_length_max(MAX_PUSH);
+        }
+        self.0 - before
+    }
+}
+
 /// Returns the index of the newest image in a cycle.
 pub(crate) const fn frame(cycle: u64) -> u64 {
     cycle * FRAMES_PER_TEN_CYCLES / 10
@@ -61,8 +79,14 @@ pub trait World {
     /// stays where it is.
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str>;
 
-    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. Values that are not finite are ignored.
+    /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. The pushes of a cycle, as while a run is
+    /// paused, add up to 2 m/s at most. Values that are not finite are ignored.
     fn add_velocity(&mut self, velocity: Vec2);
+
+    /// Why the world cannot continue, if it cannot: a run ends then. The kinematic world always can.
+    fn failure(&self) -> Option<&str> {
+        None
+    }
 
     /// Access to the pixels of the newest image without a copy. The default has no image.
     fn shared_image(&self) -> SharedImage {
@@ -76,6 +100,15 @@ pub trait World {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn pushes_of_a_cycle_have_a_limit() {
+        let mut pushes = Pushes::default();
+        let all = (0..20).map(|_| pushes.add(Vec2::X * 0.8)).sum::<Vec2>();
+        assert!(all.distance(Vec2::X * MAX_PUSH) < 1e-5, "{all}");
+        assert_eq!(pushes.add(Vec2::new(f32::NAN, 0.0)), Vec2::ZERO);
+        assert!(pushes.add(-Vec2::X).distance(-Vec2::X) < 1e-5, "a push back");
+    }
 
     #[test]
     fn thirty_of_hundred_cycles_have_new_image() {

@@ -1,5 +1,6 @@
 //! Properties of the whole forward in games in the kinematic world.
 
+mod blind;
 mod by_hand;
 mod frames;
 mod game;

@@ -1,23 +1,27 @@
 //! A ball that is not found in a full turn is searched for from another place.
 
+use bica::Value;
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
+use bica_player::Model;
 use bica_player::behaviour::SearchBall;
-use bica_player::perception::BallDetector;
-use bica_player::{Forward, Model};
+use bica_player::tunable::Forward;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
-
-use crate::forward::game::new_game;
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_search_continues_at_other_places_after_a_full_turn() {
     for (seed, places) in [(1, 2), (2, 1)] {
         let setup = Setup { seed, frame: Frame::Small, robots: 4, ..Setup::default() };
-        let (mut robot, world, ..) = new_game(&setup).into_parts();
-        robot.hold::<BallDetector>(Hold::Latent);
+        let world = KinematicWorld::<Model>::new(&setup).expect("the setup is valid");
+        let mut robot = Box::new(Forward::new());
+        // The detector looks, and never finds the ball.
+        for name in ["min_confidence", "min_confidence_if_small"] {
+            let setting = Forward::setting("BallDetector", name, Value::F32(1.0)).expect("a parameter");
+            robot.set_params(&[setting]).expect("in its range");
+        }
         let mut test = Harness::of_box(robot).in_world(world);
         let place = |test: &Harness<Forward, InWorld<KinematicWorld<Model>>>| test.world().referee().robot().position;
         for _ in 0..places {

@@ -1,6 +1,6 @@
 //! Faults of the body.
 
-use bica_motion::health::{Fault, Health};
+use bica_motion::health::{Fault, Glimpse, Health, Senses};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
@@ -50,6 +50,13 @@ fn a_stuck_leg_joint_is_a_fault_within_two_seconds() {
     assert!((90..200).contains(&cycle), "{cycle}");
     targets[Joint::RKneePitch] = Nao::STAND[Joint::RKneePitch] + 0.3;
     assert_eq!(found(2000, &targets, |_| ()), None, "a small deviation is no fault");
+    for (joint, deviation) in [(Joint::RKneePitch, 0.7), (Joint::HeadYaw, 0.7), (Joint::HeadPitch, 0.35)] {
+        let mut targets = Nao::STAND;
+        targets[joint] += deviation;
+        assert_eq!(found(200, &targets, |_| ()).map(|found| found.0), Some(Fault::Stuck(joint)), "{deviation}");
+    }
+    let silent = |sensors: &mut Sensors<'_>| sensors.angles[Joint::LHipRoll] = f32::NAN;
+    assert_eq!(found(200, &Nao::STAND, silent).map(|found| found.0), Some(Fault::Stuck(Joint::LHipRoll)));
     let mut arms = Nao::STAND;
     arms[Joint::LShoulderPitch] -= 1.0;
     assert_eq!(found(2000, &arms, |_| ()), None, "arms are compliant");
@@ -61,6 +68,10 @@ fn a_repeated_inertial_reading_is_a_fault_after_one_second() {
         found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("a fault is reported");
     assert_eq!(fault, Fault::Inertial);
     assert!((99..=101).contains(&cycle), "{cycle}");
+    for odd in [f32::NAN, f32::INFINITY, 1e20] {
+        let found = found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro.x = odd);
+        assert_eq!(found.map(|found| found.0), Some(Fault::Inertial), "{odd} rad/s");
+    }
 }
 
 #[test]
@@ -232,4 +243,59 @@ fn stiffness_falls_with_temperature_and_load() {
     assert!((left(75.0, 0.1, 1) - 0.7).abs() < 1e-6 && (left(99.0, 0.1, 1) - 0.7).abs() < 1e-6);
     let pushing = [100, 550, 700].map(|cycles| left(40.0, 2.0, cycles));
     assert!(pushing[0] > 0.999 && pushing[1] < 1.0 && pushing[2] < pushing[1], "{pushing:?}");
+}
+
+/// Fault after images that are drawn from their number, 16×12 pixels.
+fn seen(images: u16, luma: impl Fn(u16, usize) -> u8) -> Option<Fault> {
+    let mut senses = Senses::new();
+    for image in 0..images {
+        let yuyv: Vec<u8> = (0..2 * 16 * 12).map(|at| if at % 2 == 0 { luma(image, at) } else { 128 }).collect();
+        senses.see(Glimpse::of(&yuyv).expect("pixels"));
+    }
+    senses.fault()
+}
+
+#[test]
+fn frozen_black_and_white_images_are_faults_after_a_second() {
+    let noise = |image: u16, at: usize| 100 + ((at as u16 + 7 * image) % 5) as u8;
+    assert_eq!(seen(300, noise), None);
+    for (images, fault) in [(20, None), (40, Some(Fault::FrozenImage))] {
+        assert_eq!(seen(images, |_, at| noise(0, at)), fault, "{images} images");
+    }
+    assert_eq!(seen(40, |image, at| noise(image / 20, at)), None, "two pictures");
+    assert_eq!(seen(40, |image, at| noise(image, at) - 90), Some(Fault::DarkImage));
+    assert_eq!(seen(40, |image, at| noise(image, at) + 140), Some(Fault::BrightImage));
+    assert_eq!(seen(40, |_, _| 16), Some(Fault::DarkImage), "black without noise");
+    assert_eq!(Glimpse::of(&[]), None);
+}
+
+#[test]
+fn missing_images_are_a_fault_until_one_comes() {
+    let mut senses = Senses::new();
+    (0..300).for_each(|cycle| senses.step(&standing(cycle), &Nao::STAND));
+    assert_eq!(senses.fault(), Some(Fault::NoImages));
+    senses.see(Glimpse { digest: 1, brightness: 100 });
+    assert_eq!(senses.fault(), None);
+}
+
+#[test]
+fn a_gyroscope_with_an_offset_is_a_fault_of_a_robot_that_rests() {
+    let fault = |offset: Vec3, moving: bool| {
+        let mut senses = Senses::new();
+        for cycle in 0..400 {
+            let mut sensors = standing(cycle);
+            sensors.inertial.gyro += offset;
+            let mut targets = Nao::STAND;
+            targets[Joint::LKneePitch] += if moving { 0.1 * (cycle % 40) as f32 } else { 0.0 };
+            senses.step(&sensors, &targets);
+            senses.see(Glimpse { digest: cycle, brightness: 100 });
+        }
+        senses.fault()
+    };
+    for axis in [Vec3::X, -Vec3::Y, Vec3::Z] {
+        assert_eq!(fault(0.2 * axis, false), Some(Fault::GyroOffset), "{axis}");
+        assert_eq!(fault(0.2 * axis, true), None, "it walks");
+        assert_eq!(fault(0.02 * axis, false), None, "the drift of a cheap one");
+    }
+    assert!(Fault::GyroOffset.is_temporary() && Fault::FrozenImage.is_temporary());
 }

@@ -4,13 +4,15 @@
 
 mod fault;
 mod motor_load;
+mod senses;
 
 pub use fault::Fault;
+pub use senses::{Glimpse, Senses};
 
 use core::marker::PhantomData;
 
 use self::motor_load::MotorLoad;
-use crate::joints::{Joint, Joints};
+use crate::joints::{JOINTS, Joint, Joints};
 use crate::kinematics::{centre_of_mass, sole};
 use crate::model::{Nao, RobotModel};
 use crate::robot::{Inertial, Sensors};
@@ -20,10 +22,12 @@ use crate::side::Side;
 pub const FOLLOWING_STIFFNESS: f32 = 0.6;
 /// Maximum roll and pitch of the torso at which feet and joints behave as in stand and walk, rad. Beyond, the robot falls or lies.
 pub const UPRIGHT_TILT: f32 = 0.4;
-/// Minimum deviation of a stuck joint from its target, rad: three times the lag in the fastest kick.
-const STUCK_DEVIATION: f32 = 0.7;
+/// Minimum deviation of a stuck leg joint from its target, rad: nearly three times the lag in the fastest kick.
+const STUCK_DEVIATION: f32 = 0.65;
+/// Minimum deviation of a stuck head joint, rad: its target moves slowly, and nothing loads it.
+const STUCK_HEAD_DEVIATION: f32 = 0.3;
 /// Number of cycles of 10 ms after which a deviating joint is stuck.
-const STUCK_CYCLES: u16 = 100;
+const STUCK_CYCLES: u8 = 100;
 /// Number of identical readings after which the inertial unit is broken: noise alone changes the last digits.
 const INERTIAL_CYCLES: u16 = 100;
 /// Number of cycles of 10 ms after which a foot without force is broken if the commanded posture loads it.
@@ -52,8 +56,8 @@ pub struct Health<M = Nao> {
     inertial: Inertial,
     same: u16,
     silent: [u16; 2],
-    /// Joint with the largest deviation, and the number of cycles since it has been that joint.
-    stuck: (Joint, u16),
+    /// Number of cycles for which each joint has deviated.
+    stuck: [u8; JOINTS],
     motor_load: MotorLoad,
     model: PhantomData<M>,
 }
@@ -75,7 +79,7 @@ impl<M: RobotModel> Health<M> {
             inertial: STILL,
             same: 0,
             silent: [0; 2],
-            stuck: (Joint::HeadYaw, 0),
+            stuck: [0; JOINTS],
             motor_load: MotorLoad::new(),
             model: PhantomData,
         }
@@ -105,7 +109,7 @@ impl<M: RobotModel> Health<M> {
                 .or_else(|| self.check_feet(sensors, targets))
                 .or_else(|| self.check_joints(sensors, targets, stiffness))
         } else {
-            (self.silent, self.stuck.1) = ([0; 2], 0);
+            (self.silent, self.stuck) = ([0; 2], [0; JOINTS]);
             inertial
         };
         self.motor_load.step::<M>(sensors, upright);
@@ -115,7 +119,8 @@ impl<M: RobotModel> Health<M> {
     fn check_inertial(&mut self, now: &Inertial) -> Option<Fault> {
         // A unit that never measured an acceleration may not exist in this world.
         let exists = now.acceleration != glam::Vec3::ZERO;
-        self.same = if exists && *now == self.inertial { self.same.saturating_add(1) } else { 0 };
+        let is_new = now.is_plausible() && (!exists || *now != self.inertial);
+        self.same = if is_new { 0 } else { self.same.saturating_add(1) };
         self.inertial = *now;
         (self.same >= INERTIAL_CYCLES).then_some(Fault::Inertial)
     }
@@ -135,18 +140,19 @@ impl<M: RobotModel> Health<M> {
     }
 
     fn check_joints(&mut self, sensors: &Sensors<'_>, targets: &Joints, stiffness: &Joints) -> Option<Fault> {
-        let deviation = |joint: Joint| (targets[joint] - sensors.angles[joint]).abs();
-        let watched =
-            M::JOINTS.iter().copied().filter(|&joint| follows(joint) && stiffness[joint] >= FOLLOWING_STIFFNESS);
-        let worst = watched
-            .max_by(|&a, &b| deviation(a).total_cmp(&deviation(b)))
-            .filter(|&joint| deviation(joint) > STUCK_DEVIATION);
-        self.stuck = match worst {
-            Some(joint) if joint == self.stuck.0 => (joint, self.stuck.1.saturating_add(1)),
-            Some(joint) => (joint, 1),
-            None => (self.stuck.0, 0),
+        let deviates = |joint: Joint| {
+            let most = if joint.index() < 2 { STUCK_HEAD_DEVIATION } else { STUCK_DEVIATION };
+            let deviation = (targets[joint] - sensors.angles[joint]).abs();
+            // A measurement that is no number deviates, too.
+            deviation > most || deviation.is_nan()
         };
-        (self.stuck.1 >= STUCK_CYCLES).then_some(Fault::Stuck(self.stuck.0))
+        let watched = M::JOINTS.iter().copied().filter(|&joint| follows(joint));
+        watched.fold(None, |found, joint| {
+            let count = &mut self.stuck[joint.index()];
+            let is_stuck = stiffness[joint] >= FOLLOWING_STIFFNESS && deviates(joint);
+            *count = if is_stuck { count.saturating_add(1) } else { 0 };
+            found.or((*count >= STUCK_CYCLES).then_some(Fault::Stuck(joint)))
+        })
     }
 }
 

@@ -4,7 +4,7 @@ use super::Fault;
 use crate::bounds::clamp;
 use crate::joints::{Joint, Joints};
 use crate::model::{Range, RobotModel};
-use crate::robot::Sensors;
+use crate::robot::{Sensors, plausible_temperature};
 
 /// I²t load below which a coil has recovered, relative to the load at the continuous current.
 const RECOVERED_LOAD: f32 = 1.0;
@@ -52,7 +52,8 @@ impl MotorLoad {
         let limits = M::THERMAL;
         let (mut hot, mut overloaded, mut cool) = (None, None, true);
         for joint in Joint::ALL {
-            let (temperature, current) = (sensors.temperatures[joint], sensors.currents[joint]);
+            let temperature = plausible_temperature(sensors.temperatures[joint]);
+            let current = sensors.currents[joint];
             let load = &mut self.loads[joint];
             if !upright {
                 *load = 0.0;

@@ -8,8 +8,8 @@ use bica_player::input::{CameraInput, Colours, FrameTooLarge, HealthMonitor, Rob
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use bica_player::output::{CameraSelector, Motors};
 use bica_player::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
-    RobotDetector,
+    self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
+    OwnBody, RobotDetector,
 };
 
 use crate::Goalkeeper;
@@ -41,6 +41,7 @@ impl Robot for Keeper {
     type Error = FrameTooLarge;
 
     fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
+        perception::pass_cycle(self);
         let commanded = *self.get::<Motors>().commanded();
         self.get_mut::<RobotState>().measure(sensors, &commanded);
         self.get_mut::<HealthMonitor>().check(sensors, &commanded);

@@ -139,11 +139,12 @@ fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
 /// If it cannot be read, or something is wrong in it; all errors are told, each at its place.
 pub(crate) fn open(file: &Path) -> Result<Script, Failure> {
     let failed = |error| Failure::of_path("read", file, &error, "give the file of a session; `therapy new` makes one");
-    let text = fs::read_to_string(file).map_err(failed)?;
+    let bytes = fs::read(file).map_err(failed)?;
     let told = |problems: &[Problem]| {
         let lines: Vec<_> = problems.iter().map(|problem| format!("{}:{problem}", file.display())).collect();
         Failure::new(lines.join("\n       "), "docs/therapy.md describes the session language")
     };
+    let text = Script::decode(&bytes).map_err(|problem| told(&[problem]))?;
     let script = Script::parse(&text).map_err(|problems| told(&problems))?;
     let problems = script.check_files(file.parent().unwrap_or(Path::new("")));
     if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }

@@ -94,7 +94,7 @@ fn read(file: &Path) -> Result<Value, Failed> {
     let beside = beside.into_iter().flatten().flatten().map(|entry| folder.join(entry.file_name()));
     let mut files: Vec<_> = beside.filter(|file| file.extension().is_some_and(|ending| ending == "session")).collect();
     files.sort();
-    let text = fs::read_to_string(file).unwrap_or_default();
+    let text = fs::read(file).ok().and_then(|bytes| Script::decode(&bytes).ok()).unwrap_or_default();
     let lines: Vec<_> = text.lines().map(str::trim).collect();
     let parts = parts(&script, &lines);
     Ok(

@@ -69,7 +69,10 @@ impl FaceBall {
     }
 
     fn step(&mut self, tuned: &Tuned<Facing>, ball: &BallDetector, head: &mut Head, camera: &mut CameraSelector) {
-        let Some(Bearing { pan, down }) = ball.bearing() else { return };
+        let Some(Bearing { pan, down }) = ball.bearing() else {
+            self.centred = false;
+            return;
+        };
         let before = camera.selected();
         camera.select(tuned.camera(before, down));
         let tilt = down - Head::camera_tilt(camera.selected());

@@ -81,7 +81,8 @@ pub struct Stall {
     pub aside_time: f32,
 }
 
-/// Walks to the ball in the direction of the head, which faces the ball. A stalled approach sidesteps, alternately to both sides.
+/// Walks to the ball in the direction of the head, which faces the ball; stands while the ball is neither seen nor remembered. A
+/// stalled approach sidesteps, alternately to both sides.
 #[derive(Debug)]
 pub struct FollowBall {
     turning: bool,
@@ -125,7 +126,7 @@ impl FollowBall {
             && fabsf(pan) < tuned.reached_pan
             && face.centred();
         self.turning = fabsf(pan) > if self.turning { tuned.ahead_pan } else { tuned.turn_pan };
-        if self.reached {
+        if self.reached || ball.bearing().is_none() {
             body.stand();
         } else if self.is_stalled(stall, ball.position(), time.dt()) {
             let left = self.side * stall.aside_speed;
@@ -215,15 +216,20 @@ mod tests {
     }
 
     #[test]
-    fn robot_walks_and_sidesteps_with_tuned_speeds() {
+    fn robot_walks_and_sidesteps_to_a_known_ball_only() {
         let tuned = Tuned::new(Approach { speed: 0.17, ..Approach::DEFAULT });
         let stall = Tuned::new(Stall { progress_time: 1.0, aside_speed: 0.06, ..Stall::DEFAULT });
-        let (mut follow, ball, head) = (FollowBall::new(), BallDetector::new(), Head::new());
+        let (mut follow, mut ball, head) = (FollowBall::new(), BallDetector::remembering(Vec2::X), Head::new());
         let (mut face, mut body) = (FaceBall::new(), Body::new());
         follow.step(&tuned, &stall, &time(500), &ball, &head, &mut face, &mut body);
         assert_eq!(body.request(), Request::Straight { forward: 0.17, turn: 0.0 });
-        follow.step(&tuned, &stall, &time(600), &ball, &head, &mut face, &mut body);
+        for _ in 0..2 {
+            follow.step(&tuned, &stall, &time(600), &ball, &head, &mut face, &mut body);
+        }
         assert_eq!(body.request(), Request::Step(Velocity { forward: 0.0, left: 0.06, turn: 0.0 }));
+        (0..60).for_each(|_| ball.pass_cycle());
+        follow.step(&tuned, &stall, &time(700), &ball, &head, &mut face, &mut body);
+        assert_eq!(body.request(), Request::Stand, "the position is old");
     }
 
     #[test]

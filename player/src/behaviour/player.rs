@@ -65,6 +65,12 @@ impl Player {
     #[state]
     fn dribble(&mut self, _dribble: &mut Dribble, _face: &mut FaceBall) {}
 
+    /// Stands while the camera or the gyroscope has a fault, or the ball detector does not look.
+    #[state]
+    fn blind(&mut self, body: &mut Body) {
+        body.stand();
+    }
+
     /// Stands while the robot is out of the game.
     #[state]
     fn penalized(&mut self, body: &mut Body) {
@@ -92,9 +98,20 @@ impl Player {
         guard.stands()
     }
 
-    #[transition(look_for_ball | approach | search_net | go_round | kick | dribble -> penalized)]
+    #[transition(look_for_ball | approach | search_net | go_round | kick | dribble | blind -> penalized)]
     fn sent_off(&self, game: &GameState, state: &RobotState) -> bool {
         !game.playing() && state.grounded()
+    }
+
+    /// A robot that does not see does not walk. A kick ends on both feet before.
+    #[transition(look_for_ball | approach | search_net | go_round | kick | dribble -> blind, after_ms = 200)]
+    fn cannot_see(&self, health: &HealthMonitor, ball: &BallDetector, state: &RobotState) -> bool {
+        state.grounded() && (health.sense_fault().is_some() || !ball.is_looking())
+    }
+
+    #[transition(blind -> look_for_ball)]
+    fn sees_again(&self, health: &HealthMonitor, ball: &BallDetector) -> bool {
+        health.sense_fault().is_none() && ball.is_looking()
     }
 
     #[transition(penalized -> look_for_ball)]
@@ -169,6 +186,12 @@ impl Player {
     #[transition(go_round -> search_net)]
     fn went_round(&self, round: &GoRound) -> bool {
         round.done()
+    }
+
+    /// A full circle takes 14 s: something is in the way, or the turn is not measured.
+    #[transition(go_round -> search_net, after_ms = 25000)]
+    fn cannot_go_round(&self) -> bool {
+        true
     }
 
     #[transition(kick -> approach)]

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use bica::prelude::*;
+use bica_motion::health::Glimpse;
 use bica_motion::joints::Joints;
 use bica_motion::robot::{CameraId, Image};
 
@@ -119,6 +120,12 @@ impl CameraInput {
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
+    }
+
+    /// What the health monitor compares of the newest image; `None` while there is none.
+    #[must_use]
+    pub(crate) fn glimpse(&self) -> Option<Glimpse> {
+        Glimpse::of(self.image().yuyv)
     }
 
     /// Camera that took the newest image.

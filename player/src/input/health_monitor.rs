@@ -1,11 +1,11 @@
 //! Faults of the body.
 
 use bica::prelude::*;
-use bica_motion::health::{Fault, Health};
+use bica_motion::health::{Fault, Health, Senses};
 use bica_motion::joints::{JOINTS, Joint, Joints};
-use bica_motion::robot::Sensors;
+use bica_motion::robot::{Sensors, plausible_temperature};
 
-use super::RobotState;
+use super::{CameraInput, RobotState};
 use crate::Model;
 use crate::output::JointCommand;
 
@@ -17,22 +17,27 @@ pub struct FaultReaction {
     grace_time: f32,
 }
 
-/// Faults of joints, motors and sensors, and the reduction of the stiffness of hot motors.
+/// Faults of joints, motors, sensors and camera, and the reduction of the stiffness of hot motors.
 #[derive(Clone, Copy, Debug)]
 pub struct HealthMonitor {
     health: Health<Model>,
+    senses: Senses,
+    /// Number of the newest image.
+    image: u32,
     /// Remaining time until a fault ends the motion, s; 0 or less: it ends the motion.
     grace: f32,
     temperatures: Joints<f32>,
 }
 
-#[component(budget_us = 2)]
+#[component(budget_us = 5)]
 impl HealthMonitor {
     /// Creates the component without a fault.
     #[must_use]
     pub const fn new() -> Self {
         Self {
             health: Health::new(),
+            senses: Senses::new(),
+            image: 0,
             grace: FaultReaction::DEFAULT.grace_time,
             temperatures: Joints([f32::NAN; JOINTS]),
         }
@@ -40,11 +45,18 @@ impl HealthMonitor {
 
     /// Compares the measurements of this cycle with the command of the previous one.
     pub fn check(&mut self, sensors: &Sensors<'_>, commanded: &JointCommand) {
-        self.temperatures = sensors.temperatures;
+        self.temperatures = Joints(sensors.temperatures.0.map(plausible_temperature));
         self.health.step(sensors, &commanded.targets, &commanded.stiffness);
+        self.senses.step(sensors, &commanded.targets);
     }
 
-    fn step(&mut self, tuned: &Tuned<FaultReaction>, time: &Time, state: &RobotState) {
+    fn step(&mut self, tuned: &Tuned<FaultReaction>, time: &Time, input: &CameraInput, state: &RobotState) {
+        if self.image != input.count()
+            && let Some(glimpse) = input.glimpse()
+        {
+            self.image = input.count();
+            self.senses.see(glimpse);
+        }
         self.grace = match self.fault() {
             None => tuned.grace_time,
             Some(_) if state.grounded() => 0.0,
@@ -52,11 +64,18 @@ impl HealthMonitor {
         };
     }
 
-    /// The fault, if there is one.
+    /// The fault of joints, motors or sensors, if there is one. The robot sits down.
     #[info]
     #[must_use]
     pub const fn fault(&self) -> Option<Fault> {
         self.health.fault()
+    }
+
+    /// The fault of camera or gyroscope, if there is one. The robot stands until it ends.
+    #[info]
+    #[must_use]
+    pub fn sense_fault(&self) -> Option<Fault> {
+        self.senses.fault()
     }
 
     /// Whether a fault ends the current motion: both feet have touched the ground since, or the grace time has passed.
@@ -119,7 +138,12 @@ mod tests {
     }
 
     fn step(monitor: &mut HealthMonitor, grace_time: f32) {
-        monitor.step(&Tuned::new(FaultReaction { grace_time }), &crate::behaviour::test_time(10), &RobotState::new());
+        monitor.step(
+            &Tuned::new(FaultReaction { grace_time }),
+            &crate::behaviour::test_time(10),
+            &CameraInput::new(),
+            &RobotState::new(),
+        );
     }
 
     #[test]

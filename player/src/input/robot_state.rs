@@ -5,7 +5,7 @@ use bica::visual::{self, Imu, Pose3};
 use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
-use bica_motion::robot::{FootPressure, Inertial, Sensors};
+use bica_motion::robot::{FootPressure, Inertial, Sensors, is_plausible_angle};
 use bica_motion::segment::Segment;
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
@@ -55,19 +55,18 @@ impl RobotState {
         self.touch_force = tuned.touch_force;
     }
 
-    /// Processes the measurements of this cycle and the command of the previous one. A measurement that is not finite
-    /// is replaced by the last finite one.
+    /// Processes the measurements of this cycle and the command of the previous one. A measurement that is not finite or
+    /// impossible is replaced by the last possible one; if it lasts, [`HealthMonitor`](super::HealthMonitor) reports a fault.
     pub fn measure(&mut self, sensors: &Sensors<'_>, commanded: &JointCommand) {
         for (kept, new) in self.angles.0.iter_mut().zip(sensors.angles.0) {
-            if new.is_finite() {
+            if is_plausible_angle(new) {
                 *kept = new;
             }
         }
-        let new = &sensors.inertial;
-        if new.gyro.is_finite() && new.acceleration.is_finite() && new.roll.is_finite() && new.pitch.is_finite() {
-            self.inertial = *new;
+        if sensors.inertial.is_plausible() {
+            self.inertial = sensors.inertial;
         }
-        if sensors.left_foot.total().is_finite() && sensors.right_foot.total().is_finite() {
+        if sensors.left_foot.is_plausible() && sensors.right_foot.is_plausible() {
             self.feet = [sensors.left_foot, sensors.right_foot];
         }
         self.commanded = commanded.targets;
@@ -186,12 +185,14 @@ mod tests {
     }
 
     #[test]
-    fn non_finite_measurement_keeps_last_one() {
+    fn impossible_measurement_keeps_last_one() {
         let mut state = RobotState::new();
         state.measure(&sensors(0.1, 0.3), &command(1.0));
-        state.measure(&sensors(f32::NAN, f32::INFINITY), &command(1.0));
-        assert_eq!(state.angles(), &Joints([0.1; JOINTS]));
-        assert_eq!(state.inertial().roll.to_bits(), 0.3_f32.to_bits());
+        for odd in [f32::NAN, f32::INFINITY, -1e30, 5.0] {
+            state.measure(&sensors(odd, odd), &command(1.0));
+            assert_eq!(state.angles(), &Joints([0.1; JOINTS]));
+            assert_eq!(state.inertial().roll.to_bits(), 0.3_f32.to_bits());
+        }
     }
 
     #[test]

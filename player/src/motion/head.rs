@@ -22,6 +22,9 @@ pub struct HeadMotion {
     /// Largest error of each measured joint at which the target counts as reached.
     #[param(default = 0.03, range = 0.005..=0.2, unit = "rad", step = 0.005)]
     pub arrival_tolerance: f32,
+    /// Time after which the target counts as reached although the head is not there: a joint may be blocked. A fault needs 1 s.
+    #[param(default = 1.5, range = 0.2..=10.0, unit = "s", step = 0.1)]
+    pub max_wait: f32,
     /// Stiffness of both joints, 0 (limp) to 1 (B-Human 2023).
     #[param(default = 0.7, range = 0.1..=1.0, step = 0.05)]
     pub stiffness: f32,
@@ -32,6 +35,8 @@ pub struct HeadMotion {
 pub struct Head {
     target: HeadAngles,
     commanded: HeadAngles,
+    /// Time for which the target has been commanded, s.
+    waited: f32,
     arrived: bool,
 }
 
@@ -40,7 +45,7 @@ impl Head {
     /// Creates the component with the head straight ahead.
     #[must_use]
     pub const fn new() -> Self {
-        Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, arrived: false }
+        Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, waited: 0.0, arrived: false }
     }
 
     fn step(&mut self, tuned: &Tuned<HeadMotion>, time: &Time, state: &RobotState, motors: &mut Motors) {
@@ -48,7 +53,9 @@ impl Head {
         self.commanded = speed.step::<Model>(self.commanded, self.target, time.dt());
         let measured = HeadAngles::read(state.angles());
         let near = |measured: f32, target: f32| fabsf(measured - target) < tuned.arrival_tolerance;
-        self.arrived = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
+        self.waited = if self.commanded == self.target { self.waited + time.dt() } else { 0.0 };
+        let is_near = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
+        self.arrived = is_near || self.waited > tuned.max_wait;
         motors.set_head(self.commanded.yaw, self.commanded.pitch, tuned.stiffness);
     }
 
@@ -102,7 +109,7 @@ impl Head {
         self.target
     }
 
-    /// Whether the head has reached its target.
+    /// Whether the head has reached its target, or come as near as it can.
     #[info]
     #[must_use]
     pub const fn arrived(&self) -> bool {

@@ -61,6 +61,15 @@ impl BallDetector {
         }
     }
 
+    /// Creates the component with a ball that was just seen at a position, m, in the ground frame.
+    #[cfg(test)]
+    pub(crate) fn remembering(at: Vec2) -> Self {
+        let mut detector = Self::new();
+        detector.memory.see(at, &bica_vision::uncertainty::round(0.01), 1.0);
+        detector.ego_motion.renew();
+        detector
+    }
+
     fn step(
         &mut self,
         detection: &Tuned<BallDetection>,
@@ -77,8 +86,8 @@ impl BallDetector {
         self.lost_after_ms = detection.lost_after.into();
         self.memory.set_tuning(&tracking.tuning(odometry));
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
-        let advance = |motion| self.memory.advance(motion, time.dt());
-        if self.ego_motion.begin_run(odometry, input, advance) {
+        let advance = |motion, seconds| self.memory.advance(motion, seconds);
+        if self.ego_motion.begin_run(time, odometry, input, advance) {
             self.seen = self.look(detection, input, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
             match self.seen {
@@ -124,16 +133,28 @@ impl BallDetector {
         }
     }
 
-    /// The ball in the newest image.
+    /// Counts a cycle since the last run and the last image.
+    pub(crate) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// Whether it looks for the ball: it has processed an image in the last half second.
+    #[info]
+    #[must_use]
+    pub const fn is_looking(&self) -> bool {
+        self.ego_motion.has_image()
+    }
+
+    /// The ball in the newest image; `None` if that is older than half a second.
     #[must_use]
     pub const fn seen(&self) -> Option<&BallSighting> {
-        self.seen.as_ref()
+        if self.is_looking() { self.seen.as_ref() } else { None }
     }
 
     /// The ball in the newest image.
     #[info(unit = "px", frame = "camera")]
     fn ball_in_image(&self) -> Option<ImageCircle> {
-        self.seen.map(|BallSighting { ball, .. }| ImageCircle {
+        self.seen().map(|BallSighting { ball, .. }| ImageCircle {
             x: ball.centre.x,
             y: ball.centre.y,
             radius: ball.radius,
@@ -143,21 +164,21 @@ impl BallDetector {
     /// Confidence in the ball of the newest image, 0 to 1.
     #[info]
     fn sighting_confidence(&self) -> Option<f32> {
-        self.seen.map(|seen| seen.ball.confidence)
+        self.seen().map(|seen| seen.ball.confidence)
     }
 
     /// Whether the ball was in the last images: in two, unless a parameter says otherwise.
     #[info]
     #[must_use]
     pub const fn is_confirmed(&self) -> bool {
-        self.in_row >= self.confirmations
+        self.in_row >= self.confirmations && self.is_looking()
     }
 
-    /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise.
+    /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise; also if it does not look.
     #[info]
     #[must_use]
     pub const fn is_lost(&self) -> bool {
-        self.unseen_ms >= self.lost_after_ms
+        self.unseen_ms >= self.lost_after_ms || !self.is_looking()
     }
 
     /// Time since the last confirmed sighting.
@@ -171,10 +192,11 @@ impl BallDetector {
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
-        self.seen.map(|seen| seen.bearing).or_else(remembered)
+        self.seen().map(|seen| seen.bearing).or_else(remembered)
     }
 
-    /// Most probable position of the ball now, resting or rolling, m, in the ground frame between the feet.
+    /// Most probable position of the ball now, resting or rolling, m, in the ground frame between the feet; `None` if it is
+    /// forgotten, or the motion of the robot is not known.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
@@ -189,30 +211,31 @@ impl BallDetector {
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
     #[info(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
-        info::point(self.memory.velocity())
+        info::point(self.memory().velocity())
     }
 
     /// Probability that the ball rolls, 0 to 1.
     #[info]
     fn rolling_probability(&self) -> f32 {
-        self.memory.rolls()
+        self.memory().rolls()
     }
 
     /// Confidence in the position, 0 to 1.
     #[info]
     const fn position_confidence(&self) -> f32 {
-        self.memory.confidence()
+        self.memory().confidence()
     }
 
     /// The same position with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
-        self.memory.likeliest()
+        self.memory().likeliest()
     }
 
-    /// The memory of the ball: velocity and confidence.
+    /// The memory of the ball: velocity and confidence; an empty one if the motion of the robot is not known.
     #[must_use]
     pub const fn memory(&self) -> &BallMemory {
-        &self.memory
+        const EMPTY: &BallMemory = &BallMemory::new(1.0);
+        if self.ego_motion.is_fresh() { &self.memory } else { EMPTY }
     }
 }

@@ -54,6 +54,11 @@ impl CameraPose {
         }
     }
 
+    /// Counts a cycle since the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.image.age.pass_cycle();
+    }
+
     /// Whether the rotation since the previous image is so small that the newest image is sharp.
     #[info]
     #[must_use]
@@ -102,10 +107,10 @@ impl CameraPose {
         &self.mounting
     }
 
-    /// The camera with its pose in the ground frame; `None` before the first image.
+    /// The camera with its pose in the ground frame; `None` if there was no image for half a second.
     #[must_use]
     pub const fn camera(&self) -> Option<&Camera> {
-        self.camera.as_ref()
+        if self.image.age.is_fresh() { self.camera.as_ref() } else { None }
     }
 }
 

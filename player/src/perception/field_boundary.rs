@@ -62,6 +62,11 @@ impl FieldBoundary {
         }
     }
 
+    /// Counts a cycle since the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.image.age.pass_cycle();
+    }
+
     /// Highest row of the boundary; `None` if no field is in view.
     #[info(unit = "px")]
     fn top(&self) -> Option<f32> {
@@ -75,10 +80,11 @@ impl FieldBoundary {
     }
 
     /// Whether the newest image shows the field at a position in the ground frame between the feet, m; see
-    /// [`Line::shows_field`].
+    /// [`Line::shows_field`]. False if there was no image for half a second.
     #[must_use]
     pub fn is_on_field(&self, camera: &CameraPose, at: Vec2) -> bool {
-        camera.camera().is_some_and(|camera| self.line.shows_field(camera, at))
+        let camera = camera.camera().filter(|_| self.image.age.is_fresh());
+        camera.is_some_and(|camera| self.line.shows_field(camera, at))
     }
 
     /// The boundary.

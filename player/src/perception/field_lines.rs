@@ -89,9 +89,15 @@ impl FieldLines {
         self.markings.circle.map(|circle| info::point(circle.centre))
     }
 
-    /// The markings, m, in the ground frame between the feet.
+    /// Counts a cycle since the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.image.age.pass_cycle();
+    }
+
+    /// The markings, m, in the ground frame between the feet; none if there was no image for half a second.
     #[must_use]
     pub const fn markings(&self) -> &Markings {
-        &self.markings
+        const NONE: &Markings = &Markings::NONE;
+        if self.image.age.is_fresh() { &self.markings } else { NONE }
     }
 }

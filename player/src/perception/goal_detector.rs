@@ -76,8 +76,8 @@ impl GoalDetector {
         odometry: &Odometry,
     ) {
         self.memory.set_tuning(&tracking.tuning(odometry));
-        let advance = |motion| self.memory.advance(motion, time.dt());
-        if !self.ego_motion.begin_run(odometry, input, advance) {
+        let advance = |motion, seconds| self.memory.advance(motion, seconds);
+        if !self.ego_motion.begin_run(time, odometry, input, advance) {
             return;
         }
         self.goals = self.look(detection, input, colours, end, pose);
@@ -198,22 +198,27 @@ impl GoalDetector {
         (self.complete, self.found) = (false, false);
     }
 
-    /// Both goals in the newest image.
-    #[must_use]
-    pub const fn goals(&self) -> &Goals {
-        &self.goals
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
     }
 
-    /// The attacked goal in the newest image.
+    /// Both goals in the newest image; none if that is older than half a second.
+    #[must_use]
+    pub const fn goals(&self) -> &Goals {
+        if self.ego_motion.has_image() { &self.goals } else { &Goals { yellow: None, blue: None } }
+    }
+
+    /// The attacked goal in the newest image; `None` if that is older than half a second.
     #[must_use]
     pub const fn seen(&self) -> Option<&Goal> {
-        self.seen.as_ref()
+        if self.ego_motion.has_image() { self.seen.as_ref() } else { None }
     }
 
     /// Left or only post, and right post, of the attacked goal in the newest image, from the base to the top.
     #[info(unit = "px", frame = "camera")]
     fn posts_in_image(&self) -> [Option<ImageSegment>; 2] {
-        let posts = self.seen.map_or([None; 2], |goal| [Some(goal.first), goal.second]);
+        let posts = self.seen().map_or([None; 2], |goal| [Some(goal.first), goal.second]);
         let segment = |post: Post| ImageSegment { start: info::pixel(post.base), end: info::pixel(post.top) };
         posts.map(|post| post.map(segment))
     }
@@ -221,7 +226,7 @@ impl GoalDetector {
     /// Whether the newest image shows the yellow and the sky-blue goal.
     #[info]
     const fn seen_goals(&self) -> [bool; 2] {
-        [self.goals.yellow.is_some(), self.goals.blue.is_some()]
+        [self.goals().yellow.is_some(), self.goals().blue.is_some()]
     }
 
     /// Whether both posts were seen at once since the search was restarted.
@@ -252,10 +257,11 @@ impl GoalDetector {
         self.gap
     }
 
-    /// The position of the middle of the goal, m, in the ground frame between the feet.
+    /// The position of the middle of the goal, m, in the ground frame between the feet; `None` if it is forgotten, or the motion of
+    /// the robot is not known.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
-        self.memory.position()
+        self.estimate().map(|place| place.position)
     }
 
     /// Middle of the goal.
@@ -279,7 +285,7 @@ impl GoalDetector {
     /// The same position with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
-        self.memory.estimate()
+        self.memory.estimate().filter(|_| self.ego_motion.is_fresh())
     }
 }
 

@@ -41,6 +41,7 @@ impl Localization {
         &mut self,
         motion: &Tuned<MotionNoise>,
         sightings: &Tuned<SightingUse>,
+        time: &Time,
         input: &CameraInput,
         goals: &GoalDetector,
         lines: &FieldLines,
@@ -48,15 +49,20 @@ impl Localization {
         odometry: &Odometry,
     ) {
         self.localizer.set_tuning(&params::tuning(motion, sightings));
-        let is_new = self.ego_motion.begin_run(odometry, input, |motion| self.localizer.advance(motion));
+        let is_new = self.ego_motion.begin_run(time, odometry, input, |motion, _| self.localizer.advance(motion));
         let Some(camera) = pose.camera().filter(|_| is_new) else { return };
         self.localizer.see(Sightings::of(lines.markings(), goals.goals(), goals.attacked(), camera));
     }
 
-    /// The most probable pose, reliable or not; `None` before the first sighting.
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// The most probable pose, reliable or not; `None` before the first sighting, or if the motion of the robot is not known.
     #[must_use]
     pub const fn estimate(&self) -> Option<Estimate> {
-        self.localizer.estimate()
+        if self.ego_motion.is_fresh() { self.localizer.estimate() } else { None }
     }
 
     /// Most probable pose on the field, reliable or not: x towards the attacked goal, from the centre.

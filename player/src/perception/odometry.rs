@@ -7,6 +7,7 @@ use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::Vec2;
 
+use super::ego_motion::Age;
 use crate::Model;
 use crate::info;
 use crate::input::{RobotProfile, RobotState};
@@ -52,6 +53,7 @@ pub struct Odometry {
     estimator: Estimator<Model>,
     distance_error: f32,
     turn_error: f32,
+    age: Age,
 }
 
 #[component(budget_us = 10)]
@@ -63,6 +65,7 @@ impl Odometry {
             estimator: Estimator::new(&Calibration::EXACT),
             distance_error: OdometryCorrection::DEFAULT.distance_error,
             turn_error: OdometryCorrection::DEFAULT.turn_error,
+            age: Age::new(),
         }
     }
 
@@ -76,6 +79,18 @@ impl Odometry {
             gyro_turn: Some(state.inertial().gyro.z * time.dt()),
         };
         self.estimator.step_tuned(&input, &tuned.tuning());
+        self.age.renew();
+    }
+
+    /// Counts a cycle since the last run.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.age.pass_cycle();
+    }
+
+    /// Whether the pose is that of a robot that may have moved in the last half second only: otherwise the way is not known.
+    #[must_use]
+    pub const fn is_fresh(&self) -> bool {
+        self.age.is_fresh()
     }
 
     /// Standard deviation of the position after 1 m of walking, m.

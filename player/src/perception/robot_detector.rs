@@ -51,8 +51,8 @@ impl RobotDetector {
         odometry: &Odometry,
     ) {
         self.memory.set_tuning(&tracking.tuning(odometry));
-        let advance = |motion| self.memory.advance(motion, time.dt());
-        if !self.ego_motion.begin_run(odometry, input, advance) {
+        let advance = |motion, seconds| self.memory.advance(motion, seconds);
+        if !self.ego_motion.begin_run(time, odometry, input, advance) {
             return;
         }
         if let Ok(frame) = Frame::from_image(&input.image()) {
@@ -74,9 +74,14 @@ impl RobotDetector {
         self.memory.miss(|place| visibility::is_in_view(camera, size, own.body(), place, width, far));
     }
 
-    /// The remembered positions, m, in the ground frame between the feet.
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// The remembered positions, m, in the ground frame between the feet; none if the motion of this robot is not known.
     pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
-        self.memory.places()
+        self.memory.places().filter(|_| self.ego_motion.is_fresh())
     }
 
     /// Positions of the remembered robots.

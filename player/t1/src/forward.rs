@@ -11,7 +11,7 @@ use crate::input::{CameraInput, GameState, HealthMonitor, RobotProfile, RobotSta
 use crate::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use crate::output::{CameraSelector, Motors};
 use crate::perception::{
-    BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
+    self, BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
 };
 use crate::senses::Senses;
 
@@ -39,6 +39,7 @@ impl Robot for Forward {
     type Error = core::convert::Infallible;
 
     fn sense(&mut self, senses: &Senses<'_>) -> Result<(), Self::Error> {
+        perception::pass_cycle(self);
         let commanded = *self.get::<Motors>().commanded();
         self.get_mut::<RobotState>().measure(&senses.body, &commanded);
         self.get_mut::<HealthMonitor>().check(&senses.body, &commanded);

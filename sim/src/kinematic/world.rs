@@ -24,7 +24,7 @@ use crate::segmentation::PixelLabel;
 use crate::setup::{Setup, SetupError, check_ball};
 use crate::shared_image::{ImageMemory, SharedImage};
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
-use crate::world::{CYCLE, World, frame, image_is_due};
+use crate::world::{CYCLE, Pushes, World, frame, image_is_due};
 use bica_body::transform::angular_velocity;
 
 /// A robot of the model `M` on the field of 2009, simulated by kinematics.
@@ -46,6 +46,7 @@ pub struct KinematicWorld<M> {
     image_is_new: bool,
     /// What an operator moves.
     pub(crate) limbs: LimbMotions,
+    pushes: Pushes,
 }
 
 impl<M: SimulatedModel> KinematicWorld<M> {
@@ -80,6 +81,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
             image: ImageMemory::new(2 * width * height),
             image_is_new: false,
             limbs: LimbMotions::default(),
+            pushes: Pushes::default(),
         };
         world.resolve_collisions();
         Ok(world)
@@ -184,6 +186,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
         self.previous_cameras = cameras(&self.body);
         self.image_is_new = false;
         self.cycle += 1;
+        self.pushes = Pushes::default();
         self.camera = command.camera;
         let now = self.now();
         let previous_soles = self.body.soles();
@@ -222,10 +225,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
     }
 
     fn add_velocity(&mut self, velocity: Vec2) {
-        if !velocity.is_finite() {
-            return;
-        }
-        if let Some(event) = self.body.push(velocity) {
+        if let Some(event) = self.body.push(self.pushes.add(velocity)) {
             self.referee.record(self.now(), event);
         }
         self.resolve_collisions();

@@ -26,7 +26,7 @@ use crate::referee::{Event, Posture, Referee};
 use crate::setup::Setup;
 use crate::shared_image::SharedImage;
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
-use crate::world::{CYCLE, World, frame, image_is_due};
+use crate::world::{CYCLE, Pushes, World, frame, image_is_due};
 
 /// A robot of the model `M` on the field of 2009, simulated by rigid-body dynamics.
 pub struct MujocoWorld<M> {
@@ -43,6 +43,7 @@ pub struct MujocoWorld<M> {
     image_is_new: bool,
     /// What an operator moves.
     pub(crate) limbs: LimbMotions,
+    pushes: Pushes,
     rules: Rules,
     referee: Referee,
 }
@@ -75,6 +76,7 @@ impl<M: MujocoModel> MujocoWorld<M> {
             previous_cameras: [Affine3A::IDENTITY; 2],
             image_is_new: false,
             limbs: LimbMotions::default(),
+            pushes: Pushes::default(),
             rules: Rules::default(),
             referee,
         };
@@ -203,9 +205,12 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
         self.image_is_new = false;
         self.camera = command.camera;
         self.cycle += 1;
+        self.pushes = Pushes::default();
         let command = self.limbs.over::<M>(command, &self.body.sensors().angles);
         let change = self.body.act(&command);
-        self.update_referee(change);
+        if self.body.failure().is_none() {
+            self.update_referee(change);
+        }
     }
 
     fn actions(&mut self) -> &mut dyn Actions {
@@ -232,7 +237,11 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
     }
 
     fn add_velocity(&mut self, velocity: Vec2) {
-        self.body.add_velocity(velocity);
+        self.body.add_velocity(self.pushes.add(velocity));
+    }
+
+    fn failure(&self) -> Option<&str> {
+        self.body.failure()
     }
 
     fn shared_image(&self) -> SharedImage {

@@ -11,6 +11,8 @@ mod seeing;
 #[cfg(feature = "mujoco")]
 mod sensing;
 #[cfg(feature = "mujoco")]
+mod soundness;
+#[cfg(feature = "mujoco")]
 mod standing;
 #[cfg(feature = "mujoco")]
 mod support;

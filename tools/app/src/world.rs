@@ -76,9 +76,11 @@ impl WorldOptions {
         if narrow && wide { Ok(value) } else { Err(refused("the number is not finite")) }
     }
 
+    /// Checks that the world, of this name, has read all options.
+    ///
     /// # Errors
     /// If there is a value that the world has not read.
-    pub(crate) fn check_all_read(&self, world: &str) -> Result<(), Failure> {
+    pub fn check_all_read(&self, world: &str) -> Result<(), Failure> {
         match self.values.borrow().keys().next() {
             None => Ok(()),
             Some(name) => {

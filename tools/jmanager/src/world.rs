@@ -68,6 +68,7 @@ impl LocalWorld for SoccerWorld {
             realtime: true,
             firmware: firmware.transpose()?,
             settings: settings(&layers)?,
+            options: &[],
         };
         Ok(Box::new(move |run| Ok(play(&rules, run)?)))
     }

@@ -66,6 +66,7 @@ fn measure(values: &mut Values, policy: ImagePolicy, sharing: bool, path: &Path,
         realtime: true,
         firmware: None,
         settings: &[],
+        options: &[],
     };
     let header = recording_header(&rules, GoalColour::Yellow, policy).of_robot(&*forward());
     let file = fs::File::create(path).expect("room");

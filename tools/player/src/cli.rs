@@ -81,6 +81,8 @@ pub(crate) struct Play {
     /// Size of the camera images: 160x120 (the default with `--world firmware`), 320x240 or, not with firmware, 640x480
     #[arg(long, value_name = "WxH", default_value_if("world", "firmware", "160x120"), default_value = "320x240")]
     pub(crate) size: Frame,
+    #[arg(long, value_name = "NAME=VALUE", help = crate::game::OPTIONS)]
+    pub(crate) option: Vec<String>,
     /// Longest duration of a game, in simulated seconds
     #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) seconds: f64,

@@ -42,6 +42,7 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         realtime: args.realtime || args.link.is_paced(),
         firmware,
         settings: settings(args, &layers)?,
+        options: args.option.clone().leak(),
     };
     let layers = in_force(&layers);
     print_in_force(console, &layers)?;

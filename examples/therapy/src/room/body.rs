@@ -107,6 +107,15 @@ impl Body {
         }
     }
 
+    /// Why the simulation cannot continue, if it cannot.
+    pub(super) fn failure(&self) -> Option<&str> {
+        match self {
+            Self::Ideal { .. } => None,
+            #[cfg(feature = "mujoco")]
+            Self::Forces(humanoid) => humanoid.failure(),
+        }
+    }
+
     /// Pushes the robot over, or puts it on its feet.
     pub(super) fn push_over(&mut self, over: bool) {
         match self {

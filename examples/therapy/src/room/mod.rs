@@ -197,7 +197,11 @@ impl World<Therapist> for Room {
         Some(self)
     }
 
+    fn is_over(&self) -> bool {
+        self.body.failure().is_some()
+    }
+
     fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
-        self.log.iter().try_for_each(|line| writeln!(out, "{line}"))
+        self.log.iter().map(String::as_str).chain(self.body.failure()).try_for_each(|line| writeln!(out, "{line}"))
     }
 }

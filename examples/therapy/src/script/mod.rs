@@ -9,6 +9,8 @@ mod flow;
 mod problem;
 #[cfg(test)]
 mod tests;
+mod text;
+mod wav;
 mod words;
 
 use std::fs;
@@ -66,6 +68,14 @@ impl Script {
         if problems.is_empty() { Ok(script) } else { Err(problems) }
     }
 
+    /// Reads the text of a file.
+    ///
+    /// # Errors
+    /// If it is not UTF-8 with line ends of Unix or Windows: what it is instead, and how to save it.
+    pub fn decode(bytes: &[u8]) -> Result<String, Problem> {
+        text::decode(bytes)
+    }
+
     /// Checks that the sound files, relative to a folder, exist and are in WAV format.
     #[must_use]
     pub fn check_files(&self, folder: &Path) -> Vec<Problem> {
@@ -90,29 +100,10 @@ impl Clip {
         };
         let bytes = fs::read(folder.join(file))
             .map_err(|error| format!("the file `{}` cannot be read: {error}", file.display()))?;
-        wav_seconds(&bytes).ok_or_else(|| format!("the file `{}` is not in WAV format", file.display()))
+        wav::seconds(&bytes).map_err(|why| format!("the file `{}` {why}", file.display()))
     }
 }
 
 /// Estimated duration of spoken texts: a pause, s, and characters per second. Our choice: slow speech.
 const PAUSE: f32 = 0.5;
 const CHARACTERS: f32 = 12.0;
-
-/// Duration of a sound in WAV format, s; `None` if it is not in this format.
-fn wav_seconds(bytes: &[u8]) -> Option<f32> {
-    if !(bytes.starts_with(b"RIFF") && bytes.get(8..12)? == b"WAVE") {
-        return None;
-    }
-    let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes);
-    let (mut at, mut rate) = (12, None);
-    loop {
-        let size = number(at + 4)?;
-        match bytes.get(at..at + 4)? {
-            b"fmt " => rate = number(at + 16),
-            b"data" => return rate.filter(|rate| *rate > 0).map(|rate| size as f32 / rate as f32),
-            _ => {}
-        }
-        // Parts begin at even places.
-        at += 8 + size.next_multiple_of(2) as usize;
-    }
-}

@@ -9,7 +9,7 @@ use winnow::stream::Location;
 use winnow::token::{one_of, take_till, take_while};
 use winnow::{LocatingSlice, Result};
 
-use super::Problem;
+use super::{Problem, text};
 
 type Input<'a> = LocatingSlice<&'a str>;
 /// Line and column, from 1.
@@ -56,9 +56,10 @@ impl<'a> Line<'a> {
         let Some(sign) = rest.chars().next().filter(|sign| *sign != '#') else { return Ok(line) };
         let at = line.place(text.len());
         if sign == '"' {
-            return Err(Problem::at(at, "the text has no closing quote `\"`"));
+            return Err(Problem::at(at, text::no_end(rest)));
         }
-        Err(Problem::new(at, format!("`{sign}` cannot stand here"), "", &["a word", "a number", "a text in quotes"]))
+        let what = text::odd_sign(line.text, sign, &rest[sign.len_utf8()..]);
+        Err(Problem::new(at, what, "", &["a word", "a number", "a text in quotes"]))
     }
 
     fn place(&self, offset: usize) -> Place {

@@ -1,6 +1,7 @@
 //! The newest view of the camera: what it sees, without an image.
 
 use bica::prelude::*;
+use bica_motion::health::Glimpse;
 use bica_motion::joints::{JOINTS, Joints};
 use glam::Vec3;
 
@@ -34,6 +35,12 @@ impl CameraInput {
     #[must_use]
     pub const fn count(&self) -> u32 {
         self.count
+    }
+
+    /// What the health monitor compares of the newest view: a view has no noise and no brightness, so it only counts.
+    #[must_use]
+    pub(crate) const fn glimpse(&self) -> Option<Glimpse> {
+        Some(Glimpse { digest: self.count, brightness: 128 })
     }
 
     /// Number of sights in the newest view.

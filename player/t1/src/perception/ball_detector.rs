@@ -69,6 +69,15 @@ impl BallDetector {
         }
     }
 
+    /// Creates the component with a ball that was just seen at a position, m, in the ground frame.
+    #[cfg(test)]
+    pub(crate) fn remembering(at: Vec2) -> Self {
+        let mut detector = Self::new();
+        detector.memory.see(at, &bica_vision::uncertainty::round(0.01), 1.0);
+        detector.ego_motion.renew();
+        detector
+    }
+
     fn step(
         &mut self,
         tuned: &Tuned<BallTracking>,
@@ -87,8 +96,8 @@ impl BallDetector {
         let tuning = BallMemoryTuning { memory, deceleration: tuned.deceleration, ..BallMemoryTuning::DEFAULT };
         self.memory.set_tuning(&tuning);
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
-        let advance = |motion| self.memory.advance(motion, time.dt());
-        if !self.ego_motion.begin_run(odometry, input, advance) {
+        let advance = |motion, seconds| self.memory.advance(motion, seconds);
+        if !self.ego_motion.begin_run(time, odometry, input, advance) {
             return;
         }
         let ball = input.sights().iter().find(|sight| sight.object == Object::Ball);
@@ -105,24 +114,36 @@ impl BallDetector {
         }
     }
 
-    /// The ball in the newest view.
+    /// Counts a cycle since the last run and the last image.
+    pub(crate) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// Whether it looks for the ball: it has processed a view in the last half second.
+    #[info]
+    #[must_use]
+    pub const fn is_looking(&self) -> bool {
+        self.ego_motion.has_image()
+    }
+
+    /// The ball in the newest view; `None` if that is older than half a second.
     #[must_use]
     pub const fn seen(&self) -> Option<&BallSighting> {
-        self.seen.as_ref()
+        if self.is_looking() { self.seen.as_ref() } else { None }
     }
 
     /// Whether the ball was in the last views: in two, unless a parameter says otherwise.
     #[info]
     #[must_use]
     pub const fn is_confirmed(&self) -> bool {
-        self.in_row >= self.confirmations
+        self.in_row >= self.confirmations && self.is_looking()
     }
 
-    /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise.
+    /// Whether the last confirmed sighting is old: at least 2 s, unless a parameter says otherwise; also if it does not look.
     #[info]
     #[must_use]
     pub const fn is_lost(&self) -> bool {
-        self.unseen_ms >= self.lost_after_ms
+        self.unseen_ms >= self.lost_after_ms || !self.is_looking()
     }
 
     /// Bearing of the ball in the newest view, otherwise of its remembered position.
@@ -130,10 +151,11 @@ impl BallDetector {
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
         let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
-        self.seen.map(|seen| seen.bearing).or_else(remembered)
+        self.seen().map(|seen| seen.bearing).or_else(remembered)
     }
 
-    /// Most probable position of the ball now, resting or rolling, m, in the ground frame between the feet.
+    /// Most probable position of the ball now, resting or rolling, m, in the ground frame between the feet; `None` if it is
+    /// forgotten, or the motion of the robot is not known.
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         self.estimate().map(|place| place.position)
@@ -148,18 +170,19 @@ impl BallDetector {
     /// Velocity of the ball over the ground, x forward, y left; zero for a resting ball.
     #[info(unit = "m/s")]
     fn ball_velocity(&self) -> Point2 {
-        info::point(self.memory.velocity())
+        info::point(self.memory().velocity())
     }
 
     /// The same position with its covariance, m².
     #[must_use]
     pub fn estimate(&self) -> Option<PositionEstimate> {
-        self.memory.likeliest()
+        self.memory().likeliest()
     }
 
-    /// The memory of the ball: velocity and confidence.
+    /// The memory of the ball: velocity and confidence; an empty one if the motion of the robot is not known.
     #[must_use]
     pub const fn memory(&self) -> &BallMemory {
-        &self.memory
+        const EMPTY: &BallMemory = &BallMemory::new(1.0);
+        if self.ego_motion.is_fresh() { &self.memory } else { EMPTY }
     }
 }

@@ -39,17 +39,26 @@ impl CameraPose {
         self.pose.as_ref().map(info::pose_in_space)
     }
 
+    /// Counts a cycle since the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.image.age.pass_cycle();
+    }
+
+    const fn pose(&self) -> Option<Affine3A> {
+        if self.image.age.is_fresh() { self.pose } else { None }
+    }
+
     /// The direction of a sight in the ground frame between the feet, as a vector from the camera, m.
     #[must_use]
     pub fn direction(&self, sight: [f32; 3]) -> Option<Vec3> {
-        self.pose.map(|pose| pose.transform_vector3(sight.into()))
+        self.pose().map(|pose| pose.transform_vector3(sight.into()))
     }
 
     /// The position of a sight whose height over the ground is known, m, in the ground frame between the feet. The distance is
     /// measured exactly, the tilt of the camera is not: the height and the distance give the distance on the ground.
     #[must_use]
     pub fn ground(&self, sight: [f32; 3], height: f32) -> Option<Vec2> {
-        let (pose, sight) = (self.pose?, Vec3::from(sight));
+        let (pose, sight) = (self.pose()?, Vec3::from(sight));
         let camera: Vec3 = pose.translation.into();
         let drop = camera.z - height;
         let along = libm::sqrtf((sight.length_squared() - drop * drop).max(0.0));

@@ -29,9 +29,12 @@ impl GoalDetector {
         Self { complete: false, posts: None, ego_motion: EgoMotion::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
-        let advance = |motion: Pose2| self.posts = self.posts.map(|posts| posts.map(|post| motion.locate(post)));
-        if self.ego_motion.begin_run(odometry, input, advance) {
+    fn step(&mut self, time: &Time, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
+        let posts = &mut self.posts;
+        let advance = |motion: Pose2, seconds: f32| {
+            *posts = posts.filter(|_| seconds.is_finite()).map(|posts| posts.map(|post| motion.locate(post)));
+        };
+        if self.ego_motion.begin_run(time, odometry, input, advance) {
             let seen = FIELD.goal_posts(true).map(|post| {
                 input.sights().iter().find_map(|sight| match sight.object {
                     Object::Mark([x, y, z]) if Vec2::new(x, y) == post => camera.ground(sight.at, z),
@@ -42,6 +45,16 @@ impl GoalDetector {
                 (self.posts, self.complete) = (Some([left, right]), true);
             }
         }
+    }
+
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// The posts, while the motion of the robot is known.
+    const fn posts(&self) -> Option<[Vec2; 2]> {
+        if self.ego_motion.is_fresh() { self.posts } else { None }
     }
 
     /// Restarts the search: only later sightings count as found; the remembered position is kept.
@@ -66,7 +79,7 @@ impl GoalDetector {
     /// the goal was seen.
     #[must_use]
     pub fn across(&self) -> Vec2 {
-        self.posts.and_then(|[left, right]| (left - right).try_normalize()).unwrap_or(Vec2::Y)
+        self.posts().and_then(|[left, right]| (left - right).try_normalize()).unwrap_or(Vec2::Y)
     }
 
     /// The middle of the gap beside a keeper, m to the left of the middle of the goal: it is not measured.
@@ -80,7 +93,7 @@ impl GoalDetector {
     #[must_use]
     pub fn position(&self) -> Option<Vec2> {
         let depth = FIELD.goal_back() - FIELD.field_corner().x;
-        self.posts.map(|[left, right]| left.midpoint(right) + depth * self.out())
+        self.posts().map(|[left, right]| left.midpoint(right) + depth * self.out())
     }
 
     /// Unit vector out of the field, in the ground frame.
@@ -91,7 +104,7 @@ impl GoalDetector {
     /// Left and right post.
     #[info(unit = "m", frame = "robot")]
     fn goal_posts(&self) -> Option<[Point2; 2]> {
-        self.posts.map(|posts| posts.map(info::point))
+        self.posts().map(|posts| posts.map(info::point))
     }
 
     /// Middle of the back of the goal, with the direction out of the field.

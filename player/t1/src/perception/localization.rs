@@ -32,9 +32,10 @@ impl Localization {
         Self { pose: None, ego_motion: EgoMotion::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
-        let advance = |motion| self.pose = self.pose.map(|pose| pose * motion);
-        if self.ego_motion.begin_run(odometry, input, advance) {
+    fn step(&mut self, time: &Time, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
+        let pose = &mut self.pose;
+        let advance = |motion, seconds: f32| *pose = pose.filter(|_| seconds.is_finite()).map(|pose| pose * motion);
+        if self.ego_motion.begin_run(time, odometry, input, advance) {
             let marks = input.sights().iter().filter_map(|sight| match sight.object {
                 Object::Mark([x, y, z]) => Some((Vec2::new(x, y), camera.ground(sight.at, z)?)),
                 _ => None,
@@ -43,16 +44,21 @@ impl Localization {
         }
     }
 
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
     /// Most probable pose on the field: x towards the attacked goal, from the centre.
     #[info(frame = "field")]
     fn robot_pose(&self) -> Option<visual::Pose2> {
-        self.pose.map(info::pose)
+        self.pose().map(info::pose)
     }
 
     /// Most probable pose of the odometry's frame on the field.
     #[info(frame = "field", child = "odometry")]
     fn odometry_origin(&self) -> Option<visual::Pose2> {
-        self.pose.map(|pose| info::pose(pose * self.ego_motion.pose().inverse()))
+        self.pose().map(|pose| info::pose(pose * self.ego_motion.pose().inverse()))
     }
 
     /// Left and right post of the attacked goal by the pose.
@@ -62,10 +68,10 @@ impl Localization {
     }
 
     /// The pose of the point on the ground between the feet in the field frame, x towards the attacked goal; `None` before the first
-    /// view with marks.
+    /// view with marks, and if the motion of the robot is not known.
     #[must_use]
     pub const fn pose(&self) -> Option<Pose2> {
-        self.pose
+        if self.ego_motion.is_fresh() { self.pose } else { None }
     }
 
     /// The left and the right post of the attacked goal, m, in the ground frame between the feet; `None` while the pose is unknown.

@@ -15,6 +15,8 @@ mod localization;
 mod odometry;
 mod robot_detector;
 
+use bica::{Has, Tree};
+
 pub use ball_detector::{BallDetector, BallSighting, BallTracking};
 pub use bearing::Bearing;
 pub use camera_pose::CameraPose;
@@ -24,3 +26,23 @@ pub use goal_detector::GoalDetector;
 pub use localization::Localization;
 pub use odometry::{Odometry, OdometryCorrection};
 pub use robot_detector::RobotDetector;
+
+/// Counts a cycle for what perception estimates. A robot calls it in each `sense`: what a component that does not run has estimated
+/// becomes old, and readers do not get it any more.
+pub fn pass_cycle<T>(tree: &mut T)
+where
+    T: Tree
+        + Has<BallDetector>
+        + Has<GoalDetector>
+        + Has<RobotDetector>
+        + Has<Localization>
+        + Has<CameraPose>
+        + Has<Odometry>,
+{
+    tree.get_mut::<BallDetector>().pass_cycle();
+    tree.get_mut::<GoalDetector>().pass_cycle();
+    tree.get_mut::<RobotDetector>().pass_cycle();
+    tree.get_mut::<Localization>().pass_cycle();
+    tree.get_mut::<CameraPose>().pass_cycle();
+    tree.get_mut::<Odometry>().pass_cycle();
+}

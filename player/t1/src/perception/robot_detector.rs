@@ -33,23 +33,32 @@ impl RobotDetector {
         Self { feet: Vec::new(), ego_motion: EgoMotion::new() }
     }
 
-    fn step(&mut self, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
+    fn step(&mut self, time: &Time, input: &CameraInput, camera: &CameraPose, odometry: &Odometry) {
         let feet = &mut self.feet;
-        let advance = |motion: bica_motion::pose::Pose2| {
+        let advance = |motion: bica_motion::pose::Pose2, seconds: f32| {
+            feet.retain(|_| seconds.is_finite());
             for foot in feet {
                 *foot = motion.locate(*foot);
             }
         };
-        if self.ego_motion.begin_run(odometry, input, advance) {
+        if self.ego_motion.begin_run(time, odometry, input, advance) {
             let seen = input.sights().iter().filter(|sight| sight.object == Object::Robot);
             self.feet = seen.filter_map(|sight| camera.ground(sight.at, 0.0)).take(ROBOTS).collect();
         }
     }
 
-    /// The positions, m, in the ground frame between the feet of this robot.
+    /// Counts a cycle since the last run and the last image.
+    pub(super) const fn pass_cycle(&mut self) {
+        self.ego_motion.pass_cycle();
+    }
+
+    /// The positions, m, in the ground frame between the feet of this robot; none if its motion is not known.
     pub fn places(&self) -> impl Iterator<Item = PositionEstimate> + '_ {
         let covariance = uncertainty::round(FOOT_ERROR);
-        self.feet.iter().map(move |&position| PositionEstimate { position, covariance })
+        self.feet
+            .iter()
+            .filter(|_| self.ego_motion.is_fresh())
+            .map(move |&position| PositionEstimate { position, covariance })
     }
 
     /// The positions.

@@ -16,6 +16,7 @@ use super::model::{Drive, FreeJoint, Model, STEP};
 use super::motors::{Motors, currents};
 use super::physics::{Fault, Physics};
 use super::sensor_model::{Measurement, SensorModel};
+use super::soundness;
 use super::state::{Data, angles, ideal_measurement, place, pose, stand};
 use crate::motor_heat::MotorHeat;
 use crate::random::Random;
@@ -38,6 +39,7 @@ pub struct Humanoid<M> {
     measurement: Measurement,
     contacts: Contacts,
     fall_monitor: FallMonitor,
+    failure: Option<String>,
 }
 
 impl<M: MujocoModel> Humanoid<M> {
@@ -66,16 +68,33 @@ impl<M: MujocoModel> Humanoid<M> {
             measurement,
             contacts: Contacts::default(),
             fall_monitor: FallMonitor::new(at.heading),
+            failure: None,
         }
     }
 
-    /// Executes a command for one control cycle. Returns the new posture if the robot falls or gets up.
+    /// Why the simulation cannot continue: a value is not finite or impossible, or MuJoCo warns. Nothing moves any more.
+    #[must_use]
+    pub fn failure(&self) -> Option<&str> {
+        self.failure.as_deref()
+    }
+
+    /// Executes a command for one control cycle. Returns the new posture if the robot falls or gets up. Does nothing after a
+    /// [`failure`](Self::failure).
     pub fn act(&mut self, command: &Command) -> Option<Posture> {
+        let valid = soundness::check(&self.data);
+        if let Some(failure) = self.failure.take().or(valid) {
+            self.failure = Some(failure);
+            return None;
+        }
         self.motors.command::<M>(command);
         self.contacts = Contacts::default();
         let mut mean_currents = Joints::all(0.0);
         for _ in 0..STEPS {
             let torques = self.step();
+            self.failure = soundness::check(&self.data);
+            if self.failure.is_some() {
+                return None;
+            }
             for (mean, current) in mean_currents.0.iter_mut().zip(currents::<M>(&torques).0) {
                 *mean += current / STEPS as f32;
             }

@@ -11,6 +11,7 @@ mod model;
 mod motors;
 mod physics;
 mod sensor_model;
+mod soundness;
 mod state;
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,7 @@ use bica_motion::kinematics::Segment;
 use bica_motion::model::RobotModel;
 use bica_motion::model::simulation::MujocoModel;
 use bica_motion::side::Side;
-use mujoco_rs::prelude::{MjModel, MjtObjBase};
+use mujoco_rs::prelude::{MjModel, MjtDisableBit, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
 
 use super::error::Error;
@@ -66,6 +66,8 @@ impl Model {
         files.add_from_buffer("world.xml", world.as_bytes()).map_err(|error| failed(&error))?;
         let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
         let mut model = Self::index::<M>(model)?;
+        // MuJoCo would put everything to its start, print a warning, and go on.
+        model.physics.opt_mut().disableflags |= MjtDisableBit::mjDSBL_AUTORESET as i32;
         for sole in ["LSole", "RSole"] {
             let id = find(&model.physics, MjtObjBase::mjOBJ_GEOM, sole)?;
             model.physics.geom_friction_mut()[id][0] = physics.friction.into();

@@ -36,6 +36,7 @@ fn record_for(folder: &Folder, name: &str, seed: u64, seconds: u64) {
         realtime: false,
         firmware: None,
         settings: &[],
+        options: &[],
     };
     let options = RecordOptions { path: &path, images: ImagePolicy::All, topics: Topics::Standard, force: false };
     play_recorded(&rules, &mut (), Some(options), None).unwrap();

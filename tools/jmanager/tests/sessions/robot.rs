@@ -56,6 +56,7 @@ impl Robot {
                 realtime: true,
                 firmware: None,
                 settings: &[],
+                options: &[],
             };
             let started = |address: &str| {
                 ready.send(address.to_owned()).unwrap();

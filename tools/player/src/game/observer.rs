@@ -7,6 +7,7 @@ use bica_sim::referee::TimedEvent;
 use bica_sim::{Picture, Referee, SpectatorCamera};
 
 use crate::game::scene::Scene;
+use crate::game::summary::FaultRecord;
 
 /// View of the world from outside, for a picture.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +45,14 @@ pub trait GameObserver {
         Ok(())
     }
 
+    /// A fault of the robot or the world began, or ended.
+    ///
+    /// # Errors
+    /// If the game has to end.
+    fn fault(&mut self, _fault: &FaultRecord) -> Result<(), Failure> {
+        Ok(())
+    }
+
     /// The referee reported an event.
     ///
     /// # Errors
@@ -67,6 +76,10 @@ impl GameObserver for [&mut dyn GameObserver] {
 
     fn rendered(&mut self, scene: &Scene<'_>, picture: &Picture) -> Result<(), Failure> {
         self.iter_mut().try_for_each(|observer| observer.rendered(scene, picture))
+    }
+
+    fn fault(&mut self, fault: &FaultRecord) -> Result<(), Failure> {
+        self.iter_mut().try_for_each(|observer| observer.fault(fault))
     }
 
     fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {

@@ -24,7 +24,7 @@ use crate::game::observer::GameObserver;
 use crate::game::recording::{GameRecorder, RecordOptions, RecordingSummary};
 use crate::game::rules::Rules;
 use crate::game::scene::{GRAPH, Scene};
-use crate::game::summary::{GameSummary, Measurements};
+use crate::game::summary::{FaultRecord, GameResult, GameSummary, Measurements};
 use crate::game::world_factory;
 
 /// Least distance between two points of the ball's path, m.
@@ -109,6 +109,7 @@ struct Game {
     ball_path: Vec<Vec2>,
     /// Number of events that the observer has received.
     reported_events: usize,
+    faults: Vec<FaultRecord>,
     seed: u64,
 }
 
@@ -144,6 +145,7 @@ impl Game {
             start,
             ball_path: vec![ball],
             reported_events: 0,
+            faults: Vec::new(),
             seed: rules.seed,
         })
     }
@@ -168,7 +170,8 @@ impl Game {
     }
 
     fn is_over(&self, rules: &Rules) -> bool {
-        self.runner.world().referee().goals() > 0 || self.now() >= rules.limit
+        let world = self.runner.world();
+        world.referee().goals() > 0 || self.now() >= rules.limit || world.failure().is_some()
     }
 
     /// Whether a cycle comes next: no operator has paused the game, nor does its control.
@@ -235,11 +238,32 @@ impl Game {
             observer.event(event)?;
         }
         self.reported_events = referee.events().len();
+        self.report_fault(observer)
+    }
+
+    /// The fault of the world or the robot, if there is one.
+    fn fault(&self) -> Option<String> {
+        let health = self.runner.robot().get::<HealthMonitor>();
+        let of_robot = || health.fault().or_else(|| health.sense_fault()).map(|fault| fault.to_string());
+        self.runner.world().failure().map(ToOwned::to_owned).or_else(of_robot)
+    }
+
+    fn report_fault(&mut self, observer: &mut (impl GameObserver + ?Sized)) -> Result<(), Failure> {
+        let fault = self.fault();
+        if self.faults.last().and_then(|last| last.fault.as_ref()) == fault.as_ref() {
+            return Ok(());
+        }
+        let record = FaultRecord { t: self.cycle_time.as_secs_f64(), fault };
+        let (_, (_, (recorder, _))) = self.runner.observer();
+        recorder.fault(&record.text());
+        observer.fault(&record)?;
+        self.faults.push(record);
         Ok(())
     }
 
     fn summarize(self, rules: &Rules, real: Duration) -> (GameSummary, Option<RecordingSummary>) {
-        let (robot, world, _, (firmware, ((meter, stopwatch), (recorder, _)))) = self.runner.into_parts();
+        let fault = self.fault();
+        let (_, world, _, (firmware, ((meter, stopwatch), (recorder, _)))) = self.runner.into_parts();
         let measurements = Measurements {
             cycles: self.cycles,
             tree_changes: self.tree_changes,
@@ -247,14 +271,19 @@ impl Game {
             latencies: stopwatch.latencies,
             meter,
         };
-        let summary = GameSummary {
-            fault: robot.get::<HealthMonitor>().fault().map(|fault| fault.to_string()),
+        let broke = world.failure().is_some();
+        let mut summary = GameSummary {
+            fault,
+            faults: self.faults,
             firmware: firmware.summarize(),
             ..GameSummary::new(rules, world.referee(), world.now(), measurements, real)
         };
+        if broke && summary.result == GameResult::Interrupted {
+            summary.result = GameResult::NoGoal;
+        }
         let result = world.referee().events().iter().filter_map(event::result).next_back();
         let result = result.into_iter().chain([format!("fingerprint {}", summary.fingerprint)]).collect::<Vec<_>>();
-        let recording = recorder.finish(&result.join(", "), summary.fault.as_deref());
+        let recording = recorder.finish(&result.join(", "));
         (summary, recording)
     }
 }

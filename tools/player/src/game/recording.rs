@@ -17,11 +17,13 @@ use serde::Serialize;
 
 use crate::game::event;
 use crate::game::meter::Meter;
-use crate::game::rules::{Rules, WorldKind};
+use crate::game::rules::Rules;
 use crate::game::scene::GRAPH;
 
 /// Level of a note in the log of a recording: information.
 const NOTE_LEVEL: u8 = 2;
+/// Level of a fault: error.
+const FAULT_LEVEL: u8 = 4;
 
 /// Where and how a game is recorded.
 #[derive(Clone, Copy, Debug)]
@@ -104,6 +106,13 @@ impl GameRecorder {
         }
     }
 
+    /// Records a fault of the robot or the world.
+    pub(crate) fn fault(&self, text: &str) {
+        if let Some(recorder) = &self.recorder {
+            recorder.log(LogLine { level: FAULT_LEVEL, source: LogSource::Robot, text: text.to_owned() });
+        }
+    }
+
     /// Returns the reason once if the recording has ended before the game.
     pub(crate) fn newly_ended(&self) -> Option<String> {
         self.file.as_ref().and_then(RecordedFile::newly_ended)
@@ -117,11 +126,8 @@ impl GameRecorder {
     }
 
     /// Closes the file.
-    pub(crate) fn finish(self, result: &str, fault: Option<&str>) -> Option<RecordingSummary> {
+    pub(crate) fn finish(self, result: &str) -> Option<RecordingSummary> {
         let (recorder, file) = self.recorder.zip(self.file)?;
-        if let Some(fault) = fault {
-            recorder.log(LogLine { level: 4, source: LogSource::Robot, text: format!("fault: {fault}") });
-        }
         Some(RecordingSummary::new(&file, recorder.finish(result)))
     }
 }
@@ -131,9 +137,7 @@ impl GameRecorder {
 pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
     let world = match rules.world {
         _ if rules.firmware.is_some() => "firmware",
-        WorldKind::BuiltIn => "built-in",
-        #[cfg(feature = "mujoco")]
-        WorldKind::Mujoco => "mujoco",
+        world => world.name(),
     };
     let (width, height) = rules.size.size();
     let attacks = match attacks {
@@ -150,7 +154,10 @@ pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy)
         ("size", vec![width, height].into()),
         ("world", world.into()),
     ];
-    let set_up: SetUp = set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let mut set_up: SetUp = set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    if !rules.options.is_empty() {
+        set_up.insert("options".to_owned(), rules.options.into());
+    }
     Header { program: Program::bica(), ..Header::new(&GRAPH, set_up, images) }
 }
 

@@ -113,6 +113,8 @@ fn rules_of(set_up: &SetUp) -> Result<Rules, Invalid> {
     let [width, height]: [usize; 2] = value(set_up, "size")?;
     let unknown =
         || Invalid::new(format!("the recording has images of {width}x{height}"), "known are 160x120, 320x240, 640x480");
+    // A recording of before options has none.
+    let options: Vec<String> = if set_up.contains_key("options") { value(set_up, "options")? } else { Vec::new() };
     Ok(Rules {
         world,
         seed: value(set_up, "seed")?,
@@ -122,6 +124,7 @@ fn rules_of(set_up: &SetUp) -> Result<Rules, Invalid> {
         realtime: false,
         firmware: None,
         settings: &[],
+        options: options.leak(),
     })
 }
 

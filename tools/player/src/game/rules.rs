@@ -30,6 +30,16 @@ impl WorldKind {
         }
     }
 
+    /// Returns the name of the world.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::BuiltIn => "built-in",
+            #[cfg(feature = "mujoco")]
+            Self::Mujoco => "mujoco",
+        }
+    }
+
     /// Returns the name of that profile.
     #[must_use]
     pub const fn profile_name(self) -> &'static str {
@@ -60,4 +70,6 @@ pub struct Rules {
     pub firmware: Option<FirmwareImage>,
     /// Parameters that are not the defaults, from [`settings`](crate::game::settings).
     pub settings: &'static [Setting],
+    /// Options of the world, as `NAME=VALUE`.
+    pub options: &'static [String],
 }

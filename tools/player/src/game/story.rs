@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::game::event;
 use crate::game::observer::GameObserver;
 use crate::game::scene::Scene;
+use crate::game::summary::FaultRecord;
 
 /// Change of the tree, for JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -72,6 +73,11 @@ impl GameObserver for Story {
             self.changes.push(TreeChange { t: scene.t, state, active, ball, goal });
         }
         Ok(())
+    }
+
+    fn fault(&mut self, fault: &FaultRecord) -> Result<(), Failure> {
+        let text = self.console.styled(Style::Bad, &format!("* {}", fault.text()));
+        self.console.print(&format!("{}  {text}", time(fault.t)))
     }
 
     fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {

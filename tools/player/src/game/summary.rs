@@ -43,8 +43,10 @@ pub struct GameSummary {
     pub falls: usize,
     /// Number of kicks.
     pub kicks: usize,
-    /// Fault that stopped the robot.
+    /// Fault that stopped the robot or the world at the end.
     pub fault: Option<String>,
+    /// Faults as they began and ended.
+    pub faults: Vec<FaultRecord>,
     /// Duration in simulated time, s.
     pub simulated_s: f64,
     /// Number of control cycles.
@@ -64,6 +66,22 @@ pub struct GameSummary {
     pub wall: Wall,
     #[serde(skip)]
     pub(crate) latencies: Latencies,
+}
+
+/// Begin or end of a fault.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FaultRecord {
+    /// Time, s.
+    pub t: f64,
+    /// The fault; none if there is none any more.
+    pub fault: Option<String>,
+}
+
+impl FaultRecord {
+    /// A line for people.
+    pub(crate) fn text(&self) -> String {
+        self.fault.as_ref().map_or_else(|| "the fault is over".to_owned(), |fault| format!("fault: {fault}"))
+    }
 }
 
 /// Activity of a component.
@@ -140,6 +158,7 @@ impl GameSummary {
             falls: referee.falls(),
             kicks: referee.count(|event| matches!(event, Event::Kick { .. })),
             fault: None,
+            faults: Vec::new(),
             simulated_s: played.as_secs_f64(),
             cycles: measured.cycles,
             tree_changes: measured.tree_changes,

@@ -15,7 +15,7 @@ pub(crate) fn print(console: Console, summary: &GameSummary) -> Result<(), Failu
     };
     console.print_row("result", &console.styled(style, &text))?;
     if let Some(fault) = &summary.fault {
-        console.print_row("fault", &console.styled(Style::Bad, &format!("the robot sat down: {fault}")))?;
+        console.print_row("fault", &console.styled(Style::Bad, fault))?;
     }
     console.print_row("game", &game(summary))?;
     console.print_row("time", &time(summary))?;

@@ -1,36 +1,148 @@
 //! Worlds for games.
 
-use bica_app::Failure;
+use std::fmt;
+use std::str::FromStr;
+
+use bica_app::{Failure, WorldOptions};
+use bica_motion::joints::Joint;
+use bica_motion::pose::Pose2;
 use bica_player::Model;
-use bica_sim::SpectatorView;
+use bica_sim::faults::{Faults, FaultyWorld, ImageFault};
 use bica_sim::kinematic::KinematicWorld;
-use bica_sim::setup::Setup;
+use bica_sim::setup::{Setup, SetupError, Start};
+use bica_sim::{SpectatorView, World};
+use glam::Vec2;
 
 use crate::game::rules::{Rules, WorldKind};
 
+/// Options of the worlds, for `--help`.
+pub(crate) const OPTIONS: &str = "\
+Option of the world; may be repeated: robot=X,Y,HEADING (start, m and rad), ball=X,Y or ball=X,Y,VX,VY (start and velocity, m and m/s), \
+image=freeze|dark|bright|noise|drop, gyro=RATE (offset, rad/s), stuck=JOINT, hot=JOINT, from=S and until=S (time of these faults), \
+button=S or button=S,S (presses of the chest button)";
+
 /// Makes a world at the start of a game.
 pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
+    let options = WorldOptions::new(rules.seed, rules.options)?;
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    match rules.world {
+    let robot = options.value("robot", Numbers::default())?.exactly([3], "robot")?;
+    let ball = options.value("ball", Numbers::default())?.exactly([2, 4], "ball")?;
+    let faults = faults(&options)?;
+    options.check_all_read(rules.world.name())?;
+    let failed = |error: SetupError| {
+        let help = "try another number of --robots, or another --option of the start";
+        Failure::new(format!("the game cannot be set up: {error}"), help)
+    };
+    let drawn = KinematicWorld::<Model>::new(&setup).map_err(failed)?;
+    let place = |at: &[f32]| Vec2::new(at[0], at[1]);
+    let start = (!robot.is_empty() || !ball.is_empty()).then(|| Start {
+        robot: robot.first().map_or(drawn.referee().robot(), |_| Pose2::new(robot[0], robot[1], robot[2])),
+        ball: ball.first().map_or(drawn.referee().ball(), |_| place(&ball)),
+    });
+    let setup = Setup { start, ..setup };
+    let velocity = if ball.len() == 4 { place(&ball[2..]) } else { Vec2::ZERO };
+    let world: Box<dyn SpectatorView> = match rules.world {
         WorldKind::BuiltIn => {
-            let world = KinematicWorld::<Model>::new(&setup).map_err(|error| {
-                Failure::new(format!("the game cannot be set up: {error}"), "try another number of --robots")
-            })?;
-            Ok(Box::new(world))
+            let mut world = KinematicWorld::<Model>::new(&setup).map_err(failed)?;
+            if velocity != Vec2::ZERO {
+                world.set_ball(place(&ball), velocity).map_err(failed)?;
+            }
+            Box::new(world)
         }
         #[cfg(feature = "mujoco")]
-        WorldKind::Mujoco => mujoco(&setup),
+        WorldKind::Mujoco => mujoco(&setup, velocity)?,
+    };
+    if faults == Faults::default() {
+        return Ok(world);
     }
+    Ok(Box::new(FaultyWorld::new(world, faults, rules.size, rules.seed)))
 }
 
 #[cfg(feature = "mujoco")]
-fn mujoco(setup: &Setup) -> Result<Box<dyn SpectatorView>, Failure> {
+fn mujoco(setup: &Setup, ball: Vec2) -> Result<Box<dyn SpectatorView>, Failure> {
     use bica_sim::mujoco::{Error, MujocoWorld, Physics};
-    let world = MujocoWorld::<Model>::new(setup, &Physics::of::<Model>()).map_err(|error| match &error {
+    let mut world = MujocoWorld::<Model>::new(setup, &Physics::of::<Model>()).map_err(|error| match &error {
         Error::Camera(what) => {
             Failure::new(format!("MuJoCo cannot draw: {what}"), "`cargo xtask mujoco` installs what that needs")
         }
-        _ => Failure::new(format!("the game cannot be set up: {error}"), "try another number of --robots"),
+        _ => Failure::new(
+            format!("the game cannot be set up: {error}"),
+            "try another number of --robots, or another --option",
+        ),
     })?;
+    if ball != Vec2::ZERO {
+        world.kick_ball(ball);
+    }
     Ok(Box::new(world))
+}
+
+/// Reads the faults.
+fn faults(options: &WorldOptions) -> Result<Faults, Failure> {
+    let none = Faults::default();
+    let joint = |name| {
+        let text = options.value(name, String::new())?;
+        let joint = Joint::ALL.into_iter().find(|joint| format!("{joint:?}") == text);
+        if joint.is_none() && !text.is_empty() {
+            let names = Joint::ALL.map(|joint| format!("{joint:?}")).join(", ");
+            return Err(Failure::new(
+                format!("--option {name}={text}: no joint has this name"),
+                format!("give one of {names}"),
+            ));
+        }
+        Ok(joint)
+    };
+    let number =
+        |name: &str, default: f32| options.value(name, Numbers(vec![default]))?.exactly([1], name).map(|n| n[0]);
+    let image = options.value("image", String::new())?;
+    let image = (!image.is_empty()).then(|| image.parse::<ImageFault>());
+    let wrong = |error| Failure::new(format!("--option image: {error}"), "choose one of them");
+    let presses = options.value("button", Numbers::default())?.exactly([1, 2], "button")?;
+    Ok(Faults {
+        image: image.transpose().map_err(wrong)?,
+        gyro: number("gyro", none.gyro)?,
+        stuck: joint("stuck")?,
+        hot: joint("hot")?,
+        from: number("from", none.from)?,
+        until: options
+            .value("until", Numbers::default())?
+            .exactly([1], "until")?
+            .first()
+            .copied()
+            .unwrap_or(none.until),
+        presses: [0, 1].map(|press| presses.get(press).copied().unwrap_or(f32::INFINITY)),
+    })
+}
+
+/// Finite numbers with commas between them.
+#[derive(Clone, Debug, Default)]
+struct Numbers(Vec<f32>);
+
+/// A text that is not [`Numbers`].
+struct NoNumbers;
+
+impl fmt::Display for NoNumbers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("give finite numbers with commas between them")
+    }
+}
+
+impl FromStr for Numbers {
+    type Err = NoNumbers;
+
+    fn from_str(text: &str) -> Result<Self, NoNumbers> {
+        let number = |part: &str| part.trim().parse().ok().filter(|number: &f32| number.is_finite());
+        text.split(',').map(number).collect::<Option<_>>().map(Self).ok_or(NoNumbers)
+    }
+}
+
+impl Numbers {
+    /// Returns the numbers if there are none or one of these counts.
+    fn exactly<const N: usize>(self, counts: [usize; N], name: &str) -> Result<Vec<f32>, Failure> {
+        if self.0.is_empty() || counts.contains(&self.0.len()) {
+            return Ok(self.0);
+        }
+        let counts = counts.map(|count| count.to_string()).join(" or ");
+        let what = format!("--option {name} has {} numbers", self.0.len());
+        Err(Failure::new(what, format!("give {counts}, with commas between them")))
+    }
 }

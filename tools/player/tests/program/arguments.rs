@@ -18,6 +18,12 @@ fn errors_name_the_wrong_argument_and_the_valid_ones() {
     refused(&["--seconds", "NaN"], &["NaN", "from 0.01 to 86400"]);
     refused(&["--seconds", "-1"], &["--seconds", "from 0.01 to 86400"]);
     refused(&["--image", "forward.elf"], &["--image", "--world firmware"]);
+    refused(&["--option", "image=blue"], &["image", "freeze, dark, bright, noise or drop"]);
+    refused(&["--option", "speed=3"], &["`built-in` has no option `speed`"]);
+    refused(&["--option", "ball=1"], &["ball has 1 numbers", "give 2 or 4"]);
+    refused(&["--option", "gyro=NaN"], &["gyro=NaN", "finite numbers"]);
+    refused(&["--option", "stuck=Nose"], &["stuck=Nose", "HeadYaw"]);
+    refused(&["--option", "robot=9,0,0"], &["the robot cannot start at (9, 0)"]);
     refused(&["--games", "0"], &["--games"]);
     refused(&["--threads", "2"], &["--games"]);
     refused(&["play", "--games", "2", "--threads", "0"], &["--threads"]);

@@ -29,6 +29,21 @@ fn slow_games_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
+fn options_set_up_the_start_and_faults_that_are_told() {
+    let start = ["--option", "robot=0,0,0", "--option", "ball=1,0.5", "--option", "image=drop", "--option", "from=1"];
+    let args = [&["--seconds", "4", "--size", "160x120", "--json"], &start[..]].concat();
+    let (told, printed) = (run(&args).stderr, game(&args));
+    assert_eq!(printed["faults"].as_array().unwrap().len(), 1, "{printed}");
+    let (t, fault) = (printed["faults"][0]["t"].as_f64().unwrap(), &printed["fault"]);
+    assert!((2.0..3.0).contains(&t) && *fault == "the camera sends no images", "{printed}");
+    assert!(told.contains("* fault: the camera sends no images") && told.contains("blind"), "{told}");
+    let ball = |story: &Value| {
+        story["story"].as_array().unwrap().iter().find_map(|change| change["ball"].as_object().cloned())
+    };
+    assert!(ball(&printed).is_some_and(|ball| (ball["distance"].as_f64().unwrap() - 1.1).abs() < 0.2), "{printed}");
+}
+
+#[test]
 fn json_goes_to_stdout_and_text_to_stderr() {
     let Ran { code, stderr, .. } = &run(&["--seconds", "3", "--json"]);
     assert!(stderr.contains("look_for_ball") && stderr.contains("latency") && stderr.contains("declared"), "{stderr}");

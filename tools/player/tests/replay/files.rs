@@ -55,6 +55,7 @@ pub(crate) fn rules(seed: u64, seconds: f32) -> Rules {
         realtime: false,
         firmware: None,
         settings: &[],
+        options: &[],
     }
 }
 
