@@ -154,8 +154,11 @@ class Stage {
         return;
       }
     }
-    view.fit(this.area ?? this.covered());
+    this.show();
   }
+
+  /** Shows all; of an automatic drawing of few states as much as can be read. */
+  show() { this.view.fit(this.area ?? this.covered(), this.view.isAutomatic && this.machine.states.length <= FEW ? 1 : 0); }
 
   /** Shows more of an automatic drawing that was enlarged around a point of the window, and less of one that was made smaller. */
   zoomed(x, y) {
@@ -172,7 +175,7 @@ class Stage {
   settle() {
     const box = this.anchor && this.boxes.get(this.anchor.name);
     if (box) this.view.put([box.x, box.y], this.anchor.at);
-    else if (this.view.whole) this.view.fit(this.area ?? this.covered());
+    else if (this.view.whole) this.show();
     this.anchor = null;
   }
 

@@ -87,13 +87,13 @@ export class View {
     this.apply();
   }
 
-  /** Shows an area. */
-  fit(all) {
+  /** Shows an area, at least at a scale: then its upper left part. */
+  fit(all, least = 0) {
     const { width, height } = this;
     if (!width || !height) return;
-    this.k = this.scaleFor(all);
-    this.x = (width - all.width * this.k) / 2 - all.x * this.k;
-    this.y = (height - all.height * this.k) / 2 - all.y * this.k;
+    this.k = Math.max(this.scaleFor(all), least);
+    this.x = Math.max(0, (width - all.width * this.k) / 2) - all.x * this.k;
+    this.y = Math.max(0, (height - all.height * this.k) / 2) - all.y * this.k;
     this.whole = true;
     this.apply();
   }
