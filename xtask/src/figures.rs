@@ -58,7 +58,9 @@ pub(crate) fn figures(is_check: bool) -> Result<(), String> {
             stale.join("\n  ")
         ));
     }
-    stale.iter().for_each(|line| eprintln!("{line}"));
+    for line in stale {
+        eprintln!("{line}");
+    }
     Ok(())
 }
 
@@ -82,7 +84,8 @@ fn replace(text: &str, mut new: impl FnMut(&str, &str) -> Result<String, String>
         let end = || format!("a figure without its end `{CLOSE}`: {OPEN}{}", mark.lines().next().unwrap_or_default());
         let (figure, after) = mark.split_once("-->").ok_or_else(end)?;
         let (old, after) = after.split_once(CLOSE).filter(|(old, _)| !old.contains(OPEN)).ok_or_else(end)?;
-        done += &format!("{before}{OPEN}{figure}-->{}{CLOSE}", new(figure, old)?);
+        let new = new(figure, old)?;
+        done.extend([before, OPEN, figure, "-->", &new, CLOSE]);
         rest = after;
     }
     Ok(done + rest)

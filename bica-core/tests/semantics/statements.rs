@@ -166,7 +166,9 @@ activation_tree! {
 #[test]
 fn a_child_of_two_writers_runs_after_the_first() {
     let mut tree = Writers::new();
-    [0, 10, 20].into_iter().for_each(|ms| tree.tick(at(ms)));
+    for ms in [0, 10, 20] {
+        tree.tick(at(ms));
+    }
     assert_eq!(tree.get::<Motor>().done, [1, 1, 1], "the second value comes too late in each cycle");
     assert_eq!(tree.get::<Motor>().requested, 2, "and is what others read afterwards");
 }

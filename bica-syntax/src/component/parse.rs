@@ -117,7 +117,9 @@ fn without_unsized(generics: &mut Generics, report: &mut Report) {
     let mut sized = |bounds: &mut Punctuated<TypeParamBound, Token![+]>| {
         let (wrong, rest): (Vec<_>, Vec<_>) =
             std::mem::take(bounds).into_iter().partition(|bound| text::written(bound).starts_with('?'));
-        wrong.iter().for_each(|bound| report.add(bound, wording::NO_SIZE_BOUND));
+        for bound in wrong {
+            report.add(bound, wording::NO_SIZE_BOUND);
+        }
         *bounds = rest.into_iter().collect();
     };
     generics.type_params_mut().for_each(|parameter| sized(&mut parameter.bounds));

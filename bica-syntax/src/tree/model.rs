@@ -31,7 +31,7 @@ impl Draft {
     /// Whether the root has the name of the tree: then this is the name of a component, and no struct can have it.
     #[must_use]
     pub fn names_a_component(&self) -> bool {
-        self.root.as_ref().is_some_and(|root| text::written(root) == self.name.to_string())
+        self.root.as_ref().is_some_and(|root| self.name == text::written(root))
     }
 }
 

@@ -13,6 +13,8 @@ const NOW: Instant = Instant::from_micros(5);
 /// A tree whose only component has a modulation that starts it, and one that stops it.
 const GRAPH: Graph = Graph {
     name: "Cart",
+    commit: None,
+    version: None,
     doc: "",
     cycle_hz: 100.0,
     budget_ms: None,

@@ -1,6 +1,7 @@
 //! A module whose own items have the names of the language and its libraries.
 
-#![expect(dead_code, non_camel_case_types, unused_macros, reason = "only their names matter")]
+#![expect(dead_code, non_camel_case_types, unused_macros, unused_variables, reason = "only their names matter")]
+#![expect(clippy::unnecessary_wraps, reason = "a check has this type")]
 
 use bica::prelude::*;
 

@@ -40,7 +40,7 @@ impl CameraInput {
     /// What the health monitor compares of the newest view: a view has no noise and no brightness, so it only counts.
     #[must_use]
     pub(crate) const fn glimpse(&self) -> Option<Glimpse> {
-        Some(Glimpse { digest: self.count, brightness: 128 })
+        if self.has_image() { Some(Glimpse { digest: self.count, brightness: 128 }) } else { None }
     }
 
     /// Number of sights in the newest view.

@@ -92,7 +92,8 @@ fn a_recording_of_another_tree_or_without_its_start_is_refused() {
     let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":6", "\"format\":7"));
     assert!(refused(&newer).contains("format 7"));
     let mut part = Vec::new();
-    bica_recording::repair::trim(std::io::Cursor::new(&bytes), &mut part, 100_000_000, u64::MAX, None).expect("a recording");
+    bica_recording::repair::trim(std::io::Cursor::new(&bytes), &mut part, 100_000_000, u64::MAX, None)
+        .expect("a recording");
     assert!(refused(&part).contains("begins with cycle 10"));
 }
 
@@ -131,7 +132,9 @@ fn a_span_without_cycles_or_beyond_the_end_is_refused() {
         assert!(until.contains("--until") && until.contains("0.30 s"), "{until}");
         assert_eq!(replay(&ReplayOptions { until: 0.3, ..whole }).expect("the end of the game").cycles, 31);
         let bytes = fs::read(&file.0).expect("recorded");
-        let trimmed = |from, until| bica_recording::repair::trim(std::io::Cursor::new(&bytes), std::io::sink(), from, until, None);
+        let trimmed = |from, until| {
+            bica_recording::repair::trim(std::io::Cursor::new(&bytes), std::io::sink(), from, until, None)
+        };
         for (from, until) in [(500_000_000, u64::MAX), (0, 500_000_000)] {
             assert!(matches!(trimmed(from, until), Err(Error::Span { end: 300_000_000 })), "{from} to {until}");
         }

@@ -27,6 +27,7 @@ pub(super) fn checked(description: &Description, options: &Options) -> Result<Na
 }
 
 #[cfg(test)]
+#[expect(clippy::unused_self, reason = "getters and transitions have a receiver")]
 mod tests {
     use bica::prelude::*;
 

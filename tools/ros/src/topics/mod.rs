@@ -243,19 +243,18 @@ impl Topics {
 
     /// Returns a camera image in a frame, coded as JPEG. The first one of a frame adds its topic.
     pub(crate) fn image(&mut self, time: u64, camera: &str, format: Format<'_>, pixels: &[u8]) -> Vec<Sent> {
-        let topic = match self.images.get(camera) {
-            Some(topic) => *topic,
-            None => {
-                let topic = image_topic(&self.names, camera);
-                let other = self.all.iter().find(|other| other.name == topic.name);
-                let what = other.map(|other| format!("{} and {} have the same ROS topic", other.source, topic.source));
-                self.images.insert(camera.to_owned(), what.is_none().then_some(self.all.len()));
-                if let Some(what) = what {
-                    return self.log(time, 3, &format!("{what}: the second one is not published; rename its frame"));
-                }
-                self.all.push(topic);
-                Some(self.all.len() - 1)
+        let topic = if let Some(topic) = self.images.get(camera) {
+            *topic
+        } else {
+            let topic = image_topic(&self.names, camera);
+            let other = self.all.iter().find(|other| other.name == topic.name);
+            let what = other.map(|other| format!("{} and {} have the same ROS topic", other.source, topic.source));
+            self.images.insert(camera.to_owned(), what.is_none().then_some(self.all.len()));
+            if let Some(what) = what {
+                return self.log(time, 3, &format!("{what}: the second one is not published; rename its frame"));
             }
+            self.all.push(topic);
+            Some(self.all.len() - 1)
         };
         let Some(topic) = topic else { return Vec::new() };
         let (data, size) = match format {
