@@ -8,7 +8,6 @@ use bica_player::Forward;
 use bica_player::behaviour::Player;
 use bica_player::input::HealthMonitor;
 use bica_player::perception::{BallDetector, GoalDetector, Localization, Odometry, RobotDetector};
-use bica_sim::World as _;
 use bica_sim::faults::{Faults, FaultyWorld, ImageFault};
 use bica_sim::setup::{Frame, Setup};
 

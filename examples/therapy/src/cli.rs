@@ -83,6 +83,7 @@ fn rooms() -> App<Therapist> {
 }
 
 /// Measures each component in the simulated room, in the session of physiotherapy; returns the exit code.
+#[must_use]
 pub fn bench() -> ExitCode {
     let session = concat!("session=", env!("CARGO_MANIFEST_DIR"), "/sessions/physiotherapy.session");
     let own = ["--world", "room", "--option", session].map(OsString::from);

@@ -30,7 +30,7 @@ struct LastState(String);
 impl GameObserver for LastState {
     fn tree_changed(&mut self, scene: &Scene<'_>) -> Result<(), Failure> {
         let tree = scene.tree();
-        self.0 = tree.state(tree.tree.root).unwrap_or("-").to_owned();
+        tree.state(tree.tree.root).unwrap_or("-").clone_into(&mut self.0);
         Ok(())
     }
 }
@@ -43,7 +43,7 @@ fn play(seed: u64, option: &str) -> Result<(GameSummary, String), Failure> {
         seed,
         size: Frame::Small,
         robots: 0,
-        limit: Duration::from_secs(120),
+        limit: Duration::from_mins(2),
         realtime: false,
         firmware: None,
         settings: &[],

@@ -20,7 +20,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, Problem> {
         Ok(text) => text,
         Err(error) => {
             let (good, rest) = bytes.split_at(error.valid_up_to());
-            let line = good.iter().filter(|byte| **byte == b'\n').count() + 1;
+            let line = good.split(|byte| *byte == b'\n').count();
             let byte = rest[0];
             let what = format!(
                 "byte 0x{byte:02X} is not UTF-8, but may be Latin-1 or Windows-1252: save the file as text in UTF-8"

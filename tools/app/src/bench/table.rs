@@ -11,9 +11,9 @@ pub(super) fn table(figures: &Figures) -> String {
     let Figures { robot, world, deadline_ms, components, phases, .. } = figures;
     let mut text =
         format!("\n{robot} in {world}: µs for one run, the minimum over the repetitions; `ever` is the maximum");
-    write(&mut text, "", HEADS.map(str::to_owned));
+    write(&mut text, "", &HEADS.map(str::to_owned));
     for row in components.iter().chain(phases).filter(|row| row.runs > 0 || row.declared_us.is_some()) {
-        write(&mut text, row.name, cells(row));
+        write(&mut text, row.name, &cells(row));
     }
     if let (Some(deadline), Some(chain)) = (deadline_ms, phases.last()) {
         let part = 0.1 * chain.max_us / f64::from(*deadline);
@@ -22,9 +22,11 @@ pub(super) fn table(figures: &Figures) -> String {
     text
 }
 
-fn write(text: &mut String, name: &str, cells: [String; 7]) {
+fn write(text: &mut String, name: &str, cells: &[String; 7]) {
     _ = write!(text, "\n{name:<20}");
-    cells.iter().for_each(|cell| _ = write!(text, "{cell:>10}"));
+    for cell in cells {
+        _ = write!(text, "{cell:>10}");
+    }
 }
 
 fn cells(row: &Row) -> [String; 7] {
