@@ -91,6 +91,7 @@ pub fn bench() -> ExitCode {
 }
 
 /// Runs the command of the command line; returns the exit code.
+#[must_use]
 pub fn run() -> ExitCode {
     let app = rooms().commands(|command| match command {
         Commands::Check { file } => check(&file),
