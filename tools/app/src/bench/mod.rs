@@ -70,6 +70,8 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
         ));
     }
     let (console, mut exceeded) = (Console::new(args.json), Vec::new());
+    // Components with a budget that have not run in any world.
+    let mut unmeasured: Vec<_> = const { &R::GRAPH }.nodes.iter().map(|node| node.name).collect();
     for world in worlds {
         let figures = figures(world, robots, args)?;
         console.print(&table::table(&figures))?;
@@ -79,8 +81,11 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
             .map_err(|error| Failure::of_path("write", &picture, &error, "is its folder writable?"))?;
         console.print_row("picture", &picture.display().to_string())?;
         console.print_json_line(&figures)?;
+        unmeasured.retain(|name| figures.unmeasured().any(|other| other == *name));
         exceeded.extend(figures.exceeded.into_iter().map(|what| format!("{}: {what}", world.name)));
     }
+    let never = |name| format!("{name} declares a budget and never ran: add a world, a seed or time in which it runs");
+    exceeded.extend(unmeasured.into_iter().filter(|_| args.bench).map(never));
     for what in &exceeded {
         console.print_row("exceeded", &console.styled(Style::Bad, what))?;
     }

@@ -5,9 +5,9 @@
 mod clock;
 
 use bica::prelude::*;
+use bica::runner::{OverrunPolicy, Schedule};
 use cortex_m_semihosting::{debug, hprintln};
 use embassy_executor::Spawner;
-use embassy_time::Ticker;
 use panic_semihosting as _;
 use static_cell::ConstStaticCell;
 
@@ -74,10 +74,12 @@ static ROBOT: ConstStaticCell<Robot> = ConstStaticCell::new(Robot::new());
 async fn main(_spawner: Spawner) {
     clock::start();
     let robot = ROBOT.take();
-    let mut ticker = Ticker::every(Duration::from_hz(100));
+    let mut schedule = Schedule::new(Robot::GRAPH.cycle_hz, OverrunPolicy::Skip);
     for _ in 0..150 {
-        ticker.next().await;
+        schedule.wait().await;
+        schedule.begin(Instant::now());
         robot.tick(Instant::now());
+        schedule.end(Instant::now());
         if robot.get::<Wheels>().speed == 0.0 {
             hprintln!("halted at {} ms", Instant::now().as_millis());
             debug::exit(debug::EXIT_SUCCESS);
