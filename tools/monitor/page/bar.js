@@ -153,7 +153,7 @@ function View() {
 
 /** The connection to the robot, in one word. */
 function Connected() {
-  const connection = store.session.value?.info.value.connection;
+  const connection = link.value === 'open' && store.session.value?.info.value.connection;
   return connection && html`<span class="chip" role="status"><i class=${`state ${connection}`} aria-hidden="true"></i>${CONNECTION[connection] || 'connected'}</span>`;
 }
 

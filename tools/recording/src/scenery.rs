@@ -16,6 +16,9 @@ pub struct Scenery {
     /// Red, green and blue; none: a tool chooses it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<[u8; 3]>,
+    /// Width of lines, m; none: what has an area is filled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line_width: Option<f32>,
     /// The value, or a list of values.
     pub value: serde_json::Value,
 }
@@ -40,7 +43,8 @@ impl Scene for Items {
         let (name, shape, frame) = (item.name.to_owned(), value.name().to_owned(), item.frame.to_owned());
         // What cannot be encoded is left out.
         if let Some(value) = decode_info(&value.schema().into(), &bytes) {
-            self.0.push(Scenery { name, shape, frame, colour: item.colour, value });
+            let SceneItem { colour, line_width, .. } = *item;
+            self.0.push(Scenery { name, shape, frame, colour, line_width, value });
         }
     }
 }

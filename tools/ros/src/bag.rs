@@ -70,7 +70,7 @@ pub fn bag<R: Read, W: Write>(source: R, target: W) -> Result<Copied, Error> {
 }
 
 fn shown(item: &Scenery) -> Shown {
-    let Scenery { name, shape, frame, colour, value } = item.clone();
+    let Scenery { name, shape, frame, colour, value, .. } = item.clone();
     let colour = colour.map(|[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));
     Shown { name, shape, frame, child: None, value, colour, line_width: None }
 }

@@ -23,10 +23,10 @@ impl Comments {
             pending.extend(comment.filter(|comment| !comment.starts_with(GENERATED)).map(str::to_owned));
             let key = match (code.strip_prefix('[').and_then(|code| code.strip_suffix(']')), code.split_once('=')) {
                 (Some(name), _) => {
-                    name.trim().clone_into(&mut section);
+                    unquoted(name).clone_into(&mut section);
                     ""
                 }
-                (None, Some((key, _))) => key.trim(),
+                (None, Some((key, _))) => unquoted(key),
                 // A block before an empty line and before all sections is that of the file.
                 (None, None) if section.is_empty() && line.is_empty() => "",
                 (None, None) => continue,
@@ -47,6 +47,11 @@ impl Comments {
     pub(crate) fn rest(self) -> impl Iterator<Item = String> {
         self.before.into_values().flatten().chain(self.end)
     }
+}
+
+/// Returns the name of a key.
+fn unquoted(key: &str) -> &str {
+    key.trim().trim_matches(['"', '\''])
 }
 
 /// Returns what precedes a comment, and the comment. A `#` in a string begins none.

@@ -6,6 +6,8 @@ use bica::Value;
 use bica_wire::model::{Description, Invalid, Kind};
 use toml::de::{DeTable, DeValue};
 
+use crate::write::key;
+
 /// Index of a component, and of a parameter in it.
 pub(crate) type Place = (usize, usize);
 
@@ -22,7 +24,7 @@ pub(crate) fn parse(tree: &Description, file: &str, text: &str) -> Result<Vec<(P
         tree.component(name).map_err(|invalid| invalid.within(&at(&component.span())))?;
         let DeValue::Table(section) = section.get_ref() else {
             let what = format!("{}: `{name}` is a component, not a value", at(&component.span()));
-            return Err(Invalid::new(what, format!("write a section `[{name}]` with `name = value` lines")));
+            return Err(Invalid::new(what, format!("write a section `[{}]` with `name = value` lines", key(name))));
         };
         for (key, value) in section {
             let place = tree.param(&format!("{name}.{}", key.get_ref()));

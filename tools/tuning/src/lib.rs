@@ -17,7 +17,7 @@ mod layers;
 mod write;
 
 pub use layers::{Layers, Value};
-pub use write::{render, write};
+pub use write::{key, render, write};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

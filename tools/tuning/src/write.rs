@@ -1,5 +1,6 @@
 //! Tune files as text.
 
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
@@ -33,7 +34,7 @@ fn render_over(layers: &Layers, old: &str) -> String {
             section = &component.name;
             lines.push(String::new());
             lines.extend(comments.take(section, "", &[]));
-            lines.push(format!("[{section}]"));
+            lines.push(format!("[{}]", key(section)));
         }
         let doc = doc(param);
         lines.extend(comments.take(section, &param.name, &doc));
@@ -42,7 +43,7 @@ fn render_over(layers: &Layers, old: &str) -> String {
             Kind::Choice { .. } => format!("\"{}\"", value.text()),
             _ => value.text(),
         };
-        lines.push(format!("{} = {text} {GENERATED}{}", param.name, describe(param)));
+        lines.push(format!("{} = {text} {GENERATED}{}", key(&param.name), describe(param)));
     }
     let mut rest = Vec::new();
     for Value { component, param, .. } in layers.all() {
@@ -54,6 +55,13 @@ fn render_over(layers: &Layers, old: &str) -> String {
         lines.extend(rest);
     }
     lines.join("\n") + "\n"
+}
+
+/// Returns a name as a key of TOML: in quotes if it has letters or signs that a bare key must not have, as `größe` or `Filter<3>`.
+#[must_use]
+pub fn key(name: &str) -> Cow<'_, str> {
+    let is_bare = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '-');
+    if name.chars().all(is_bare) { Cow::Borrowed(name) } else { Cow::Owned(format!("\"{name}\"")) }
 }
 
 /// Writes a tune file; another program never sees a part of it, and a failure leaves an old file as it was. The comments that a person

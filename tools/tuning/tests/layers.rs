@@ -59,6 +59,40 @@ impl Kicker {
 
 activation_tree! { struct Robot { root: Kicker, cycle_hz: 100, tunable, components: [Kicker] } }
 
+/// What is grasped.
+#[derive(Params)]
+struct Greifen {
+    /// Height of the hand.
+    #[param(default = 0.1, range = 0.0..=1.0, unit = "m")]
+    höhe: f32,
+}
+
+struct Größe<const N: usize>;
+
+#[component]
+impl<const N: usize> Größe<N> {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, tuned: &Tuned<Greifen>) {
+        let _ = tuned.höhe;
+    }
+}
+
+activation_tree! { struct Hand { root: Größe<3>, cycle_hz: 100, tunable, components: [Größe<3>] } }
+
+#[test]
+fn names_with_any_letters_are_read_again() {
+    let mut layers = Layers::new(&Hand::GRAPH);
+    layers.assign("Größe<3>.höhe=0.0004", "a test").expect("it is assigned");
+    let text = render(&layers);
+    let mut again = Layers::new(&Hand::GRAPH);
+    again.read_text("hand.toml", &text).expect("it is a tune file");
+    assert_eq!(render(&again), text);
+    assert!(text.contains("[\"Größe<3>\"]\n") && text.contains("\"höhe\" = 0.0004 "), "{text}");
+}
+
 static GRAPH: bica::Graph = Robot::GRAPH;
 
 fn layers(text: &str) -> Layers {

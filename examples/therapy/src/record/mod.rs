@@ -140,6 +140,7 @@ mod tests {
         }
         let page = report(folder, "K-27").expect("a page");
         assert_eq!(page.matches("<h2>Arms &lt;gentle&gt;").count(), 2, "{page}");
+        assert_eq!(page.matches(" UTC</time>").count(), 2, "{page}");
         assert!(page.contains("1 correct, 1 not correct (too low), 1 not seen") && page.contains("Line 9"), "{page}");
         assert_eq!(forget(folder, "K-27").expect("two records"), 2);
         assert!(forget(folder, "K-27").is_err() && report(folder, "K-2").is_ok());

@@ -17,6 +17,10 @@ const STYLE: &str = "body{font:18px sans-serif;max-width:60em;margin:2em auto;co
     rect{stroke-width:2}.correct{fill:#2c9a5f;stroke:#137a48}.incorrect{fill:#f4b232;stroke:#8a5200}\
     .cannot_tell{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
 
+/// Script that shows times as those of the reader's place.
+const LOCAL: &str = "<script>for (const one of document.querySelectorAll('time')) \
+    one.textContent = new Date(one.dateTime).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' })</script>\n";
+
 /// Makes a page in HTML about all sessions of a code.
 pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     let mut page =
@@ -30,11 +34,13 @@ pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
             lines.map(serde_json::from_str).collect::<Result<Vec<Entry>, _>>().map_err(|error| failed(&error))?;
         let title = head.session.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let date = humantime::format_rfc3339_seconds(UNIX_EPOCH + Duration::from_secs(head.begun)).to_string();
-        let _ = writeln!(page, "<h2>{title}, {}</h2>", &date[..10]);
+        let _ =
+            writeln!(page, "<h2>{title}, <time datetime=\"{date}\">{} {} UTC</time></h2>", &date[..10], &date[11..16]);
         for exercise in lines.chunk_by(|a, b| a.line == b.line) {
             write_exercise(&mut page, exercise);
         }
     }
+    page.push_str(LOCAL);
     page.push_str("<p>Angles of the arm and counts, by a program that is no medical device.</p>\n");
     Ok(page)
 }

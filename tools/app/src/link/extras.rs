@@ -145,7 +145,7 @@ impl Monitor {
     }
 }
 
-/// The numbers in a value, for people.
+/// The numbers in a value, for people: with four significant digits, whole numbers with all.
 fn numbers(value: &Value) -> String {
     let joined = |texts: Vec<String>| texts.join(" ");
     match value {
@@ -153,7 +153,22 @@ fn numbers(value: &Value) -> String {
         Value::Object(fields) => {
             joined(fields.iter().map(|(name, value)| format!("{name} {}", numbers(value))).collect())
         }
-        Value::Number(number) => format!("{:.2}", number.as_f64().unwrap_or(f64::NAN)),
+        Value::Number(number) if number.is_f64() => {
+            let digits = format!("{:.3e}", number.as_f64().unwrap_or(f64::NAN));
+            digits.parse().map_or(digits, |rounded: f64| rounded.to_string())
+        }
+        Value::Number(number) => number.to_string(),
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    #[test]
+    fn numbers_have_four_significant_digits() {
+        let value = json!([0.000_432_19, -12.3456, u64::MAX]);
+        assert_eq!(super::numbers(&value), "0.0004322 -12.35 18446744073709551615");
     }
 }

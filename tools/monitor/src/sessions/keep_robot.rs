@@ -8,6 +8,7 @@ use std::sync::Arc;
 use bica_recording::{Header, MonitorRecorder, Report, create};
 use serde_json::{Value, json};
 
+use super::recorded::recorded_scenery;
 use super::robot_recording::{Cycles, add_info, add_line, received};
 use super::session::Session;
 use crate::files::{WRITE_HELP, failed, make_folder_of};
@@ -19,7 +20,8 @@ const BATCH: usize = 256;
 /// Writes what is remembered of a robot to a new file. A file that could not be written is removed.
 pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
     make_folder_of(target)?;
-    let header = Header::of_monitor(&session.name, &*session.description()?);
+    let scenery = recorded_scenery(&session.shared().scenery);
+    let header = Header { scenery, ..Header::of_monitor(&session.name, &*session.description()?) };
     let file = create(target, false).map_err(|error| failed("write", target, &error, WRITE_HELP))?;
     let reason = match MonitorRecorder::new(file, &header).and_then(|recorder| write(session, recorder)) {
         Ok(Report { reason: None, cycles: 0, .. }) => {

@@ -14,6 +14,8 @@ use bica_recording::ReplayReport;
 use bica_wire::model::NamedSetting;
 use serde_json::{Value, json};
 
+pub(super) use tree::recorded_scenery;
+
 use super::commands::Commands;
 use super::common::Common;
 use super::session::Session;

@@ -101,12 +101,14 @@ fn write(session: &Arc<Session>, source: &Source, target: &Path) -> Result<Value
 
 /// Writes a span of a source.
 fn cut(session: &Arc<Session>, source: &Source, target: &Path, span: &RangeInclusive<u64>) -> Result<Value, Failed> {
-    let known = session.shared().history.span().1;
+    let (first, known) = session.shared().history.span();
+    // A robot's clock runs since its start, a file's times since its first cycle.
+    let zero = if matches!(source, Source::Memory) { first } else { 0 };
+    let ns = |time_us: u64| time_us.saturating_sub(zero).saturating_mul(1000);
     // The last cycle may be younger than what is written.
-    let until = if *span.end() >= known { u64::MAX } else { span.end().saturating_mul(1000) };
-    let trimmed = |whole: &Path| {
-        copy(whole, target, |source, target| trim(source, target, span.start().saturating_mul(1000), until, None))
-    };
+    let until = if *span.end() >= known { u64::MAX } else { ns(*span.end()) };
+    let trimmed =
+        |whole: &Path| copy(whole, target, |source, target| trim(source, target, ns(*span.start()), until, None));
     if let Source::File(file) = source {
         return trimmed(file);
     }

@@ -42,7 +42,7 @@ fn value(description: &Description, component: usize, param: usize) -> Result<(&
 /// Returns the text with a value in a section: replaced where it stands, with its comment, or added at the end of the section.
 fn with_value(text: &str, section: &str, key: &str, value: &str) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let header = format!("[{section}]");
+    let (header, key) = (format!("[{}]", bica_tuning::key(section)), bica_tuning::key(key));
     let heading = |line: &String| line.trim_start().starts_with('[');
     let is_header = |line: &String| line.split('#').next().unwrap_or_default().trim() == header;
     let Some(begin) = lines.iter().position(is_header) else {
@@ -75,5 +75,7 @@ mod tests {
         assert_eq!(with_value(text, "A", "z", "5"), "# mine\n[A]\nx = 1 # one\ny = 2\nz = 5\n\n[B]\nx = 3\n");
         assert_eq!(with_value(text, "C", "z", "5"), format!("{text}\n[C]\nz = 5\n"));
         assert_eq!(with_value("", "C", "z", "5"), "[C]\nz = 5\n");
+        let quoted = "[\"Filter<3>\"]\n\"höhe\" = 5\n";
+        assert_eq!(with_value(&with_value("", "Filter<3>", "höhe", "4"), "Filter<3>", "höhe", "5"), quoted);
     }
 }

@@ -86,7 +86,7 @@ impl Files {
 fn has_component(model: &Model, component: &str, group: &str) -> bool {
     let is_tuned = |input: &Input| matches!(input, Input::Tuned { parameters } if parameters == group);
     model.components.iter().any(|one| {
-        one.name.text.split('<').next() == Some(component)
+        one.name.text.split('<').next() == component.split('<').next()
             && one.functions().flat_map(|function| &function.arguments).any(|argument| is_tuned(&argument.input))
     })
 }

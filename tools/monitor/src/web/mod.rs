@@ -12,6 +12,7 @@ mod assets;
 mod guard;
 mod headers;
 mod hosts;
+mod numbers;
 mod places;
 mod queue;
 mod rate;

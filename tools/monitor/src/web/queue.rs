@@ -65,8 +65,7 @@ impl Outbox for Queue {
 }
 
 fn text(message: &ToPage) -> String {
-    // Serialization into memory fails only for maps with keys that are no strings, and the protocol has none.
-    serde_json::to_string(message).unwrap_or_default()
+    super::numbers::to_string(message)
 }
 
 fn message(frame: Frame) -> Message {

@@ -199,7 +199,7 @@ impl Deriver {
 
     /// Writes what does not move in the world, once.
     fn scenery(&mut self, time: u64) {
-        for Scenery { name, shape, frame, colour, value } in std::mem::take(&mut self.header.scenery) {
+        for Scenery { name, shape, frame, colour, value, .. } in std::mem::take(&mut self.header.scenery) {
             let mut all = Vec::new();
             shape::each(&value, &mut |value| all.extend(shape::shapes(&shape, value)));
             let [red, green, blue] = colour.unwrap_or([u8::MAX; 3]).map(|part| f64::from(part) / 255.0);

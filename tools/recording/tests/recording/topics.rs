@@ -261,6 +261,7 @@ fn two_things_with_one_topic_are_refused_before_the_run() {
         shape: "Point2".to_owned(),
         frame: "room".to_owned(),
         colour: None,
+        line_width: None,
         value: json!({ "x": 1.0, "y": 2.0 }),
     };
     let header = Header { scenery: vec![item("far wall"), item("far_wall")], ..header(ImagePolicy::All) };

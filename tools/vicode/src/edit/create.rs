@@ -17,9 +17,7 @@ use crate::read::{Outline, Token, lexed, parse};
 /// If the name is not that of a type, or if the module would be named like a keyword.
 pub fn module_of(name: &str) -> Result<String, Refusal> {
     fragment::name(name)?;
-    if !name.starts_with(|first: char| first.is_ascii_uppercase())
-        || !name.chars().all(|one| one.is_ascii_alphanumeric())
-    {
+    if !name.starts_with(char::is_uppercase) || name.contains('_') {
         return Err(Refusal::new(format!("a component is called like a type: `WallFinder`, not `{name}`")));
     }
     if matches!(name, "Time" | "Rate" | "Tuned" | "Self") {

@@ -101,6 +101,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         times: Times::default(),
     };
     session.describe(description, can);
+    session.show_scenery(&tree::scenery(&header));
     let length = fs::metadata(&session.shared().recorded.path).map_or(0, |file| file.len()).max(1);
     let note = loop {
         if session.is_closed() {
