@@ -18,8 +18,8 @@ const IMAGES: u16 = 30;
 const NO_IMAGE_CYCLES: u16 = 150;
 /// Number of cycles after which a robot without new targets for its legs has come to rest.
 const REST_CYCLES: u16 = 30;
-/// Numbers of further cycles over which its turn rate is averaged, and the largest mean of a gyroscope in order, rad/s: in a short
-/// stand the body may still sway, and in a long one several times the drift of a cheap gyroscope.
+/// Numbers of further cycles over which its turn rate is averaged, and the largest mean of a gyroscope in order, rad/s: about the vertical
+/// axis in a short stand, in which the body may still sway; about all in a long one, several times the drift of a cheap gyroscope.
 const SHORT: (u16, f32) = (50, 0.12);
 const LONG: (u16, f32) = (150, 0.04);
 /// Largest change of the targets of legs that rest, rad.
@@ -125,11 +125,11 @@ impl Senses {
         if self.rested > REST_CYCLES {
             self.turned += sensors.inertial.gyro;
         }
-        let turns = |(cycles, most): (u16, f32)| self.turned.length() > most * f32::from(cycles);
+        let limit = |(cycles, most): (u16, f32)| most * f32::from(cycles);
         if self.rested == REST_CYCLES + SHORT.0 {
-            self.has_offset |= turns(SHORT);
+            self.has_offset |= self.turned.z.abs() > limit(SHORT);
         } else if self.rested == REST_CYCLES + LONG.0 {
-            self.has_offset = turns(LONG);
+            self.has_offset = self.turned.length() > limit(LONG);
             (self.rested, self.turned) = (REST_CYCLES, Vec3::ZERO);
         }
     }

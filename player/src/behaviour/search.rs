@@ -61,12 +61,11 @@ pub struct Search {
     /// Head tilt, down, with which the top camera shows the field beyond.
     #[param(default = 0.0, range = -0.5..=0.5, unit = "rad", step = 0.01)]
     pub far_tilt: f32,
-    /// Turning speed of the body after a scan without result. A turn takes 3.9 s: half a circle.
+    /// Turning speed of the body after a scan without result. A turn takes 2.6 s.
     #[param(default = 0.8, range = 0.2..=1.5, unit = "rad/s", step = 0.05)]
     pub turn_speed: f32,
-    /// Number of turns at one place, 2 for a full circle. The first place has one less: the robot searches behind itself, and walks
-    /// on there.
-    #[param(default = 2, range = 0..=20)]
+    /// Number of turns at one place: a full circle.
+    #[param(default = 3, range = 0..=20)]
     pub turns: u32,
     /// Free path ahead with which the robot begins to walk to another place.
     #[param(default = 1.25, range = 0.25..=2.5, unit = "m", step = 0.25)]

@@ -12,8 +12,8 @@ use crate::output::CameraSelector;
 use crate::perception::{BallDetector, CameraPose, FieldBoundary, Odometry, RobotDetector};
 use crate::strategy::{Strip, free_path};
 
-/// Searches for the ball: at its remembered position, then with the head, then behind the robot, and then at other places, where other
-/// robots hide another part of the field, with full circles.
+/// Searches for the ball: at its remembered position, then with the head, then with turns of the body. After a full
+/// turn without result it searches at another place, where other robots hide another part of the field.
 #[derive(Debug)]
 pub struct SearchBall {
     /// Index in [`GLANCES`].
@@ -26,7 +26,7 @@ pub struct SearchBall {
     side: f32,
     /// Whether the scan ends, and the robot searches at another place.
     leaves: bool,
-    /// Number of turns at this place, and one more at the first.
+    /// Number of turns at this place.
     turns: u8,
     /// Free path ahead, m, in the last run.
     path: f32,
@@ -47,7 +47,7 @@ impl SearchBall {
             recalled: 0.0,
             side: 1.0,
             leaves: false,
-            turns: 1,
+            turns: 0,
             path: 0.0,
             left: Pose2::ORIGIN,
             walked: 0.0,
@@ -59,13 +59,10 @@ impl SearchBall {
         *self = Self::new();
     }
 
-    /// Directs the head to the remembered position of the ball. The scan begins on its side.
+    /// Directs the head to the remembered position of the ball.
     #[state(initial)]
-    fn recall(&mut self, time: &Time, ball: &BallDetector, body: &mut Body, _face: &mut FaceBall) {
+    fn recall(&mut self, time: &Time, body: &mut Body, _face: &mut FaceBall) {
         body.stand();
-        if let Some(bearing) = ball.bearing() {
-            self.side = 1.0_f32.copysign(bearing.pan);
-        }
         self.recalled += time.dt();
     }
 
@@ -174,7 +171,7 @@ impl SearchBall {
         self.glance >= GLANCES.len()
     }
 
-    #[transition(turn_around -> scan, after_ms = 3900)]
+    #[transition(turn_around -> scan, after_ms = 2600)]
     fn turned(&self) -> bool {
         true
     }
@@ -225,7 +222,7 @@ impl SearchBall {
         self.glance as u32
     }
 
-    /// Number of turns at this place, and one more at the first.
+    /// Number of turns at this place.
     #[info]
     #[must_use]
     pub const fn turns(&self) -> u32 {

@@ -71,7 +71,8 @@ fn main() -> Result<(), Failure> {
         let says = latest.map_or_else(String::new, |fault| {
             format!("{}, {:.1} s", fault.fault.as_deref().unwrap_or_default(), fault.t - 8.0)
         });
-        println!("| `{option}` | {goals} | {} | {says} |", states.join(", "));
+        let option = if option.is_empty() { "none".to_owned() } else { format!("`{option}`") };
+        println!("| {option} | {goals} | {} | {says} |", states.join(", "));
     }
     Ok(())
 }

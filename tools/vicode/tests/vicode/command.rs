@@ -79,7 +79,7 @@ fn model_is_json_and_drawings_show_all_states() {
     let player = player.to_str().unwrap();
     let model = vicode(&["model", player, "--json"], &folder).json();
     let states = model["components"][0]["states"].as_array().unwrap();
-    assert_eq!(states.len(), 8);
+    assert_eq!(states.len(), 9);
     assert_eq!(states[0]["function"]["name"]["text"], "look_for_ball");
     for format in ["svg", "mermaid", "dot"] {
         let drawing = vicode(&["draw", player, "--format", format], &folder).stdout;
