@@ -38,7 +38,7 @@ async fn nothing_covers_stop_in_any_window() {
         page.emulate(size).await;
         notices(&page).await;
         lies_above(&page, &format!("{size:?}: notices")).await;
-        button(&page, "View").await;
+        button(&page, "Menu").await;
         lies_above(&page, &format!("{size:?}: a menu")).await;
         page.press("\u{e00c}").await;
         page.press("?").await;
@@ -73,7 +73,7 @@ async fn stop_of_a_page_without_control_stops_and_a_lost_connection_is_said() {
     let origin = url.split('#').next().expect("an origin");
     page.run(&format!("window.other = window.open({}, 'other')", json!(origin))).await;
     page.until("the other page", "return other.document.querySelector('#stop button') !== null").await;
-    page.until("it does not operate", "return other.document.body.innerText.includes('Another page operates the robot')").await;
+    page.until("it does not operate", "return other.document.body.textContent.includes('Another page operates the robot')").await;
     page.run("other.document.querySelector('#stop button').click()").await;
     shows(&page, "STOPPED", "1.").await;
     page.reads("Nobody operates the robot").await;
