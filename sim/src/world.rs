@@ -14,8 +14,8 @@ use crate::shared_image::SharedImage;
 /// Camera images in ten control cycles: 30 per second.
 const FRAMES_PER_TEN_CYCLES: u64 = 3;
 
-/// Largest sum of the pushes of a cycle, m/s: that of the strongest one.
-const MAX_PUSH: f32 = 2.0;
+/// Largest sum of the pushes of a cycle, m/s: above the 2.3 m/s that make each robot fall.
+const MAX_PUSH: f32 = 2.5;
 
 /// Sum of the pushes of a cycle, m/s, field frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,7 +80,7 @@ pub trait World {
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str>;
 
     /// Pushes the robot: adds `velocity`, m/s, field frame, to the velocity of its torso. The pushes of a cycle, as while a run is
-    /// paused, add up to 2 m/s at most. Values that are not finite are ignored.
+    /// paused, add up to 2.5 m/s at most. Values that are not finite are ignored.
     fn add_velocity(&mut self, velocity: Vec2);
 
     /// Why the world cannot continue, if it cannot: a run ends then. The kinematic world always can.

@@ -199,7 +199,9 @@ fn fault<M: RobotModel>(temperature: f32) -> Option<Fault> {
     let mut temperatures = Joints::all(40.0);
     temperatures[Joint::LKneePitch] = temperature;
     for cycle in 0..300_u16 {
-        let inertial = Inertial { gyro: Vec3::splat(f32::from(cycle)), acceleration: Vec3::Z, ..Inertial::default() };
+        // It neither repeats a value nor turns.
+        let gyro = Vec3::splat(if cycle % 2 == 0 { 0.01 } else { -0.01 });
+        let inertial = Inertial { gyro, acceleration: Vec3::Z, ..Inertial::default() };
         let sensors = Sensors {
             angles: M::STAND,
             temperatures,

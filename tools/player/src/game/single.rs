@@ -43,7 +43,6 @@ pub(crate) fn play_one(
     let mut album = pictures.map(Album::new).transpose()?;
     let mut recorder = film.map(Film::new).transpose()?;
     let mut story = Story::new(console);
-    story.print_header()?;
     let mut observers: Vec<&mut dyn GameObserver> = vec![&mut story];
     observers.extend(album.as_mut().map(|album| album as _));
     observers.extend(recorder.as_mut().map(|recorder| recorder as _));

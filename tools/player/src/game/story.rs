@@ -29,18 +29,22 @@ pub(crate) struct Story {
     console: Console,
     /// All changes so far; only kept for JSON.
     pub(crate) changes: Vec<TreeChange>,
+    has_header: bool,
 }
 
 impl Story {
     pub(crate) const fn new(console: Console) -> Self {
-        Self { console, changes: Vec::new() }
+        Self { console, changes: Vec::new(), has_header: false }
     }
 
-    /// Prints the header of the columns.
-    pub(crate) fn print_header(&self) -> Result<(), Failure> {
-        let header = columns(self.console, "time", "state", (" ball", " goal"), Style::Faint);
-        let active = "active components without inputs and outputs (+ started, - stopped)";
-        self.console.print(&format!("{header}{}", self.console.styled(Style::Faint, active)))
+    /// Prints a line; before the first one the header of the columns, so that a game that is refused prints nothing.
+    fn print(&mut self, line: &str) -> Result<(), Failure> {
+        if !std::mem::replace(&mut self.has_header, true) {
+            let header = columns(self.console, "time", "state", (" ball", " goal"), Style::Faint);
+            let active = "active components without inputs and outputs (+ started, - stopped)";
+            self.console.print(&format!("{header}{}", self.console.styled(Style::Faint, active)))?;
+        }
+        self.console.print(line)
     }
 
     /// Returns the active components that activate others, with marks at those that started, then those that stopped.
@@ -67,7 +71,8 @@ impl GameObserver for Story {
         let (tree, (ball, goal)) = (scene.tree(), scene.positions());
         let state = tree.state(tree.tree.root).unwrap_or("-");
         let row = columns(self.console, &time(scene.t), state, (&describe(ball), &describe(goal)), Style::Strong);
-        self.console.print(&format!("{row}{}", self.components(scene, &tree)))?;
+        let line = format!("{row}{}", self.components(scene, &tree));
+        self.print(&line)?;
         if self.console.is_json() {
             let active = active(&tree).map(|node| with_state(&tree, node)).collect();
             self.changes.push(TreeChange { t: scene.t, state, active, ball, goal });
@@ -77,13 +82,13 @@ impl GameObserver for Story {
 
     fn fault(&mut self, fault: &FaultRecord) -> Result<(), Failure> {
         let text = self.console.styled(Style::Bad, &format!("* {}", fault.text()));
-        self.console.print(&format!("{}  {text}", time(fault.t)))
+        self.print(&format!("{}  {text}", time(fault.t)))
     }
 
     fn event(&mut self, event: &TimedEvent) -> Result<(), Failure> {
         let (style, text) = event::describe(&event.event);
         let text = self.console.styled(style, &format!("* {text}"));
-        self.console.print(&format!("{}  {text}", time(event.at.as_secs_f64())))
+        self.print(&format!("{}  {text}", time(event.at.as_secs_f64())))
     }
 }
 

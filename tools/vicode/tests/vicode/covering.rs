@@ -107,7 +107,7 @@ fn coverage_of_a_recorded_game_has_all_its_time() {
         let ran = vicode(&[&["coverage", &source, "--summary"], from].concat(), &tests);
         ran.stdout + &ran.stderr
     };
-    let alone = "Player: 2 of 8 states, 1 of 17 transitions, 1.50 s in 1 run\n";
+    let alone = "Player: 2 of 9 states, 1 of 20 transitions, 1.50 s in 1 run\n";
     assert_eq!(summary(&[tests.text()]), alone);
     assert!(summary(&[&game, tests.text()]).ends_with(" in 2 runs\n"));
     fs::remove_file(tests.file("1-0.states")).unwrap();
