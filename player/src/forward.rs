@@ -50,7 +50,7 @@ macro_rules! forward {
 
             fn sense(&mut self, sensors: &Sensors<'_>) -> Result<(), FrameTooLarge> {
                 perception::pass_cycle(self);
-        let commanded = *self.get::<Motors>().commanded();
+                let commanded = *self.get::<Motors>().commanded();
                 self.get_mut::<RobotState>().measure(sensors, &commanded);
                 self.get_mut::<HealthMonitor>().check(sensors, &commanded);
                 self.get_mut::<GameState>().set_button(sensors.buttons.chest);

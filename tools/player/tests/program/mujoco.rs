@@ -77,7 +77,7 @@ mod with_mujoco {
         for cycle in 0..2600 {
             match cycle {
                 100 => world.add_velocity(Vec2::new(-2.3, 0.0)),
-                50 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
+                30 => world.set_motor_temperature(Joint::LKneePitch, 78.0),
                 1500 => world.set_motor_temperature(Joint::LKneePitch, 60.0),
                 _ => {}
             }
@@ -85,7 +85,10 @@ mod with_mujoco {
             if (1000..1500).contains(&cycle) {
                 assert!(
                     robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS),
-                    "in cycle {cycle}"
+                    "in cycle {cycle}: {:?}, {:?}, {:?}",
+                    robot.state_name::<bica_player::behaviour::SafetyGuard>(),
+                    robot.state_name::<bica_player::behaviour::Player>(),
+                    robot.get::<HealthMonitor>().fault()
                 );
                 assert!(robot.get::<HealthMonitor>().fault().is_some());
             }
