@@ -164,7 +164,8 @@ impl Attached<'_> {
                     self.set_operator(Operator::Nobody);
                 }
             }
-            None => return self.lost(lease),
+            // An earlier message may come after the lease that a page has got back.
+            None => return self.lost(self.client.lease()),
         }
         Ok(())
     }
