@@ -203,9 +203,8 @@ impl<'a> Attached<'a> {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
             Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
-            Event::Params { component } => self.params(component),
             // The newest state: that of the event may be older than an answer for which somebody has waited.
-            Event::Lease(_) => return self.lease(self.client.lease()),
+            Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
             Event::Log { time_us, level, source, text } => {
                 self.session.add_line(LogLine { time_us, level, source, text, component: None });
