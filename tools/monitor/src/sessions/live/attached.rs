@@ -203,7 +203,7 @@ impl<'a> Attached<'a> {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
             Event::Info { cycle, component, info, value } => self.info(cycle, component, info, value),
-            // The newest state: that of the event may be older than an answer for which somebody has waited.
+            Event::Params { component } => self.params(component),
             Event::Lease(lease) => return self.lease(lease),
             Event::Answer(answer) => self.answered(answer),
             Event::Log { time_us, level, source, text } => {

@@ -65,7 +65,10 @@ async fn open_in(server: &Server, size: (u32, u32)) -> Page {
     if before >= 1.0 {
         // The page itself looks: on a busy machine the new game may be older than the one before when a story looks.
         page.run(BEGINS_AGAIN).await;
-        page.run("[...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Restart').click()").await;
+        page.run(
+            "[...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Restart').click()",
+        )
+        .await;
         page.until("time begins again", "return window.begins_again").await;
     }
     page.counts(".component.active", "> 5").await;

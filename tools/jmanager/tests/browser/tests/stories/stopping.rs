@@ -8,8 +8,7 @@ use serde_json::json;
 use crate::therapy::{TABS, button, sessions, shows};
 
 /// The usual windows, and the first one and a telephone at a zoom of 200 %, which halves both sides.
-const SIZES: [(u32, u32); 5] =
-    [(1280, 800), (1024, 768), (390, 844), (640, 400), (195, 422)];
+const SIZES: [(u32, u32); 5] = [(1280, 800), (1024, 768), (390, 844), (640, 400), (195, 422)];
 
 /// Points of STOP on which something else lies, and whether it is as large as a finger.
 const COVERED: &str = "const stop = document.querySelector('#stop button'); const box = stop.getBoundingClientRect(); \
@@ -73,7 +72,11 @@ async fn stop_of_a_page_without_control_stops_and_a_lost_connection_is_said() {
     let origin = url.split('#').next().expect("an origin");
     page.run(&format!("window.other = window.open({}, 'other')", json!(origin))).await;
     page.until("the other page", "return other.document.querySelector('#stop button') !== null").await;
-    page.until("it does not operate", "return other.document.body.textContent.includes('Another page operates the robot')").await;
+    page.until(
+        "it does not operate",
+        "return other.document.body.textContent.includes('Another page operates the robot')",
+    )
+    .await;
     page.run("other.document.querySelector('#stop button').click()").await;
     shows(&page, "STOPPED", "1.").await;
     page.reads("Nobody operates the robot").await;
