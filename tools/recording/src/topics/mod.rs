@@ -26,6 +26,7 @@ use crate::information::InformationRecord;
 use crate::mcap::Compression;
 use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::names::NameTable;
+use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::request::RequestRecord;
 use crate::scenery::Scenery;
 pub use cameras::Cameras;
@@ -238,6 +239,14 @@ impl Deriver {
             let (last, frames) = &mut self.last_cycle;
             if cycle.is_none() || *last != cycle {
                 (*last, *frames) = (cycle, Vec::new());
+            }
+            // A damaged file may have any number, and of any size.
+            if frames.len() >= MAX_BLOBS {
+                return;
+            }
+            let bytes: usize = self.waiting.values().flatten().map(|one| one.record.len()).sum();
+            if bytes + data.len() > MAX_CYCLE_BYTES {
+                self.waiting.clear();
             }
             // Points and images have topics of different names.
             let frame = if is_points { frame.to_owned() } else { self.cameras.next_frame(frame, frames) };
