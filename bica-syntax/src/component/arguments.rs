@@ -254,7 +254,8 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate` or `Tuned` without a type, and replaces one without a size, which are reported, so that the compiler does not report it again.
+/// Completes a `Rate` or `Tuned` without a type, and replaces one without a size, which are reported, so that the compiler does not
+/// report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };

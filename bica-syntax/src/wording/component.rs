@@ -202,7 +202,7 @@ messages! {
     no_component(written) =
         "`{written}` is no link to a component: write `&Name` to read one, `&mut Name` to modulate one";
     tuple(written) =
-        "`{written}` is no link to a component: write each one as an argument of its own, such as `ball: &Ball, head: &mut Head`";
+        "`{written}` is no link to a component: write each one as an argument of its own, such as `a: &A, b: &mut B`";
     no_size(written) = "`{written}` has no fixed size, and a component stores its values: name a type with a size, such as an array";
     two_links(written) = "two links to `{written}` in one signature: keep one; `&mut` can also read";
 }

@@ -4,7 +4,8 @@
 //! monitors were added; the bytes of the messages below did not. Then `Attached` got what the robot offers, and later the ball of a
 //! simulated world could be placed, and `Identity` got the size of the largest image. Then numbers of leases got 64 bits, and outputs
 //! their frames. Then any world could show its scenery and true state, images got the names of their cameras, and runs a result. Then
-//! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they stop the robot.
+//! lines of the log got their source, and descriptions the schemas of the robot's messages. Then modulations said whether they
+//! stop the robot.
 
 use bica_core::ComponentId;
 use bica_core::visual::SceneItem;

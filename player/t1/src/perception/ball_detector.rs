@@ -70,8 +70,8 @@ impl BallDetector {
     }
 
     /// Creates the component with a ball that was just seen at a position, m, in the ground frame.
-    #[cfg(test)]
-    pub(crate) fn remembering(at: Vec2) -> Self {
+    #[must_use]
+    pub fn remembering(at: Vec2) -> Self {
         let mut detector = Self::new();
         detector.memory.see(at, &bica_vision::uncertainty::round(0.01), 1.0);
         detector.ego_motion.renew();

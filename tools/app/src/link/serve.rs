@@ -54,8 +54,8 @@ impl ServeArgs {
         self.address().is_some() && !self.unpaced
     }
 
-    /// Prints where the run of a robot with this tree is served, and makes it a ROS node if that is requested. `bound` is the address with the port that the
-    /// operating system chose.
+    /// Prints where the run of a robot with this tree is served, and makes it a ROS node if that is requested. `bound` is the address with
+    /// the port that the operating system chose.
     ///
     /// # Errors
     /// If the node cannot be made.

@@ -21,8 +21,8 @@ use bica_wire::model::Invalid;
 const NO_ROOM: &str = "make room on the disk, or name a file on another one";
 
 /// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
-/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle since the first one, s; if it returns false, the run
-/// ends there.
+/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle since the first one, s; if it returns
+/// false, the run ends there.
 ///
 /// # Errors
 /// If a file cannot be read or written to its end, or the recording cannot be replayed by this program.
