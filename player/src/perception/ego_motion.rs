@@ -86,7 +86,6 @@ impl EgoMotion {
     }
 
     /// Brings the remembered positions up to date.
-    #[cfg(test)]
     pub(super) const fn renew(&mut self) {
         self.age.renew();
     }
