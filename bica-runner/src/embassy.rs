@@ -13,7 +13,8 @@ use crate::schedule::{RunError, Schedule};
 use crate::world::World;
 
 impl Schedule {
-    /// Waits for the next deadline and returns it. Can be cancelled, so it can be combined with a link in a `select`.
+    /// Waits for the next deadline and returns it. Can be cancelled, so it can be combined with a link in a `select`. Other tasks run
+    /// meanwhile, also if the deadline has passed: a `select` that polls a link first, which always has bytes, never returns then.
     ///
     /// A loop that uses this function calls [`begin`](Self::begin) and [`end`](Self::end) around each cycle.
     pub async fn wait(&mut self) -> Instant {

@@ -9,9 +9,9 @@ use bica_vision::table::GradualTable;
 use bica_wire::message::ClockMode;
 use bica_wire::{Decoder, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
-use embassy_time::Instant;
 #[cfg(feature = "monitor")]
-use embassy_time::{Duration, Timer};
+use embassy_time::Duration;
+use embassy_time::{Instant, Timer};
 use embedded_io_async::Read;
 use static_cell::ConstStaticCell;
 
@@ -92,9 +92,9 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
             continue;
         }
         // The receiver is polled first: a late cycle, which is always due, must not block it.
-        match select(rx.read(&mut buffer), schedule.wait()).await {
+        match select(rx.read(&mut buffer), due(&mut schedule)).await {
             Either::First(count) => receive(&buffer[..count.unwrap_or(0)], decoder, &mut controller, &mut tx).await,
-            Either::Second(_) => {
+            Either::Second(()) => {
                 schedule.begin(Instant::now());
                 controller.tick(schedule.skipped, decoder.stats(), &mut tx).await;
                 schedule.end(Instant::now());
@@ -102,6 +102,15 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
                 line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller);
             }
         }
+    }
+}
+
+/// Waits for the next deadline. Unlike [`Schedule::wait`], it does not yield if that has passed: a late loop whose receiver always has
+/// bytes would never be polled again.
+async fn due(schedule: &mut Schedule) {
+    let deadline = schedule.deadline(Instant::now());
+    if Instant::now() < deadline {
+        Timer::at(deadline).await;
     }
 }
 
