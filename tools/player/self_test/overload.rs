@@ -20,12 +20,13 @@ use bica_wire::message::{ClockMode, FaultInjection, Telemetry};
 use crate::session::{expect_eq, log_path, start_with_log, telemetry};
 
 /// Number of images sent, at 30 Hz.
-const IMAGES: u32 = 110;
+const IMAGES: u32 = 150;
 /// Number of the image before which the delay starts.
 const DELAY_START: u32 = 15;
 /// Number of the image before which the delay ends.
 const DELAY_END: u32 = 60;
-/// Number of cycles observed. The images last longer, because the microcontroller's time stands still without input.
+/// Number of cycles observed. The images last longer, also with the cycles that are left out, because the microcontroller's time stands
+/// still without input.
 const CYCLES: usize = 300;
 /// Delay of each run, ticks of 40 ns: 25 ms, which is two and a half cycles.
 const DELAY_TICKS: u32 = 625_000;
