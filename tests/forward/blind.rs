@@ -50,17 +50,13 @@ fn walked(test: &mut Test, seconds: u64) -> f32 {
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_a_robot_without_a_detector_that_runs_stands() {
-    let holds: [fn(&mut Forward); 3] = [
-        |robot| robot.hold::<BallDetector>(Hold::Latent),
-        |robot| robot.rate_mut::<BallDetector>().set(0.0),
-        |robot| robot.hold::<Odometry>(Hold::Latent),
-    ];
+    let holds: [fn(&mut Forward); 2] =
+        [|robot| robot.hold::<BallDetector>(Hold::Latent), |robot| robot.rate_mut::<BallDetector>().set(0.0)];
     for (index, hold) in holds.into_iter().enumerate() {
         let mut test = approaching(Faults::default());
         hold(test.tree_mut());
         let first = walked(&mut test, 3);
-        // Without odometry the ball is seen, but not remembered.
-        let then = if index < 2 { walked(&mut test, 20) } else { 0.0 };
+        let then = walked(&mut test, 20);
         assert!(first < 0.6 && then < 0.1, "hold {index}: {first} m, then {then} m");
     }
 }

@@ -59,6 +59,7 @@ fn forward(attacks: GoalColour) -> Box<Forward> {
     robot.hold::<BallDetector>(Hold::Active);
     robot.hold::<GoalDetector>(Hold::Active);
     robot.hold::<Localization>(Hold::Active);
+    robot.hold::<RobotDetector>(Hold::Active);
     robot.get_mut::<GoalDetector>().attack(attacks);
     robot
 }
@@ -100,7 +101,7 @@ impl Recording {
     /// Adds a part of a game.
     fn play(&mut self, world: KinematicWorld<Model>) {
         let mut game = Runner::new(forward(self.attacks), world);
-        for _ in 0..400 {
+        for _ in 0..800 {
             self.cycles.push(Cycle::of(&World::sensors(&mut game.world_mut().clone())));
             game.cycle().expect("the image fits");
         }

@@ -80,6 +80,7 @@ class Exact:
 
     def __init__(self, path):
         self.file = RecordingFile(path)
+        self.schemas = {schema.name: schema for schema in self.file.schemas.values()}
         self.components = self.file.header["tree"]["components"]
         self.infos = {
             f"{owner['name']}/{info['name']}": (component, index, info)
@@ -87,9 +88,9 @@ class Exact:
             for index, info in enumerate(owner["info"])
         }
         self.outputs = dict(self._outputs())
-        decode = decoder(json.loads(self.file.schemas["bica.TreeRecord"].data))
+        decode = decoder(json.loads(self.schemas["bica.TreeRecord"].data))
         self.trees = {message.log_time: decode(message.data) for _, _, message in self.file.messages("tree")}
-        decode = decoder(json.loads(self.file.schemas["bica.BlobRecord"].data))
+        decode = decoder(json.loads(self.schemas["bica.BlobRecord"].data))
         self.widths = {m.log_time: self._width(decode(m.data)) for _, _, m in self.file.messages("blobs")}
 
     @staticmethod
@@ -97,7 +98,7 @@ class Exact:
         return next(iter(blob["format"].values())).get("width") if isinstance(blob["format"], dict) else None
 
     def _outputs(self):
-        decode = decoder(json.loads(self.file.schemas["bica.InformationRecord"].data))
+        decode = decoder(json.loads(self.schemas["bica.InformationRecord"].data))
         schemas = [[output.get("schema") for output in owner["info"]] for owner in self.components]
         decoders = [[schema and decoder(schema) for schema in owner] for owner in schemas]
         for _, _, message in self.file.messages("information"):

@@ -84,7 +84,7 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
     ]);
     let (server, page) = repository.open("diff").await;
     page.click("button", "Diff", "Use of the drawing").await;
-    page.counts(".machine .box", "=== 9").await;
+    page.counts(".machine .box", "=== 10").await;
     assert_eq!(states(&page, "added").await, json!(["dash"]));
     assert_eq!(states(&page, "removed").await, json!(["dribble"]));
     page.any(".machine .label.changed", "one.textContent.includes('~ ball_reached')").await;
@@ -110,7 +110,7 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
         "[...document.querySelectorAll('.changes li')].every((one) => !one.textContent.includes('ball_lost_again'))";
     page.until("the timer is equal", &format!("return {others}")).await;
     page.click("button", "Design", "Use of the drawing").await;
-    page.counts(".machine .box", "=== 8").await;
+    page.counts(".machine .box", "=== 9").await;
     page.close().await;
     drop(server);
 }
@@ -130,7 +130,7 @@ async fn machine_is_tried_by_switches_and_timers() {
     pictures(&page, "try").await;
     page.click("button", "To timer", "").await;
     page.is(".tried", "one.textContent.includes('go_round')").await;
-    assert_eq!(states(&page, "unvisited").await, json!(["dribble", "fallen", "kick", "penalized"]));
+    assert_eq!(states(&page, "unvisited").await, json!(["blind", "dribble", "fallen", "kick", "penalized"]));
     let test = page.run("return document.querySelector('.test pre').textContent").await;
     let test = test.as_str().expect("the test");
     assert!(test.contains("test.reaches::<Player>(\"go_round\"") && test.contains("`follow.reached()`"), "{test}");
