@@ -241,7 +241,8 @@ def check_frames(exact, topics, composed):
     """Check that transforms are the outputs that are places of frames, and that they compose to other outputs."""
     agreed = 0
     for topic, time, _, plain in topics.of("FrameTransforms"):
-        frames, values = Frames(plain), exact.outputs[time]
+        # The first message, with which the tree of frames begins, comes before any output.
+        frames, values = Frames(plain), exact.outputs.get(time, {}) if time < min(exact.outputs) else exact.outputs[time]
         for name, (_, _, info) in exact.infos.items():
             if info.get("child") is None or values.get(name) is None:
                 continue
