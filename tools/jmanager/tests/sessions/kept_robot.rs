@@ -89,7 +89,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     drop(late);
     let count = find(&description, "CameraInput", "info", "count");
     // The copy begins at zero, the robot's clock does not.
-    let start = 10_000 * at(&page, copy, 0, count).0["cycle"].as_u64().unwrap();
+    let start = 10_000 * at(&page, copy, 500_000, count).0["cycle"].as_u64().unwrap() - 500_000;
     for time_us in [until, until - 300_000, until - 700_000] {
         let ((live, live_image), (recorded, image)) =
             (at(&page, session, time_us, count), at(&page, copy, time_us - start, count));
