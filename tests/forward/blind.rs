@@ -63,7 +63,7 @@ fn slow_a_robot_without_a_detector_that_runs_stands() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_robot_with_a_faulty_camera_stands_says_so_and_recovers() {
+fn slow_robot_stands_while_its_camera_is_faulty() {
     for (image, fault) in [
         (ImageFault::Freeze, Fault::FrozenImage),
         (ImageFault::Dark, Fault::DarkImage),

@@ -61,7 +61,7 @@ async fn nothing_covers_stop_in_any_window() {
 }
 
 #[tokio::test]
-async fn stop_of_a_page_without_control_stops_and_a_lost_connection_is_said() {
+async fn stop_needs_no_control_and_shows_a_lost_link() {
     let sessions = sessions();
     let mut server = Server::start_other("therapy", &["play", &sessions.argument("first.session"), "--page"]);
     let url = server.url();
@@ -93,7 +93,7 @@ async fn stop_of_a_page_without_control_stops_and_a_lost_connection_is_said() {
 }
 
 #[tokio::test]
-async fn plain_page_has_its_own_keys_only_and_shows_the_present_at_any_zoom() {
+async fn plain_page_has_own_keys_and_shows_the_present() {
     let sessions = sessions();
     let server = Server::start_other("therapy", &["play", &sessions.argument("first.session"), "--page"]);
     let page = Page::open(&server, SIZES[1]).await;
