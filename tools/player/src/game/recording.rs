@@ -135,10 +135,7 @@ impl GameRecorder {
 /// Returns the header of a game's recording, without parameters and information.
 #[must_use]
 pub fn recording_header(rules: &Rules, attacks: GoalColour, images: ImagePolicy) -> Header {
-    let world = match rules.world {
-        _ if rules.firmware.is_some() => "firmware",
-        world => world.name(),
-    };
+    let world = if rules.firmware.is_some() { "firmware" } else { rules.world.name() };
     let (width, height) = rules.size.size();
     let attacks = match attacks {
         GoalColour::Yellow => "yellow",
