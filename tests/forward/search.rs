@@ -12,7 +12,7 @@ use bica_sim::setup::{Frame, Setup};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_search_continues_at_other_places_after_a_full_turn() {
+fn slow_search_moves_on_after_a_full_turn() {
     for (seed, places) in [(1, 1), (2, 2)] {
         let setup = Setup { seed, frame: Frame::Small, robots: 4, ..Setup::default() };
         let world = KinematicWorld::<Model>::new(&setup).expect("the setup is valid");

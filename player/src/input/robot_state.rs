@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn previous_command_requires_stiff_legs_and_upright_torso() {
+    fn previous_command_needs_stiff_legs_upright_torso() {
         let mut state = RobotState::new();
         for (roll, stiffness, valid) in [(0.0, 1.0, true), (0.0, 0.5, false), (0.5, 1.0, false), (-0.5, 1.0, false)] {
             state.measure(&sensors(0.0, roll), &command(stiffness));

@@ -89,7 +89,7 @@ mod tests {
     const NEWER: fn(u32, u32) -> u32 = |newer, _| newer;
 
     #[test]
-    fn data_are_replaced_in_their_place_and_messages_are_not() {
+    fn data_are_replaced_and_messages_are_not() {
         let mut pending = Pending::default();
         for (key, data) in [('a', 1), ('b', 2), ('a', 3)] {
             pending.show(key, data, NEWER);
@@ -101,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn a_client_that_does_not_read_overflows_within_bounds() {
+    fn client_that_does_not_read_overflows_in_bounds() {
         let mut pending = Pending::<usize, (), ()>::default();
         assert!((0..MAX_MESSAGES).all(|message| pending.push(message, 0)));
         assert!(!pending.push(0, 0) && pending.overflowed());

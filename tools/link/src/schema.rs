@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_has_the_sizes_of_its_blobs_and_for_a_comparison_the_bits_of_numbers() {
+    fn message_has_blob_sizes_and_number_bits() {
         let seen = Seen { text: "a".repeat(600), ..seen() };
         let bytes = bica_wire::blobs::encode(&seen, Vec::new(), |_, _| ()).unwrap();
         let message = decode_message(&Seen::SCHEMA.into(), &bytes).unwrap();
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_no_value_or_another_one_and_never_panic() {
+    fn damaged_bytes_never_panic() {
         let (schema, bytes) = (OwnedNamedType::from(Seen::SCHEMA), postcard::to_stdvec(&seen()).unwrap());
         for end in 0..bytes.len() {
             assert_eq!(decode(&schema, &bytes[..end]), None, "{end}");

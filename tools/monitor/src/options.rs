@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_folder_of_running_recordings_has_a_name_that_cannot_be_guessed() {
+    fn folder_of_running_recordings_cannot_be_guessed() {
         assert_ne!(Options::default().spool, Options::default().spool);
     }
 }

@@ -32,7 +32,7 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
 }
 
 #[test]
-fn true_pose_of_the_world_is_that_of_the_odometry_in_the_true_start() {
+fn true_pose_equals_odometry_from_the_true_start() {
     let served = start();
     let watched = link(&served, &["watch", "Odometry.pose", "--truth", "--count", "60"]);
     let of = |schema: &'static str| watched.iter().filter(move |line| line["schema"] == schema);

@@ -3,7 +3,7 @@
 use crate::process::{Folder, refused, run};
 
 #[test]
-fn recording_replays_bit_for_bit_and_with_other_parameters() {
+fn recording_replays_with_other_parameters() {
     let folder = Folder::new("recorded");
     let (all, none) = (folder.file("all.mcap"), folder.file("none.mcap"));
     for (file, images) in [(&all, "all"), (&none, "none")] {
@@ -21,7 +21,7 @@ fn recording_replays_bit_for_bit_and_with_other_parameters() {
 }
 
 #[test]
-fn recording_has_figures_and_the_version_of_its_program() {
+fn recording_has_figures_and_program_version() {
     let folder = Folder::new("figures");
     let file = folder.file("run.mcap");
     let ran = run(&["--seconds", "2.5", "--record", &file, "--json"]).json();

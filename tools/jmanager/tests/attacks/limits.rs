@@ -109,7 +109,7 @@ fn silent_connections_keep_no_page_out() {
 /// Attack 10: a page that never reads.
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_page_that_never_reads_is_disconnected_and_others_are_served() {
+fn slow_page_that_never_reads_is_disconnected() {
     let folder = Folder::new("deaf");
     let layouts = folder.0.join("layouts.json");
     std::fs::write(&layouts, json!({ "large": "x".repeat(900_000) }).to_string()).unwrap();

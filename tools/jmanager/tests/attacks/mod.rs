@@ -52,7 +52,7 @@ fn a_socket_for_a_foreign_origin_is_refused() {
 
 /// Attack 2.
 #[test]
-fn a_foreign_name_of_this_computer_is_refused_before_anything_else() {
+fn foreign_host_name_is_refused_first() {
     let target = target(None);
     let port = target.address.port();
     for host in ["evil.test".to_owned(), format!("evil.test:{port}"), format!("127.0.0.1:{}", port ^ 1), String::new()]
@@ -78,7 +78,7 @@ fn localhost_leads_to_the_address() {
 
 /// Attack 3.
 #[test]
-fn plain_http_changes_nothing_and_other_sites_get_nothing() {
+fn plain_http_changes_nothing() {
     let target = target(None);
     let host = target.host();
     for method in ["HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"] {
@@ -111,7 +111,7 @@ fn the_modules_of_extensions_are_served_and_no_others() {
 
 /// Attack 4.
 #[test]
-fn without_a_proof_nothing_is_shown_and_a_key_works_once() {
+fn nothing_is_shown_without_a_proof() {
     let target = target(None);
     let key = target.key();
     let (_, entered) = target.enter(&json!({ "key": key }));
@@ -137,7 +137,7 @@ fn without_a_proof_nothing_is_shown_and_a_key_works_once() {
 
 /// Attack 5: browsers send cookies and credentials to every port of a host, but not the first message of a socket.
 #[test]
-fn no_response_leaves_something_that_a_browser_sends_to_other_ports() {
+fn no_response_sets_credentials() {
     let target = target(Some(TOKEN));
     let key = target.key();
     let entered = target.enter(&json!({ "key": key })).1;
@@ -208,7 +208,7 @@ fn the_page_writes_data_only_as_text() {
 }
 
 #[test]
-fn messages_of_the_page_are_answered_in_order_and_wrong_ones_with_their_number() {
+fn each_message_of_the_page_is_answered() {
     let target = target(None);
     let mut page = target.page();
     assert_eq!(message(&mut page).unwrap()["type"], "hello");
@@ -253,7 +253,7 @@ fn an_address_for_other_computers_needs_a_token() {
 
 /// Attack 14.
 #[test]
-fn the_token_of_the_file_lets_a_page_of_the_own_origin_in() {
+fn token_of_the_file_lets_a_page_in() {
     let target = target(Some(TOKEN));
     for wrong in ["wrong", "", &TOKEN[1..]] {
         assert_eq!(target.enter(&json!({ "token": wrong })).1["code"], 4403, "{wrong}");

@@ -90,7 +90,7 @@ fn no_secret_is_printed_but_a_key_that_works_once() {
 
 /// Attack 14.
 #[test]
-fn the_program_does_not_listen_for_other_computers_without_a_token_and_warns_with_one() {
+fn listening_for_others_needs_a_token_and_warns() {
     let mut program = Program::start(&["--listen", "0.0.0.0"]);
     let mut text = String::new();
     program.child.stderr.take().unwrap().read_to_string(&mut text).unwrap();
@@ -103,7 +103,7 @@ fn the_program_does_not_listen_for_other_computers_without_a_token_and_warns_wit
 }
 
 #[test]
-fn sigterm_and_sighup_end_the_program_in_order_even_if_doubled() {
+fn sigterm_and_sighup_end_the_program_in_order() {
     for signals in [&["TERM"][..], &["HUP"], &["HUP", "TERM", "HUP"]] {
         let mut program = Program::start(&[]);
         let (_, _, output) = program.url();

@@ -101,7 +101,7 @@ fn no_request_leads_out_of_the_folder_of_sources() {
 }
 
 #[test]
-fn a_huge_text_gets_an_answer_and_a_larger_one_ends_the_page() {
+fn huge_text_is_answered_and_a_larger_ends_the_page() {
     let sources = Sources::new();
     let target = target_with(None, sources.options());
     let mut page = target.page();

@@ -149,7 +149,7 @@ fn watched_image(page: &Page) -> u32 {
 }
 
 #[test]
-fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
+fn edited_profile_is_sent_as_parameters() {
     let (page, description) = crate::sessions::world::running();
     let (component, param) = crate::sessions::world::find(&description, "Colours", "params", "orange_luma_min");
     let image = watched_image(&page);
@@ -167,7 +167,7 @@ fn the_profile_under_edit_is_sent_to_the_robot_as_parameters() {
 }
 
 #[test]
-fn the_end_of_the_field_is_shown_with_what_was_rejected() {
+fn field_boundary_is_shown_with_rejected_points() {
     let (page, _) = crate::sessions::world::running();
     let image = watched_image(&page);
     let message = |image: u32| Request::Extension { name: "boundary".to_owned(), message: json!({ "image": image }) };

@@ -43,7 +43,7 @@ fn replace(view: &View, file: &str, from: &str, to: &str) {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_save_is_checked_and_messages_have_their_place() {
+fn slow_messages_of_a_check_have_their_place() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
     let bench = bench(&sources);
     let view = View::of(&bench, "src/lib.rs");
@@ -89,7 +89,7 @@ fn without_permission_nothing_is_built() {
 }
 
 #[test]
-fn a_file_of_no_package_and_a_broken_manifest_are_reported() {
+fn missing_package_and_broken_manifest_are_errors() {
     let sources = package(&[("src/lib.rs", LIBRARY)]);
     sources.write("Cargo.toml", "[package\n");
     let bench = bench(&sources);
@@ -122,7 +122,7 @@ fn lines(path: &Path) -> Vec<String> {
 #[cfg(unix)]
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_check_of_old_text_is_ended_with_all_that_it_has_started() {
+fn slow_check_of_old_text_is_ended_with_its_processes() {
     let script = "use std::io::Write;\nfn main() {\n    let mut pids = std::fs::OpenOptions::new().create(true).append(true).open(\"pids\").unwrap();\n    \
                   writeln!(pids, \"{}\", std::process::id()).unwrap();\n    while std::path::Path::new(\"block\").exists() {\n        \
                   std::thread::sleep(std::time::Duration::from_millis(20));\n    }\n}\n";
@@ -156,7 +156,7 @@ fn build(view: &View, state: &str) -> Value {
 #[cfg(unix)]
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_program_is_built_and_run_and_a_failed_build_leaves_the_last_one_running() {
+fn slow_failed_build_leaves_the_last_program_running() {
     let program = "use std::time::Duration;\nfn main() {\n    let words: Vec<String> = std::env::args().collect();\n    \
                    let listener = std::net::TcpListener::bind(&words[1]).unwrap();\n    \
                    std::fs::write(\"pid\", std::process::id().to_string()).unwrap();\n    \

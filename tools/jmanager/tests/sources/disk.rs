@@ -34,7 +34,7 @@ fn what_was_not_saved_is_saved_at_the_end() {
 }
 
 #[test]
-fn an_edit_of_another_program_appears_and_can_be_undone() {
+fn foreign_edit_appears_and_can_be_undone() {
     let (sources, view) = Sources::shown();
     let theirs = PLAYER.replace("/// Looks.", "/// Looks far.");
     sources.write("player.rs", &theirs);
@@ -124,7 +124,7 @@ fn both_texts_of_an_open_conflict_are_kept_at_the_end() {
 }
 
 #[test]
-fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
+fn deleted_file_keeps_its_text_and_can_return() {
     let (sources, view) = Sources::shown();
     fs::remove_file(sources.path("player.rs")).unwrap();
     let shown = view.until("player.rs", "deleted", |shown| shown.state["deleted"] == true);
@@ -145,7 +145,7 @@ fn a_deleted_file_keeps_its_text_and_can_be_made_again() {
 
 #[cfg(unix)]
 #[test]
-fn a_read_only_file_is_reported_and_saved_when_it_may_be() {
+fn read_only_file_is_reported_and_saved_later() {
     use std::os::unix::fs::PermissionsExt;
     let (sources, view) = Sources::shown();
     let allow = |mode| fs::set_permissions(sources.path("player.rs"), fs::Permissions::from_mode(mode)).unwrap();

@@ -7,7 +7,7 @@ use crate::sessions::page::options;
 use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]
-fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
+fn all_pages_share_one_text_and_history() {
     let sources = Sources::player();
     let bench = sources.bench();
     let (one, other) = (View::of(&bench, "player.rs"), View::of(&bench, "player.rs"));
@@ -40,7 +40,7 @@ fn canvas_and_code_of_all_pages_share_one_text_and_one_history() {
 }
 
 #[test]
-fn an_edit_with_offsets_of_an_older_text_is_refused_and_one_by_name_is_not() {
+fn edit_by_old_offsets_is_refused_but_not_by_name() {
     let (_sources, view) = Sources::shown();
     let edit = |version: u64, edit: Value| {
         view.ask(json!({ "type": "edit_file", "file": "player.rs", "version": version, "edits": [edit] }))
@@ -79,7 +79,7 @@ fn refused_edits_say_why_and_change_nothing() {
 }
 
 #[test]
-fn moved_states_are_written_beside_and_follow_a_new_name() {
+fn moved_states_follow_a_new_name() {
     let (sources, view) = Sources::shown();
     let moved = |state: &str, x: i32| {
         let positions = json!([{ "component": "Player", "state": state, "x": x, "y": 80 }]);
@@ -126,7 +126,7 @@ fn moved_states_are_written_beside_and_follow_a_new_name() {
 }
 
 #[test]
-fn notes_are_written_beside_and_stay_while_the_text_is_broken() {
+fn notes_stay_while_the_text_is_broken() {
     let (sources, view) = Sources::shown();
     let change = |from: &Value, to: &Value| {
         view.ask(json!({ "type": "change_note", "file": "player.rs", "component": "Player", "from": from, "to": to }))

@@ -7,7 +7,7 @@ use serde_json::json;
 use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]
-fn a_file_that_is_replaced_by_a_link_is_neither_read_nor_written_through_it() {
+fn no_file_is_read_or_written_through_a_link() {
     let sources = Sources::player();
     let bench = sources.bench();
     let view = View::of(&bench, "player.rs");

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn of_data_that_nobody_takes_the_newest_value_of_each_output_stays() {
+    fn newest_value_of_each_output_waits() {
         let mut waiting = Pending::<(), Key, EncodedPart>::default();
         let watched = Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]);
         for cycle in 0..100 {

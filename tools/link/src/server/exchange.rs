@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_exchange_cannot_take_stays_bounded_with_the_loop() {
+    fn exchange_stays_bounded() {
         let (exchange, mut outgoing) = (Exchange::default(), Outgoing::default());
         let in_use = exchange.lock();
         for cycle in 0..20 {

@@ -53,7 +53,7 @@ fn an_action_is_in_force_in_the_cycle_of_its_answer() {
 }
 
 #[test]
-fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
+fn refused_action_is_answered_with_its_reason() {
     let session = Session::start_world();
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();

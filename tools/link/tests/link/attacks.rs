@@ -22,7 +22,7 @@ const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Late
 
 /// Attacks 1 and 3: a web page makes a browser send packets to the link. What it chooses comes behind a head.
 #[test]
-fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
+fn connection_without_a_packet_is_closed() {
     let session = Session::start();
     let http = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:7400\r\nContent-Type: text/plain\r\nContent-Length: 200\r\n\r\n";
     let handshake = [0x16, 3, 1, 2, 0, 1, 0, 1, 0xfc, 3, 3];
@@ -62,7 +62,7 @@ fn assert_closed(stream: &mut TcpStream) {
 
 /// Attack 8: the operator's program was killed, or its network is gone.
 #[test]
-fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
+fn lease_of_a_gone_operator_ends() {
     let silence = Duration::from_secs(30);
     let session = Session::start_with(&anywhere(), silence);
     let mut watcher = session.client();

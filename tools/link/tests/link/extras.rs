@@ -33,7 +33,7 @@ fn image(client: &mut Client) -> Image {
 }
 
 #[test]
-fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
+fn paused_world_applies_requests_and_counts_steps() {
     let session = Session::start_world();
     let (mut operator, mut watcher) = (session.client(), session.client());
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
@@ -70,7 +70,7 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
 }
 
 #[test]
-fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
+fn monitor_gets_all_of_a_paused_world_s_last_cycle() {
     let session = Session::start_world();
     let (mut operator, mut slow) = (session.client(), session.client());
     let seldom = |client: &mut Client| {
@@ -122,7 +122,7 @@ fn the_operator_is_silent_in_a_paused_world_too() {
 }
 
 #[test]
-fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
+fn time_stops_only_for_a_world_s_operator() {
     let session = Session::start();
     let mut client = session.client();
     assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS).with(Offers::IMAGES));
@@ -182,7 +182,7 @@ impl Probe for Oracle {
 impl Observer<CartTree> for Oracle {}
 
 #[test]
-fn conditions_and_the_true_state_are_those_of_their_cycle() {
+fn conditions_and_truth_are_of_their_cycle() {
     const CYCLES: usize = 2000;
     let session = Session::start_world();
     let mut client = session.client();
@@ -230,7 +230,7 @@ pub(crate) fn distance(truth: &Truth) -> f32 {
 }
 
 #[test]
-fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_world_declares_them() {
+fn attached_monitor_gets_scenery_result_and_items() {
     let session = Session::start_world();
     let mut client = session.client();
     client.watch_extra(ExtraKind::Truth, 1).unwrap();
@@ -296,7 +296,7 @@ fn costs_have_the_runs_of_their_window() {
 }
 
 #[test]
-fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
+fn monitor_gets_the_newest_image_next() {
     let session = Session::start_world();
     let (mut slow, mut other) = (session.client(), session.client());
     for client in [&mut slow, &mut other] {
@@ -336,7 +336,7 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
 }
 
 #[test]
-fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease() {
+fn world_pauses_at_a_stop_unless_leased() {
     let session = Session::start_world();
     let (mut watcher, mut operator) = (session.client(), session.client());
     // The cart waits while the wall is near, and approaches it when it is far.

@@ -37,7 +37,7 @@ pub(crate) fn assert_served(session: &Session) {
 }
 
 #[test]
-fn a_monitor_that_never_reads_is_disconnected_and_disturbs_nobody() {
+fn monitor_that_never_reads_is_disconnected() {
     let session = Session::start();
     let mut deaf = raw(&session);
     let mut encoder = Encoder::new();
@@ -88,7 +88,7 @@ fn a_storm_of_requests_is_limited_in_each_cycle() {
 }
 
 #[test]
-fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() {
+fn messages_before_a_cycle_are_limited() {
     const EACH: usize = 32;
     let session = Session::start();
     let mut clients: Vec<_> = (0..6).map(|_| session.client()).collect();
@@ -113,7 +113,7 @@ fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() 
 }
 
 #[test]
-fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
+fn garbage_is_counted_and_skipped() {
     let session = Session::start();
     let mut link = raw(&session);
     let mut encoder = Encoder::new();
@@ -161,7 +161,7 @@ pub(crate) fn cut(client: &mut Client) -> Error {
 }
 
 #[test]
-fn a_client_connects_again_and_continues_watching_and_its_lease() {
+fn reconnected_client_keeps_watches_and_lease() {
     let session = Session::start();
     let proxy = Proxy::start(session.server.address());
     let mut client = connect(&proxy.address.parse().unwrap());

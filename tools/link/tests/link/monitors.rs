@@ -45,7 +45,7 @@ fn attaching_and_watching_change_no_command() {
 }
 
 #[test]
-fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
+fn snapshot_has_cycle_instant_and_states() {
     let session = Session::start();
     let mut client = session.client();
     client.watch(1).unwrap();
@@ -62,7 +62,7 @@ fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
 }
 
 #[test]
-fn information_is_decoded_and_comes_in_every_nth_cycle() {
+fn output_comes_in_every_nth_cycle() {
     let session = Session::start();
     let mut client = session.client();
     // Another monitor watches the same in each cycle.
@@ -86,7 +86,7 @@ fn information_is_decoded_and_comes_in_every_nth_cycle() {
 }
 
 #[test]
-fn every_monitor_receives_changed_parameters_and_log_lines() {
+fn every_monitor_gets_new_parameters_and_log_lines() {
     let session = Session::start();
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();

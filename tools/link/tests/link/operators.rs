@@ -22,7 +22,7 @@ const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Late
 const SLOW: Request<'static> = Request::Rate { component: DRIVE, hz: Some(5.0) };
 
 #[test]
-fn a_parameter_is_in_force_in_the_first_or_second_cycle_after_its_arrival() {
+fn parameter_is_in_force_within_two_cycles() {
     let session = Session::start();
     let mut operator = session.client();
     operator.acquire(false).unwrap();
@@ -58,7 +58,7 @@ fn a_batch_is_applied_whole_or_refused_whole() {
 }
 
 #[test]
-fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
+fn lease_end_ends_holds_and_keeps_parameters() {
     let session = Session::start();
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
@@ -77,7 +77,7 @@ fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
 }
 
 #[test]
-fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
+fn silence_ends_the_lease_on_the_robot_s_clock() {
     let silence = Duration::from_secs(30);
     let session = Session::start_with(&anywhere(), silence);
     let mut watcher = session.client();
@@ -94,7 +94,7 @@ fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
 }
 
 #[test]
-fn a_second_operator_is_refused_until_it_takes_the_lease() {
+fn second_operator_is_refused_until_it_takes() {
     let session = Session::start();
     let (mut first, mut second) = (session.client(), session.client());
     first.acquire(false).unwrap();
@@ -118,7 +118,7 @@ fn a_second_operator_is_refused_until_it_takes_the_lease() {
 }
 
 #[test]
-fn numbers_of_leases_cannot_be_guessed_and_a_live_lease_is_not_moved_by_its_number() {
+fn lease_numbers_cannot_be_guessed() {
     let session = Session::start();
     let (mut operator, mut other) = (session.client(), session.client());
     let numbers = [(); 4].map(|()| {

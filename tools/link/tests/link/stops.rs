@@ -24,7 +24,7 @@ fn assert_stands(session: Session, from: u64) {
 }
 
 #[test]
-fn stop_ends_what_an_operator_does_and_a_start_needs_a_lease() {
+fn stop_ends_control_and_a_start_needs_a_lease() {
     let session = Session::start();
     let (mut operator, mut other) = (session.client(), session.client());
     operator.acquire(false).unwrap();

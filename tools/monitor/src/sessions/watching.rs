@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
+    fn late_watch_gets_the_last_message_before_a_pause() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let pixels: Arc<[u8]> = vec![0; 1 << 16].into();
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn the_last_image_before_a_pause_reaches_a_page_that_wants_few() {
+    fn last_image_before_a_pause_reaches_every_page() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let page = Arc::new(Received::default());

@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_that_wait_when_the_page_is_gone_are_dropped() {
+    fn requests_of_a_page_that_is_gone_are_dropped() {
         let (sender, requests) = sync_channel(8);
         for id in 1..=5 {
             sender.send(FromPage { id, session: None, request: Request::Recordings {} }).unwrap();

@@ -30,7 +30,7 @@ pub(crate) fn finish(mut served: Served) -> String {
 }
 
 #[test]
-fn an_operator_describes_sets_holds_changes_rates_and_calls() {
+fn operator_can_request_every_change() {
     let game = small_game(&["--seconds", "600"]);
     let (code, lines, _) = monitor(&game, &["describe", "FaceBall"]);
     assert_eq!(code, Some(0));
@@ -102,7 +102,7 @@ fn a_served_world_is_shown() {
 }
 
 #[test]
-fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
+fn game_with_a_placed_ball_replays() {
     let folder = crate::process::Folder::new("link-ball");
     let file = &folder.file("run.mcap");
     let game = small_game(&["--seconds", "6", "--record", file, "--images", "none"]);

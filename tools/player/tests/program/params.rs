@@ -44,7 +44,7 @@ fn limit(name: &str, args: &[&str]) -> (String, Value) {
 }
 
 #[test]
-fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
+fn colour_profile_is_a_layer_between_tune_files() {
     let folder = Folder::new("tune-profile");
     fs::write(folder.file("built-in.toml"), "[Colours]\norange_hue_to = 140\ngreen_luma_max = 199\n").unwrap();
     fs::write(folder.file("rob.toml"), "[Colours]\nblue_luma_max = 150\n").unwrap();
@@ -62,7 +62,7 @@ fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
 }
 
 #[test]
-fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
+fn colour_profile_becomes_an_equal_tune_file() {
     let folder = Folder::new("tune-convert");
     for profile in ["nao2009", "darwin2013"] {
         let file = folder.file(&format!("{profile}.toml"));
@@ -80,7 +80,7 @@ fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
 }
 
 #[test]
-fn a_profile_that_parameters_cannot_express_is_refused() {
+fn inexpressible_profile_is_refused() {
     let folder = Folder::new("tune-inexpressible");
     let file = folder.file("hall.toml");
     let of_profile = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/nao2009.toml")).unwrap();
@@ -98,7 +98,7 @@ fn a_profile_that_parameters_cannot_express_is_refused() {
 }
 
 #[test]
-fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
+fn tune_files_then_the_command_line_decide() {
     let folder = Folder::new("tune-layers");
     fs::write(folder.file("built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
     fs::write(folder.file("rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
@@ -131,7 +131,7 @@ fn a_written_tune_file_gives_the_same_values() {
 }
 
 #[test]
-fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
+fn wrong_parameters_are_errors_of_every_command() {
     let folder = Folder::new("tune-errors");
     let file = folder.file("built-in.toml");
     fs::write(&file, "# comment\n[FaceBall]\ngian = 0.5\n").unwrap();
@@ -161,7 +161,7 @@ fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
 }
 
 #[test]
-fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decided() {
+fn replay_shows_effects_of_other_parameters() {
     let folder = Folder::new("tune-replay");
     let file = folder.file("run.mcap");
     let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);

@@ -95,7 +95,7 @@ fn monitored(file: &str) {
 }
 
 #[test]
-fn what_a_monitor_recorded_is_shown_cut_and_mended_and_not_replayed() {
+fn monitor_recording_is_shown_but_not_replayed() {
     let folder = Folder::new("recorded-monitor");
     let (file, game) = (folder.file("sent.mcap"), folder.file("game.mcap"));
     monitored(&file);

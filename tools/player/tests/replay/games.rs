@@ -30,7 +30,7 @@ fn replays_bit_for_bit(world: WorldKind, seeds: std::ops::Range<u64>, seconds: f
 }
 
 #[test]
-fn games_replay_bit_for_bit_from_stored_values_and_from_rules() {
+fn games_replay_from_values_and_from_rules() {
     replays_bit_for_bit(WorldKind::BuiltIn, 10..13, 2.0);
 }
 
@@ -42,14 +42,14 @@ fn long_a_hundred_whole_games_replay_bit_for_bit() {
 
 #[cfg(feature = "mujoco")]
 #[test]
-fn games_in_mujoco_replay_bit_for_bit_from_stored_values_and_from_rules() {
+fn mujoco_games_replay_bit_for_bit() {
     replays_bit_for_bit(WorldKind::Mujoco, 30..32, 1.0);
 }
 
 #[cfg(feature = "mujoco")]
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_twenty_whole_games_in_mujoco_replay_bit_for_bit() {
+fn long_twenty_mujoco_games_replay_bit_for_bit() {
     replays_bit_for_bit(WorldKind::Mujoco, 0..20, 60.0);
 }
 
@@ -71,7 +71,7 @@ fn a_span_is_compared_and_other_recordings_are() {
 }
 
 #[test]
-fn a_recording_of_another_tree_or_without_its_start_is_refused() {
+fn foreign_or_headless_recording_is_refused() {
     let file = Temporary::new("refused.mcap");
     let refused = |bytes: &[u8]| {
         fs::write(&file.0, bytes).expect("room");

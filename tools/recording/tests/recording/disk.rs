@@ -12,7 +12,7 @@ use crate::support::{Cart, Disk, Sensors, cycles, header, pixels, record, record
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
+fn slow_full_disk_leaves_a_readable_file() {
     let whole = recorded(60).len();
     let mut lengths = Vec::new();
     for capacity in (0..whole).step_by(whole / 200) {
@@ -35,7 +35,7 @@ fn slow_a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
 }
 
 #[test]
-fn a_full_disk_is_reported_at_once_and_named_in_the_file_if_there_is_room() {
+fn full_disk_is_reported_at_once_and_in_the_file() {
     let (sender, receiver) = std::sync::mpsc::channel();
     let disk = Disk { capacity: Some(recorded(1).len() + 300), ..Disk::default() };
     let on_end = move |reason: &str| sender.send(reason.to_owned()).expect("somebody listens");
@@ -81,7 +81,7 @@ fn a_queue_without_room_for_values_ends_the_recording() {
 }
 
 #[test]
-fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
+fn simulation_waits_for_a_slow_disk() {
     let disk = Disk { delay: Duration::from_millis(2), ..Disk::default() };
     let backpressure = Backpressure::Wait;
     let options = RecorderOptions { cycles: 10, images: 2, backpressure, ..small_chunks() };
@@ -92,7 +92,7 @@ fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
 }
 
 #[test]
-fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
+fn long_sync_delays_no_write() {
     // The queue has room for their images and scans.
     const STEP: u64 = 45;
     let (disk, mut cart, mut count) = (Disk::default(), Cart::new(), 0);

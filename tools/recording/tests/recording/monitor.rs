@@ -146,7 +146,7 @@ fn an_image_of_an_impossible_size_is_left_out() {
 }
 
 #[test]
-fn a_trimmed_recording_begins_with_the_states_and_holds_before_it() {
+fn trimmed_recording_begins_with_earlier_states() {
     let mut part = Vec::new();
     let copied = trim(Cursor::new(recorded(40, 0)), &mut part, 250_000_000, 300_000_000, None).expect("memory");
     assert_eq!(copied.cycles, 6);
@@ -180,7 +180,7 @@ fn a_full_disk_leaves_all_complete_chunks() {
 }
 
 #[test]
-fn an_overview_lists_requests_and_events_and_no_fingerprint() {
+fn overview_lists_requests_and_events() {
     let info = Info::read(&recorded(40, 0)[..]).expect("a recording");
     assert_eq!((info.cycles, info.fingerprint.as_str(), info.damage), (40, "", None));
     assert_eq!((info.requests[0].request.as_str(), info.events[0].event.as_str()), ("hold Counter Latent", "goal"));

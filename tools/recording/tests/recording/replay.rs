@@ -101,7 +101,7 @@ fn other_processors_are_named_if_both_are_known() {
 }
 
 #[test]
-fn the_first_difference_of_another_parameter_names_its_value() {
+fn first_difference_names_the_parameter_s_value() {
     let file = Temporary::new("cart-gain.mcap", &recorded(60));
     let report = replayed(&ReplayOptions::whole(&file.0), Some(0.5));
     let first = report.first_difference.expect("another gain");
@@ -135,7 +135,7 @@ fn a_cart_that_runs_again_is_recorded_as_before() {
 }
 
 #[test]
-fn a_new_course_that_cannot_be_written_to_its_end_is_an_error() {
+fn unwritable_new_course_is_an_error() {
     let file = Temporary::new("cart-long.mcap", &recorded(60));
     let out = file.0.with_file_name("cart-pipe.mcap");
     let _ = fs::remove_file(&out);

@@ -76,7 +76,7 @@ fn described(topics: Topics) -> (Vec<u8>, Messages) {
 }
 
 #[test]
-fn topics_change_nothing_else_and_are_made_again_by_a_copy() {
+fn topics_are_made_again_by_a_copy() {
     let [(none, empty), (standard, shown), (all, _)] = [Topics::None, Topics::Standard, Topics::All].map(described);
     assert_eq!(empty, BTreeMap::new());
     let names: Vec<_> = shown.keys().map(String::as_str).collect();
@@ -93,7 +93,7 @@ fn topics_change_nothing_else_and_are_made_again_by_a_copy() {
 }
 
 #[test]
-fn previews_are_three_images_a_second_and_scans_are_points() {
+fn previews_are_rare_and_scans_are_points() {
     let (_, shown) = described(Topics::Standard);
     let times: Vec<_> = shown["/camera/image"].iter().map(|(time, _)| time / 1_000_000).collect();
     assert_eq!(times, [50, 350], "with the outputs of cycles 5 and 35");
@@ -215,7 +215,7 @@ fn visual_outputs_are_shown_in_their_frames() {
 }
 
 #[test]
-fn rates_are_bounded_and_what_a_latent_component_showed_disappears() {
+fn rates_are_bounded_and_latent_outputs_disappear() {
     let shown = monitored(2);
     assert_eq!(shown["/tf"].len(), 1 + 2 * 17, "17 a second, of 50 records");
     assert_eq!(shown["/eye/image"].len(), 7);
@@ -255,7 +255,7 @@ fn each_camera_has_its_own_topic() {
 }
 
 #[test]
-fn two_things_with_one_topic_are_refused_before_the_run() {
+fn equal_topics_are_refused_before_the_run() {
     let item = |name: &str| Scenery {
         name: name.to_owned(),
         shape: "Point2".to_owned(),

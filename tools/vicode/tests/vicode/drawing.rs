@@ -58,7 +58,7 @@ fn curves_cross_no_state_and_names_cover_nothing() {
 
 /// Column by column: the distance from the initial state over the transitions that name the states they leave.
 #[test]
-fn column_of_a_state_is_its_distance_from_the_initial_state() {
+fn column_of_a_state_is_its_distance_from_the_start() {
     let texts = ["player", "examples"].into_iter().flat_map(components);
     let machines = texts.flat_map(|(_, text)| read(&text).components).filter(Component::is_machine);
     let (mut hooks, mut from_any) = (0, 0);

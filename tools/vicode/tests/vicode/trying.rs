@@ -164,7 +164,7 @@ fn rates_are_read_as_the_macros_read_them() {
 }
 
 #[test]
-fn ways_out_are_listed_in_their_order_with_the_rest_of_their_timers() {
+fn ways_out_are_listed_with_their_timers() {
     let text = &*source("hz = 40");
     let model = read(text);
     let on = |condition: &str| Step::Switch { condition: condition.to_owned(), on: true };

@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn a_series_has_the_values_at_both_ends_of_the_interval() {
+    fn series_has_the_values_at_both_ends() {
         let store = store(&[(10, 1), (20, 2), (30, 3), (40, 3)]);
         assert_eq!(store.series(1, 2, 15, 25, 10), [(15, json!(1)), (20, json!(2)), (25, json!(2))]);
         assert_eq!(store.series(1, 2, 0, 99, 10), [(10, json!(1)), (20, json!(2)), (30, json!(3)), (40, json!(3))]);
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn memory_is_given_back_and_the_value_at_the_horizon_stays() {
+    fn memory_is_freed_up_to_the_horizon() {
         let mut store = store(&[(10, 1), (20, 2), (30, 3)]);
         let before = store.bytes();
         store.evict(25);

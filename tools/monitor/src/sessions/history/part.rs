@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn all_parts_together_are_everything_once_whatever_their_size() {
+    fn parts_of_any_size_are_everything_once() {
         let history = history();
         for size in [1, 3, 7, 100] {
             let (mut all, mut after) = (Vec::new(), None);

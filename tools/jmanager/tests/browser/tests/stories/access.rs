@@ -47,7 +47,7 @@ async fn in_each_layout(page: &Page, check: &str) {
 }
 
 #[tokio::test]
-async fn no_layout_has_a_serious_finding_of_axe_or_a_small_target() {
+async fn no_layout_has_a_serious_finding_of_axe() {
     let server = Server::start("access", &["--source", &repository("player")]);
     let page = open_in(&server, SMALL).await;
     load_axe(&page).await;

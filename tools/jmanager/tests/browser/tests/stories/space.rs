@@ -31,7 +31,7 @@ async fn paused(server: &Server, arguments: &[&str]) -> Page {
 }
 
 #[tokio::test]
-async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
+async fn map_follows_the_robot_in_three_dimensions() {
     let server = Server::start("space", &[]);
     let page = paused(&server, &[]).await;
     assert_eq!(page.run(LOADED).await, json!(false), "the library is loaded with the page");
