@@ -10,20 +10,18 @@ use bica_wire::message::{Hold, LogSource, Setting, Value};
 
 use crate::faults::cut;
 use crate::robot::{CART, CartTree, DRIVE};
-use crate::session::{CYCLE_US, Session, Wall, event, next, snapshot};
+use crate::session::{CYCLE_US, Session, Wall, Way, event, next, over_ways, snapshot};
 
-#[test]
-fn the_description_is_that_of_the_robot_in_its_world() {
-    let session = Session::start_world();
+fn the_description_is_that_of_the_robot_in_its_world(way: Way) {
+    let session = Session::start_world(way);
     let described = Description::of(&CartTree::GRAPH).with_actions(Wall::new().list()).of_robot(&CartTree::new());
     assert!(described.messages.is_some() && described.components[1].info[0].schema.is_some());
     assert_eq!(*session.client().description(), described);
 }
 
-#[test]
-fn attaching_and_watching_change_no_command() {
+fn attaching_and_watching_change_no_command(way: Way) {
     const MONITORS: usize = 20;
-    let session = Session::start();
+    let session = Session::start(way);
     session.run(50);
     let mut clients: Vec<_> = (0..MONITORS).map(|_| session.client()).collect();
     for client in &mut clients {
@@ -44,9 +42,8 @@ fn attaching_and_watching_change_no_command() {
     assert_eq!(commands, expected);
 }
 
-#[test]
-fn snapshot_has_cycle_instant_and_states() {
-    let session = Session::start();
+fn snapshot_has_cycle_instant_and_states(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     client.watch(1).unwrap();
     let first = snapshot(&mut client, "a snapshot", |_| true);
@@ -61,9 +58,8 @@ fn snapshot_has_cycle_instant_and_states() {
     }
 }
 
-#[test]
-fn output_comes_in_every_nth_cycle() {
-    let session = Session::start();
+fn output_comes_in_every_nth_cycle(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     // Another monitor watches the same in each cycle.
     let mut other = session.client();
@@ -85,9 +81,8 @@ fn output_comes_in_every_nth_cycle() {
     assert_eq!(client.poll(Duration::from_millis(50)).unwrap(), None);
 }
 
-#[test]
-fn every_monitor_gets_new_parameters_and_log_lines() {
-    let session = Session::start();
+fn every_monitor_gets_new_parameters_and_log_lines(way: Way) {
+    let session = Session::start(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     let setting = Setting::new(CART, 0, Value::F32(0.75));
@@ -114,7 +109,7 @@ fn every_monitor_gets_new_parameters_and_log_lines() {
 
 #[test]
 fn one_monitor_too_many_is_told_so() {
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let clients: Vec<_> = (0..MAX_MONITORS).map(|_| session.client()).collect();
     let address = session.server.address().parse().unwrap();
     let error = bica_link::Client::connect(&address, bica_link::ClientOptions::default()).err().unwrap();
@@ -125,18 +120,16 @@ fn one_monitor_too_many_is_told_so() {
     session.client();
 }
 
-#[test]
-fn the_end_of_the_run_is_told_to_monitors() {
-    let session = Session::start();
+fn the_end_of_the_run_is_told_to_monitors(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     drop(session);
     let error = cut(&mut client);
     assert!(matches!(&error, Error::Disconnected(reason) if reason == "the run has ended"), "{error}");
 }
 
-#[test]
-fn a_modulation_is_called_before_the_next_cycle() {
-    let session = Session::start();
+fn a_modulation_is_called_before_the_next_cycle(way: Way) {
+    let session = Session::start(way);
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     operator.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
@@ -149,4 +142,13 @@ fn a_modulation_is_called_before_the_next_cycle() {
     let cycle = usize::try_from(answer.cycle).unwrap();
     assert!(commands[cycle..cycle + 20].iter().all(|&command| command == (-0.25_f32).to_bits()));
     assert_ne!(commands[cycle - 1], (-0.25_f32).to_bits());
+}
+
+over_ways! { memory tcp serial:
+    the_description_is_that_of_the_robot_in_its_world, snapshot_has_cycle_instant_and_states,
+    the_end_of_the_run_is_told_to_monitors, a_modulation_is_called_before_the_next_cycle
+}
+over_ways! { memory tcp:
+    attaching_and_watching_change_no_command, output_comes_in_every_nth_cycle,
+    every_monitor_gets_new_parameters_and_log_lines
 }
