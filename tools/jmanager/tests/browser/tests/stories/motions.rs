@@ -9,7 +9,8 @@ use crate::access::{AXE, TARGETS, load_axe, set_theme};
 use crate::looks::FAULTS;
 
 const WIDE: (u32, u32) = (1600, 1000);
-const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
+const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n\
+    /// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
 /// Sources with motions, in a folder of their own.

@@ -17,7 +17,14 @@ const SEEN: &str = "const canvas = document.querySelector('.field canvas[aria-hi
 const LOADED: &str = "return performance.getEntriesByType('resource').some(({ name }) => name.endsWith('three.js'))";
 
 async fn seen(page: &Page, condition: &str) {
-    page.until(condition, &format!("const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white, grey] = seen; return {condition}")).await;
+    page.until(
+        condition,
+        &format!(
+            "const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white, grey] = seen; \
+        return {condition}"
+        ),
+    )
+    .await;
 }
 
 /// Opens a paused game in the dark theme.
