@@ -12,7 +12,7 @@ use bica::{Blob, Format, Probe, Value, world_actions};
 use bica_link::{
     Address, Answered, Client, ClientOptions, Error, Event, LinkServer, LinkStats, Memory, ServerOptions, Snapshot,
 };
-use bica_wire::message::{Hold, Offers, RefusalCode, WorldChange};
+use bica_wire::message::{Offers, RefusalCode, WorldChange};
 
 use crate::robot::CartTree;
 

@@ -7,10 +7,10 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use bica_monitor::program::Program;
 use bica_monitor::protocol::{FromPage, Open, Request, SessionId, ToPage};
 use bica_monitor::sessions::{Frame, Key, Manager, Options, Outbox, PageId};
 pub(crate) use bica_test_data::process::Folder;
-use jmanager::{SoccerOptions, program};
 use serde_json::Value;
 
 /// Longest wait for anything.
@@ -67,11 +67,11 @@ impl Bench {
     }
 
     pub(crate) fn of(folder: &Arc<Folder>, options: Options) -> Arc<Self> {
-        Self::of_program(folder, options, SoccerOptions::default())
+        Self::of_program(folder, options, crate::program())
     }
 
-    pub(crate) fn of_program(folder: &Arc<Folder>, options: Options, soccer: SoccerOptions) -> Arc<Self> {
-        Arc::new(Self { manager: Manager::new(options, program(soccer)), folder: Arc::clone(folder) })
+    pub(crate) fn of_program(folder: &Arc<Folder>, options: Options, program: Program) -> Arc<Self> {
+        Arc::new(Self { manager: Manager::new(options, program), folder: Arc::clone(folder) })
     }
 }
 

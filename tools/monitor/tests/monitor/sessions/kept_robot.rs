@@ -1,6 +1,5 @@
 //! Recordings of a robot behind a link.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
@@ -9,18 +8,17 @@ use bica::Hold;
 use bica_app::Failure;
 use bica_link::Plain;
 use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
-use bica_player_program::game::{ReplayOptions, replay};
-use bica_recording::{Info, LogLine, LogSource, Recording};
-use jmanager::ROBOTS;
+use bica_recording::{Info, LogLine, LogSource, Recording, ReplayOptions};
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, Folder, Got, Page};
-use crate::sessions::recorded::opened;
-use crate::sessions::robot::{Robot, attached};
+use crate::lamp::{CYCLE_US, app};
+use crate::page::{Bench, Folder, Got, Page};
+use crate::served::{Served, attached};
+use crate::sessions::recorded::{opened, record};
 use crate::sessions::world::{find, hold, set_gain};
 
 /// Opens a robot with one page, and waits until it has sent some cycles.
-fn running(robot: &Robot) -> (Page, Value) {
+fn running(robot: &Served) -> (Page, Value) {
     let (page, description) = attached(&format!("tcp://{}", robot.address));
     page.cycle(6);
     (page, description)
@@ -48,18 +46,17 @@ fn info(path: &Path) -> Info {
 }
 
 #[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_information_and_lines() {
-    let robot = Robot::start("127.0.0.1:0");
+fn kept_recording_equals_received() {
+    let robot = Served::world();
     let (page, description) = running(&robot);
     let session = page.session.get().unwrap();
     let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), ..Watch::default() };
     page.ask(Request::Watch { watch }).unwrap();
     page.ask(Request::Acquire {}).unwrap();
-    let (component, param) = find(&description, "FaceBall", "params", "gain");
+    let (component, param) = find(&description, "Lamp", "params", "gain");
     page.ask(set_gain(Plain::Number(0.9))).unwrap();
-    page.ask(hold("FaceBall", Hold::Active)).unwrap();
-    page.ask(Request::Note { text: "before the kick".to_owned() }).unwrap();
+    page.ask(hold("Lamp", Hold::Active)).unwrap();
+    page.ask(Request::Note { text: "before the end".to_owned() }).unwrap();
     let until = page.message("update", |update| {
         let held = update["components"][component][1] == "active";
         (held && update["cycle"].as_u64()? > 150).then(|| update["time_us"].as_u64()).flatten()
@@ -75,8 +72,8 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     assert_eq!((Some(listed.cycles), listed.damage), (kept["cycles"].as_u64(), None));
     assert_eq!(listed.header.monitor.unwrap().address, format!("tcp://{}", robot.address));
     let requests: Vec<_> = listed.requests.iter().map(|one| one.request.as_str()).collect();
-    assert!(requests.iter().any(|one| one.starts_with("set FaceBall.gain=0.9")), "{requests:?}");
-    assert!(requests.contains(&"hold FaceBall active"), "{requests:?}");
+    assert!(requests.iter().any(|one| one.starts_with("set Lamp.gain=0.9")), "{requests:?}");
+    assert!(requests.contains(&"hold Lamp active"), "{requests:?}");
 
     let (copy, shown) = opened(&page, "mine");
     assert_eq!(shown["can"]["run_again"], false);
@@ -87,9 +84,9 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     assert_eq!(described["components"][component]["links"], description["components"][component]["links"]);
     assert_eq!(described["components"][component]["params"][param]["value"], json!(0.9));
     drop(late);
-    let count = find(&description, "CameraInput", "info", "count");
+    let count = find(&description, "Eye", "info", "count");
     // The copy begins at zero, the robot's clock does not.
-    let start = 10_000 * at(&page, copy, 500_000, count).0["cycle"].as_u64().unwrap() - 500_000;
+    let start = CYCLE_US * at(&page, copy, 500_000, count).0["cycle"].as_u64().unwrap() - 500_000;
     for time_us in [until, until - 300_000, until - 700_000] {
         let ((live, live_image), (recorded, image)) =
             (at(&page, session, time_us, count), at(&page, copy, time_us - start, count));
@@ -112,7 +109,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
         lines.as_array().unwrap().iter().map(pair).collect::<Vec<_>>()
     };
     let (live, recorded) = (lines(session, 0), lines(copy, start));
-    assert!(live.contains(&(json!("note"), json!("before the kick"))), "{live:?}");
+    assert!(live.contains(&(json!("note"), json!("before the end"))), "{live:?}");
     let mut sorted = [live, recorded];
     for lines in &mut sorted {
         lines.sort_by_key(|(kind, text)| format!("{kind} {text}"));
@@ -133,7 +130,7 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
     let copies = page.ask(Request::Compare { other: copy }).unwrap();
     assert_eq!(copies, json!({ "equal": true, "copies": true }));
     let options = ReplayOptions::whole(&path);
-    match replay(&options) {
+    match app().repeat(&options) {
         Err(Failure::Error { what, help }) => {
             assert!(what.contains("without sensor values") && help.contains("--serve"), "{what}; {help}");
         }
@@ -142,8 +139,8 @@ fn slow_what_a_robot_sent_is_kept_and_opened_with_the_same_states_images_informa
 }
 
 #[test]
-fn what_was_received_can_be_kept_after_the_robot_has_gone() {
-    let robot = Robot::start("127.0.0.1:0");
+fn received_data_is_kept_after_the_robot_has_gone() {
+    let robot = Served::world();
     let (page, _) = running(&robot);
     let on = page.session(|one| one["recording"]["on"] == true);
     assert_eq!(on["recording"]["file"], "");
@@ -165,11 +162,11 @@ fn what_was_received_can_be_kept_after_the_robot_has_gone() {
 }
 
 #[test]
-fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
+fn silent_robot_and_recording_are_not_kept() {
     let folder = Folder::new("sessions");
-    crate::sessions::recorded::record(&folder, "one.mcap", 1);
+    record(&folder, "one.mcap");
     let page = Page::new(&Bench::with(folder, |options| options));
-    let robot = Robot::start("127.0.0.1:0");
+    let robot = Served::world();
     let address = robot.address.clone();
     drop(robot);
     let silent = page.open(Open::Robot { address });
@@ -184,10 +181,10 @@ fn nothing_is_kept_of_a_robot_that_has_sent_nothing_and_of_a_recording() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
+fn slow_robot_is_recorded_while_it_is_received() {
     let bench = Bench::new();
     let folder = Arc::clone(&bench.folder);
-    let robot = Robot::start("127.0.0.1:0");
+    let robot = Served::world();
     let address = robot.address.clone();
     let (file, next) = (folder.0.join("day.mcap"), folder.0.join("day-2.mcap"));
     let source = Open::Robot { address: address.clone() };
@@ -207,7 +204,7 @@ fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
     let cycle = page.message("update", |update| update["cycle"].as_u64());
     drop(robot);
     page.session(|one| one["connection"] == "lost");
-    let robot = Robot::start(&address);
+    let robot = Served::world_at(&address);
     page.session(|one| one["recording"]["file"] == next.to_str().unwrap());
     let first = info(&file);
     assert!(first.cycles >= cycle / 2 && first.damage.is_none() && first.ending.is_some(), "{}", first.cycles);
@@ -221,10 +218,10 @@ fn slow_a_robot_of_the_command_line_is_recorded_while_it_is_received() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_is_reported_and_the_session_goes_on() {
+fn unwritable_file_is_reported_and_session_goes_on() {
     let bench = Bench::new();
     let folder = Arc::clone(&bench.folder);
-    let robot = Robot::start("127.0.0.1:0");
+    let robot = Served::world();
     let source = Open::Robot { address: robot.address.clone() };
     bench.manager.open_recorded(source, &folder.0.join("missing/day.mcap")).unwrap();
     let page = Page::new(&bench);
@@ -236,36 +233,4 @@ fn a_file_that_cannot_be_written_is_reported_and_the_session_goes_on() {
     let cycle = page.message("update", |update| update["cycle"].as_u64());
     page.cycle(cycle + 21);
     keep(&page, "mine");
-}
-
-#[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_world_of_the_command_line_is_recorded_in_a_file_that_stays() {
-    let bench = Bench::new();
-    let folder = Arc::clone(&bench.folder);
-    let (file, next) = (folder.0.join("game.mcap"), folder.0.join("game-2.mcap"));
-    let world = Open::World {
-        world: "built-in".to_owned(),
-        seed: 1,
-        options: BTreeMap::from([(ROBOTS.to_owned(), "1".to_owned())]),
-    };
-    bench.manager.open_recorded(world, &file).unwrap();
-    let page = Page::new(&bench);
-    page.cycle(51);
-    page.session(|one| one["recording"]["on"] == true && one["recording"]["file"] == file.to_str().unwrap());
-    keep(&page, "copy");
-    page.ask(Request::Restart { seed: Some(2) }).unwrap();
-    page.session(|one| one["recording"]["file"] == next.to_str().unwrap());
-    page.cycle(21);
-    drop(page);
-    drop(bench);
-    for path in [&file, &next, &folder.0.join("recordings/copy.mcap")] {
-        let options = ReplayOptions::whole(path);
-        let replayed = replay(&options).unwrap();
-        assert!(
-            replayed.equal && replayed.damage.is_none() && replayed.cycles > 10,
-            "{}: {replayed:?}",
-            path.display()
-        );
-    }
 }

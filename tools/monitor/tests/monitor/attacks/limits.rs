@@ -8,7 +8,7 @@ use serde_json::json;
 use tungstenite::Message;
 
 use crate::attacks::target::{LIMIT, closed, message, target, target_with};
-use crate::sessions::page::Folder;
+use crate::page::Folder;
 
 #[test]
 fn a_large_message_ends_the_page() {

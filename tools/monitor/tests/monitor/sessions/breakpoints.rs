@@ -3,27 +3,27 @@
 use bica_monitor::protocol::{Breakpoint, Request};
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::lamp::CYCLE_US;
+use crate::page::{Bench, Folder, Got, Page};
+use crate::served::{Served, attached};
 use crate::sessions::recorded::{opened, record};
-use crate::sessions::robot::{Robot, attached};
 use crate::sessions::world::{find, running};
 
 fn state(component: usize, state: usize) -> Breakpoint {
     Breakpoint { component, state: Some(state), transition: None }
 }
 
-/// A transition of the root that is taken early in each game.
-fn first_transition(description: &Value) -> (Breakpoint, usize, usize) {
-    let (component, transition) = find(description, "Player", "transitions", "ball_seen");
-    let found = &description["components"][component]["transitions"][transition];
-    let place = |key: &str| found[key].as_u64().unwrap() as usize;
-    (Breakpoint { component, state: None, transition: Some(transition) }, place("from"), place("to"))
+/// The only transition from off to on, and these states.
+fn lit(description: &Value) -> (Breakpoint, usize, usize) {
+    let (component, transition) = find(description, "Lamp", "transitions", "is_lit");
+    let state = |name: &str| find(description, "Lamp", "states", name).1;
+    (Breakpoint { component, state: None, transition: Some(transition) }, state("off"), state("on"))
 }
 
 #[test]
-fn a_step_of_many_cycles_stops_at_a_breakpoint() {
+fn step_of_many_cycles_stops_at_a_breakpoint() {
     let (page, description) = running();
-    let (transition, _, to) = first_transition(&description);
+    let (transition, _, to) = lit(&description);
     page.ask(Request::Breakpoints { list: vec![transition] }).unwrap();
     page.ask(Request::Pause {}).unwrap();
     page.ask(Request::Restart { seed: Some(2) }).unwrap();
@@ -42,21 +42,21 @@ fn a_step_of_many_cycles_stops_at_a_breakpoint() {
 }
 
 /// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.
-fn hit_behind_a_link(robot: &Robot, then: impl Fn(&Page, &Value)) {
+fn hit_behind_a_link(robot: &Served, then: impl Fn(&Page, &Value)) {
     let (page, description) = attached(&robot.address);
-    let (component, _) = find(&description, "Player", "states", "approach");
+    let (component, _) = find(&description, "Lamp", "states", "on");
     let states = description["components"][component]["states"].as_array().unwrap().len();
     let list: Vec<_> = (0..states).map(|one| state(component, one)).collect();
     page.ask(Request::Breakpoints { list }).unwrap();
     let hit = page.message("hit", |hit| Some(hit.clone()));
     then(&page, &hit);
     let lines = format!("{:?}", page.lines());
-    assert!(lines.contains("breakpoint: `Player`"), "{lines}");
+    assert!(lines.contains("breakpoint: `Lamp`"), "{lines}");
 }
 
 #[test]
 fn a_robot_is_not_stopped_and_a_hit_is_sent() {
-    let robot = Robot::serve("127.0.0.1:0", false);
+    let robot = Served::device();
     hit_behind_a_link(&robot, |page, hit| {
         assert_eq!(hit["paused"], false, "{hit}");
         let time_us = hit["time_us"].as_u64().unwrap();
@@ -66,7 +66,7 @@ fn a_robot_is_not_stopped_and_a_hit_is_sent() {
 
 #[test]
 fn a_world_behind_a_link_pauses_at_the_cycle_of_a_hit() {
-    let robot = Robot::start("127.0.0.1:0");
+    let robot = Served::world();
     hit_behind_a_link(&robot, |page, hit| {
         assert_eq!(hit["paused"], true, "{hit}");
         assert_eq!(page.stands()["time_us"], hit["time_us"]);
@@ -82,12 +82,12 @@ fn a_world_behind_a_link_pauses_at_the_cycle_of_a_hit() {
 #[test]
 fn the_next_hit_of_a_recording_is_found() {
     let folder = Folder::new("sessions");
-    record(&folder, "one.mcap", 1);
+    record(&folder, "one.mcap");
     let page = Page::new(&Bench::with(folder, |options| options));
     opened(&page, "one");
     let late = Page::new(&page.bench);
     let description = late.message("described", |message| Some(message["description"].clone()));
-    let (transition, from, to) = first_transition(&description);
+    let (transition, from, to) = lit(&description);
     page.ask(Request::Breakpoints { list: vec![transition] }).unwrap();
     late.message("breakpoints", |message| {
         (message["list"][0]["transition"] == json!(transition.transition)).then_some(())
@@ -113,7 +113,7 @@ fn the_next_hit_of_a_recording_is_found() {
 #[test]
 fn breakpoints_that_do_not_fit_the_tree_are_refused() {
     let (page, description) = running();
-    let (transition, ..) = first_transition(&description);
+    let (transition, ..) = lit(&description);
     let component = transition.component;
     for one in [
         state(1000, 0),
@@ -131,4 +131,23 @@ fn breakpoints_that_do_not_fit_the_tree_are_refused() {
         _ => None,
     });
     assert_eq!(list, json!([]));
+}
+
+/// In each cycle one is added to what the conditions look at.
+#[test]
+fn breakpoint_is_reached_by_its_transition_only() {
+    let lamp = Served::device();
+    let (page, description) = attached(&lamp.address);
+    page.session(|one| one["connection"] == "connected");
+    for (name, period, rest) in [("is_broken", 16, 13), ("is_kept", 8, 3)] {
+        let (component, transition) = find(&description, "Lamp", "transitions", name);
+        let place = Breakpoint { component, state: None, transition: Some(transition) };
+        page.ask(Request::Breakpoints { list: vec![place] }).unwrap();
+        let time = |hit: &Value| (hit["transition"] == transition).then(|| hit["time_us"].as_u64().unwrap());
+        let hit = || page.message("hit", time);
+        let times = [hit(), hit(), hit()];
+        assert!(times.iter().all(|time| time / CYCLE_US % period == rest), "{name}: {times:?}");
+        let next = page.ask(Request::NextHit { from_us: times[0] }).unwrap()["time_us"].as_u64().unwrap();
+        assert_eq!(next, times[1]);
+    }
 }

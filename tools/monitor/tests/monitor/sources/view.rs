@@ -10,7 +10,7 @@ use bica_monitor::protocol::{Request, SourceRequest};
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::sessions::page::{self, Bench, Folder, Got, Page};
+use crate::page::{self, Bench, Folder, Got, Page};
 
 /// A file with a machine.
 pub(crate) const PLAYER: &str = "\

@@ -6,7 +6,7 @@ use bica_monitor::protocol::{FromPage, Open, Request, ToPage};
 use bica_monitor::sessions::{Frame, Key, Outbox};
 use serde_json::{Value, json};
 
-use crate::sessions::page::Bench;
+use crate::page::Bench;
 
 /// A page during whose `hello` the session is closed.
 struct Closing(Arc<Bench>, Mutex<Vec<Value>>);
@@ -25,7 +25,7 @@ impl Outbox for Closing {
 }
 
 #[test]
-fn a_session_that_is_closed_while_a_page_comes_is_closed_on_it() {
+fn session_closed_while_a_page_comes_is_closed() {
     let bench = Bench::new();
     bench.manager.open(Open::Robot { address: "tcp://127.0.0.1:1".to_owned() }).unwrap();
     let page = Arc::new(Closing(Arc::clone(&bench), Mutex::default()));

@@ -11,7 +11,8 @@ use bica_monitor::protocol::{Open, Request, Watch, WatchImages};
 use jmanager::SoccerOptions;
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, Folder, Got, Page, options};
+use crate::page::{Bench, Folder, Got, Page, options};
+use crate::world::running;
 
 /// Class of the ball.
 const ORANGE: usize = 0;
@@ -29,7 +30,7 @@ fn bench_of(folder: Folder, images: PathBuf) -> Arc<Bench> {
     let options = options(&folder);
     let soccer =
         SoccerOptions { profiles: folder.0.join("profiles"), images: Some(images), ..SoccerOptions::default() };
-    Bench::of_program(&Arc::new(folder), options, soccer)
+    Bench::of_program(&Arc::new(folder), options, jmanager::program(soccer))
 }
 
 /// A message to the tuner.
@@ -150,8 +151,7 @@ fn watched_image(page: &Page) -> u32 {
 
 #[test]
 fn edited_profile_is_sent_as_parameters() {
-    let (page, description) = crate::sessions::world::running();
-    let (component, param) = crate::sessions::world::find(&description, "Colours", "params", "orange_luma_min");
+    let (page, _) = running();
     let image = watched_image(&page);
     let picked = page.ask(pick(false, image, (80, 100))).unwrap();
     let luma = &picked["classes"][ORANGE]["limits"]["luma"][0];
@@ -160,15 +160,15 @@ fn edited_profile_is_sent_as_parameters() {
     assert!(sent["values"].as_array().unwrap().len() > 30);
 
     let late = Page::new(&page.bench);
-    let now = late.message("described", |message| {
-        Some(message["description"]["components"][component]["params"][param]["value"].clone())
-    });
-    assert_eq!(&now, luma);
+    let described = late.message("described", |message| Some(message["description"].clone()));
+    let named = |list: &Value, name| list.as_array().unwrap().iter().find(|one| one["name"] == name).unwrap().clone();
+    let colours = named(&described["components"], "Colours");
+    assert_eq!(&named(&colours["params"], "orange_luma_min")["value"], luma);
 }
 
 #[test]
 fn field_boundary_is_shown_with_rejected_points() {
-    let (page, _) = crate::sessions::world::running();
+    let (page, _) = running();
     let image = watched_image(&page);
     let message = |image: u32| Request::Extension { name: "boundary".to_owned(), message: json!({ "image": image }) };
     let boundary = page.ask(message(image)).unwrap();

@@ -1,13 +1,14 @@
 //! Attacks on the program as it is started from a terminal.
 
 use std::io::{BufRead, BufReader, Read};
+use std::net::TcpStream;
 use std::process::{Child, ChildStdout, Command, Stdio};
 
-use serde_json::json;
+use serde_json::{Value, json};
 use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
 
-use crate::attacks::target::message;
-use crate::sessions::page::Folder;
+use crate::page::Folder;
 
 /// A program in a folder of its own; both end with it.
 struct Program {
@@ -61,6 +62,17 @@ impl Drop for Program {
     }
 }
 
+/// The next message of the server; also that it closes the page.
+fn message(page: &mut WebSocket<TcpStream>) -> Option<Value> {
+    loop {
+        match page.read().ok()? {
+            Message::Text(text) => return Some(serde_json::from_str(&text).unwrap()),
+            Message::Close(_) => return Some(json!({ "type": "close" })),
+            _ => {}
+        }
+    }
+}
+
 /// Attack 5.
 #[test]
 fn no_secret_is_printed_but_a_key_that_works_once() {
@@ -68,12 +80,12 @@ fn no_secret_is_printed_but_a_key_that_works_once() {
     let (url, mut lines, output) = program.url();
     let token = std::fs::read_to_string(program.folder.0.join("token")).unwrap().trim().to_owned();
     let (address, key) = url.strip_prefix("http://").unwrap().split_once("/#key=").unwrap();
-    let enter = |proofs: serde_json::Value| {
+    let enter = |proofs: Value| {
         let mut request = format!("ws://{address}/socket").into_client_request().unwrap();
         request.headers_mut().insert("Origin", format!("http://{address}").parse().unwrap());
-        let mut page = tungstenite::client(request, std::net::TcpStream::connect(address).unwrap()).unwrap().0;
+        let mut page = tungstenite::client(request, TcpStream::connect(address).unwrap()).unwrap().0;
         page.send(proofs.to_string().into()).unwrap();
-        (message(&mut page).unwrap(), message(&mut page).ok())
+        (message(&mut page).unwrap(), message(&mut page))
     };
     let (entered, hello) = enter(json!({ "key": key }));
     let (secret, hello) = (entered["secret"].as_str().unwrap(), hello.unwrap());

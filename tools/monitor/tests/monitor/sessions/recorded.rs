@@ -2,44 +2,32 @@
 
 use std::fs;
 use std::process::Command;
-use std::time::Duration;
 
+use bica::Tree;
+use bica_app::{App, RunArgs};
 use bica_link::{NamedSetting, Plain};
 use bica_monitor::protocol::{Open, Request};
-use bica_player_program::game::{RecordOptions, Rules, WorldKind, play_recorded};
-use bica_recording::{ImagePolicy, Topics};
-use bica_sim::setup::Frame;
+use clap::{Args, FromArgMatches};
 use serde_json::Value;
 
-use crate::sessions::page::{Bench, Folder, Got, Page};
+use crate::lamp::{CYCLE_US, IMAGE_BYTES, IMAGE_CYCLES, Lamp, LampTree, app};
+use crate::page::{Bench, Folder, Got, Page};
 use crate::sessions::world::find;
 
-/// Seconds of the recorded games.
-const SECONDS: u64 = 6;
-/// Longest game until a goal, s.
-const UNTIL_GOAL: u64 = 60;
+/// Duration of a recorded run, µs.
+const DURATION_US: u64 = 5_900_000;
 
-/// Records the beginning of a game.
-pub(crate) fn record(folder: &Folder, name: &str, seed: u64) {
-    record_for(folder, name, seed, SECONDS);
+/// Records a run of the lamp.
+pub(crate) fn record(folder: &Folder, name: &str) {
+    record_with(&app(), folder, name);
 }
 
-fn record_for(folder: &Folder, name: &str, seed: u64, seconds: u64) {
+fn record_with(app: &App<LampTree>, folder: &Folder, name: &str) {
     let path = folder.0.join("recordings").join(name);
     fs::create_dir_all(path.parent().unwrap()).unwrap();
-    let rules = Rules {
-        world: WorldKind::BuiltIn,
-        seed,
-        size: Frame::Small,
-        robots: 1,
-        limit: Duration::from_secs(seconds),
-        realtime: false,
-        firmware: None,
-        settings: &[],
-        options: &[],
-    };
-    let options = RecordOptions { path: &path, images: ImagePolicy::All, topics: Topics::Standard, force: false };
-    play_recorded(&rules, &mut (), Some(options), None).unwrap();
+    let arguments = ["run", "--world", "room", "--seconds", "5.9", "--json", "--record", path.to_str().unwrap()];
+    let matches = RunArgs::<()>::augment_args(clap::Command::new("run")).get_matches_from(arguments);
+    app.play(&RunArgs::from_arg_matches(&matches).unwrap()).unwrap();
 }
 
 /// Opens a recording and waits until it is read.
@@ -61,16 +49,16 @@ fn read(page: &Page, session: u32) -> Value {
 }
 
 #[test]
-fn a_recording_shows_states_images_information_and_log() {
+fn recording_shows_states_images_and_outputs() {
     let folder = Folder::new("sessions");
-    record(&folder, "one.mcap", 1);
+    record(&folder, "one.mcap");
     let page = Page::new(&Bench::with(folder, |options| options));
     let (_, info) = opened(&page, "one");
-    assert_eq!((info["from_us"].as_u64(), info["until_us"].as_u64()), (Some(0), Some(SECONDS * 1_000_000 - 10_000)));
+    assert_eq!((info["from_us"].as_u64(), info["until_us"].as_u64()), (Some(0), Some(DURATION_US - CYCLE_US)));
     assert_eq!(info["can"]["operate"], false);
     let late = Page::new(&page.bench);
     let described = late.message("described", |message| Some(message["description"].clone()));
-    let (component, index) = find(&described, "CameraInput", "info", "count");
+    let (component, index) = find(&described, "Eye", "info", "count");
     for time_us in [2_000_000, 500_000, 1_234_567] {
         let id = page.send(Request::At { time_us, info: vec![(component, index)], image: true });
         let frame = page.wait("the image", |got| match got {
@@ -78,13 +66,13 @@ fn a_recording_shows_states_images_information_and_log() {
             Got::Message(_) => None,
         });
         let moment = page.message("answer", |answer| (answer["id"] == id).then(|| answer["result"].clone()));
-        assert_eq!(moment["time_us"], time_us / 10_000 * 10_000);
-        assert_eq!(moment["cycle"], time_us / 10_000);
+        assert_eq!(moment["time_us"], time_us / CYCLE_US * CYCLE_US);
+        assert_eq!(moment["cycle"], time_us / CYCLE_US);
         let taken = u64::from_le_bytes(frame[16..24].try_into().unwrap());
-        assert!(taken <= time_us && time_us - taken < 100_000, "{taken} {time_us}");
+        assert!(taken <= time_us && time_us - taken < IMAGE_CYCLES * CYCLE_US, "{taken} {time_us}");
         let camera = usize::from(frame[1]);
-        assert!([&b"top_camera"[..], b"bottom_camera"].contains(&&frame[32..32 + camera]));
-        assert_eq!(frame.len(), 32 + camera + 2 * 160 * 120);
+        assert_eq!(&frame[32..32 + camera], b"eye");
+        assert_eq!(frame.len(), 32 + camera + IMAGE_BYTES);
         let number = moment["image"].as_u64().unwrap();
         // Information is recorded in every tenth cycle: the count of images is that of one taken before.
         let count = moment["info"][0][3].as_u64().unwrap();
@@ -98,10 +86,9 @@ fn a_recording_shows_states_images_information_and_log() {
 }
 
 #[test]
-#[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is_found() {
+fn run_again_finds_the_first_difference() {
     let folder = Folder::new("sessions");
-    record(&folder, "one.mcap", 1);
+    record(&folder, "one.mcap");
     let page = Page::new(&Bench::with(folder, |options| options));
     opened(&page, "one");
     let late = Page::new(&page.bench);
@@ -117,9 +104,8 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
         page.ask(Request::Compare { other: again }).unwrap()
     };
     assert_eq!(again(Vec::new())["equal"], true);
-    // The ball is not seen any more.
-    let (component, param) = ("Colours".to_owned(), "orange_luma_min".to_owned());
-    let settings = vec![NamedSetting { component, param, value: Plain::Integer(230) }];
+    let (component, param) = ("Lamp".to_owned(), "gain".to_owned());
+    let settings = vec![NamedSetting { component, param, value: Plain::Number(0.1) }];
     let difference = again(settings);
     assert_eq!(difference["equal"], false, "{difference}");
     assert!(difference["cycle"].as_u64().unwrap() > 0);
@@ -127,9 +113,9 @@ fn slow_a_recording_runs_again_with_other_parameters_and_the_first_difference_is
 }
 
 #[test]
-fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
+fn cut_recording_is_shown_up_to_the_cut() {
     let folder = Folder::new("sessions");
-    record(&folder, "one.mcap", 1);
+    record(&folder, "one.mcap");
     let recordings = folder.0.join("recordings");
     let bytes = fs::read(recordings.join("one.mcap")).unwrap();
     fs::write(recordings.join("cut.mcap"), &bytes[..bytes.len() * 3 / 4]).unwrap();
@@ -145,7 +131,7 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
     for name in ["cut", "damaged"] {
         let (_, info) = opened(&page, name);
         assert!(!info["note"].as_str().unwrap().is_empty(), "{name}: {info}");
-        assert!(info["until_us"].as_u64().unwrap() < SECONDS * 1_000_000 - 10_000, "{name}: {info}");
+        assert!(info["until_us"].as_u64().unwrap() < DURATION_US - CYCLE_US, "{name}: {info}");
     }
     opened(&page, "run (1).mcap");
     for name in ["text", "empty", "pipe", "missing", "../recordings/one"] {
@@ -155,15 +141,14 @@ fn a_cut_recording_is_shown_up_to_the_cut_and_others_are_refused() {
 }
 
 #[test]
-fn a_page_that_comes_later_gets_the_result_of_a_recorded_game() {
+fn late_page_gets_the_result_of_a_recorded_run() {
     let folder = Folder::new("sessions");
-    record_for(&folder, "goal.mcap", 1, UNTIL_GOAL);
+    record_with(&app().until(|tree| tree.get::<Lamp>().cycles > 100), &folder, "done.mcap");
     let page = Page::new(&Bench::with(folder, |options| options));
-    let (_, info) = opened(&page, "goal");
+    let (_, info) = opened(&page, "done");
     let result = info["result"].as_str().unwrap();
-    assert!(result.starts_with("Goal at ") && result.contains(" s, fingerprint "), "{info}");
+    assert!(result.starts_with("done"), "{info}");
     let late = Page::new(&page.bench);
     let sessions = late.message("hello", |hello| Some(hello["sessions"].clone()));
     assert_eq!(sessions[0]["result"], result);
-    assert!(late.lines().iter().any(|one| one["source"] == "world" && one["text"] == "goal"));
 }

@@ -4,19 +4,17 @@ use std::io::copy;
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::{Arc, Mutex};
 use std::thread;
-use std::time::Duration;
 
 use bica_monitor::protocol::{Open, Request};
 use bica_recording::Recording;
 use serde_json::Value;
 
-use crate::sessions::lamp::{Room, Served};
-use crate::sessions::page::{Bench, Page};
+use crate::lamp::{CYCLE, CYCLE_US};
+use crate::page::{Bench, Page};
+use crate::served::Served;
 
-/// Time between two cycles: no lamp is faster than a clock.
-const CYCLE: Duration = Duration::from_millis(20);
 /// Number of the first cycle of a lamp that has shone for a thousand seconds, and its time, µs.
-const LONG_LIT: (u64, u64) = (50_000, 1_000_000_000);
+const LONG_LIT: (u64, u64) = (1_000_000_000 / CYCLE_US, 1_000_000_000);
 
 /// What a cable leads to while it is whole, and its connections.
 #[derive(Default)]
@@ -66,11 +64,6 @@ impl Cable {
     }
 }
 
-/// A lamp that begins with a cycle.
-fn lamp_at(first: u64) -> Served {
-    Served::new(Room(first), CYCLE, "127.0.0.1:0")
-}
-
 /// Waits for a state after a time, µs; returns its time.
 fn later(page: &Page, than: u64) -> u64 {
     page.message("update", |update| update["time_us"].as_u64().filter(|time| *time > than))
@@ -95,11 +88,11 @@ fn bars(page: &Page) -> Vec<(u64, u64)> {
 }
 
 #[test]
-fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_a_gap() {
-    let lamp = lamp_at(LONG_LIT.0);
+fn returned_link_continues_the_history_after_a_gap() {
+    let lamp = Served::device_at(LONG_LIT.0);
     let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
     let last = watched_and_cut(&page, &cable);
-    thread::sleep(10 * CYCLE);
+    thread::sleep(40 * CYCLE);
     cable.mend(&lamp.address);
     let returned = page.session(|one| one["connection"] == "connected" && one["gaps"] != serde_json::json!([]));
     let gap = [0, 1].map(|end| returned["gaps"][0][end].as_u64().unwrap());
@@ -127,12 +120,12 @@ fn a_robot_whose_link_returns_goes_on_in_the_same_memory_and_what_is_missing_is_
 }
 
 #[test]
-fn a_robot_that_began_again_and_another_one_of_the_same_tree_begin_with_an_empty_memory() {
+fn restarted_or_other_robot_has_an_empty_history() {
     for first in [0, 10 * LONG_LIT.0] {
-        let lamp = lamp_at(LONG_LIT.0);
+        let lamp = Served::device_at(LONG_LIT.0);
         let (page, cable) = (Page::new(&Bench::new()), Cable::to(&lamp.address));
         let last = watched_and_cut(&page, &cable);
-        let other = lamp_at(first);
+        let other = Served::device_at(first);
         cable.mend(&other.address);
         page.message("described", |_| Some(()));
         let shown = page.message("update", |update| update["time_us"].as_u64());

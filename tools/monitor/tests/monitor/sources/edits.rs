@@ -3,7 +3,7 @@
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::sessions::page::options;
+use crate::page::options;
 use crate::sources::view::{PLAYER, Sources, View, text_of};
 
 #[test]

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use tungstenite::{Message, WebSocket};
 
 use crate::attacks::target::{TOKEN, closed, message, target_with};
-use crate::sessions::page::Folder;
+use crate::page::Folder;
 
 const TEXT: &str = "#[component]\nimpl A {\n    fn step(&mut self) {}\n}\n";
 

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use bica_monitor::sessions::Options;
 use serde_json::{Value, json};
 
-use crate::sessions::page::{Bench, LONG};
+use crate::page::{Bench, LONG};
 use crate::sources::view::{Sources, View, text_of};
 
 const MANIFEST: &str = "[package]\nname = \"tiny\"\nversion = \"0.1.0\"\nedition = \"2021\"\n\n[workspace]\n";
