@@ -1,12 +1,14 @@
 //! Full and slow disks.
 
+use std::fs;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::runner::Runner;
 use bica::{Blob, Format};
-use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording};
+use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording, create};
 
 use crate::support::{Cart, Disk, Sensors, cycles, header, pixels, record, recorded, sensors, small_chunks};
 
@@ -187,4 +189,15 @@ fn a_recorder_that_panics_does_not_stop_the_loop() {
     }
     assert_eq!(ended.recv().as_deref(), Ok("the thread of the recorder failed"));
     assert_eq!(runner.into_parts().3.finish("").reason.as_deref(), Some("the thread of the recorder failed"));
+}
+
+#[test]
+fn file_that_is_being_recorded_is_not_replaced() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("locked.mcap");
+    let writer = create(&path, true).expect("room");
+    let error = create(&path, true).expect_err("locked");
+    assert!(error.to_string().contains("another program"), "{error}");
+    drop(writer);
+    create(&path, true).expect("free");
+    fs::remove_file(path).expect("a file");
 }
