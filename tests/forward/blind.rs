@@ -95,6 +95,17 @@ fn slow_gyroscope_offset_is_reported_in_a_stand() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_gyroscope_offset_is_reported_in_a_walk() {
+    for gyro in [0.2, -0.2] {
+        let mut test = approaching(Faults { gyro, from: FROM, ..Faults::default() });
+        let says = |test: &Test| test.tree().get::<HealthMonitor>().sense_fault() == Some(Fault::GyroOffset);
+        test.until("the fault is reported", Duration::from_secs(5), says);
+        assert_eq!(test.state::<Player>(), Some("approach"), "{gyro} rad/s");
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_stuck_head_stops_no_search() {
     for joint in [Joint::HeadYaw, Joint::HeadPitch] {
         let mut test = start(Faults { stuck: Some(joint), ..Faults::default() });

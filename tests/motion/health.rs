@@ -299,3 +299,37 @@ fn gyroscope_offset_at_rest_is_a_fault() {
     }
     assert!(Fault::GyroOffset.is_temporary() && Fault::FrozenImage.is_temporary());
 }
+
+#[test]
+fn an_offset_is_found_in_a_walk_within_5_s() {
+    // Turn rates of the legs, and the share by which the torso turns further.
+    let seconds = |legs: f32, slip: f32, offset: f32| {
+        let mut senses = Senses::new();
+        let cycle = (0_u16..1000).find(|&cycle| {
+            let sway = 0.3 * (f32::from(cycle) * 0.12).sin();
+            let gyro = Vec3::Z * (legs * (1.0 + slip) + offset + sway);
+            senses.turn(&Inertial { gyro, ..standing(0).inertial }, Some(0.01 * legs), 0.01);
+            senses.see(Glimpse { digest: cycle.into(), brightness: 100 });
+            senses.fault() == Some(Fault::GyroOffset)
+        });
+        cycle.map(|cycle| 0.01 * f32::from(cycle))
+    };
+    for offset in [0.2, -0.2] {
+        for (legs, slip) in [(0.0, 0.0), (0.15, 0.1), (-0.15, 0.1)] {
+            assert!(seconds(legs, slip, offset).is_some_and(|seconds| seconds < 5.0), "{legs} rad/s {offset}");
+        }
+    }
+    for (legs, slip) in [(0.0, 0.0), (0.8, 0.1), (-0.8, 0.45), (0.4, 0.6)] {
+        assert_eq!(seconds(legs, slip, 0.02), None, "{legs} rad/s");
+    }
+}
+
+#[test]
+fn windows_before_a_fall_do_not_count() {
+    let mut senses = Senses::new();
+    for cycle in 0_u16..1000 {
+        let pitch = if cycle % 290 == 0 { 1.0 } else { 0.0 };
+        senses.turn(&Inertial { gyro: 0.2 * Vec3::Z, pitch, ..standing(0).inertial }, Some(0.0), 0.01);
+    }
+    assert_ne!(senses.fault(), Some(Fault::GyroOffset));
+}
