@@ -44,6 +44,30 @@ fn options_set_up_the_start_and_faults_that_are_told() {
 }
 
 #[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_each_fault_has_a_line_an_entry_and_a_log_message() {
+    let folder = Folder::new("faults");
+    for (option, fault) in [
+        ("image=freeze", "the camera repeats the same image"),
+        ("image=dark", "the camera's images are black"),
+        ("image=bright", "the camera's images are white"),
+        ("image=drop", "the camera sends no images"),
+        ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
+        ("stuck=HeadYaw", "HeadYaw does not follow its target"),
+        ("hot=LKneePitch", "LKneePitch is too hot"),
+    ] {
+        let file = folder.file("fault.mcap");
+        let faulty = ["--option", option, "--option", "from=1", "--option", "until=5", "--seconds", "7"];
+        let kept = ["--size", "160x120", "--json", "--record", &file, "--force", "--images", "none"];
+        let ran = run(&[faulty, kept].concat());
+        assert!(ran.stderr.contains(&format!("* fault: {fault}")), "{option}: {}", ran.stderr);
+        assert_eq!(ran.json()["faults"][0]["fault"], fault, "{option}");
+        let log = run(&["record", "export", &file]);
+        println!("{}", log.stdout);
+    }
+}
+
+#[test]
 fn json_goes_to_stdout_and_text_to_stderr() {
     let Ran { code, stderr, .. } = &run(&["--seconds", "3", "--json"]);
     assert!(stderr.contains("look_for_ball") && stderr.contains("latency") && stderr.contains("declared"), "{stderr}");
