@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use bica::Tree;
-use bica_vicode::model::{Component, Function, Graph, LinkKind};
+use bica_vicode::model::{Component, Function, LinkKind};
 use bica_wire::model::Description;
 use serde_json::{Value, json};
 
@@ -18,18 +18,16 @@ fn model(component: &Component) -> Value {
     let number = |key| component.options.get(key).map(|one| one.value.as_ref().unwrap().text.parse::<f64>().unwrap());
     let doc = |function: &Function| function.docs.text.clone();
     let named = |function: &Function| (function.name.text.clone(), doc(function));
-    let graph = Graph::of(component);
     let kind = |kind| if kind == LinkKind::Requirement { "requirement" } else { "modulation" };
     let links: BTreeSet<_> =
-        graph.links.iter().map(|one| json!([one.state, one.child, kind(one.kind)]).to_string()).collect();
+        component.links().iter().map(|one| json!([one.state, one.child, kind(one.kind)]).to_string()).collect();
     json!({
         "name": component.name.text,
         "doc": component.docs.text,
         "options": [number("hz"), number("budget_us"), component.options.get("resume").is_some()],
         "states": list(&component.states, |one| json!([named(&one.function), one.initial, one.last])),
-        "transitions": list(&graph.edges, |one| {
-            let function = &component.transition(&one.name).unwrap().function;
-            json!([named(function), one.from, one.to, one.after_ms])
+        "transitions": list(&component.machine().edges, |one| {
+            json!([named(one.condition), one.from, one.to, one.after_ms])
         }),
         "links": links,
         "info": list(&component.info, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
