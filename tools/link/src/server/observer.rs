@@ -8,7 +8,7 @@ use bica::runner::{Cycle, Observer, Overrun, Robot, World};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_wire::Recordable;
 use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues, WorldChange};
-use bica_wire::server::read;
+use bica_wire::read;
 
 use super::conditions::ConditionTable;
 use super::connection::Connection;

@@ -1,25 +1,25 @@
 //! The packets of a connection, in the order of their priority.
 
-use bica::{ComponentId, Tree};
-use bica_wire::message::{
-    Answer, AnswerResult, Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine, LogSource,
-    MAX_INFO_BYTES, MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
-};
-use bica_wire::server::read;
-use bica_wire::{Encoder, FromRobot, SCHEMA, ToMonitor};
+use bica_core::graph::Graph;
+use bica_core::{ComponentId, Tree};
 use heapless::String;
 use postcard_schema::schema::NamedType;
 
-use super::connection::{Connection, LogEntry, Outcome, contains, set};
-use super::info::{OutputBytes, schema_part};
-use crate::tree::{Forward, GRAPH};
+use super::connection::{Connection, LogEntry, contains, set};
+use super::output::{OutputBytes, schema_part};
+use crate::message::{
+    Attached, ComponentStates, CycleInfo, InfoSchema, InfoValue, LeaseState, LogLine, LogSource, MAX_INFO_BYTES,
+    MAX_STATES, MAX_VALUES, Offers, SCHEMA_PART_BYTES,
+};
+use crate::{Encoder, FromRobot, SCHEMA, ToMonitor, read};
 
 /// Largest size of a message before it is packed, bytes.
 const MAX_MESSAGE: usize = 1100;
 
 /// Sources of the messages.
-pub(super) struct Context<'a> {
-    pub(super) tree: &'a Forward,
+pub(super) struct Context<'a, T> {
+    pub(super) tree: &'a T,
+    pub(super) graph: &'static Graph,
     /// Numbers of the next cycle, and time of the last one.
     pub(super) next: &'a CycleInfo,
     pub(super) lease: LeaseState,
@@ -27,18 +27,29 @@ pub(super) struct Context<'a> {
     pub(super) silence_ms: u32,
 }
 
-impl Context<'_> {
+impl<T: Tree> Context<'_, T> {
     /// Number of the last cycle.
     const fn cycle(&self) -> u64 {
         self.next.cycle.saturating_sub(1)
+    }
+
+    const fn attached(&self) -> Attached<'static> {
+        Attached {
+            schema: SCHEMA,
+            tree_hash: T::HASH,
+            name: self.graph.name,
+            realtime: self.realtime,
+            silence_ms: self.silence_ms,
+            offers: Offers::OPERATE,
+        }
     }
 }
 
 impl Connection {
     /// Encodes the next packet; returns its length. `None` if there is none, or `room` is too small for it.
-    pub(super) fn next_packet(
+    pub(super) fn next_packet<T: Tree>(
         &mut self,
-        context: &Context<'_>,
+        context: &Context<'_, T>,
         encoder: &mut Encoder,
         room: &mut [u8],
     ) -> Option<usize> {
@@ -59,7 +70,7 @@ impl Connection {
             return Some(length);
         }
         if let Some(entry) = self.log.front() {
-            let length = encode(&ToMonitor::Log(entry.message(&mut String::new())), encoder, room)?;
+            let length = encode(&ToMonitor::Log(entry.message(context.graph, &mut String::new())), encoder, room)?;
             self.log.pop_front();
             return Some(length);
         }
@@ -82,11 +93,11 @@ impl Connection {
         Some(packet.len())
     }
 
-    fn next_params(&mut self, context: &Context<'_>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
-        while self.params != 0 {
-            let component = self.params.trailing_zeros() as u16;
+    fn next_params<T: Tree>(&mut self, context: &Context<'_, T>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
+        while let Some(component) = self.params.first() {
+            let component = component.index() as u16;
             let Some(values) = read::params(context.tree, context.cycle(), component, self.first_param) else {
-                (self.params, self.first_param) = (self.params & (self.params - 1), 0);
+                (_, self.first_param) = (self.params.pop(), 0);
                 continue;
             };
             let length = encode(&ToMonitor::Params(values), encoder, room)?;
@@ -96,7 +107,7 @@ impl Connection {
         None
     }
 
-    fn next_states(&mut self, context: &Context<'_>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
+    fn next_states<T: Tree>(&mut self, context: &Context<'_, T>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
         let part = self.snapshot?;
         let cycle = context.cycle();
         let Some(before) = part.checked_sub(1) else {
@@ -106,14 +117,14 @@ impl Connection {
         };
         let first = usize::from(before) * MAX_STATES;
         let states =
-            (first..Forward::COUNT.min(first + MAX_STATES)).filter_map(|index| read::state(context.tree, index));
+            (first..T::COUNT.min(first + MAX_STATES)).filter_map(|index| read::state(context.tree, index));
         let message = ComponentStates { cycle, first: first as u16, states: states.collect() };
         let length = encode(&ToMonitor::Components(message), encoder, room)?;
-        self.snapshot = (first + MAX_STATES < Forward::COUNT).then_some(part + 1);
+        self.snapshot = (first + MAX_STATES < T::COUNT).then_some(part + 1);
         Some(length)
     }
 
-    fn next_info(&mut self, context: &Context<'_>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
+    fn next_info<T: Tree>(&mut self, context: &Context<'_, T>, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
         let entry = self.next_due()?;
         let (component, info) = (self.watched[entry].component, self.watched[entry].info);
         let (id, index) = (ComponentId::new(component.into()), usize::from(info));
@@ -155,36 +166,13 @@ impl Connection {
     }
 }
 
-impl Context<'_> {
-    const fn attached(&self) -> Attached<'static> {
-        Attached {
-            schema: SCHEMA,
-            tree_hash: Forward::HASH,
-            name: GRAPH.name,
-            realtime: self.realtime,
-            silence_ms: self.silence_ms,
-            offers: Offers::OPERATE,
-        }
-    }
-}
-
 impl LogEntry {
-    fn message<'a>(&self, text: &'a mut String<96>) -> LogLine<'a> {
+    fn message<'a>(&self, graph: &Graph, text: &'a mut String<96>) -> LogLine<'a> {
         let _ = text.push_str(self.text);
-        if let Some(node) = self.component.and_then(|component| GRAPH.nodes.get(usize::from(component))) {
+        if let Some(node) = self.component.and_then(|component| graph.nodes.get(usize::from(component))) {
             let _ = text.push_str(" ").and_then(|()| text.push_str(node.name));
         }
         LogLine { time_us: self.time_us, level: self.level, source: LogSource::Operator, text }
-    }
-}
-
-impl super::connection::PendingAnswer {
-    fn message(&self) -> Answer<'_> {
-        let result = match &self.outcome {
-            Outcome::Done(values) => AnswerResult::Done { values: values.clone() },
-            Outcome::Refused { code, entry, text } => AnswerResult::Refused { code: *code, entry: *entry, text },
-        };
-        Answer { number: self.number, cycle: self.cycle, arrived: self.cycle, result }
     }
 }
 

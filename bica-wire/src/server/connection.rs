@@ -1,21 +1,20 @@
 //! One monitor: its watched values and its pending messages.
 
-use bica::refusal::Reason;
-use bica::{Instant, Refusal};
-use bica_wire::message::{CycleInfo, MAX_BATCH, RefusalCode, Value, WatchInfo};
-use bica_wire::{GraphItems, describe};
-use heapless::{Deque, String, Vec};
+use bica_core::{ComponentId, Instant};
+use bica_core::graph::Graph;
+use heapless::{Deque, Vec};
 
-use crate::tree::GRAPH;
+use super::component_set::ComponentSet;
+use super::refusal::PendingAnswer;
+use crate::message::{CycleInfo, WatchInfo};
+use crate::{GraphItems, describe};
 
-/// Maximum number of outputs that a connection watches: all of the forward's.
+/// Maximum number of outputs that a connection watches.
 const MAX_WATCHED: usize = 128;
 /// Number of bits in a word of the sets below.
 const BITS: usize = 32;
 /// Largest number of lines of the log that wait; the oldest is dropped.
 const MAX_LOG: usize = 4;
-/// Largest length of the text of a refusal, bytes.
-const MAX_REASON: usize = 128;
 
 /// Set of entries of the list of watched outputs.
 type WatchedSet = [u32; MAX_WATCHED / BITS];
@@ -31,8 +30,8 @@ pub(super) struct Connection {
     /// Whether to send the lease.
     pub(super) lease: bool,
     pub(super) log: Deque<LogEntry, MAX_LOG>,
-    /// Components whose parameters are to be sent, one bit for each, and the next parameter of the first of them.
-    pub(super) params: u64,
+    /// Components whose parameters are to be sent, and the next parameter of the first of them.
+    pub(super) params: ComponentSet,
     pub(super) first_param: u16,
     /// Rest of the description.
     pub(super) description: Option<GraphItems<'static>>,
@@ -68,59 +67,6 @@ pub(super) struct LogEntry {
     pub(super) component: Option<u16>,
 }
 
-/// An answer.
-pub(super) struct PendingAnswer {
-    pub(super) number: u32,
-    /// Number of the first cycle that runs with the change: the next one at the time of the request.
-    pub(super) cycle: u64,
-    pub(super) outcome: Outcome,
-}
-
-/// Result of a request.
-pub(super) enum Outcome {
-    Done(Vec<Value, MAX_BATCH>),
-    Refused { code: RefusalCode, entry: u16, text: String<MAX_REASON> },
-}
-
-impl Outcome {
-    /// A refusal with a text for people: the name of the refused entry, if it has one, and the reason.
-    pub(super) fn refused(code: RefusalCode, entry: u16, reason: &str, component: &str, name: &str) -> Self {
-        let mut text = String::new();
-        let parts = match (component, name) {
-            ("", _) => [reason, "", "", "", ""],
-            (component, "") => ["`", component, "`: ", reason, ""],
-            (component, name) => ["`", component, ".", name, "`: "],
-        };
-        // Parts that do not fit are omitted.
-        let _ = parts.iter().try_for_each(|part| text.push_str(part));
-        if !component.is_empty() && !name.is_empty() {
-            let _ = text.push_str(reason);
-        }
-        Self::Refused { code, entry, text }
-    }
-
-    /// The refusal of the tree.
-    ///
-    /// The numbers are omitted: the monitor has them from the description, and formatting them takes 12 KB of flash.
-    pub(super) fn of_refusal(refusal: &Refusal) -> Self {
-        let reason = match refusal.reason {
-            Reason::NotTunable => "the tree is not `tunable`, its parameters are constants",
-            Reason::UnknownComponent { .. } => "the tree has no such component",
-            Reason::UnknownParameter { .. } => "no such parameter",
-            Reason::UnknownModulation { .. } => "no such modulation",
-            Reason::ArgumentCount { .. } => "another number of arguments is required",
-            Reason::WrongKind { .. } => "a value of another kind is required",
-            Reason::NotFinite => "the value is not finite",
-            Reason::OutOfRange { .. } => "the value is outside its range",
-            Reason::UnknownVariant { .. } => "no such variant",
-            Reason::Twice => "set twice in one batch",
-            Reason::Rule(rule) => rule,
-            _ => RefusalCode::Tree.text(),
-        };
-        Self::refused(RefusalCode::Tree, refusal.entry as u16, reason, refusal.component, refusal.name)
-    }
-}
-
 impl Connection {
     /// Creates a connection without a monitor.
     pub(super) const fn new() -> Self {
@@ -130,7 +76,7 @@ impl Connection {
             attached: false,
             lease: false,
             log: Deque::new(),
-            params: 0,
+            params: ComponentSet::EMPTY,
             first_param: 0,
             description: None,
             every: 0,
@@ -144,9 +90,9 @@ impl Connection {
     }
 
     /// Begins a session, which starts with the description.
-    pub(super) fn begin(&mut self) {
-        self.heard = Some(Instant::now());
-        self.description = Some(describe(&GRAPH));
+    pub(super) fn begin(&mut self, graph: &'static Graph, clock: Instant) {
+        self.heard = Some(clock);
+        self.description = Some(describe(graph));
         (self.every, self.snapshot) = (0, None);
         self.watched.clear();
         (self.due, self.schemas) = ([0; MAX_WATCHED / BITS], [0; MAX_WATCHED / BITS]);
@@ -177,10 +123,11 @@ impl Connection {
     }
 
     /// Adds components whose parameters are to be sent.
-    pub(super) const fn add_params(&mut self, components: u64) {
+    pub(super) fn add_params(&mut self, components: impl Iterator<Item = ComponentId>) {
         if self.heard.is_some() {
+            components.for_each(|component| self.params.set(component, true));
             // The values that were sent may have changed: begin again.
-            (self.params, self.first_param) = (self.params | components, 0);
+            self.first_param = 0;
         }
     }
 

@@ -1,4 +1,4 @@
-//! What a server reads out of a tree after a cycle.
+//! Values of a tree after a cycle, as messages have them.
 
 use bica_core::Tree;
 use bica_core::graph::Node;

@@ -1,6 +1,6 @@
 //! Values of outputs and their schemas as bytes.
 
-use bica::info::{InfoSink, Information};
+use bica_core::info::{InfoSink, Information};
 use postcard::Serializer;
 use postcard::ser_flavors::{Flavor, Slice};
 use postcard_schema::schema::NamedType;
