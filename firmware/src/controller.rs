@@ -269,11 +269,12 @@ impl<B: Board> Controller<B> {
 impl<B: Board> Controller<B> {
     /// Returns the server for monitors, the robot that they operate, and the moment between two cycles.
     pub(crate) fn monitors(&mut self) -> (&mut Monitors, &mut Running<B>, Moment) {
+        let clock = Instant::now();
         let robot = self.clock_mode.map(|mode| match mode {
-            ClockMode::FreeRunning => Instant::now(),
+            ClockMode::FreeRunning => clock,
             ClockMode::Lockstep => self.time,
         });
-        let moment = Moment { robot, clock: Instant::now(), random: B::counter().into() };
+        let moment = Moment { robot, clock, random: B::counter().into() };
         (self.monitors, &mut self.runner, moment)
     }
 

@@ -8,8 +8,6 @@ use static_cell::StaticCell;
 use crate::monitor_line::Monitors;
 use crate::stack;
 use crate::tree::Forward;
-#[cfg(feature = "monitor")]
-use crate::tree::GRAPH;
 
 /// The tree. It is created at the start, not in initialised memory, which would store its 20 KB, nearly all zero, in flash.
 static ROBOT: StaticCell<Forward> = StaticCell::new();
@@ -41,5 +39,5 @@ fn create(place: &'static mut MaybeUninit<Forward>) -> &'static mut Forward {
 #[cfg(feature = "monitor")]
 #[inline(never)]
 pub(crate) fn monitors() -> &'static mut Monitors {
-    MONITORS.uninit().write(Monitors::new(&GRAPH))
+    MONITORS.uninit().write(Monitors::new())
 }

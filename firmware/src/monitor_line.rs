@@ -9,10 +9,10 @@ use embedded_io_async::{Read, Write};
 use crate::board::Board;
 use crate::controller::Controller;
 
+/// Number of the line for monitors. With 0 all bytes of the static line are zero, and it takes no flash.
+pub(crate) const MONITOR: usize = 0;
 /// Number of the line of the body, whose host forwards the packets of a monitor.
-pub(crate) const BODY: usize = 0;
-/// Number of the line for monitors.
-pub(crate) const MONITOR: usize = 1;
+pub(crate) const BODY: usize = 1;
 
 /// Server for the monitors on both lines.
 pub(crate) type Monitors = MonitorServer<2>;

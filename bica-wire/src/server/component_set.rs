@@ -29,16 +29,11 @@ impl ComponentSet {
         }
     }
 
-    /// Returns the component with the smallest index.
-    pub(super) fn first(&self) -> Option<ComponentId> {
-        let (index, word) = self.words.iter().enumerate().find(|(_, word)| **word != 0)?;
-        Some(ComponentId::new(index * BITS + word.trailing_zeros() as usize))
-    }
-
     /// Removes and returns the component with the smallest index.
     pub(super) fn pop(&mut self) -> Option<ComponentId> {
-        let first = self.first()?;
-        self.set(first, false);
-        Some(first)
+        let (index, word) = self.words.iter_mut().enumerate().find(|(_, word)| **word != 0)?;
+        let bit = word.trailing_zeros();
+        *word &= *word - 1;
+        Some(ComponentId::new(index * BITS + bit as usize))
     }
 }

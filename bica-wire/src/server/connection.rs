@@ -1,10 +1,11 @@
 //! One monitor: its watched values and its pending messages.
 
-use bica_core::{ComponentId, Instant};
+use core::ops::Range;
+
 use bica_core::graph::Graph;
+use bica_core::{ComponentId, Instant};
 use heapless::{Deque, Vec};
 
-use super::component_set::ComponentSet;
 use super::refusal::PendingAnswer;
 use crate::message::{CycleInfo, WatchInfo};
 use crate::{GraphItems, describe};
@@ -13,6 +14,8 @@ use crate::{GraphItems, describe};
 const MAX_WATCHED: usize = 128;
 /// Number of bits in a word of the sets below.
 const BITS: usize = 32;
+/// Level of a line about what is refused, a warning.
+pub(super) const REFUSED: u8 = u8::MAX;
 /// Largest number of lines of the log that wait; the oldest is dropped.
 const MAX_LOG: usize = 4;
 
@@ -30,8 +33,8 @@ pub(super) struct Connection {
     /// Whether to send the lease.
     pub(super) lease: bool,
     pub(super) log: Deque<LogEntry, MAX_LOG>,
-    /// Components whose parameters are to be sent, and the next parameter of the first of them.
-    pub(super) params: ComponentSet,
+    /// Indices of the components whose parameters are to be sent, and the next parameter of the first of them.
+    pub(super) params: Range<u16>,
     pub(super) first_param: u16,
     /// Rest of the description.
     pub(super) description: Option<GraphItems<'static>>,
@@ -64,7 +67,7 @@ pub(super) struct LogEntry {
     pub(super) time_us: u64,
     pub(super) level: u8,
     pub(super) text: &'static str,
-    pub(super) component: Option<u16>,
+    pub(super) component: Option<ComponentId>,
 }
 
 impl Connection {
@@ -76,7 +79,7 @@ impl Connection {
             attached: false,
             lease: false,
             log: Deque::new(),
-            params: ComponentSet::EMPTY,
+            params: 0..0,
             first_param: 0,
             description: None,
             every: 0,
@@ -106,7 +109,7 @@ impl Connection {
         if let Some(watched) = self.watched.iter_mut().find(same) {
             watched.every = every;
         } else if every > 0 && self.watched.push(Watched { component, info, every }).is_err() {
-            let text = "a monitor cannot watch more outputs";
+            let text = "too many outputs";
             self.log(LogEntry { time_us: 0, level: 3, text, component: None });
         }
     }
@@ -122,12 +125,12 @@ impl Connection {
         let _ = self.log.push_back(entry);
     }
 
-    /// Adds components whose parameters are to be sent.
-    pub(super) fn add_params(&mut self, components: impl Iterator<Item = ComponentId>) {
+    /// Adds components whose parameters are to be sent, and with them those between these and the ones that wait.
+    pub(super) fn add_params(&mut self, Range { start, end }: Range<u16>) {
         if self.heard.is_some() {
-            components.for_each(|component| self.params.set(component, true));
+            let waiting = if self.params.is_empty() { start..end } else { self.params.clone() };
             // The values that were sent may have changed: begin again.
-            self.first_param = 0;
+            (self.params, self.first_param) = (start.min(waiting.start)..end.max(waiting.end), 0);
         }
     }
 

@@ -3,11 +3,10 @@
 use core::ops::DerefMut;
 use core::time::Duration;
 
-use bica_core::graph::Graph;
 use bica_core::{ComponentId, Instant, Refusal, Tree};
 use bica_runner::{Observer, Robot, Runner};
 
-use super::connection::{Connection, LogEntry};
+use super::connection::{Connection, LogEntry, REFUSED};
 use super::lease::Lease;
 use super::packets::Context;
 use super::refusal::{Outcome, PendingAnswer};
@@ -84,7 +83,6 @@ pub struct Moment {
 /// between two ticks [`SerialLine::serve`](super::SerialLine::serve) for a line of its own, or
 /// [`receive`](Self::receive) and [`next_packet`](Self::next_packet) for a line that it shares.
 pub struct MonitorServer<const LINES: usize> {
-    graph: &'static Graph,
     lease: Lease,
     connections: [Connection; LINES],
     /// Numbers of the next cycle.
@@ -94,11 +92,10 @@ pub struct MonitorServer<const LINES: usize> {
 }
 
 impl<const LINES: usize> MonitorServer<LINES> {
-    /// Creates a server without monitors. `graph` is that of the tree, with or without doc comments.
+    /// Creates a server without monitors.
     #[must_use]
-    pub const fn new(graph: &'static Graph) -> Self {
+    pub const fn new() -> Self {
         Self {
-            graph,
             lease: Lease::new(SILENCE),
             connections: [const { Connection::new() }; LINES],
             next: CycleInfo { cycle: 0, time_us: 0, sensed: 0, images: 0, overruns: 0 },
@@ -124,13 +121,13 @@ impl<const LINES: usize> MonitorServer<LINES> {
     }
 
     /// Handles a message that came over a line. Messages of a body are left out.
-    pub fn receive(&mut self, line: usize, message: &ToRobot<'_>, robot: &mut impl Operated, moment: &Moment) {
+    pub fn receive<R: Operated>(&mut self, line: usize, message: &ToRobot<'_>, robot: &mut R, moment: &Moment) {
         match message {
-            ToRobot::Describe => self.connections[line].begin(self.graph, moment.clock),
+            ToRobot::Describe => self.connections[line].begin(const { &R::Tree::GRAPH }, moment.clock),
             ToRobot::Monitor(bytes) => self.receive_monitor(line, bytes, robot, moment),
             ToRobot::MonitorExtra(_) => {
                 let now = Instant::from_micros(self.next.time_us);
-                self.log(now, 3, "refused: only a program on a computer offers this", None);
+                self.log(now, REFUSED, "not offered", None);
             }
             _ => {}
         }
@@ -144,7 +141,7 @@ impl<const LINES: usize> MonitorServer<LINES> {
             FromMonitor::Attach => (connection.attached, connection.lease) = (true, true),
             FromMonitor::Watch(watch) => connection.every = watch.every,
             FromMonitor::WatchInfo(watch) => connection.watch(watch),
-            FromMonitor::ReadParams => connection.add_params((0..R::Tree::COUNT).map(ComponentId::new)),
+            FromMonitor::ReadParams => connection.add_params(0..R::Tree::COUNT as u16),
             FromMonitor::Lease(action) => self.act(line, action, moment),
             FromMonitor::Request(request) => self.request(line, request, robot, moment.robot),
         }
@@ -169,37 +166,38 @@ impl<const LINES: usize> MonitorServer<LINES> {
     }
 
     #[expect(clippy::needless_pass_by_value, reason = "a reference takes 32 bytes more of flash")]
-    fn request(&mut self, line: usize, request: Request, robot: &mut impl Operated, now: Option<Instant>) {
+    fn request<R: Operated>(&mut self, line: usize, request: Request, robot: &mut R, now: Option<Instant>) {
+        let graph = const { &R::Tree::GRAPH };
         let time = now.unwrap_or(Instant::MIN);
         let admitted = match now {
-            Some(now) => self.lease.admit(line as u64, &request, self.graph, since_start(now), now),
-            None if request.change.is_stop(self.graph) => Ok(()),
+            Some(now) => self.lease.admit(line as u64, &request, graph, since_start(now), now),
+            None if request.change.is_stop(graph) => Ok(()),
             None => Err(RefusalCode::NoLease),
         };
         let outcome = match admitted {
-            Err(code) => Outcome::refused(code, 0, code.text(), "", ""),
+            Err(code) => Outcome::refused(code, 0, "", "", ""),
             Ok(()) => match self.apply(&request.change, robot, time) {
                 Ok(()) => Outcome::Done(read::effective(robot.tree(), &request.change)),
                 Err(refusal) => Outcome::of_refusal(&refusal),
             },
         };
-        let (component, what, refused) = describe_change(&request.change);
-        match outcome {
-            Outcome::Done(_) => self.log(time, 2, what, component),
-            Outcome::Refused { .. } => self.log(time, 3, refused, component),
-        }
+        let (component, what) = describe_change(&request.change);
+        let level = if matches!(outcome, Outcome::Done(_)) { 2 } else { REFUSED };
+        self.log(time, level, what, component);
         let (number, cycle) = (request.number, self.next.cycle);
         self.connections[line].answer = Some(PendingAnswer { number, cycle, outcome });
     }
 
-    fn apply(&mut self, change: &Change, robot: &mut impl Operated, now: Instant) -> Result<(), Refusal> {
+    fn apply<R: Operated>(&mut self, change: &Change, robot: &mut R, now: Instant) -> Result<(), Refusal> {
         robot.request(now, change.borrow())?;
-        if self.lease.record(change, self.graph) {
+        if self.lease.record(change, const { &R::Tree::GRAPH }) {
             self.announce_lease();
         }
         if let Change::Params(batch) = change {
-            let changed = batch.iter().map(|setting| setting.component);
-            self.connections.iter_mut().for_each(|connection| connection.add_params(changed.clone()));
+            for setting in batch {
+                let component = setting.component.index() as u16;
+                self.connections.iter_mut().for_each(|connection| connection.add_params(component..component + 1));
+            }
         }
         Ok(())
     }
@@ -230,7 +228,7 @@ impl<const LINES: usize> MonitorServer<LINES> {
         self.next.cycle += 1;
     }
 
-    fn log(&mut self, now: Instant, level: u8, text: &'static str, component: Option<u16>) {
+    fn log(&mut self, now: Instant, level: u8, text: &'static str, component: Option<ComponentId>) {
         for connection in &mut self.connections {
             connection.log(LogEntry { time_us: now.as_micros(), level, text, component });
         }
@@ -246,7 +244,6 @@ impl<const LINES: usize> MonitorServer<LINES> {
     ) -> Option<usize> {
         let context = Context {
             tree,
-            graph: self.graph,
             next: &self.next,
             lease: self.lease.state(line as u64, Instant::from_micros(self.next.time_us)),
             realtime: self.realtime,
@@ -256,19 +253,24 @@ impl<const LINES: usize> MonitorServer<LINES> {
     }
 }
 
+impl<const LINES: usize> Default for MonitorServer<LINES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Time by which the operator's silence is measured.
 const fn since_start(now: Instant) -> Duration {
     Duration::from_micros(now.as_micros())
 }
 
-/// Returns the component of a change, and a line of the log for it if it is applied and if it is refused.
-fn describe_change(change: &Change) -> (Option<u16>, &'static str, &'static str) {
-    let number = |component: &ComponentId| Some(component.index() as u16);
+/// Returns the component of a change, and what the log tells of it.
+fn describe_change(change: &Change) -> (Option<ComponentId>, &'static str) {
     match change {
-        Change::Hold { component, .. } => (number(component), "hold", "refused: hold"),
-        Change::Rate { component, .. } => (number(component), "rate", "refused: rate"),
-        Change::Params(batch) => (batch.first().map(|setting| setting.component.index() as u16), "set", "refused: set"),
-        Change::Modulate { component, .. } => (number(component), "call", "refused: call"),
-        Change::World { .. } => (None, "", "refused: no world"),
+        Change::Hold { component, .. } => (Some(*component), "hold"),
+        Change::Rate { component, .. } => (Some(*component), "rate"),
+        Change::Params(batch) => (batch.first().map(|setting| setting.component), "set"),
+        Change::Modulate { component, .. } => (Some(*component), "call"),
+        Change::World { .. } => (None, "no world"),
     }
 }

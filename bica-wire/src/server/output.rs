@@ -4,6 +4,7 @@ use bica_core::info::{InfoSink, Information};
 use postcard::Serializer;
 use postcard::ser_flavors::{Flavor, Slice};
 use postcard_schema::schema::NamedType;
+use serde::Serialize;
 
 /// Sink that stores a value as bytes, and its schema. One sink for both, because each one needs a copy of all getters.
 pub(super) struct OutputBytes<'a> {
@@ -62,6 +63,6 @@ impl Flavor for Part<'_> {
 }
 
 /// Serialises the part of a schema that begins at an offset. Returns its length, and whether more follows.
-pub(super) fn schema_part(schema: &NamedType, offset: usize, room: &mut [u8]) -> (usize, bool) {
+pub(super) fn schema_part<S: Serialize>(schema: &S, offset: usize, room: &mut [u8]) -> (usize, bool) {
     postcard::serialize_with_flavor(schema, Part { before: offset, room, length: 0, more: false }).unwrap_or((0, false))
 }

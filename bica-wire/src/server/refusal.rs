@@ -33,7 +33,7 @@ impl PendingAnswer {
 }
 
 impl Outcome {
-    /// A refusal with a text for people: the name of the refused entry, if it has one, and the reason.
+    /// A refusal with a text for people: the name of the refused entry, if it has one, and the reason. A monitor has the texts of the codes.
     pub(super) fn refused(code: RefusalCode, entry: u16, reason: &str, component: &str, name: &str) -> Self {
         let mut text = String::new();
         let parts = match (component, name) {
@@ -51,18 +51,18 @@ impl Outcome {
     /// The numbers are omitted: the monitor has them from the description, and formatting them takes 12 KB of flash.
     pub(super) fn of_refusal(refusal: &Refusal) -> Self {
         let reason = match refusal.reason {
-            Reason::NotTunable => "the tree is not `tunable`, its parameters are constants",
-            Reason::UnknownComponent { .. } => "the tree has no such component",
+            Reason::NotTunable => "the tree is not tunable",
+            Reason::UnknownComponent { .. } => "no such component",
             Reason::UnknownParameter { .. } => "no such parameter",
             Reason::UnknownModulation { .. } => "no such modulation",
-            Reason::ArgumentCount { .. } => "another number of arguments is required",
-            Reason::WrongKind { .. } => "a value of another kind is required",
-            Reason::NotFinite => "the value is not finite",
-            Reason::OutOfRange { .. } => "the value is outside its range",
+            Reason::ArgumentCount { .. } => "wrong number of arguments",
+            Reason::WrongKind { .. } => "another kind",
+            Reason::NotFinite => "not finite",
+            Reason::OutOfRange { .. } => "outside the range",
             Reason::UnknownVariant { .. } => "no such variant",
-            Reason::Twice => "set twice in one batch",
+            Reason::Twice => "set twice",
             Reason::Rule(rule) => rule,
-            _ => RefusalCode::Tree.text(),
+            _ => "",
         };
         Self::refused(RefusalCode::Tree, refusal.entry as u16, reason, refusal.component, refusal.name)
     }

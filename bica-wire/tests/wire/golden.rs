@@ -21,7 +21,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xa500_5e00_777a_770c;
+const GOLDEN_SCHEMA: u64 = 0x0524_dff2_9268_4fdb;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

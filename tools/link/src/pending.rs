@@ -69,6 +69,12 @@ impl<M, K: Copy + Eq + Hash, D> Pending<M, K, D> {
         self.data.remove(&self.order.pop_front()?)
     }
 
+    /// Number of messages that wait.
+    #[must_use]
+    pub fn messages(&self) -> usize {
+        self.messages.len()
+    }
+
     /// Whether nothing waits.
     #[must_use]
     pub fn is_empty(&self) -> bool {

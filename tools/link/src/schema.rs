@@ -3,6 +3,7 @@
 use std::fmt::{Debug, Display};
 
 use bica_wire::blobs::MIN_BLOB;
+use bica_wire::model::Description;
 use postcard_schema::schema::owned::{OwnedDataModelType, OwnedDataModelVariant, OwnedNamedType};
 use serde_json::{Map, Value, json};
 
@@ -15,6 +16,12 @@ const DEPTH: usize = 64;
 #[must_use]
 pub fn decode(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
     Decoder { bytes, form: Form::Value }.whole(schema)
+}
+
+/// Decodes the value of an output of a tree, as [`decode`]; `None` if the tree has no such output, or its schema is not known.
+#[must_use]
+pub fn decode_output(tree: &Description, component: usize, output: usize, bytes: &[u8]) -> Option<Value> {
+    decode(tree.components.get(component)?.info.get(output)?.schema.as_ref()?, bytes)
 }
 
 /// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob is its size as text, such as

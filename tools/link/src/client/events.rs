@@ -30,7 +30,12 @@ const fn key(event: &Event) -> Option<Key> {
         Event::World(_) => (8, 0, 0),
         Event::Scenery(_) => (9, 0, 0),
         Event::Result(_) => (10, 0, 0),
-        Event::Log { .. } | Event::Answer(_) | Event::Taken(_) | Event::Reached(_) => return None,
+        Event::Log { .. }
+        | Event::Answer(_)
+        | Event::Taken(_)
+        | Event::Reached(_)
+        | Event::Requested { .. }
+        | Event::Happened { .. } => return None,
     })
 }
 

@@ -1,19 +1,14 @@
 //! Actions of a simulated world.
 
 use bica::Value;
-use bica_link::{Client, Event, ServerOptions, Truth};
+use bica_link::{Event, ServerOptions, Truth};
 use bica_wire::message::{ExtraKind, RefusalCode, WorldChange};
 use bica_wire::model::{NamedRequest, Plain};
 
 use crate::extras::distance;
-use crate::session::{FARTHEST, Session, Way, next, over_ways, placed, refusal};
+use crate::session::{FARTHEST, Session, Way, logged, next, over_ways, placed, refusal};
 
 const NEAR: [Value; 1] = [Value::F32(1.0)];
-
-/// Waits for a line of the log that contains a text.
-fn logged(client: &mut Client, text: &str) {
-    next!(client, text, Event::Log { text: line, .. } if line.contains(text) => ());
-}
 
 fn actions_are_found_by_name(way: Way) {
     let session = Session::start_world(way);

@@ -8,16 +8,14 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use bica::runner::{Request, Runner};
-use bica::{Blob, Format, Graph, Hold, Setting, Tree, Value};
-use bica_link::{Address, Client, ClientOptions, Error, Event};
+use bica::{Blob, Format, Hold, Setting, Tree, Value};
+use bica_link::{Address, Client, ClientOptions, Error, Event, decode_output};
 use bica_wire::message::{self, Change, FromMonitor, LeaseAction};
 use bica_wire::server::{Moment, MonitorServer, SerialLine};
 use bica_wire::{Encoder, ToRobot};
 
 use crate::robot::{CART, CartTree};
 use crate::session::{LIMIT, snapshot};
-
-static GRAPH: Graph = CartTree::GRAPH;
 
 /// Index of `Range`.
 const RANGE: usize = 1;
@@ -51,7 +49,7 @@ impl Drop for Board {
 }
 
 fn run(stream: &TcpStream, stop: &AtomicBool) {
-    let (mut runner, mut server) = (Runner::new(Box::new(CartTree::new()), ()), MonitorServer::<1>::new(&GRAPH));
+    let (mut runner, mut server) = (Runner::new(Box::new(CartTree::new()), ()), MonitorServer::<1>::new());
     let (mut line, began) = (SerialLine::new(0), Instant::now());
     while !stop.load(Ordering::Relaxed) {
         let now = bica::Instant::from_micros(began.elapsed().as_micros() as u64);
@@ -82,14 +80,14 @@ fn any_tree_is_watched_tuned_and_held() {
             break value.unwrap();
         }
     };
-    assert_eq!(value, serde_json::json!([2.0, 4.0]));
+    assert_eq!(decode_output(client.description(), RANGE, 0, &value), Some(serde_json::json!([2.0, 4.0])));
     client.acquire(false).unwrap();
     let set = |client: &mut Client, gain| {
         client.request(Request::Params(&[Setting::new(CART, 0, Value::F32(gain))])).map(|answer| answer.values)
     };
     assert_eq!(set(&mut client, 1.5).unwrap(), [Value::F32(1.5)]);
     let Err(Error::Refused { text, .. }) = set(&mut client, 2.5) else { panic!("2.5 is outside the range") };
-    assert_eq!(text, "`Cart.gain`: the value is outside its range");
+    assert_eq!(text, "`Cart.gain`: outside the range");
     client.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
     snapshot(&mut client, "the hold", |snapshot| snapshot.states[0].held == Hold::Latent);
     client.release().unwrap();
@@ -99,8 +97,8 @@ fn any_tree_is_watched_tuned_and_held() {
 
 #[test]
 fn silence_of_the_operator_ends_its_holds() {
-    let (mut tree, mut server) = (CartTree::new(), MonitorServer::<1>::new(&GRAPH));
-    let mut receive = |server: &mut MonitorServer<1>, tree: &mut CartTree, ms, message: &FromMonitor| {
+    let (mut tree, mut server) = (CartTree::new(), MonitorServer::<1>::new());
+    let receive = |server: &mut MonitorServer<1>, tree: &mut CartTree, ms, message: &FromMonitor| {
         let now = bica::Instant::from_millis(ms);
         let moment = Moment { robot: Some(now), clock: now, random: 7 };
         let bytes = postcard::to_stdvec(message).unwrap();

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use bica::Tree;
 use bica::action::Actions;
-use bica::runner::{Request, Runner};
-use bica_link::{Description, Error, Event, MAX_MONITORS};
+use bica::runner::{OwnedRequest, Request, Runner};
+use bica_link::{Description, Error, Event, MAX_MONITORS, decode_output};
 use bica_wire::message::{Hold, LogSource, Setting, Value};
 
 use crate::faults::cut;
@@ -69,7 +69,7 @@ fn output_comes_in_every_nth_cycle(way: Way) {
         let info =
             next!(&mut client, "information", Event::Info { cycle, component: 1, info: 0, value } => (cycle, value));
         let (cycle, value) = info;
-        let value = value.expect("a value");
+        let value = decode_output(client.description(), 1, 0, &value.expect("a value")).expect("its schema");
         let distance = value[0].as_f64().expect("a number");
         assert!((distance * distance - value[1].as_f64().expect("a number")).abs() < 1e-4, "{value}");
         assert!(cycle.is_multiple_of(7), "{cycle}");
@@ -87,23 +87,25 @@ fn every_monitor_gets_new_parameters_and_log_lines(way: Way) {
     operator.acquire(false).unwrap();
     let setting = Setting::new(CART, 0, Value::F32(0.75));
     operator.request(Request::Params(&[setting])).unwrap();
-    session.server.log(2, LogSource::World, "the referee whistles");
-    let (mut changed, mut asked, mut whistled) = (false, false, false);
-    while !(changed && asked && whistled) {
+    session.server.event("whistle", "twice");
+    session.server.log(2, LogSource::World, "the referee goes");
+    let (mut changed, mut told, tree) = (false, Vec::new(), watcher.description().clone());
+    while !(changed && told.len() == 3) {
         event(&mut watcher, "values and lines of the log", |event| {
-            match event {
-                Event::Params { component: 0 } => changed = true,
-                Event::Log { text, level: 2, source: LogSource::Operator, .. } if text == "set Cart.gain=0.75" => {
-                    asked = true;
-                }
-                Event::Log { text, level: 2, source: LogSource::World, .. } if text == "the referee whistles" => {
-                    whistled = true;
-                }
-                _ => return None,
+            if let Event::Requested { request, .. } = &event {
+                assert_eq!(*request, OwnedRequest::Params(vec![setting]));
             }
+            changed |= event == Event::Params { component: 0 };
+            told.extend(event.line(&tree).map(|line| (line.level, line.source, line.text)));
             Some(())
         });
     }
+    told.sort();
+    let line = |source, text: &str| (2, source, text.to_owned());
+    let world = |text| line(LogSource::World, text);
+    let expected =
+        [world("the referee goes"), world("whistle, twice"), line(LogSource::Operator, "set Cart.gain=0.75")];
+    assert_eq!(told, expected);
     assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.75)));
 }
 

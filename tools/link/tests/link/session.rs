@@ -373,6 +373,13 @@ macro_rules! next {
 }
 pub(crate) use next;
 
+/// Waits for a line of the log that contains a text.
+#[track_caller]
+pub(crate) fn logged(client: &mut Client, text: &str) {
+    let tree = client.description().clone();
+    event(client, text, |event| event.line(&tree).filter(|line| line.text.contains(text)));
+}
+
 /// Waits for a snapshot that meets a condition.
 #[track_caller]
 pub(crate) fn snapshot(client: &mut Client, expected: &str, condition: impl Fn(&Snapshot) -> bool) -> Snapshot {

@@ -8,7 +8,7 @@ use bica_link::Event;
 use bica_wire::message::{Hold, RefusalCode, WorldChange};
 
 use crate::robot::{CART, DRIVE};
-use crate::session::{Session, Way, next, over_ways, refusal, snapshot};
+use crate::session::{Session, Way, logged, next, over_ways, refusal, snapshot};
 
 const fn call(modulation: u16) -> Request<'static> {
     Request::Modulate { component: DRIVE, modulation, arguments: &[] }
@@ -72,7 +72,7 @@ fn stop_of_a_monitor_that_leaves_at_once_is_applied(way: Way) {
     drop(leaving);
     session.until_stats("it is gone", |stats| stats.monitors == 1);
     session.pause(false);
-    next!(&mut watcher, "the stop", Event::Log { text, .. } if text.contains("Drive.stop") => ());
+    logged(&mut watcher, "Drive.stop");
 }
 
 fn stop_is_in_force_in_a_paused_world(way: Way) {

@@ -1,4 +1,4 @@
-//! Places of breakpoints in a tree.
+//! Where breakpoints stop in a tree.
 
 use bica_link::{Component, Description};
 use bica_wire::message::{Stop, StopAt};
@@ -12,7 +12,7 @@ pub(super) type Activity = (bool, Option<u16>);
 
 /// A breakpoint that fits the tree of its session.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct BreakpointTarget {
     pub(super) breakpoint: Breakpoint,
     reach: Reach,
     /// What happens there, for people.
@@ -26,7 +26,7 @@ enum Reach {
     Transition(u16, u16),
 }
 
-impl Place {
+impl BreakpointTarget {
     /// Finds a breakpoint in a tree. `is_exact` is whether it is known which transition is taken, and not only the states.
     pub(super) fn find(breakpoint: Breakpoint, description: &Description, is_exact: bool) -> Result<Self, Failed> {
         let Breakpoint { component, state, transition } = breakpoint;
@@ -79,10 +79,15 @@ impl Place {
     }
 }
 
-/// The same places in another tree, found by names; those that it does not have are left out.
-pub(super) fn moved(places: &[Place], from: &Description, to: &Description, is_exact: bool) -> Vec<Place> {
-    let moved = |place: &Place| {
-        let Breakpoint { component, state, transition } = place.breakpoint;
+/// The same targets in another tree, found by names; those that it does not have are left out.
+pub(super) fn moved(
+    targets: &[BreakpointTarget],
+    from: &Description,
+    to: &Description,
+    is_exact: bool,
+) -> Vec<BreakpointTarget> {
+    let moved = |target: &BreakpointTarget| {
+        let Breakpoint { component, state, transition } = target.breakpoint;
         let owner = from.components.get(component)?;
         let component = to.components.iter().position(|one| one.name == owner.name)?;
         let new = &to.components[component];
@@ -94,47 +99,47 @@ pub(super) fn moved(places: &[Place], from: &Description, to: &Description, is_e
         let same_way = |transition: usize| ways(new).iter().position(|way| Some(way) == ways(owner).get(transition));
         let breakpoint =
             Breakpoint { component, state: state.and_then(same_state), transition: transition.and_then(same_way) };
-        Place::find(breakpoint, to, is_exact).ok()
+        BreakpointTarget::find(breakpoint, to, is_exact).ok()
     };
-    places.iter().filter_map(moved).collect()
+    targets.iter().filter_map(moved).collect()
 }
 
 /// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it.
-pub(super) fn reached(places: &[Place], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
-    let is_reached = |place: &&Place| {
-        let change = changed.iter().find(|change| usize::from(change.component) == place.breakpoint.component);
+pub(super) fn reached(targets: &[BreakpointTarget], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
+    let is_reached = |target: &&BreakpointTarget| {
+        let change = changed.iter().find(|change| usize::from(change.component) == target.breakpoint.component);
         let both = change.and_then(|change| Some((*before.get(usize::from(change.component))?, change.now)));
-        both.is_some_and(|(before, now)| place.is_reached(before, (now.0, now.2)))
+        both.is_some_and(|(before, now)| target.is_reached(before, (now.0, now.2)))
     };
-    places.iter().filter(is_reached).map(|place| place.breakpoint).collect()
+    targets.iter().filter(is_reached).map(|target| target.breakpoint).collect()
 }
 
-/// The first time after `from_us` at which a place is reached.
-pub(super) fn next(history: &History, places: &[Place], from_us: u64, is_exact: bool) -> Option<Reached> {
+/// The first time after `from_us` at which a target is reached.
+pub(super) fn next(history: &History, targets: &[BreakpointTarget], from_us: u64, is_exact: bool) -> Option<Reached> {
     let (taken, seen): (Vec<_>, Vec<_>) =
-        places.iter().partition(|place| is_exact && place.breakpoint.transition.is_some());
+        targets.iter().partition(|target| is_exact && target.breakpoint.transition.is_some());
     let mut later = history.taken.between(from_us.saturating_add(1), u64::MAX);
     let by_transition = later.find_map(|&(time_us, (component, transition))| {
         let breakpoint = Breakpoint { component, state: None, transition: Some(transition) };
-        taken.iter().any(|place| place.breakpoint == breakpoint).then_some(Reached { time_us, breakpoint })
+        taken.iter().any(|target| target.breakpoint == breakpoint).then_some(Reached { time_us, breakpoint })
     });
     let by_state = next_seen(&history.states, &seen, from_us);
     by_state.into_iter().chain(by_transition).min_by_key(|reached| reached.time_us)
 }
 
 /// The same as far as states show it.
-fn next_seen(states: &States, places: &[&Place], from_us: u64) -> Option<Reached> {
+fn next_seen(states: &States, targets: &[&BreakpointTarget], from_us: u64) -> Option<Reached> {
     let activity = |now: &ComponentNow| (now.0, now.2);
     let mut all: Vec<Activity> = states.base().iter().map(activity).collect();
     for change in states.changes().filter(|change| change.visible) {
         let component = usize::from(change.component);
         let now = activity(&change.now);
         let before = std::mem::replace(all.get_mut(component)?, now);
-        let mut here = places.iter().filter(|place| place.breakpoint.component == component);
+        let mut here = targets.iter().filter(|target| target.breakpoint.component == component);
         if change.time_us > from_us
-            && let Some(place) = here.find(|place| place.is_reached(before, now))
+            && let Some(target) = here.find(|target| target.is_reached(before, now))
         {
-            return Some(Reached { time_us: change.time_us, breakpoint: place.breakpoint });
+            return Some(Reached { time_us: change.time_us, breakpoint: target.breakpoint });
         }
     }
     None
@@ -148,18 +153,22 @@ mod tests {
     use crate::sessions::history::Limits;
     use bica::Hold;
 
-    fn place(reach: Reach) -> Place {
-        Place { breakpoint: Breakpoint { component: 0, state: None, transition: None }, reach, text: String::new() }
+    fn target(reach: Reach) -> BreakpointTarget {
+        BreakpointTarget {
+            breakpoint: Breakpoint { component: 0, state: None, transition: None },
+            reach,
+            text: String::new(),
+        }
     }
 
     #[test]
     fn a_place_is_reached_once_when_it_is_entered() {
-        let state = place(Reach::State(1));
+        let state = target(Reach::State(1));
         assert!(state.is_reached((true, Some(0)), (true, Some(1))));
         assert!(state.is_reached((false, Some(1)), (true, Some(1))));
         assert!(!state.is_reached((true, Some(1)), (true, Some(1))));
         assert!(!state.is_reached((true, Some(1)), (false, Some(1))));
-        let transition = place(Reach::Transition(0, 1));
+        let transition = target(Reach::Transition(0, 1));
         assert!(transition.is_reached((true, Some(0)), (true, Some(1))));
         assert!(!transition.is_reached((false, Some(0)), (true, Some(1))));
         assert!(!transition.is_reached((true, Some(2)), (true, Some(1))));
@@ -180,11 +189,13 @@ mod tests {
         };
         let before = tree(&["on", "off"], &[("tick", 0, 1), ("tick", 1, 0), ("lit", 1, 0)]);
         let after = tree(&["new", "off", "on"], &[("tick", 1, 2), ("tick", 2, 1)]);
-        let place =
-            |state, transition| Place::find(Breakpoint { component: 1, state, transition }, &before, true).unwrap();
-        let places = [place(Some(0), None), place(None, Some(0)), place(None, Some(1)), place(None, Some(2))];
-        let found = moved(&places, &before, &after, true);
-        let found: Vec<_> = found.iter().map(|place| (place.breakpoint.state, place.breakpoint.transition)).collect();
+        let target = |state, transition| {
+            BreakpointTarget::find(Breakpoint { component: 1, state, transition }, &before, true).unwrap()
+        };
+        let targets = [target(Some(0), None), target(None, Some(0)), target(None, Some(1)), target(None, Some(2))];
+        let found = moved(&targets, &before, &after, true);
+        let found: Vec<_> =
+            found.iter().map(|target| (target.breakpoint.state, target.breakpoint.transition)).collect();
         assert_eq!(found, [(Some(2), None), (None, Some(1)), (None, Some(0))]);
     }
 
@@ -194,7 +205,7 @@ mod tests {
         for (time, state) in [(0, 0), (10, 1), (20, 0), (30, 1), (40, 1)] {
             states.push(time, time / 10, std::iter::once((true, Hold::Tree, Some(state), None)));
         }
-        let at = |from_us| next_seen(&states, &[&place(Reach::State(1))], from_us).map(|reached| reached.time_us);
+        let at = |from_us| next_seen(&states, &[&target(Reach::State(1))], from_us).map(|reached| reached.time_us);
         assert_eq!([at(0), at(9), at(10), at(29), at(30)], [Some(10), Some(10), Some(30), Some(30), None]);
     }
 
@@ -205,8 +216,8 @@ mod tests {
         for (time, transition) in [(10, 1), (20, 2), (30, 1)] {
             history.taken.push(time, (0, transition));
         }
-        let place = Place::at(Breakpoint { component: 0, state: None, transition: Some(1) });
-        let at = |from_us| next(&history, std::slice::from_ref(&place), from_us, true).map(|reached| reached.time_us);
+        let target = BreakpointTarget::at(Breakpoint { component: 0, state: None, transition: Some(1) });
+        let at = |from_us| next(&history, std::slice::from_ref(&target), from_us, true).map(|reached| reached.time_us);
         assert_eq!([at(0), at(10), at(29), at(30)], [Some(10), Some(30), Some(30), None]);
     }
 }

@@ -1,22 +1,7 @@
-//! The tree of a recording.
+//! What does not move in a world, in a session and in a recording.
 
-use bica_link::{Description, Shown};
+use bica_link::Shown;
 use bica_recording::{Header, Scenery};
-
-use crate::protocol::Failed;
-
-/// Largest number of components of a recording that is shown.
-const MAX_COMPONENTS: usize = 1024;
-
-/// Returns the description, if it is not too large and its indices are valid.
-pub(super) fn describe(header: &Header) -> Result<Description, Failed> {
-    let count = header.tree.components.len();
-    if count == 0 || count > MAX_COMPONENTS {
-        let what = format!("the recording has {count} components");
-        return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
-    }
-    Ok(header.tree.clone())
-}
 
 /// Returns what does not move in the recorded world.
 pub(super) fn scenery(header: &Header) -> Vec<Shown> {
@@ -28,7 +13,7 @@ pub(super) fn scenery(header: &Header) -> Vec<Shown> {
 }
 
 /// The same of a session, for the header of a recording.
-pub(in crate::sessions) fn recorded_scenery(shown: &[Shown]) -> Vec<Scenery> {
+pub(super) fn recorded_scenery(shown: &[Shown]) -> Vec<Scenery> {
     let scenery = |Shown { name, shape, frame, colour, line_width, value, .. }| {
         let number = colour.and_then(|text: String| u32::from_str_radix(text.strip_prefix('#')?, 16).ok());
         let colour = number.map(u32::to_be_bytes).map(|[_, red, green, blue]| [red, green, blue]);
@@ -39,6 +24,9 @@ pub(in crate::sessions) fn recorded_scenery(shown: &[Shown]) -> Vec<Scenery> {
 
 #[cfg(test)]
 mod tests {
+    use bica_link::Description;
+    use bica_wire::message::Offers;
+
     use super::*;
 
     #[test]
@@ -51,7 +39,10 @@ mod tests {
             line_width: Some(0.05),
             value: serde_json::json!({ "x": 0.5 }),
         };
-        let header = |scenery| Header { scenery, ..Header::of_monitor("tcp://robot:7400", &Description::default()) };
+        let header = |scenery| Header {
+            scenery,
+            ..Header::of_monitor("tcp://robot:7400", &Description::default(), Offers::OPERATE)
+        };
         let shown = scenery(&header(vec![wall.clone()]));
         assert_eq!(shown[0].colour.as_deref(), Some("#0080ff"));
         assert_eq!(recorded_scenery(&shown), [wall]);
