@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::process::{Ran, run, without_wall};
+use crate::process::{Folder, Ran, run, without_wall};
 
 fn game(args: &[&str]) -> Value {
     let mut printed = run(args).json();
