@@ -82,7 +82,15 @@ impl<M: RobotModel> Odometry<M> {
     pub const fn new(calibration: &'static Calibration) -> Self {
         const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
         let commanded = [None; MAX_FEEDBACK_DELAY + 1];
-        Self { calibration, pose: Pose2::ORIGIN, soles: None, commanded, support: None, legs_turn: 0.0, model: PhantomData }
+        Self {
+            calibration,
+            pose: Pose2::ORIGIN,
+            soles: None,
+            commanded,
+            support: None,
+            legs_turn: 0.0,
+            model: PhantomData,
+        }
     }
 
     /// Sets the scales to use from now on.

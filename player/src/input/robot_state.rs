@@ -222,7 +222,8 @@ mod tests {
     fn motion_may_end_on_both_feet_or_in_the_air() {
         let mut state = RobotState::new();
         for (left, right, may_stop) in [(20.0, 20.0, true), (20.0, 0.0, false), (0.0, 20.0, false), (0.0, 0.0, true)] {
-            let [left_foot, right_foot] = [left, right].map(|front_left| FootPressure { front_left, ..FootPressure::default() });
+            let [left_foot, right_foot] =
+                [left, right].map(|front_left| FootPressure { front_left, ..FootPressure::default() });
             state.measure(&Sensors { left_foot, right_foot, ..sensors(0.0, 0.0) }, &command(1.0));
             assert_eq!(state.may_stop(), may_stop, "{left} and {right} N");
         }

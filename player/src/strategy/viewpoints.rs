@@ -27,11 +27,7 @@ impl Grid {
         let length = field.x / columns;
         let width = sqrtf((diagonal * diagonal - length * length).max(length * length));
         let rows = number(field.y, width);
-        Self {
-            cell: Vec2::new(length, field.y / rows),
-            columns: columns as usize,
-            count: (columns * rows) as usize,
-        }
+        Self { cell: Vec2::new(length, field.y / rows), columns: columns as usize, count: (columns * rows) as usize }
     }
 
     /// Middle of a cell, m, field frame.
