@@ -1,5 +1,6 @@
 //! Games: reproducible, and printed as text and as JSON.
 
+use bica_recording::Recording;
 use serde_json::{Value, json};
 
 use crate::process::{Folder, Ran, run, without_wall};
@@ -45,7 +46,7 @@ fn options_set_up_the_start_and_faults_that_are_told() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_each_fault_has_a_line_an_entry_and_a_log_message() {
+fn slow_each_fault_has_its_line_entry_and_message() {
     let folder = Folder::new("faults");
     for (option, fault) in [
         ("image=freeze", "the camera repeats the same image"),
@@ -62,8 +63,10 @@ fn slow_each_fault_has_a_line_an_entry_and_a_log_message() {
         let ran = run(&[faulty, kept].concat());
         assert!(ran.stderr.contains(&format!("* fault: {fault}")), "{option}: {}", ran.stderr);
         assert_eq!(ran.json()["faults"][0]["fault"], fault, "{option}");
-        let log = run(&["record", "export", &file]);
-        println!("{}", log.stdout);
+        let mut recording = Recording::open(file.as_ref()).expect("a recording");
+        let next = || recording.next_cycle().expect("a whole recording");
+        let texts: Vec<String> = std::iter::from_fn(next).flat_map(|cycle| cycle.log).map(|line| line.text).collect();
+        assert_eq!(texts.first(), Some(&format!("fault: {fault}")), "{option}: {texts:?}");
     }
 }
 
