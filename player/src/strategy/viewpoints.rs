@@ -73,6 +73,8 @@ impl Viewpoints {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use super::*;
 
     #[test]
