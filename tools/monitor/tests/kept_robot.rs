@@ -21,6 +21,8 @@ use bica_recording::{
 
 /// Longest wait of a test that fails.
 const LIMIT: Duration = Duration::from_mins(1);
+/// Longer than any test, in the robot's time.
+const LONG: Duration = Duration::from_secs(1_000_000);
 /// Time of a cycle, µs.
 const CYCLE_US: u64 = 10_000;
 /// Index of the lamp.
@@ -142,7 +144,8 @@ impl Drop for Folder {
 fn run(folder: &Path) -> [PathBuf; 2] {
     let files = ["own.mcap", "monitor.mcap"].map(|name| folder.join(name));
     let address = "127.0.0.1:0".parse().unwrap();
-    let (server, requests, link) = LinkServer::start::<LampTree>(&address, ServerOptions::default()).unwrap();
+    let options = ServerOptions { silence: LONG, ..ServerOptions::default() };
+    let (server, requests, link) = LinkServer::start::<LampTree>(&address, options).unwrap();
     let address = server.address().to_owned();
     let header = Header::new(&LampTree::GRAPH, SetUp::new(), ImagePolicy::All).of_robot(&LampTree::new());
     let options = RecorderOptions { information_every: 1, ..RecorderOptions::default() };
@@ -184,7 +187,9 @@ fn run(folder: &Path) -> [PathBuf; 2] {
 
 /// Tunes and holds the lamp, and leaves it to its tree.
 fn operate(address: &str) {
-    let mut operator = Client::connect(&address.parse().unwrap(), ClientOptions::default()).unwrap();
+    // The robot's time is faster than the clock, from which a client computes an expiry.
+    let options = ClientOptions { timeout: LIMIT, expiry: LONG };
+    let mut operator = Client::connect(&address.parse().unwrap(), options).unwrap();
     operator.acquire(false).unwrap();
     let level = |level| [Setting::new(LAMP, 0, Value::F32(level))];
     for request in [
