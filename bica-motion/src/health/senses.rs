@@ -154,8 +154,8 @@ impl Senses {
         (self.last, self.without_image) = (Some(glimpse), 0);
     }
 
-    /// Compares the turn of one cycle, of this duration (s), by the gyroscope with that by the legs (rad). It begins anew while the robot is
-    /// not upright, or `by_legs` is not known.
+    /// Compares the turn of one cycle, of this duration (s), by the gyroscope with that by the legs (rad). It begins anew while the robot
+    /// is not upright, or `by_legs` is not known.
     pub fn turn(&mut self, inertial: &Inertial, by_legs: Option<f32>, seconds: f32) {
         let Some(by_legs) = by_legs.filter(|_| is_upright(inertial)) else {
             self.drift = Drift::NONE;

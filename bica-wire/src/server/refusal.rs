@@ -33,7 +33,8 @@ impl PendingAnswer {
 }
 
 impl Outcome {
-    /// A refusal with a text for people: the name of the refused entry, if it has one, and the reason. A monitor has the texts of the codes.
+    /// Returns a refusal with a text for people: the name of the refused entry, if it has one, and the reason. A monitor has the texts of
+    /// the codes.
     pub(super) fn refused(code: RefusalCode, entry: u16, reason: &str, component: &str, name: &str) -> Self {
         let mut text = String::new();
         let parts = match (component, name) {
