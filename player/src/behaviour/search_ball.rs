@@ -18,6 +18,8 @@ use crate::strategy::{Strip, Viewpoints, free_path};
 
 /// Largest tangent of the angle to a place that is ahead.
 const AHEAD: f32 = 0.3;
+/// Least distance to another place, m.
+const MIN_WALK: f32 = 0.25;
 /// Turning speed for each unit of the sine of that angle in the walk to the place, and the largest one, rad/s.
 const STEERING: f32 = 1.0;
 const MAX_TURN: f32 = 0.4;
@@ -261,6 +263,12 @@ impl SearchBall {
     #[transition(find_path -> scan, after_ms = 12000)]
     fn surrounded(&self) -> bool {
         true
+    }
+
+    /// Something stands in the way at once: a scan from here would show nothing new.
+    #[transition(walk_on -> find_path)]
+    fn blocked_at_once(&self, tuned: &Tuned<Search>) -> bool {
+        self.path < tuned.blocked_path && self.walked < MIN_WALK
     }
 
     #[transition(walk_on -> scan)]
