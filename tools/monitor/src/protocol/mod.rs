@@ -8,7 +8,6 @@
 //! `id`. Everything else that the server sends is state: a page that missed some of it is right again after the next
 //! message of the same kind.
 
-mod arrange;
 pub mod binary;
 mod breakpoint;
 mod compiler;
@@ -23,7 +22,6 @@ mod to_page;
 mod watch;
 mod world;
 
-pub use arrange::Arrange;
 pub use breakpoint::{Breakpoint, Hit, Reached};
 pub use compiler::{Build, BuildState, Check, CheckState, CodeLevel, CodeMessage};
 pub use from_page::{FromPage, Request};

@@ -152,7 +152,6 @@ impl Manager {
         match request {
             Request::Open { source } => return self.open(source).map(|session| Some(json!({ "session": session }))),
             Request::Recordings {} => return Ok(Some(storage::recordings(&self.common.options))),
-            Request::Arrange { drawing } => return drawing.answer().map(Some),
             Request::Layouts {} => return storage::layouts(&self.common.options).map(Some),
             Request::Source { request } => return self.editor()?.handle(page, request).map(Some),
             Request::SaveLayout { name, layout } => {
@@ -257,7 +256,6 @@ impl Manager {
                 | Request::Coverage { .. }
                 | Request::ParamUses { .. }
                 | Request::Recordings {}
-                | Request::Arrange { .. }
                 | Request::Layouts {}
                 | Request::Source { .. }
                 | Request::Compare { .. }

@@ -10,6 +10,7 @@ pub(super) const WIDTH: f32 = 160.0;
 pub(super) const HEIGHT: f32 = 40.0;
 /// Height of a line of text, points.
 pub(super) const LINE: f32 = 14.0;
+
 /// A state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
@@ -31,19 +32,15 @@ pub struct Node {
     pub mark: Option<Change>,
 }
 
-/// A transition, or several ones from one state to one other.
+/// Transitions from one state to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Names and timers, one line each; none if another line of the same transition has the name.
+    /// Names and timers, one line each.
     pub labels: Vec<Label>,
-    /// The line, points.
+    /// The curve, points.
     pub points: Vec<(f32, f32)>,
-    /// The line to labels that stand beside it, points; empty without one.
-    pub leader: Vec<(f32, f32)>,
     /// Middle of the labels, points.
     pub label_at: (f32, f32),
-    /// How it differs, in a difference: as all its transitions do, else it is equal.
-    pub mark: Option<Change>,
 }
 
 /// Name and timer of a transition.
@@ -71,6 +68,15 @@ impl Label {
         let timer = edge.after_ms.map_or_else(String::new, |ms| format!(" after {ms} ms"));
         let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
         Self { text: format!("{sign}{}{timer}", edge.condition.name.text), mark }
+    }
+}
+
+impl Edge {
+    /// How it differs: as all its transitions do, else it is equal.
+    #[must_use]
+    pub fn mark(&self) -> Option<Change> {
+        let first = self.labels.first()?.mark;
+        first.filter(|_| self.labels.iter().all(|label| label.mark == first))
     }
 }
 

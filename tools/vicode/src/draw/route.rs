@@ -13,7 +13,7 @@ const TRIES: [f32; 11] = [0.0, 40.0, 80.0, -44.0, 130.0, -90.0, 190.0, -140.0, 2
 /// Places of a name along its curve that are tried, the best first.
 const ALONG: [f32; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82];
 /// Width of a letter and height of a line of a name, points.
-pub(super) const LETTER: (f32, f32) = (6.0, 13.0);
+const LETTER: (f32, f32) = (6.0, 13.0);
 
 /// The course from one state to another: a curve to the right of the way, so that there and back are two curves. It is bent more if it
 /// would cross other states.
