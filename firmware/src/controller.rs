@@ -12,8 +12,6 @@ use bica_player::perception::{BallDetector, GoalDetector};
 use bica_wire::describe;
 use bica_wire::message::{ClockMode, Hello, Identity, LinkStats, Sensors, Telemetry};
 #[cfg(feature = "monitor")]
-use bica_wire::server::Moment;
-#[cfg(feature = "monitor")]
 use bica_wire::{Encoder, MAX_PACKET};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, blobs, messages_hash};
 use embassy_time::Duration;
@@ -25,7 +23,7 @@ use crate::image::ImageReceiver;
 use crate::link::MessageTx;
 use crate::meter::Meter;
 #[cfg(feature = "monitor")]
-use crate::monitor_line::{BODY, Monitors};
+use crate::monitor::{Line, Monitor};
 use crate::stack;
 use crate::tree::Forward;
 #[cfg(not(feature = "monitor"))]
@@ -37,12 +35,9 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// Hash of the schemas of sensor values and command.
 const MESSAGES: u64 = messages_hash::<robot::Sensors<'static>, Command>();
 
-/// The tree that runs on board `B`, with its costs.
-pub(crate) type Running<B> = Runner<&'static mut Forward, (), (), Meter<B>>;
-
 /// The robot's controller on board `B`.
 pub(crate) struct Controller<B> {
-    runner: Running<B>,
+    runner: Runner<&'static mut Forward, (), (), Meter<B>>,
     image: ImageReceiver,
     crash_log: CrashLog,
     /// `None` before the first [`Hello`].
@@ -56,7 +51,7 @@ pub(crate) struct Controller<B> {
     /// Whether ball and goal are visible.
     visible: (bool, bool),
     #[cfg(feature = "monitor")]
-    monitors: &'static mut Monitors,
+    monitor: &'static mut Monitor,
     /// The robot's time at the last cycle.
     #[cfg(feature = "monitor")]
     time: Instant,
@@ -75,7 +70,7 @@ impl<B: Board> Controller<B> {
         robot: &'static mut Forward,
         image: ImageReceiver,
         crash_log: CrashLog,
-        #[cfg(feature = "monitor")] monitors: &'static mut Monitors,
+        #[cfg(feature = "monitor")] monitor: &'static mut Monitor,
     ) -> Self {
         Self {
             runner: Runner::new(robot, ()).with_observer(Meter::new()),
@@ -88,7 +83,7 @@ impl<B: Board> Controller<B> {
             safe_stop: false,
             visible: (false, false),
             #[cfg(feature = "monitor")]
-            monitors,
+            monitor,
             #[cfg(feature = "monitor")]
             time: Instant::MIN,
         }
@@ -127,22 +122,30 @@ impl<B: Board> Controller<B> {
                     tx.send(&FromRobot::GraphItem(item)).await;
                 }
             }
+            #[cfg(feature = "monitor")]
+            ToRobot::Describe => {
+                self.monitor.describe(Line::Body);
+                self.answer_monitor(tx).await;
+            }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
             // This program answers only `Describe`.
             #[cfg(not(feature = "monitor"))]
-            ToRobot::Monitor(_) | ToRobot::MonitorExtra(_) => {}
+            ToRobot::Monitor(_) => {}
+            #[cfg(not(feature = "monitor"))]
+            ToRobot::MonitorExtra(_) => {}
             #[cfg(feature = "monitor")]
-            ToRobot::Describe | ToRobot::Monitor(_) | ToRobot::MonitorExtra(_) => {
-                let (monitors, runner, moment) = self.monitors();
-                monitors.receive(BODY, message, runner, &moment);
+            ToRobot::MonitorExtra(_) => self.monitor.refuse_extra(),
+            #[cfg(feature = "monitor")]
+            ToRobot::Monitor(bytes) => {
+                self.receive_monitor(Line::Body, bytes);
                 self.answer_monitor(tx).await;
             }
             ToRobot::ImageChunk(chunk) => self.image.add(chunk, self.runner.robot_mut().get_mut::<CameraInput>()),
             ToRobot::Sensors(sensors) => {
                 #[cfg(feature = "monitor")]
                 if self.clock_mode == Some(ClockMode::Lockstep) {
-                    self.monitors.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
+                    self.monitor.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
                 }
                 if !self.sense(sensors) {
                     defmt::warn!("sensor values cannot be read");
@@ -170,7 +173,7 @@ impl<B: Board> Controller<B> {
         self.runner.robot_mut().get_mut::<GoalDetector>().attack(attacks);
         self.clock_mode = Some(hello.clock_mode);
         #[cfg(feature = "monitor")]
-        self.monitors.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
+        self.monitor.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
         tx.send(&self.identity()).await;
     }
 
@@ -188,7 +191,7 @@ impl<B: Board> Controller<B> {
         }
         self.safe_stop = safe_stop;
         #[cfg(feature = "monitor")]
-        self.monitors.before_cycle(&mut self.runner, now);
+        self.monitor.before_cycle(&mut self.runner, now);
         self.cycle(now, link, tx).await;
     }
 
@@ -211,7 +214,7 @@ impl<B: Board> Controller<B> {
         }
         self.sensed = Some(Sensed { time_us: message.time_us, ticks: B::counter().wrapping_sub(start) });
         #[cfg(feature = "monitor")]
-        self.monitors.sensed(image.is_some());
+        self.monitor.sensed(image.is_some());
         true
     }
 
@@ -228,7 +231,7 @@ impl<B: Board> Controller<B> {
         #[cfg(feature = "monitor")]
         {
             self.time = now;
-            self.monitors.after_cycle(now, Instant::now(), self.late_cycles.into());
+            self.monitor.after_cycle(now, self.late_cycles);
             self.send_monitor(MAX_PACKET, tx).await;
         }
     }
@@ -267,15 +270,23 @@ impl<B: Board> Controller<B> {
 
 #[cfg(feature = "monitor")]
 impl<B: Board> Controller<B> {
-    /// Returns the server for monitors, the robot that they operate, and the moment between two cycles.
-    pub(crate) fn monitors(&mut self) -> (&mut Monitors, &mut Running<B>, Moment) {
-        let clock = Instant::now();
-        let robot = self.clock_mode.map(|mode| match mode {
-            ClockMode::FreeRunning => clock,
+    /// Returns the server for monitors.
+    pub(crate) const fn monitor(&mut self) -> &mut Monitor {
+        self.monitor
+    }
+
+    /// Handles a message of a monitor, between two cycles.
+    pub(crate) fn receive_monitor(&mut self, line: Line, bytes: &[u8]) {
+        let now = self.clock_mode.map(|mode| match mode {
+            ClockMode::FreeRunning => Instant::now(),
             ClockMode::Lockstep => self.time,
         });
-        let moment = Moment { robot, clock, random: B::counter().into() };
-        (self.monitors, &mut self.runner, moment)
+        self.monitor.receive(line, bytes, &mut self.runner, now, B::counter());
+    }
+
+    /// Encodes the next packet for a monitor; see [`Monitor::next_packet`].
+    pub(crate) fn next_packet(&mut self, line: Line, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
+        self.monitor.next_packet(line, self.runner.robot(), encoder, room)
     }
 
     /// Sends packets to a monitor on the body's line: all that are due while no clock runs, else only the answer.
@@ -283,7 +294,7 @@ impl<B: Board> Controller<B> {
         if self.clock_mode != Some(ClockMode::FreeRunning) {
             self.send_monitor(usize::MAX, tx).await;
         }
-        while !self.monitors.is_ready(BODY) {
+        while !self.monitor.is_ready(Line::Body) {
             self.send_monitor(1, tx).await;
         }
     }
@@ -293,7 +304,7 @@ impl<B: Board> Controller<B> {
         let mut sent = 0;
         while sent < limit {
             let encode = |encoder: &mut Encoder, room: &mut [u8]| {
-                self.monitors.next_packet(BODY, self.runner.robot(), encoder, room)
+                self.monitor.next_packet(Line::Body, self.runner.robot(), encoder, room)
             };
             let Some(length) = tx.send_packet(encode).await else { return };
             sent += length;

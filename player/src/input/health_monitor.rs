@@ -8,7 +8,6 @@ use bica_motion::robot::{Sensors, plausible_temperature};
 use super::{CameraInput, RobotState};
 use crate::Model;
 use crate::output::JointCommand;
-use crate::perception::Odometry;
 
 /// Reaction to a fault.
 #[derive(Params)]
@@ -51,15 +50,7 @@ impl HealthMonitor {
         self.senses.step(sensors, &commanded.targets);
     }
 
-    fn step(
-        &mut self,
-        tuned: &Tuned<FaultReaction>,
-        time: &Time,
-        input: &CameraInput,
-        state: &RobotState,
-        odometry: &Odometry,
-    ) {
-        self.senses.turn(state.inertial(), odometry.legs_turn(), time.dt());
+    fn step(&mut self, tuned: &Tuned<FaultReaction>, time: &Time, input: &CameraInput, state: &RobotState) {
         if self.image != input.count()
             && let Some(glimpse) = input.glimpse()
         {
@@ -152,7 +143,6 @@ mod tests {
             &crate::behaviour::test_time(10),
             &CameraInput::new(),
             &RobotState::new(),
-            &Odometry::new(),
         );
     }
 

@@ -1,5 +1,4 @@
 #![doc = include_str!("../README.md")]
-#![cfg(feature = "dds")]
 
 mod bag;
 mod message;

@@ -1,4 +1,4 @@
-//! Command line of VICODE.
+//! The command line of VICODE.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ struct Arguments {
     command: bica_vicode::cli::Command,
 }
 
-/// Exit code 0: no mistakes; 1: a file has mistakes; 2: the command failed.
+/// 0: all is well; 1: a file has mistakes; 2: the command is not possible.
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let mut out = io::stdout().lock();

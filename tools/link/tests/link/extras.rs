@@ -15,8 +15,8 @@ use bica_wire::message::{
 
 use crate::robot::{CART, CartTree};
 use crate::session::{
-    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, Way, event, is_late, next, over_ways,
-    placed, snapshot,
+    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, anywhere, event, is_late, next, placed,
+    snapshot,
 };
 
 const PAUSE: WorldChange = WorldChange::Pause;
@@ -32,8 +32,9 @@ fn image(client: &mut Client) -> Image {
     next!(client, "an image", Event::Image(image) => image)
 }
 
-fn paused_world_applies_requests_and_counts_steps(way: Way) {
-    let session = Session::start_world(way);
+#[test]
+fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
+    let session = Session::start_world();
     let (mut operator, mut watcher) = (session.client(), session.client());
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
     watcher.watch(1).unwrap();
@@ -68,8 +69,9 @@ fn paused_world_applies_requests_and_counts_steps(way: Way) {
     session.run(20);
 }
 
-fn monitor_gets_all_of_a_paused_world_s_last_cycle(way: Way) {
-    let session = Session::start_world(way);
+#[test]
+fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
+    let session = Session::start_world();
     let (mut operator, mut slow) = (session.client(), session.client());
     let seldom = |client: &mut Client| {
         client.watch(10_000).unwrap();
@@ -103,10 +105,11 @@ fn monitor_gets_all_of_a_paused_world_s_last_cycle(way: Way) {
     assert_eq!(session.cycles(), last + 1, "time stands still");
 }
 
-fn the_operator_is_silent_in_a_paused_world_too(way: Way) {
+#[test]
+fn the_operator_is_silent_in_a_paused_world_too() {
     let silence = Duration::from_secs(2);
     let options = bica_link::ServerOptions { silence, offers: Offers::PAUSE, ..bica_link::ServerOptions::default() };
-    let session = Session::serve(way, options);
+    let session = Session::serve(&anywhere(), options);
     let (mut silent, mut next) = (session.client(), session.client());
     silent.acquire(false).unwrap();
     silent.change_world(PAUSE).unwrap();
@@ -118,8 +121,9 @@ fn the_operator_is_silent_in_a_paused_world_too(way: Way) {
     session.run(20);
 }
 
-fn time_stops_only_for_a_world_s_operator(way: Way) {
-    let session = Session::start(way);
+#[test]
+fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
+    let session = Session::start();
     let mut client = session.client();
     assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS).with(Offers::IMAGES));
     client.acquire(false).unwrap();
@@ -134,7 +138,7 @@ fn time_stops_only_for_a_world_s_operator(way: Way) {
     session.run(50);
     assert!(matches!(client.watch_extra(ExtraKind::Truth, 1), Err(Error::NotOffered(_))));
 
-    let session = Session::start_world(way);
+    let session = Session::start_world();
     let mut watcher = session.client();
     let refused = watcher.change_world(PAUSE);
     assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoLease, .. })), "{refused:?}");
@@ -177,9 +181,10 @@ impl Probe for Oracle {
 
 impl Observer<CartTree> for Oracle {}
 
-fn conditions_and_truth_are_of_their_cycle(way: Way) {
+#[test]
+fn conditions_and_the_true_state_are_those_of_their_cycle() {
     const CYCLES: usize = 2000;
-    let session = Session::start_world(way);
+    let session = Session::start_world();
     let mut client = session.client();
     client.watch_extra(CONDITIONS, 3).unwrap();
     client.watch_extra(ExtraKind::Truth, 5).unwrap();
@@ -224,8 +229,9 @@ pub(crate) fn distance(truth: &Truth) -> f32 {
     truth.value("cart").and_then(|cart| cart["x"].as_f64()).expect("the cart has a pose") as f32
 }
 
-fn attached_monitor_gets_scenery_result_and_items(way: Way) {
-    let session = Session::start_world(way);
+#[test]
+fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_world_declares_them() {
+    let session = Session::start_world();
     let mut client = session.client();
     client.watch_extra(ExtraKind::Truth, 1).unwrap();
     let truth = next!(&mut client, "the true state", Event::Truth(truth) => truth);
@@ -251,7 +257,7 @@ fn attached_monitor_gets_scenery_result_and_items(way: Way) {
         assert_eq!((lines.len(), &lines[BRICKS - 1]["end"]["x"]), (BRICKS, &(BRICKS as f64 - 1.0).into()));
         assert_eq!(result.as_deref(), Some("it is over"));
     }
-    let mut alone = Session::start(way).client();
+    let mut alone = Session::start().client();
     assert!(!alone.offers().contains(Offers::TRUTH));
     while let Some(event) = alone.poll(Duration::from_millis(50)).unwrap() {
         assert!(!matches!(event, Event::Scenery(_) | Event::Result(_)), "{event:?}");
@@ -261,8 +267,9 @@ fn attached_monitor_gets_scenery_result_and_items(way: Way) {
     }
 }
 
-fn costs_have_the_runs_of_their_window(way: Way) {
-    let session = Session::start(way);
+#[test]
+fn costs_have_the_runs_of_their_window() {
+    let session = Session::start();
     let mut client = session.client();
     client.watch_extra(ExtraKind::Costs, 1).unwrap();
     let mut next = || next!(&mut client, "costs", Event::Costs(costs) => costs);
@@ -288,8 +295,9 @@ fn costs_have_the_runs_of_their_window(way: Way) {
     }
 }
 
-fn monitor_gets_the_newest_image_next(way: Way) {
-    let session = Session::start_world(way);
+#[test]
+fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
+    let session = Session::start_world();
     let (mut slow, mut other) = (session.client(), session.client());
     for client in [&mut slow, &mut other] {
         client.watch_extra(ExtraKind::Images, 3).unwrap();
@@ -327,8 +335,9 @@ fn monitor_gets_the_newest_image_next(way: Way) {
     }
 }
 
-fn world_pauses_at_a_stop_unless_leased(way: Way) {
-    let session = Session::start_world(way);
+#[test]
+fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease() {
+    let session = Session::start_world();
     let (mut watcher, mut operator) = (session.client(), session.client());
     // The cart waits while the wall is near, and approaches it when it is far.
     let [near, far] = [0.1, 3.0].map(|x| [Value::F32(x)]);
@@ -366,13 +375,4 @@ fn world_pauses_at_a_stop_unless_leased(way: Way) {
     operator.request(placed(&near)).unwrap();
     assert!(!reached(&mut watcher).0.paused);
     session.run(20);
-}
-
-over_ways! { memory tcp serial:
-    time_stops_only_for_a_world_s_operator, conditions_and_truth_are_of_their_cycle, costs_have_the_runs_of_their_window
-}
-over_ways! { memory tcp:
-    paused_world_applies_requests_and_counts_steps, monitor_gets_all_of_a_paused_world_s_last_cycle,
-    the_operator_is_silent_in_a_paused_world_too, attached_monitor_gets_scenery_result_and_items,
-    monitor_gets_the_newest_image_next, world_pauses_at_a_stop_unless_leased
 }

@@ -7,7 +7,6 @@ mod actions;
 mod attacks;
 mod extras;
 mod faults;
-mod microcontroller;
 mod monitors;
 mod operators;
 mod proxy;

@@ -13,7 +13,7 @@ mod guard;
 mod headers;
 mod hosts;
 mod numbers;
-mod pending_connections;
+mod places;
 mod queue;
 mod rate;
 mod serve;

@@ -10,4 +10,6 @@ mod robot;
 mod start;
 mod world;
 
+pub(crate) use client::Address;
+pub(crate) use entry::server;
 pub(crate) use play::{replay, run};

@@ -1,7 +1,6 @@
 //! The program `player`, started as a process.
 
 mod arguments;
-#[cfg(feature = "evaluation")]
 mod calibrate;
 mod exit;
 mod firmware;
@@ -10,14 +9,10 @@ mod graph;
 mod link;
 mod mujoco;
 mod params;
-#[cfg(feature = "evaluation")]
 mod pictures;
 mod process;
 mod recordings;
 mod schema;
-#[cfg(feature = "evaluation")]
 mod see;
-#[cfg(feature = "evaluation")]
 mod test_image;
-#[cfg(feature = "evaluation")]
 mod watch;

@@ -1,10 +1,8 @@
 //! The header of a recording that a monitor makes.
 
-use bica_wire::message::Offers;
 use bica_wire::model::Description;
 
-use crate::header::{Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};
-use crate::message::Channel;
+use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp, Topics};
 use crate::program::{Program, Start};
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
@@ -12,13 +10,11 @@ const TICK_HZ: u64 = 1_000_000;
 
 impl Header {
     /// The header of what this program, a monitor, records of a robot at an address. Parameters have the values that are in the
-    /// description now. `offers` is what the robot's program sends: a microcontroller tells requests in its log only.
+    /// description now.
     #[must_use]
-    pub fn of_monitor(address: &str, description: &Description, offers: Offers) -> Self {
-        let requests = (!offers.contains(Offers::CONDITIONS)).then_some(Channel::Requests);
-        let lacks = [Channel::Sensors, Channel::Command, Channel::Costs].into_iter().chain(requests);
+    pub fn of_monitor(address: &str, description: &Description) -> Self {
         Self {
-            format: MONITOR_FORMAT,
+            format: FORMAT,
             program: Program::bica(),
             start: Start::now(),
             tree: description.clone(),
@@ -27,10 +23,7 @@ impl Header {
             images: ImagePolicy::None,
             scenery: Vec::new(),
             topics: Topics::Standard,
-            monitor: Some(MonitorInfo {
-                address: address.to_owned(),
-                lacks: lacks.map(|channel| channel.topic().to_owned()).collect(),
-            }),
+            monitor: Some(MonitorInfo { address: address.to_owned() }),
         }
     }
 }

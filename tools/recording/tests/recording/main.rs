@@ -3,7 +3,6 @@
 mod damage;
 mod disk;
 mod monitor;
-mod overruns;
 mod replay;
 mod support;
 mod topics;

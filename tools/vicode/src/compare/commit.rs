@@ -1,10 +1,10 @@
-//! Files of the last commit.
+//! Files in the last commit.
 
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A file in the last commit.
+/// A file as the last commit has it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Committed {
     /// Abbreviated name of the commit.
@@ -30,7 +30,7 @@ pub fn committed(file: &Path) -> Result<Committed, String> {
     Ok(Committed { revision: revision.trim().to_owned(), text })
 }
 
-/// Runs Git; returns its standard output, `None` if it fails.
+/// Standard output of a command of Git; `None` if it fails.
 fn git<const N: usize>(folder: &Path, arguments: [&OsStr; N]) -> Result<Option<String>, String> {
     let mut command = Command::new("git");
     command.arg("-C").arg(folder).arg("--no-optional-locks").args(arguments).stdin(Stdio::null());

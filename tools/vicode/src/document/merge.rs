@@ -1,4 +1,4 @@
-//! Merge of edits in the document and changes of its file on disk.
+//! Edits on both sides: here, and in the file on disk.
 
 use serde::Serialize;
 
@@ -7,16 +7,16 @@ use crate::edit::{Splice, applied};
 use crate::model::Span;
 use crate::read::parse;
 
-/// Two versions of a text whose changes overlap or meet.
+/// Two texts whose changes touch each other.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Conflict {
-    /// Common ancestor of both texts.
+    /// The text that both began with.
     pub base: String,
-    /// Text of the document.
+    /// The text here.
     pub ours: String,
-    /// Text of the file.
+    /// The text of the file.
     pub theirs: String,
-    /// Parts of `base` that both versions changed.
+    /// The parts of `base` that both changed.
     pub spans: Vec<Span>,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn merge(base: &str, ours: &str, theirs: &str) -> Result<String, Conf
     Ok(merged)
 }
 
-/// Returns whether two changes overlap or meet.
+/// Whether two changes overlap or meet.
 const fn touch(one: &Splice, other: &Splice) -> bool {
     one.span.start <= other.span.end && other.span.start <= one.span.end
 }

@@ -1,4 +1,4 @@
-//! Edits, and why they are refused.
+//! What can be asked for.
 
 use serde::{Deserialize, Serialize};
 
@@ -146,22 +146,22 @@ pub struct NewNumber {
     pub value: Option<f64>,
 }
 
-/// Reason for which an edit is not possible.
+/// Why an edit is not possible.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Refusal {
-    /// Message with the remedy.
+    /// What is wrong and how to mend it.
     pub message: String,
-    /// Part of the text that prevents the edit.
+    /// The part of the text that stands in the way.
     pub span: Option<Span>,
 }
 
 impl Refusal {
-    /// Creates a refusal without a place.
+    /// A refusal that no part of the text causes.
     pub fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), span: None }
     }
 
-    /// Creates a refusal with the part of the text that prevents the edit.
+    /// A refusal that a part of the text causes.
     pub fn at(span: Span, message: impl Into<String>) -> Self {
         Self { message: message.into(), span: Some(span) }
     }

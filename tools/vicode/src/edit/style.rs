@@ -1,12 +1,9 @@
-//! Format of new code: that of `rustfmt`, with the line ends and the indentation of the file.
+//! How new code is laid out: as `rustfmt` does, with the line ends and the indentation of the file.
 
 use crate::model::Component;
 use crate::read::{Kind, lexed};
 
-/// The longest line that `rustfmt` writes without a configuration, characters.
-pub const DEFAULT_WIDTH: usize = 100;
-
-/// Format of a file.
+/// Layout of a file.
 #[derive(Clone, Debug)]
 pub(super) struct Style {
     /// `\n` or `\r\n`.
@@ -20,7 +17,7 @@ pub(super) struct Style {
 }
 
 impl Style {
-    /// Derives the format from a file, and from one of its blocks if given.
+    /// The layout of a file, of one of its blocks if given.
     pub(super) fn of(text: &str, component: Option<&Component>, width: usize) -> Self {
         let lines = text.matches('\n').count();
         let newline = if text.matches("\r\n").count() * 2 > lines { "\r\n" } else { "\n" };
@@ -35,12 +32,12 @@ impl Style {
         Self { newline, width, indent, outer }
     }
 
-    /// Returns the indentation of one level.
+    /// Indentation of one level.
     pub(super) fn unit(&self) -> &str {
         if self.indent.starts_with('\t') { "\t" } else { "    " }
     }
 
-    /// Indents lines of code, except those within a string or a comment of several lines.
+    /// Lines of code, each indented. Lines within a string or a comment of several lines stay as they are.
     pub(super) fn lay(&self, code: &str, indent: &str) -> String {
         let code = code.replace("\r\n", "\n");
         let inside = continued(&code);
@@ -61,7 +58,7 @@ impl Style {
         result
     }
 
-    /// Formats a doc comment, each line with its indentation and line end.
+    /// The lines of a doc comment, each with its indentation and line end.
     pub(super) fn docs(&self, docs: &str, indent: &str) -> String {
         let docs = docs.trim_end().trim_start_matches(['\n', '\r']);
         if docs.is_empty() {
@@ -78,12 +75,12 @@ impl Style {
         result
     }
 
-    /// Formats the body of a function with its braces.
+    /// The braces of a function and what stands in them.
     pub(super) fn body(&self, body: &str, indent: &str) -> String {
         format!("{{{}}}", self.block(body, indent))
     }
 
-    /// Formats the body of a function without its braces.
+    /// What stands in the braces of a function.
     pub(super) fn block(&self, body: &str, indent: &str) -> String {
         let body = body.trim_matches(['\n', '\r']).trim_end();
         if body.trim().is_empty() {
@@ -94,7 +91,7 @@ impl Style {
     }
 }
 
-/// Returns for each line whether it begins within a string or a comment.
+/// Whether each line begins within a string or a comment.
 fn continued(code: &str) -> Vec<bool> {
     let mut inside = vec![false; code.split('\n').count()];
     let mut line = 0;
@@ -108,13 +105,13 @@ fn continued(code: &str) -> Vec<bool> {
     inside
 }
 
-/// Returns the common indentation of all lines, bytes.
+/// White space that all lines have in common, bytes.
 fn common_indent(lines: &[&str], inside: &[bool]) -> usize {
     let lines = lines.iter().zip(inside).filter(|(line, inside)| !**inside && !line.trim().is_empty());
     lines.map(|(line, _)| line.len() - line.trim_start_matches([' ', '\t']).len()).min().unwrap_or(0)
 }
 
-/// Converts `BallDetector` to `ball_detector`.
+/// `ball_detector` of `BallDetector`.
 pub(super) fn snake(name: &str) -> String {
     let mut snake = String::new();
     for character in name.chars() {
@@ -126,29 +123,29 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
-/// Returns the indentation of a line.
+/// The white space at the beginning of the line of a byte.
 pub(super) fn indentation(text: &str, at: usize) -> &str {
     let line = &text[line_start(text, at)..];
     &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
 }
 
-/// Returns the offset of the beginning of a line.
+/// Offset of the beginning of the line of a byte.
 pub(super) fn line_start(text: &str, at: usize) -> usize {
     text[..at].rfind('\n').map_or(0, |newline| newline + 1)
 }
 
-/// Returns the number of a line, from 1.
+/// Number of the line of a byte, from 1.
 pub(super) fn line_number(text: &str, at: usize) -> usize {
     1 + text[..at].matches('\n').count()
 }
 
-/// Returns the offset of the end of a line, before `\r\n` or `\n`.
+/// Offset of the next line end, before `\r\n` or `\n`.
 pub(super) fn line_end(text: &str, at: usize) -> usize {
     let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
     if text[at..end].ends_with('\r') { end - 1 } else { end }
 }
 
-/// Returns whether only white space precedes a byte in its line.
+/// Whether only white space stands before a byte in its line.
 pub(super) fn starts_line(text: &str, at: usize) -> bool {
     text[line_start(text, at)..at].trim().is_empty()
 }

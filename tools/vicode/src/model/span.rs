@@ -1,4 +1,4 @@
-//! Spans of the text.
+//! Places in the text.
 
 use std::ops::Range;
 
@@ -15,31 +15,31 @@ pub struct Span {
 }
 
 impl Span {
-    /// Creates the span from `start` to before `end`.
+    /// The part from `start` to before `end`.
     #[must_use]
     pub const fn new(start: usize, end: usize) -> Self {
         Self { start, end }
     }
 
-    /// Creates the empty span before the byte `at`.
+    /// The empty part before the byte `at`.
     #[must_use]
     pub const fn at(at: usize) -> Self {
         Self { start: at, end: at }
     }
 
-    /// Returns the offsets as a range.
+    /// The offsets as a range.
     #[must_use]
     pub const fn range(self) -> Range<usize> {
         self.start..self.end
     }
 
-    /// Returns this part of `text`; empty if it is out of range.
+    /// The part of `text`; empty if it has no such part.
     #[must_use]
     pub fn of(self, text: &str) -> &str {
         text.get(self.range()).unwrap_or_default()
     }
 
-    /// Returns whether `other` lies within.
+    /// Whether `other` lies within.
     #[must_use]
     pub const fn contains(self, other: Self) -> bool {
         self.start <= other.start && other.end <= self.end
@@ -64,7 +64,7 @@ impl From<Span> for [usize; 2] {
     }
 }
 
-/// A name and its span.
+/// A name and its place.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Name {
     /// The name without the `r#` of a raw identifier.

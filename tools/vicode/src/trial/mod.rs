@@ -1,4 +1,4 @@
-//! Trial of a machine without its program: conditions are switches, timers run.
+//! A machine tried without its program: conditions are switches, timers run.
 //!
 //! A trial is a list of [`Step`]s; [`Trial::run`] evaluates it from the beginning, by the code that runs trees
 //! ([`bica_core::LoneMachine`]), for one component that is active from the first cycle on. Code of states, hooks and children does not run.
@@ -10,19 +10,18 @@ use std::collections::BTreeMap;
 
 use bica_core::rate::instant_of_cycle;
 use bica_core::{Instant, LoneMachine, graph};
-use bica_syntax::component::model::{self as syntax, Edge};
 use bica_syntax::number::hertz;
 use serde::{Deserialize, Serialize};
 
 pub use self::place::{Place, Tree};
-use crate::model::{Component, Function};
+use crate::model::{Component, Edge, Function, Graph};
 use crate::read::lexed;
 
-/// Longest trial, µs.
+/// Longest trial, µs: an hour.
 const LONGEST: u64 = 3_600_000_000;
-/// Largest number of transitions of a trial.
+/// Most transitions of a trial.
 const MOST_TRANSITIONS: usize = 10_000;
-/// Largest number of steps of a trial.
+/// Most steps of a trial.
 const MOST_STEPS: usize = 5_000;
 
 /// A step of a trial.
@@ -66,7 +65,7 @@ pub struct Visit {
     pub state: String,
     /// Time at which it was entered, µs.
     pub from_us: u64,
-    /// Total time in it, µs.
+    /// Time in it, µs.
     pub us: u64,
     /// Transition by which it was entered; `None` for the first one.
     pub by: Option<String>,
@@ -112,10 +111,10 @@ impl Trial {
     }
 }
 
-/// State of a trial.
-struct Machine<'a> {
+/// A machine as it is tried.
+struct Machine {
     names: Vec<String>,
-    edges: Vec<Edge<&'a Function>>,
+    edges: Vec<Edge>,
     /// The edges, for the machine.
     transitions: Vec<graph::Transition>,
     lone: LoneMachine,
@@ -128,10 +127,10 @@ struct Machine<'a> {
     visits: Vec<Visit>,
 }
 
-impl<'a> Machine<'a> {
-    fn new(component: &'a Component, text: &str, cycle_hz: f64) -> Result<Self, String> {
+impl Machine {
+    fn new(component: &Component, text: &str, cycle_hz: f64) -> Result<Self, String> {
         let names: Vec<String> = component.states.iter().map(|state| state.function.name.text.clone()).collect();
-        let syntax::Machine { initial, edges, .. } = component.machine();
+        let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
         let first =
             names.get(initial).ok_or_else(|| format!("`{}` has no states: there is nothing to try", component.key))?;
         let cycle_hz = cycle_hz as f32;
@@ -142,7 +141,8 @@ impl<'a> Machine<'a> {
         let is_always = |function: &Function| function.body.is_some_and(|body| on_one_line(body.of(text)) == "true");
         let conditions = component.transitions.iter().map(|one| &one.function);
         let switches = conditions.map(|one| (one.name.text.clone(), is_always(one))).collect();
-        let transition = |edge: &Edge<&Function>| graph::Transition {
+        let edges = Graph::of(component).edges;
+        let transition = |edge: &Edge| graph::Transition {
             name: "",
             doc: "",
             from: edge.from,
@@ -189,13 +189,13 @@ impl<'a> Machine<'a> {
     fn run_cycle(&mut self, step: usize) {
         let at = self.next();
         self.cycle += 1;
-        let holds = |index: usize| self.switches.get(&self.edges[index].condition.name.text) == Some(&true);
+        let holds = |index: usize| self.switches.get(&self.edges[index].name) == Some(&true);
         let Some(taken) = self.lone.tick(at, &self.transitions, holds).flatten() else { return };
         let from_us = at.as_micros();
         if let Some(last) = self.visits.last_mut() {
             last.us = from_us - last.from_us;
         }
-        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].condition.name.text.clone()));
+        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].name.clone()));
         self.visits.push(Visit { state, from_us, us: 0, by, step });
     }
 
@@ -206,9 +206,9 @@ impl<'a> Machine<'a> {
             last.us = self.now - last.from_us;
         }
         let ways = self.edges.iter().filter(|edge| edge.from == state).map(|edge| Way {
-            condition: edge.condition.name.text.clone(),
+            condition: edge.name.clone(),
             to: self.names[edge.to].clone(),
-            on: self.switches.get(&edge.condition.name.text) == Some(&true),
+            on: self.switches.get(&edge.name) == Some(&true),
             remaining_us: edge.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
         });
         let ways = ways.collect();
@@ -227,7 +227,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Formats a body on one line, without comments.
+/// A body on one line, without comments.
 fn on_one_line(code: &str) -> String {
     let tokens = lexed(code);
     let words: Vec<&str> = tokens

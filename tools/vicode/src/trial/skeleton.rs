@@ -1,4 +1,4 @@
-//! Tests in Rust that repeat a trial.
+//! What was tried, as a test in Rust.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::place::base;
 use super::{Place, Step, Trial, on_one_line};
 use crate::model::{Component, LinkKind};
 
-/// Largest number of states in the name of a test.
+/// Most states in the name of a test.
 const NAMED: usize = 4;
 
 impl Trial {

@@ -5,7 +5,6 @@
 mod driver;
 mod element;
 mod folder;
-mod input;
 mod page;
 mod robot;
 mod server;

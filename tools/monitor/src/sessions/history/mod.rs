@@ -6,12 +6,9 @@ mod part;
 mod states;
 mod timed;
 mod timeline;
-mod told;
 mod truths;
 
 use std::collections::BTreeMap;
-
-use bica_link::Description;
 
 use crate::protocol::{Costs, LogLine};
 
@@ -19,7 +16,6 @@ pub(super) use images::Images;
 pub(super) use info::InfoStore;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;
-pub(super) use told::Told;
 pub(super) use truths::Truths;
 
 /// For each transition of a component whether its condition holds, and since when, µs.
@@ -43,8 +39,7 @@ pub(super) struct History {
     pub(super) states: States,
     pub(super) info: InfoStore,
     pub(super) images: Images,
-    /// What a log tells.
-    pub(super) told: Timed<Told>,
+    pub(super) lines: Timed<LogLine>,
     pub(super) truths: Truths,
     pub(super) costs: Timed<Costs>,
     /// Changes of the conditions of each component; none from when on they are not received.
@@ -78,10 +73,14 @@ impl History {
         self.info.bytes() + self.images.bytes()
     }
 
-    /// Returns the last lines of the log in an interval, oldest first, with the names of the tree.
-    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize, tree: &Description) -> Vec<LogLine> {
-        let last = self.told.between(from_us, until_us).rev().take(limit);
-        let mut lines: Vec<_> = last.map(|(time_us, told)| told.line(*time_us, tree)).collect();
+    pub(super) fn add_line(&mut self, line: LogLine) {
+        self.lines.push(line.time_us, line);
+    }
+
+    /// Returns the last lines of an interval, oldest first.
+    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize) -> Vec<LogLine> {
+        let last = self.lines.between(from_us, until_us).rev().take(limit);
+        let mut lines: Vec<_> = last.map(|(_, line)| line.clone()).collect();
         lines.reverse();
         lines
     }
@@ -107,7 +106,7 @@ impl History {
             self.states.evict(horizon);
             self.info.evict(horizon);
             self.images.evict(horizon);
-            self.told.evict(horizon);
+            self.lines.evict(horizon);
             self.truths.evict(horizon);
             self.costs.evict(horizon);
             self.overruns.evict(horizon);

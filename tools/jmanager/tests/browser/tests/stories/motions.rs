@@ -9,8 +9,7 @@ use crate::access::{AXE, TARGETS, load_axe, set_theme};
 use crate::looks::FAULTS;
 
 const WIDE: (u32, u32) = (1600, 1000);
-const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n\
-    /// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
+const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
 /// Sources with motions, in a folder of their own.
@@ -50,7 +49,7 @@ impl Sources {
 }
 
 #[tokio::test]
-async fn wave_is_made_tried_mirrored_and_undone() {
+async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
     let sources = Sources::new("wave");
     let (_server, page) = sources.open("motions-wave").await;
     page.click("button", "WAVE", "").await;
@@ -107,7 +106,7 @@ pub(crate) async fn handle(page: &Page, joint: &str) -> (f64, f64) {
 }
 
 #[tokio::test]
-async fn drag_of_a_limb_turns_its_joint() {
+async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
     let sources = Sources::new("handles");
     let (_server, page) = sources.open("motions-handles").await;
     page.click("button", "WAVE", "").await;
@@ -148,7 +147,7 @@ async fn drag_of_a_limb_turns_its_joint() {
 }
 
 #[tokio::test]
-async fn robot_gets_up_by_an_edited_motion() {
+async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() {
     let sources = Sources::new("session");
     let (_server, page) = sources.open("motions-session").await;
     page.click("button", "SIT_UP_FROM_FRONT", "").await;
@@ -180,7 +179,7 @@ async fn robot_gets_up_by_an_edited_motion() {
 }
 
 #[tokio::test]
-async fn motion_file_is_changed_beside_another_editor() {
+async fn a_motion_of_the_repository_is_changed_beside_another_editor() {
     let sources = Sources::new("changed");
     let (_server, page) = sources.open("motions-changed").await;
     let before = sources.read("nao/kick_dynamic.rs");

@@ -1,0 +1,6 @@
+use bica::prelude::*;
+
+#[component]
+struct Player;
+
+fn main() {}

@@ -1,0 +1,27 @@
+use bica::prelude::*;
+
+struct Ball {
+    offset: f32,
+}
+
+#[component]
+impl Ball {}
+
+struct Player;
+
+#[component]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, ball: &Ball) {}
+}
+
+activation_tree! {
+    struct Forward { root: Player, cycle_hz: 100, components: [Player, Ball] }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}

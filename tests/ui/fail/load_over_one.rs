@@ -1,0 +1,29 @@
+use bica::prelude::*;
+
+struct Head;
+
+#[component(hz = 100, budget_us = 9000)]
+impl Head {
+    const fn new() -> Self {
+        Self
+    }
+}
+
+struct Player;
+
+#[component(budget_us = 3000)]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+
+    fn step(&mut self, head: &mut Head) {}
+}
+
+activation_tree! {
+    struct Forward { root: Player, cycle_hz: 100, components: [Player, Head] }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}

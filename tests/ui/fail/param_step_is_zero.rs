@@ -1,0 +1,13 @@
+use bica::prelude::*;
+
+/// How to follow.
+#[derive(Params)]
+pub struct Following {
+    /// Gain.
+    #[param(default = 0.5, range = 0.0..=1.0, step = 0.0)]
+    gain: f32,
+}
+
+fn main() {
+    let _ = Tuned::<Following>::DEFAULT;
+}

@@ -1,0 +1,22 @@
+use bica::prelude::*;
+
+struct Player;
+
+#[component]
+impl Player {
+    const fn new() -> Self {
+        Self
+    }
+}
+
+impl Player {
+    fn step(&mut self) {}
+}
+
+activation_tree! {
+    struct Forward { root: Player, cycle_hz: 100, components: [Player] }
+}
+
+fn main() {
+    Forward::new().tick(Instant::from_ticks(0));
+}
