@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Repeats the tests that start programs, threads and sockets, beside other work.
 
-Repeats `cargo test --workspace` beside busy processes, then the tests `sessions` of JManager, then its tests in a browser. Stops at the
+Repeats `cargo test --workspace` beside busy processes, then the tests `sessions` of the monitor, then its tests in a browser. Stops at the
 first failure and shows its output; prints how many runs of each have passed.
 """
 
@@ -35,7 +35,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--workspace", type=int, metavar="N", default=20, help="runs of `cargo test --workspace`")
     parser.add_argument("--busy", type=int, metavar="N", default=2, help="processes that compute beside these runs")
-    parser.add_argument("--sessions", type=int, metavar="N", default=50, help="runs of the tests `sessions` of JManager")
+    parser.add_argument("--sessions", type=int, metavar="N", default=50, help="runs of the tests `sessions` of the monitor")
     parser.add_argument("--browser", type=int, metavar="N", default=10, help="runs of the tests of JManager's page in a browser")
     chosen = parser.parse_args()
     counts = []
@@ -46,7 +46,7 @@ def main():
         series("cargo test --workspace", ["cargo", "test", "--quiet", "--workspace"], chosen.workspace, counts)
         for process in busy:
             process.terminate()
-        series("sessions", ["cargo", "test", "--quiet", "--package", "jmanager", "--test", "main", "sessions::"], chosen.sessions, counts)
+        series("sessions", ["cargo", "test", "--quiet", "--package", "bica-monitor", "--test", "monitor", "sessions::"], chosen.sessions, counts)
         series("browser", ["cargo", "xtask", "browser"], chosen.browser, counts)
     finally:
         for name, passed, runs in counts:

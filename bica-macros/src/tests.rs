@@ -71,7 +71,7 @@ fn role_attributes_are_removed_and_all_else_is_kept() {
 }
 
 #[test]
-fn functions_of_a_run_are_not_inlined_on_bare_metal_unless_the_user_asks_for_it() {
+fn run_functions_are_not_inlined_on_bare_metal() {
     let never = |block: &TokenStream| {
         let file = expanded(block);
         let Item::Impl(block) = &file.items[0] else { panic!("the block comes first") };
@@ -250,7 +250,7 @@ fn empty_input_is_an_error_and_no_panic() {
 }
 
 #[test]
-fn a_syntax_error_in_a_body_is_passed_on_without_a_message() {
+fn syntax_error_in_a_body_is_passed_on() {
     let code = component::run(quote!(), &quote!(impl Head { fn step(&mut self, neck: &Neck) { let x = ; } }));
     assert!(messages(code.clone()).is_empty());
     let words = words(code);
@@ -259,7 +259,7 @@ fn a_syntax_error_in_a_body_is_passed_on_without_a_message() {
 }
 
 #[test]
-fn a_syntax_error_in_a_signature_makes_a_stub_without_a_message() {
+fn syntax_error_in_a_signature_makes_a_stub() {
     let code = component::run(quote!(), &quote!(impl Head { #[state(initial)] fn up(&mut self, neck &Neck) {} }));
     assert!(messages(code.clone()).is_empty());
     let words = words(code);
@@ -267,7 +267,7 @@ fn a_syntax_error_in_a_signature_makes_a_stub_without_a_message() {
 }
 
 #[test]
-fn mistakes_in_actions_of_a_world_are_reported_and_the_item_stays() {
+fn mistakes_in_actions_are_reported() {
     let world = |argument: TokenStream| {
         quote! {
             impl Room {

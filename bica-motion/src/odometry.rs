@@ -72,6 +72,7 @@ pub struct Odometry<M = Nao> {
     /// Soles by the commanded angles of the last cycles, the newest first.
     commanded: [Option<[Affine3A; 2]>; MAX_FEEDBACK_DELAY + 1],
     support: Option<Side>,
+    legs_turn: f32,
     model: PhantomData<M>,
 }
 
@@ -81,7 +82,15 @@ impl<M: RobotModel> Odometry<M> {
     pub const fn new(calibration: &'static Calibration) -> Self {
         const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
         let commanded = [None; MAX_FEEDBACK_DELAY + 1];
-        Self { calibration, pose: Pose2::ORIGIN, soles: None, commanded, support: None, model: PhantomData }
+        Self {
+            calibration,
+            pose: Pose2::ORIGIN,
+            soles: None,
+            commanded,
+            support: None,
+            legs_turn: 0.0,
+            model: PhantomData,
+        }
     }
 
     /// Sets the scales to use from now on.
@@ -99,6 +108,12 @@ impl<M: RobotModel> Odometry<M> {
     #[must_use]
     pub const fn support(&self) -> Option<Side> {
         self.support
+    }
+
+    /// Turn of the last cycle by the support leg alone, rad; the gyroscope has no part in it.
+    #[must_use]
+    pub const fn legs_turn(&self) -> f32 {
+        self.legs_turn
     }
 
     /// Processes one cycle; returns the current ground frame in the ground frame of the last cycle.
@@ -129,6 +144,7 @@ impl<M: RobotModel> Odometry<M> {
             (Some(commanded), Some(measured)) => mix(commanded, measured, trust),
             (one, other) => one.or(other).unwrap_or(Pose2::ORIGIN),
         };
+        self.legs_turn = motion.heading;
         // The comparison is false for NaN.
         if let Some(turn) = input.gyro_turn.filter(|turn| *turn != 0.0 && turn.abs() < MAX_TURN) {
             motion.heading = self.calibration.gyro_scale * turn;

@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn a_duration_beyond_the_classes_is_counted_in_the_last_one() {
+    fn too_long_duration_counts_in_the_last_class() {
         let mut timing = Timing::new();
         timing.add(Duration::from_secs(1 << 40));
         assert_eq!(timing.classes[CLASSES - 1], 1);

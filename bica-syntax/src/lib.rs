@@ -4,6 +4,7 @@
 //! uses the same rules. Parsers and checks collect mistakes in a [`Report`](report::Report), each pinned to tokens; outside of a
 //! macro `proc-macro2` with its feature `span-locations` gives the place of each in the text.
 
+pub mod code;
 mod comma;
 pub mod component;
 pub mod number;

@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_have_the_names_of_their_fields_positions_or_pairs() {
+    fn numbers_are_named_by_field_position_or_pair() {
         let named =
             |cells: &[(&str, f64)]| cells.iter().map(|(name, value)| ((*name).to_owned(), Some(*value))).collect();
         let calls: Expr = parse_quote!([Frame::new(36, [0, -2]), Frame::new(4_0, [1, (2)])]);

@@ -322,7 +322,7 @@ mod tests {
 
         /// Compares with floating-point hue and saturation, except close to a threshold.
         #[test]
-        fn filter_equals_floating_point_hue_saturation_and_luma(
+        fn filter_equals_floating_point_colour(
             (y, cb, cr) in any::<(u8, u8, u8)>(), from in -180_i16..360, wide in 1_i16..180,
             (least, span) in (0_u16..100, 0_u16..200), (dark, light) in any::<(u8, u8)>(), chroma in 0_u8..60,
         ) {

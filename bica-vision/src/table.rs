@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn compiled_table_equals_its_thresholds_at_cell_centres() {
+    fn compiled_table_equals_its_thresholds() {
         for filters in [BUILT_IN, NAO_2009, DARWIN_2013] {
             let (compact, mut cells) = (CompactTable::compile(&filters), full_cells());
             let full = FullTable::compile(&filters, &mut cells);

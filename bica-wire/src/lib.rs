@@ -31,7 +31,8 @@
 //! *monitor* attaches without changing anything, watches, and requests changes while it owns the lease. The page
 //! `docs/link.md` describes its protocol.
 //!
-//! With the feature `std`, [`model`] is the description of a robot that every tool reads.
+//! [`server`] is the robot's end of that protocol. With the feature `monitor` it contains a server without heap for any
+//! tree. With the feature `std`, [`model`] is the description of a robot that every tool reads.
 #![no_std]
 
 #[cfg(feature = "std")]
@@ -47,6 +48,7 @@ pub mod message;
 #[cfg(feature = "std")]
 pub mod model;
 mod packet;
+pub mod read;
 mod recordable;
 mod schema;
 pub mod server;

@@ -12,6 +12,8 @@ use bica_player::perception::{BallDetector, GoalDetector};
 use bica_wire::describe;
 use bica_wire::message::{ClockMode, Hello, Identity, LinkStats, Sensors, Telemetry};
 #[cfg(feature = "monitor")]
+use bica_wire::server::Moment;
+#[cfg(feature = "monitor")]
 use bica_wire::{Encoder, MAX_PACKET};
 use bica_wire::{FromRobot, SCHEMA, ToRobot, blobs, messages_hash};
 use embassy_time::Duration;
@@ -23,7 +25,7 @@ use crate::image::ImageReceiver;
 use crate::link::MessageTx;
 use crate::meter::Meter;
 #[cfg(feature = "monitor")]
-use crate::monitor::{Line, Monitor};
+use crate::monitor_line::{BODY, Monitors};
 use crate::stack;
 use crate::tree::Forward;
 #[cfg(not(feature = "monitor"))]
@@ -35,9 +37,12 @@ const SILENCE: Duration = Duration::from_millis(200);
 /// Hash of the schemas of sensor values and command.
 const MESSAGES: u64 = messages_hash::<robot::Sensors<'static>, Command>();
 
+/// The tree that runs on board `B`, with its costs.
+pub(crate) type Running<B> = Runner<&'static mut Forward, (), (), Meter<B>>;
+
 /// The robot's controller on board `B`.
 pub(crate) struct Controller<B> {
-    runner: Runner<&'static mut Forward, (), (), Meter<B>>,
+    runner: Running<B>,
     image: ImageReceiver,
     crash_log: CrashLog,
     /// `None` before the first [`Hello`].
@@ -51,7 +56,7 @@ pub(crate) struct Controller<B> {
     /// Whether ball and goal are visible.
     visible: (bool, bool),
     #[cfg(feature = "monitor")]
-    monitor: &'static mut Monitor,
+    monitors: &'static mut Monitors,
     /// The robot's time at the last cycle.
     #[cfg(feature = "monitor")]
     time: Instant,
@@ -70,7 +75,7 @@ impl<B: Board> Controller<B> {
         robot: &'static mut Forward,
         image: ImageReceiver,
         crash_log: CrashLog,
-        #[cfg(feature = "monitor")] monitor: &'static mut Monitor,
+        #[cfg(feature = "monitor")] monitors: &'static mut Monitors,
     ) -> Self {
         Self {
             runner: Runner::new(robot, ()).with_observer(Meter::new()),
@@ -83,7 +88,7 @@ impl<B: Board> Controller<B> {
             safe_stop: false,
             visible: (false, false),
             #[cfg(feature = "monitor")]
-            monitor,
+            monitors,
             #[cfg(feature = "monitor")]
             time: Instant::MIN,
         }
@@ -122,30 +127,22 @@ impl<B: Board> Controller<B> {
                     tx.send(&FromRobot::GraphItem(item)).await;
                 }
             }
-            #[cfg(feature = "monitor")]
-            ToRobot::Describe => {
-                self.monitor.describe(Line::Body);
-                self.answer_monitor(tx).await;
-            }
             ToRobot::StackUsage => tx.send(&FromRobot::StackUsage(stack::usage())).await,
             ToRobot::FaultInjection(fault) => self.runner.observer_mut().inject(*fault),
             // This program answers only `Describe`.
             #[cfg(not(feature = "monitor"))]
-            ToRobot::Monitor(_) => {}
-            #[cfg(not(feature = "monitor"))]
-            ToRobot::MonitorExtra(_) => {}
+            ToRobot::Monitor(_) | ToRobot::MonitorExtra(_) => {}
             #[cfg(feature = "monitor")]
-            ToRobot::MonitorExtra(_) => self.monitor.refuse_extra(),
-            #[cfg(feature = "monitor")]
-            ToRobot::Monitor(bytes) => {
-                self.receive_monitor(Line::Body, bytes);
+            ToRobot::Describe | ToRobot::Monitor(_) | ToRobot::MonitorExtra(_) => {
+                let (monitors, runner, moment) = self.monitors();
+                monitors.receive(BODY, message, runner, &moment);
                 self.answer_monitor(tx).await;
             }
             ToRobot::ImageChunk(chunk) => self.image.add(chunk, self.runner.robot_mut().get_mut::<CameraInput>()),
             ToRobot::Sensors(sensors) => {
                 #[cfg(feature = "monitor")]
                 if self.clock_mode == Some(ClockMode::Lockstep) {
-                    self.monitor.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
+                    self.monitors.before_cycle(&mut self.runner, Instant::from_micros(sensors.time_us));
                 }
                 if !self.sense(sensors) {
                     defmt::warn!("sensor values cannot be read");
@@ -173,7 +170,7 @@ impl<B: Board> Controller<B> {
         self.runner.robot_mut().get_mut::<GoalDetector>().attack(attacks);
         self.clock_mode = Some(hello.clock_mode);
         #[cfg(feature = "monitor")]
-        self.monitor.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
+        self.monitors.set_realtime(hello.clock_mode == ClockMode::FreeRunning);
         tx.send(&self.identity()).await;
     }
 
@@ -191,7 +188,7 @@ impl<B: Board> Controller<B> {
         }
         self.safe_stop = safe_stop;
         #[cfg(feature = "monitor")]
-        self.monitor.before_cycle(&mut self.runner, now);
+        self.monitors.before_cycle(&mut self.runner, now);
         self.cycle(now, link, tx).await;
     }
 
@@ -214,7 +211,7 @@ impl<B: Board> Controller<B> {
         }
         self.sensed = Some(Sensed { time_us: message.time_us, ticks: B::counter().wrapping_sub(start) });
         #[cfg(feature = "monitor")]
-        self.monitor.sensed(image.is_some());
+        self.monitors.sensed(image.is_some());
         true
     }
 
@@ -231,7 +228,7 @@ impl<B: Board> Controller<B> {
         #[cfg(feature = "monitor")]
         {
             self.time = now;
-            self.monitor.after_cycle(now, self.late_cycles);
+            self.monitors.after_cycle(now, Instant::now(), self.late_cycles.into());
             self.send_monitor(MAX_PACKET, tx).await;
         }
     }
@@ -270,23 +267,15 @@ impl<B: Board> Controller<B> {
 
 #[cfg(feature = "monitor")]
 impl<B: Board> Controller<B> {
-    /// Returns the server for monitors.
-    pub(crate) const fn monitor(&mut self) -> &mut Monitor {
-        self.monitor
-    }
-
-    /// Handles a message of a monitor, between two cycles.
-    pub(crate) fn receive_monitor(&mut self, line: Line, bytes: &[u8]) {
-        let now = self.clock_mode.map(|mode| match mode {
-            ClockMode::FreeRunning => Instant::now(),
+    /// Returns the server for monitors, the robot that they operate, and the moment between two cycles.
+    pub(crate) fn monitors(&mut self) -> (&mut Monitors, &mut Running<B>, Moment) {
+        let clock = Instant::now();
+        let robot = self.clock_mode.map(|mode| match mode {
+            ClockMode::FreeRunning => clock,
             ClockMode::Lockstep => self.time,
         });
-        self.monitor.receive(line, bytes, &mut self.runner, now, B::counter());
-    }
-
-    /// Encodes the next packet for a monitor; see [`Monitor::next_packet`].
-    pub(crate) fn next_packet(&mut self, line: Line, encoder: &mut Encoder, room: &mut [u8]) -> Option<usize> {
-        self.monitor.next_packet(line, self.runner.robot(), encoder, room)
+        let moment = Moment { robot, clock, random: B::counter().into() };
+        (self.monitors, &mut self.runner, moment)
     }
 
     /// Sends packets to a monitor on the body's line: all that are due while no clock runs, else only the answer.
@@ -294,7 +283,7 @@ impl<B: Board> Controller<B> {
         if self.clock_mode != Some(ClockMode::FreeRunning) {
             self.send_monitor(usize::MAX, tx).await;
         }
-        while !self.monitor.is_ready(Line::Body) {
+        while !self.monitors.is_ready(BODY) {
             self.send_monitor(1, tx).await;
         }
     }
@@ -304,7 +293,7 @@ impl<B: Board> Controller<B> {
         let mut sent = 0;
         while sent < limit {
             let encode = |encoder: &mut Encoder, room: &mut [u8]| {
-                self.monitor.next_packet(Line::Body, self.runner.robot(), encoder, room)
+                self.monitors.next_packet(BODY, self.runner.robot(), encoder, room)
             };
             let Some(length) = tx.send_packet(encode).await else { return };
             sent += length;

@@ -5,7 +5,7 @@ use core::mem::MaybeUninit;
 use static_cell::StaticCell;
 
 #[cfg(feature = "monitor")]
-use crate::monitor::Monitor;
+use crate::monitor_line::Monitors;
 use crate::stack;
 use crate::tree::Forward;
 
@@ -14,7 +14,7 @@ static ROBOT: StaticCell<Forward> = StaticCell::new();
 
 /// The server for monitors. It is created at the start too: not all of its bytes are zero.
 #[cfg(feature = "monitor")]
-static MONITOR: StaticCell<Monitor> = StaticCell::new();
+static MONITORS: StaticCell<Monitors> = StaticCell::new();
 
 /// The robot's tree.
 pub struct Robot(pub(crate) &'static mut Forward);
@@ -38,6 +38,6 @@ fn create(place: &'static mut MaybeUninit<Forward>) -> &'static mut Forward {
 /// Creates the server for monitors. Called once.
 #[cfg(feature = "monitor")]
 #[inline(never)]
-pub(crate) fn monitor() -> &'static mut Monitor {
-    MONITOR.uninit().write(Monitor::new())
+pub(crate) fn monitors() -> &'static mut Monitors {
+    MONITORS.uninit().write(Monitors::new())
 }

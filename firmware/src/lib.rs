@@ -16,7 +16,7 @@ mod init;
 mod link;
 mod meter;
 #[cfg(feature = "monitor")]
-mod monitor;
+mod monitor_line;
 mod no_line;
 mod panic;
 mod run;

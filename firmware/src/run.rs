@@ -7,6 +7,8 @@ use bica_player::input::Colours;
 #[cfg(feature = "monitor")]
 use bica_vision::table::GradualTable;
 use bica_wire::message::ClockMode;
+#[cfg(feature = "monitor")]
+use bica_wire::server::SerialLine;
 use bica_wire::{Decoder, MAX_PACKET, ToRobot};
 use embassy_futures::select::{Either, select};
 #[cfg(feature = "monitor")]
@@ -24,13 +26,13 @@ use crate::init;
 use crate::init::Robot;
 use crate::link::MessageTx;
 #[cfg(feature = "monitor")]
-use crate::monitor::MonitorLine;
+use crate::monitor_line;
 use crate::tree::Forward;
 
 static DECODER: ConstStaticCell<Decoder<MAX_PACKET>> = ConstStaticCell::new(Decoder::new());
 static PACKET: ConstStaticCell<[u8; MAX_PACKET]> = ConstStaticCell::new([0; MAX_PACKET]);
 #[cfg(feature = "monitor")]
-static MONITOR_LINE: ConstStaticCell<MonitorLine> = ConstStaticCell::new(MonitorLine::new());
+static MONITOR_LINE: ConstStaticCell<SerialLine> = ConstStaticCell::new(SerialLine::new(monitor_line::MONITOR));
 /// Memory of the colour classes that an operator adjusts.
 #[cfg(feature = "monitor")]
 static COLOURS: ConstStaticCell<GradualTable> = ConstStaticCell::new(GradualTable::new());
@@ -66,7 +68,7 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
         ImageReceiver::new(),
         read_crash_log(),
         #[cfg(feature = "monitor")]
-        init::monitor(),
+        init::monitors(),
     );
     let mut schedule = Schedule::new(Forward::GRAPH.cycle_hz, OverrunPolicy::Skip);
     let mut buffer = [0; RX_BYTES];
@@ -84,7 +86,7 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
             // No clock runs that this could delay.
             #[cfg(feature = "monitor")]
             for _ in 0..MOST_SERVED {
-                if !line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller) {
+                if !monitor_line::serve(line, &mut monitor_rx, &mut monitor_tx, &mut controller) {
                     break;
                 }
             }
@@ -99,7 +101,7 @@ pub async fn run<B: Board>(Robot(robot): Robot, links: Links<B>) -> ! {
                 controller.tick(schedule.skipped, decoder.stats(), &mut tx).await;
                 schedule.end(Instant::now());
                 #[cfg(feature = "monitor")]
-                line.serve(&mut monitor_rx, &mut monitor_tx, &mut controller);
+                monitor_line::serve(line, &mut monitor_rx, &mut monitor_tx, &mut controller);
             }
         }
     }

@@ -11,6 +11,7 @@ from types import FrameType
 
 from bica.errors import BicaError
 from bica.parameters import Setting
+from bica.program import options_of
 
 INTERRUPTED = 130
 
@@ -58,6 +59,7 @@ def _parser() -> argparse.ArgumentParser:
     series.add_argument("--seed", type=int, default=0, metavar="N", help="first seed [default: 0]")
     series.add_argument("--world", help="world of the games")
     series.add_argument("--set", action="append", default=[], metavar="COMPONENT.NAME=VALUE", help="set a parameter")
+    series.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help="option of the world, as a fault")
     series.add_argument("--argument", action="append", default=[], metavar="WORD", help="further word for the program")
     series.add_argument("--timeout", type=float, default=600.0, metavar="S", help="longest duration of a game, s")
     series.add_argument("--out", type=Path, default=Path("games.parquet"), metavar="FILE", help="[default: games.parquet]")
@@ -75,7 +77,7 @@ def _series(args: argparse.Namespace) -> int:
 
     url = url_of(args.store) if args.store else default_url(args.out)
     options = {"address": args.address, "workers": args.workers, "store": url, "report": say}
-    given = {"program": args.program, "arguments": args.argument, "timeout": args.timeout}
+    given = {"program": args.program, "arguments": [*options_of(args.option), *args.argument], "timeout": args.timeout}
     frame = series(range(args.seed, args.seed + args.games), args.world, _settings(args.set), **given, **options)
     frame.to_parquet(args.out)
     say(f"{len(frame)} games in {args.out}")

@@ -126,6 +126,11 @@ class Program:
         return out.strip()
 
 
+def options_of(options: Sequence[str]) -> tuple[str, ...]:
+    """Return the words that give these options of the world, as `image=freeze`, to a program."""
+    return tuple(word for option in options for word in ("--option", option))
+
+
 def _signal(number: int) -> str:
     try:
         return signal.Signals(number).name

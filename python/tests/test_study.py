@@ -22,6 +22,13 @@ def test_a_program_beside_the_study_is_found(study_file: StudyFile, robot: Progr
     assert read_study(Path(path.name)).program.path == robot.path
 
 
+def test_options_of_the_world_reach_each_game(study_file: StudyFile) -> None:
+    options = 'options = ["image=freeze", "from=8"]\narguments = ["--slow", "0"]'
+    study = read_study(study_file(("arguments = []", options)))
+    words = ("--option", "image=freeze", "--option", "from=8", "--slow", "0")
+    assert {task.arguments for task in study.tasks(study.defaults, study.search_seeds)} == {words}
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

@@ -84,7 +84,7 @@ fn slow_robot_stands_while_its_camera_is_faulty() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_an_offset_of_the_gyroscope_is_reported_in_a_stand() {
+fn slow_gyroscope_offset_is_reported_in_a_stand() {
     let mut test = start(Faults { gyro: 0.2, ..Faults::default() });
     let says = |test: &Test| test.tree().get::<HealthMonitor>().sense_fault() == Some(Fault::GyroOffset);
     test.until("the fault is reported", Duration::from_secs(20), says);
@@ -95,7 +95,18 @@ fn slow_an_offset_of_the_gyroscope_is_reported_in_a_stand() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_stuck_head_is_named_and_no_search_waits_for_ever() {
+fn slow_gyroscope_offset_is_reported_in_a_walk() {
+    for gyro in [0.2, -0.2] {
+        let mut test = approaching(Faults { gyro, from: FROM, ..Faults::default() });
+        let says = |test: &Test| test.tree().get::<HealthMonitor>().sense_fault() == Some(Fault::GyroOffset);
+        test.until("the fault is reported", Duration::from_secs(5), says);
+        assert_eq!(test.state::<Player>(), Some("approach"), "{gyro} rad/s");
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_stuck_head_stops_no_search() {
     for joint in [Joint::HeadYaw, Joint::HeadPitch] {
         let mut test = start(Faults { stuck: Some(joint), ..Faults::default() });
         let fault = |test: &Test| test.tree().get::<HealthMonitor>().fault() == Some(Fault::Stuck(joint));

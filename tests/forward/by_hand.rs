@@ -81,7 +81,7 @@ fn head_follows_its_modulation_in_the_next_cycle() {
 }
 
 #[test]
-fn turn_and_go_straight_move_the_robot_without_the_body() {
+fn turn_and_go_straight_need_no_body() {
     let mut hand = ByHand::new(None);
     hand.hold::<Turn>(Hold::Active);
     hand.modulate::<Turn>("set_speed", &[Value::F32(-0.5)]);
@@ -159,7 +159,7 @@ fn the_kicker_plays_one_kick_after_another() {
 }
 
 #[test]
-fn fixmove_lines_up_and_kicks_once_for_each_modulation() {
+fn fixmove_kicks_once_for_each_modulation() {
     let start = Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.25, 0.05) };
     let mut hand = ByHand::new(Some(start));
     hand.hold::<SearchBall>(Hold::Active);

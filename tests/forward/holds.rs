@@ -46,7 +46,7 @@ fn play(component: ComponentId, hold: Hold) -> Option<String> {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_robot_is_healthy_and_scores_after_a_hold_of_any_component() {
+fn slow_robot_recovers_after_a_hold() {
     let mut wrong = Vec::new();
     for (index, node) in Forward::GRAPH.nodes.iter().enumerate() {
         for hold in [Hold::Latent, Hold::Active] {

@@ -1,15 +1,16 @@
-//! The chest button takes the robot out of the game and back into it.
+//! The chest button and an operator's stop take the robot out of the game and back into it.
 
 use bica::prelude::*;
 use bica::runner::World;
 use bica::runner::harness::{Harness, InWorld};
 use bica_motion::robot::{Command, Light, Sensors};
-use bica_player::behaviour::Player;
+use bica_player::behaviour::{Player, SafetyGuard};
 use bica_player::{Forward, Model};
 use bica_sim::Referee;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
+use glam::Vec2;
 
 use crate::forward::game::new_game;
 
@@ -82,4 +83,42 @@ fn slow_chest_button_stops_and_continues_the_game() {
         assert!(test.state::<Player>().is_some_and(|state| state != "penalized"), "after {after}");
         assert_eq!(command(&test).lights.chest, Light(0.0, 1.0, 0.0));
     }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_stop_ends_the_game_in_a_fifth_of_a_second() {
+    // While the robot searches, walks, searches the goal, and lines up. A kick ends first.
+    for after in [50, 400, 550, 900] {
+        let mut test = start();
+        test.cycles(after);
+        test.tree_mut().modulate("GameState", "stop", &[]).expect("a stop");
+        test.reaches::<Player>("penalized", Duration::from_millis(200));
+        test.run_for(Duration::from_secs(1));
+        let place = referee(&test).robot().position;
+        test.stays::<Player>("penalized", Duration::from_secs(5));
+        assert!(referee(&test).robot().position.distance(place) < 1e-3, "after {after}");
+        test.tree_mut().modulate("GameState", "play", &[]).expect("a modulation");
+        test.reaches::<Player>("look_for_ball", Duration::from_millis(200));
+        test.tree_mut().modulate("GameState", "stop", &[]).expect("a stop");
+        test.reaches::<Player>("penalized", Duration::from_millis(200));
+        press(&mut test);
+        test.cycles(20);
+        assert!(test.state::<Player>().is_some_and(|state| state != "penalized"), "the button, after {after}");
+    }
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_a_stopped_robot_that_falls_stays_down() {
+    let mut test = start();
+    test.cycles(400);
+    test.tree_mut().modulate("GameState", "stop", &[]).expect("a stop");
+    test.reaches::<Player>("penalized", Duration::from_millis(200));
+    test.world_mut().world.add_velocity(Vec2::X * 3.0);
+    test.reaches::<SafetyGuard>("rest", Duration::from_secs(5));
+    test.stays::<SafetyGuard>("rest", Duration::from_secs(10));
+    test.tree_mut().modulate("GameState", "play", &[]).expect("a modulation");
+    test.reaches::<Player>("look_for_ball", Duration::from_secs(20));
+    assert_eq!(referee(&test).falls(), 1);
 }

@@ -231,7 +231,7 @@ impl InfoSink for Count {
 }
 
 #[test]
-fn each_component_of_perception_and_input_publishes_information() {
+fn each_component_of_perception_has_outputs() {
     let recording = Recording::new();
     let mut robot = forward(recording.attacks);
     assert_eq!(recording.run(&mut robot).count(), recording.cycles.len());
@@ -265,7 +265,7 @@ fn candidates(param: &Param) -> Vec<Value> {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_each_parameter_of_perception_and_input_changes_what_is_perceived() {
+fn slow_each_parameter_of_perception_has_an_effect() {
     let recording = Recording::new();
     let usual: Vec<u64> = recording.run(&mut forward(recording.attacks)).collect();
     let has_effect = |component: ComponentId, index: usize, param: &Param| {

@@ -95,7 +95,7 @@ proptest! {
 
     #[test]
     #[ignore = "slow: `cargo xtask ci` runs it"]
-    fn slow_parameters_anywhere_in_their_ranges_give_valid_commands(
+    fn slow_parameters_in_range_give_valid_commands(
         seed: u64,
         shares in prop::collection::vec(0.0_f32..=1.0, 512),
     ) {

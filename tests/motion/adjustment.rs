@@ -37,7 +37,7 @@ fn swing_height(targets: &[Joints]) -> f32 {
 }
 
 #[test]
-fn the_speed_limit_scales_the_largest_speed_in_both_directions() {
+fn speed_limit_scales_both_directions() {
     for speed_limit in [0.5, 1.0, 1.2] {
         let (walk, _) = walked(Adjustment { speed_limit, ..Adjustment::NONE }, FORWARD, 0.0);
         // The planned velocity, with which the body moves at the limit.
@@ -56,7 +56,7 @@ fn a_request_below_the_limit_is_not_scaled() {
 }
 
 #[test]
-fn the_step_height_scales_the_height_of_the_swing_foot() {
+fn step_height_scales_the_swing_foot() {
     let height = |step_height| swing_height(&walked(Adjustment { step_height, ..Adjustment::NONE }, FORWARD, 0.0).1);
     for scale in [0.5, 2.0] {
         let ratio = height(scale) / height(1.0);

@@ -32,7 +32,7 @@ fn toward(direction: Direction, angle: f32) -> Quat {
 }
 
 #[test]
-fn the_detector_reports_falling_fallen_and_upright_in_every_direction() {
+fn falls_in_every_direction_are_detected() {
     for direction in Direction::ALL {
         let mut detector = FallDetector::<Nao>::new();
         let mut seen = vec![detector.state()];
@@ -64,7 +64,7 @@ fn tilts_and_jolts_of_a_walk_are_no_fall() {
 }
 
 #[test]
-fn a_fall_ends_after_its_maximum_time_without_a_valid_acceleration() {
+fn fall_without_acceleration_ends_after_its_maximum() {
     let mut detector = FallDetector::<Nao>::new();
     let strange = Inertial { pitch: 1.0, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
     for _ in 0..130 {
@@ -146,7 +146,7 @@ fn keeps_to_limits_and_speeds<M: RobotModel>(targets: &[Joints]) {
 }
 
 #[test]
-fn every_third_attempt_turns_over_and_alternates_the_side() {
+fn every_third_attempt_turns_over() {
     let turn = |lying, failures| get_up(GetUp::<Nao>::new(lying, failures, Nao::STAND), &tilted(toward(lying, 1.5)));
     for lying in [Direction::Front, Direction::Back] {
         let targets = turn(lying, 2);
@@ -217,7 +217,7 @@ fn a_get_up_stops_if_a_risen_robot_falls_again() {
 }
 
 #[test]
-fn mass_stays_over_the_feet_while_sitting_down_and_rising() {
+fn mass_stays_over_the_feet_while_sitting_down() {
     let mut world = World::<Nao>::standing(Nao::STAND);
     for frames in [Nao::TO_SIT, Nao::TO_STAND] {
         for targets in play(frames, world.angles) {

@@ -58,7 +58,7 @@ fn targets_of_the_dynamic_gait_are_within_the_limits() {
 }
 
 #[test]
-fn lateral_tilt_widens_the_step_up_to_the_maximum_capture_step() {
+fn lateral_tilt_widens_the_step_to_its_maximum() {
     let widest = |rolled: f32| {
         let toppling = |side: Side| Feedback { roll: rolled * side.sign(), ..level() };
         let counts = 100..160;
@@ -88,7 +88,7 @@ fn a_large_capture_step_is_a_phase_of_its_own() {
 }
 
 #[test]
-fn outward_tilt_over_the_support_foot_slows_the_gait_phase() {
+fn outward_tilt_slows_the_gait_phase() {
     let steps = |rolled: f32| {
         let mut walk = Walk::<Nao>::new(&NAO.gait);
         let (mut steps, mut before) = (0, None);
@@ -132,7 +132,7 @@ fn targets_stay_finite_for_any_feedback() {
 }
 
 #[test]
-fn dynamic_kicks_keep_to_limits_and_return_to_the_stand() {
+fn dynamic_kicks_keep_limits_and_return() {
     for kick in Kick::ALL {
         let mut motion = KickMotion::<Nao>::new(kick, NAO);
         assert!(motion.seconds() < 2.5, "{kick:?}: {} s", motion.seconds());
@@ -180,7 +180,7 @@ fn alone(side: Side) -> Feedback {
 }
 
 #[test]
-fn unexpected_knee_sag_adds_hip_roll_and_knee_extension() {
+fn knee_sag_adds_hip_roll_and_knee_extension() {
     let [strong, usual, weak] =
         [0.0, NAO.gait.expected_knee_sag - 0.005, NAO.gait.expected_knee_sag + 0.05].map(at_support_end);
     assert_eq!(strong, usual, "an expected sag is not compensated");

@@ -57,7 +57,7 @@ proptest! {
     }
 
     #[test]
-    fn look_at_over_ground_brings_the_point_to_the_optical_axis(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
+    fn look_at_over_ground_points_the_optical_axis(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
         let support = if left { Side::Left } else { Side::Right };
         let point = Vec3::new(x, y, 0.0325);
         let mut angles = Nao::STAND;
@@ -69,7 +69,7 @@ proptest! {
     }
 
     #[test]
-    fn the_head_reaches_its_target_within_its_maximum_speeds(
+    fn head_reaches_its_target_within_maximum_speeds(
         from in (-2.1_f32..2.1, -0.7_f32..0.6), to in (-3.0_f32..3.0, -1.0_f32..1.0),
     ) {
         let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped::<Nao>();
@@ -88,7 +88,7 @@ proptest! {
 }
 
 #[test]
-fn the_head_stays_within_its_limits_for_nan_and_infinite_inputs() {
+fn head_stays_in_limits_for_non_finite_inputs() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let target = HeadAngles { yaw: value, pitch: value };
         let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, target, 0.01);

@@ -49,7 +49,7 @@ proptest! {
     #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
-    fn joints_move_to_their_targets_within_their_maximum_speeds(
+    fn joints_reach_targets_within_maximum_speeds(
         from in prop::array::uniform25(-2.0_f32..2.0), to in prop::array::uniform25(-2.0_f32..2.0), dt in 0.001_f32..0.1,
     ) {
         let (from, to) = (Joints(from), Joints(to));

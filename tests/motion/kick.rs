@@ -57,7 +57,7 @@ fn kick_keeps_balance_and_returns_to_the_stand() {
 }
 
 #[test]
-fn kicks_with_the_right_foot_mirror_those_with_the_left_foot() {
+fn right_kicks_mirror_left_kicks() {
     for pair in Kick::ALL.chunks(2) {
         assert_eq!(pair[0].kind, pair[1].kind);
         let [mut left, mut right] = [pair[0], pair[1]].map(|kick| KickMotion::<Nao>::new(kick, Nao::KINEMATIC_PROFILE));
@@ -136,7 +136,7 @@ fn off(direction: Vec2, kick: Kick) -> f32 {
 }
 
 #[test]
-fn the_foot_hits_the_ball_at_the_specified_speed_and_direction() {
+fn foot_hits_the_ball_as_specified() {
     for kick in Kick::ALL {
         let hit = hit(kick, kick.ball(&Nao::KINEMATIC_PROFILE.kicks)).expect("the foot meets the ball");
         assert!(hit.in_strike);

@@ -233,7 +233,7 @@ fn the_ground_lies_between_the_feet_in_stand() {
 }
 
 #[test]
-fn out_of_reach_gives_the_straight_leg_in_its_direction() {
+fn target_out_of_reach_gives_the_straight_leg() {
     let far = Affine3A::from_translation(Vec3::new(0.3, 0.05, -0.4));
     let leg = Nao::leg_angles(Side::Left, &far);
     assert!(leg.knee_pitch.abs() < 1e-6);
@@ -264,7 +264,7 @@ proptest! {
     }
 
     #[test]
-    fn inverse_kinematics_of_one_leg_invert_the_forward_kinematics(angles in any_bent_angles()) {
+    fn inverse_kinematics_of_one_leg_are_inverse(angles in any_bent_angles()) {
         for side in Side::BOTH {
             let expected = kinematics::ankle::<Nao>(side, &angles);
             let mut found = Joints::all(0.0);
@@ -275,7 +275,7 @@ proptest! {
     }
 
     #[test]
-    fn inverse_kinematics_of_both_legs_invert_the_forward_kinematics(angles in any_bent_angles()) {
+    fn inverse_kinematics_of_both_legs_are_inverse(angles in any_bent_angles()) {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Nao>(side, &angles));
         prop_assume!(off_roll_axis(Side::Left, &left) > 0.03 && off_roll_axis(Side::Right, &right) > 0.03);
         for yaw in [YawFrom::Mean, YawFrom::Leg(Side::Left), YawFrom::Leg(Side::Right)] {

@@ -47,7 +47,7 @@ proptest! {
     }
 
     #[test]
-    fn inverse_kinematics_invert_the_forward_kinematics_of_the_model(angles in any_angles::<Tall>()) {
+    fn inverse_kinematics_of_the_model_are_inverse(angles in any_angles::<Tall>()) {
         let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
         for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
             let mut found = Joints::all(0.0);
@@ -77,7 +77,7 @@ proptest! {
 }
 
 #[test]
-fn total_mass_and_continuous_currents_follow_from_the_tables() {
+fn total_mass_and_currents_follow_from_tables() {
     assert!((Tall::TOTAL_MASS - 20.5).abs() < 1e-4, "{}", Tall::TOTAL_MASS);
     // 0.08 Nm at 24 V / 600 rad/s = 0.04 Nm/A.
     assert!((Tall::CONTINUOUS_CURRENTS[Joint::LKneePitch] - 2.0).abs() < 1e-6);
@@ -105,7 +105,7 @@ fn is_within_limits(angles: &Joints) -> bool {
 }
 
 #[test]
-fn the_second_model_walks_as_requested_within_its_limits() {
+fn second_model_walks_within_its_limits() {
     let gait = &Tall::KINEMATIC_PROFILE.gait;
     for (forward, left, turn) in
         [(0.25, 0.0, 0.0), (-0.15, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.8), (0.15, 0.05, -0.3)]

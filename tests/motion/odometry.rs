@@ -101,7 +101,7 @@ fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints
 }
 
 #[test]
-fn measured_angles_gain_weight_with_the_difference_of_the_foot_forces() {
+fn measured_angles_gain_weight_with_foot_forces() {
     let (commanded, no_command, still) = (|cycle| Some(leaning(cycle)), |_| None, |_| Some(leaning(0)));
     let left = [50.0, 2.0];
     let full = way(commanded, leaning, left);
@@ -118,7 +118,7 @@ fn measured_angles_gain_weight_with_the_difference_of_the_foot_forces() {
 }
 
 #[test]
-fn commanded_angles_replace_invalid_or_stale_measurements() {
+fn commanded_angles_replace_bad_measurements() {
     let commanded = |cycle| Some(leaning(cycle));
     let left = [50.0, 2.0];
     let full = way(commanded, leaning, left);
@@ -134,7 +134,7 @@ fn commanded_angles_replace_invalid_or_stale_measurements() {
 }
 
 #[test]
-fn a_zero_gyroscope_turn_is_replaced_by_that_of_the_legs() {
+fn zero_gyroscope_turn_is_replaced_by_the_legs() {
     let gyro_turn = |gyroscope: Option<f32>| {
         let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
         let feet = [&ground(50.0), &ground(2.0)];

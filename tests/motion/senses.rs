@@ -25,7 +25,7 @@ fn sensors(angles: Joints, gyro: Vec3, acceleration: Vec3) -> Sensors<'static> {
 }
 
 #[test]
-fn tilt_of_a_still_torso_is_found_from_the_specific_force() {
+fn tilt_of_a_still_torso_is_measured() {
     let turn = Quat::from_rotation_y(0.2) * Quat::from_rotation_x(-0.1);
     let mut estimator = SenseEstimator::<T1>::new();
     let mut seen = sensors(T1::STAND, Vec3::ZERO, turn.inverse() * Vec3::new(0.0, 0.0, 9.81));

@@ -40,7 +40,7 @@ fn measure(walk: &mut Walk, world: &mut World, request: Velocity, cycles: usize)
 }
 
 #[test]
-fn the_walk_reaches_the_requested_velocity_within_ten_percent() {
+fn walk_reaches_its_velocity_within_ten_percent() {
     for (forward, left, turn) in [
         (0.25, 0.0, 0.0),
         (0.1, 0.0, 0.0),
@@ -80,7 +80,7 @@ fn the_maximum_velocities_are_those_of_the_gait() {
 }
 
 #[test]
-fn the_body_passes_over_the_support_foot_at_constant_speed() {
+fn body_passes_the_support_foot_at_constant_speed() {
     let request = Velocity::new(0.2, 0.0, 0.0);
     let (mut walk, mut world) = start();
     measure(&mut walk, &mut world, request, 300);

@@ -1,8 +1,7 @@
 //! Messages of the compiler, and trees at the limits.
 //!
-//! `table` has the mistakes that the text of one item shows; see `table.rs`. `fail` has those that need the compiler,
-//! one file for each, named after it, with the expected message: traits, constants, cycles, and items with mistakes of
-//! each kind, as one mistake must not bring further messages.
+//! `table` has the mistakes that the text of one item shows; see `table.rs`. `fail` has those that need the compiler:
+//! one file for mistakes that the compiler finds together, with all its messages, as a mistake must not bring further ones.
 //!
 //! `TRYBUILD=overwrite cargo test -p bica -- --include-ignored` replaces the expected messages; review them
 //! before a commit.

@@ -57,7 +57,7 @@ fn case(written: &str) -> String {
     let source: Vec<&str> = body.lines().filter(|line| !is_message(line)).collect();
     let mut report = Report::default();
     read(source.join("\n").parse().expect("tokens"), &mut report);
-    let mut messages: Vec<_> = report.errors().map(|error| (error.span(), error.to_string())).collect();
+    let mut messages: Vec<_> = report.mistakes().iter().map(|one| (one.error.span(), one.error.to_string())).collect();
     messages.sort_by_key(|(span, _)| (span.start().line, span.start().column));
     let mut found = format!("{name}\n");
     for (index, line) in source.iter().enumerate() {

@@ -50,7 +50,7 @@ proptest! {
     }
 
     #[test]
-    fn ball_is_accepted_within_its_covariance_under_pitch_errors(
+    fn ball_within_its_covariance_is_accepted(
         (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03, part in -0.2_f32..0.2,
     ) {
         let believed = leaning(&camera, Vec2::new(x, y));
@@ -66,7 +66,7 @@ proptest! {
     }
 
     #[test]
-    fn circle_much_larger_or_smaller_than_a_ball_is_rejected((camera, place) in view(1.2), is_large in any::<bool>()) {
+    fn circle_of_a_wrong_size_is_rejected((camera, place) in view(1.2), is_large in any::<bool>()) {
         let radius = if is_large { 2.5 * RADIUS } else { 0.4 * RADIUS };
         let seen = circle(&camera, place.extend(RADIUS), radius).expect("in front");
         prop_assert!(seen.ball(&camera, RADIUS, &Errors::NAO).is_none());
@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn post_is_accepted_and_half_or_double_height_is_rejected(
+    fn post_of_a_wrong_height_is_rejected(
         (camera, place) in view(3.0), x in -0.03_f32..0.03, y in -0.03_f32..0.03,
     ) {
         prop_assume!(place.length() > 1.0);

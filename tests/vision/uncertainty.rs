@@ -72,7 +72,7 @@ proptest! {
     }
 
     #[test]
-    fn standard_deviation_equals_that_of_sampled_errors_of_a_robot((camera, pixel) in any_view()) {
+    fn standard_deviation_of_a_robot_equals_samples((camera, pixel) in any_view()) {
         let errors = Errors::NAO;
         let computed = uncertainty::largest(&uncertainty::of_ground(&camera, pixel, 0.0, &errors).expect("ground"));
         let drawn = uncertainty::largest(&drawn(&camera, pixel, 0.0, &errors, 2000).expect("ground"));
@@ -105,7 +105,7 @@ proptest! {
     }
 
     #[test]
-    fn largest_deviation_bounds_the_deviation_in_each_direction(
+    fn largest_deviation_bounds_each_direction(
         x in -1.0_f32..1.0, y in -1.0_f32..1.0, u in -1.0_f32..1.0, v in -1.0_f32..1.0, angle in -3.0_f32..3.0,
     ) {
         let covariance = uncertainty::square(Vec2::new(x, y)) + uncertainty::square(Vec2::new(u, v));

@@ -8,8 +8,8 @@ use crate::mujoco;
 use crate::process::run;
 
 /// Features of packages that a step needs; not the self-test of the firmware, whose decoder makes numbers of JSON texts in all crates.
-const FEATURES: &str = "bica-app/monitor,bica-app/ros,bica-evaluation/measure,bica-player-program/measure,\
-    bica-tests/measure,therapy/monitor";
+const FEATURES: &str = "bica-app/monitor,bica-app/ros,bica-evaluation/measure,bica-player-program/evaluation,\
+    bica-player-program/league,bica-player-program/measure,bica-tests/measure,therapy/monitor";
 /// Those that need MuJoCo's library.
 const MUJOCO: &str =
     "bica-body/mujoco,bica-evaluation/mujoco,bica-player-program/mujoco,bica-sim/mujoco,jmanager/mujoco,therapy/mujoco";
@@ -52,5 +52,5 @@ pub(crate) fn program(name: &str) -> String {
 
 /// Features of a release build of the program, which is so built once for all steps.
 pub(crate) fn release() -> &'static [&'static str] {
-    if mujoco::is_installed() { &["--features", "mujoco"] } else { &[] }
+    if mujoco::is_installed() { &["--features", "mujoco"] } else { &["--features", "evaluation,league"] }
 }

@@ -29,7 +29,9 @@ pub(crate) fn check() -> Result<(), String> {
     let manifest = unpack(&packages, &target.join(UNPACKED))?;
     packages.iter().try_for_each(|(name, _)| {
         let check = ["check", "--quiet", "--manifest-path", &manifest, "--target-dir", TARGET, "--package", name];
-        run("cargo", &check, &[])
+        // Empty without its feature.
+        let features: &[&str] = if name == "bica-ros" { &["--all-features"] } else { &[] };
+        run("cargo", &[&check[..], features].concat(), &[])
     })
 }
 

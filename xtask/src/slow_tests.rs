@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn the_package_of_a_file_is_that_of_the_nearest_manifest() {
+    fn package_of_a_file_has_the_nearest_manifest() {
         assert_eq!(package(&root().join("xtask/src/slow_tests.rs")).as_deref(), Some("xtask"));
         assert_eq!(package(&root().join("tools/player/tests/replay/games.rs")).as_deref(), Some("bica-player-program"));
     }

@@ -54,7 +54,7 @@ const LARGEST: Graph = Graph { budget_ms: Some(1e6), ..graph(&MACHINES) };
 const _: () = check(&LARGEST);
 
 #[test]
-fn the_largest_tree_is_checked_within_the_compiler_s_limits() {
+fn largest_tree_is_within_compiler_limits() {
     assert!(first_violation(&LARGEST).is_none());
     assert!(!longest_chain(&LARGEST, steps(&LARGEST)).exact);
 }

@@ -17,7 +17,7 @@ pub enum Fault {
     Hot(Joint),
     /// The motor of a joint has drawn more than its continuous current for seconds.
     Overloaded(Joint),
-    /// The gyroscope measures a turn of a robot that stands.
+    /// The gyroscope measures a turn that the robot does not make: it stands, or its legs turn it less.
     GyroOffset,
     /// The camera sends no images.
     NoImages,
@@ -38,7 +38,7 @@ impl core::fmt::Display for Fault {
             Self::Foot(Side::Right) => f.write_str("the right foot's pressure sensors are silent"),
             Self::Hot(joint) => write!(f, "{joint:?} is too hot"),
             Self::Overloaded(joint) => write!(f, "{joint:?} draws too much current"),
-            Self::GyroOffset => f.write_str("the gyroscope measures a turn while the robot stands"),
+            Self::GyroOffset => f.write_str("the gyroscope measures a turn that the robot does not make"),
             Self::NoImages => f.write_str("the camera sends no images"),
             Self::FrozenImage => f.write_str("the camera repeats the same image"),
             Self::DarkImage => f.write_str("the camera's images are black"),

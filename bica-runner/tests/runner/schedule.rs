@@ -38,7 +38,7 @@ fn a_late_cycle_skips_whole_periods() {
 }
 
 #[test]
-fn the_policy_shift_begins_a_new_grid_after_an_overrun() {
+fn policy_shift_begins_a_new_grid() {
     let (mut schedule, mut now) = (Schedule::new(100.0, OverrunPolicy::Shift), 0);
     assert!(cycle(&mut schedule, &mut now, 13_000).1.is_some());
     assert_eq!(cycle(&mut schedule, &mut now, 100), (13_000, None));

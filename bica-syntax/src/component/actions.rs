@@ -7,6 +7,7 @@ use syn::{Attribute, LitStr, Meta, Path, Token};
 use super::block::{Block, Function, Item};
 use super::model::Modulation;
 use super::operator;
+use crate::code::Code;
 use crate::report::Report;
 use crate::{plain_item, text, wording};
 
@@ -66,7 +67,8 @@ fn take(function: &mut Function, report: &mut Report) -> Option<Attribute> {
     }
     let name = text::written(found.as_ref()?.path());
     if name != "action" {
-        report.add(found?.path(), wording::misspelt_attribute(&name, "action"));
+        let code = Code::MisspeltAttribute { found: name, meant: "action".to_owned() };
+        report.add_code(found?.path(), code);
         return None;
     }
     found

@@ -8,7 +8,6 @@ use syn::{
 };
 
 use super::model::Argument;
-use super::signature::Form;
 use crate::report::Report;
 use crate::types::{is_unsized, plain, unsized_argument};
 use crate::{text, wording};
@@ -24,6 +23,17 @@ const OF_LIBRARIES: [&str; 5] = ["String", "Instant", "Duration", "ComponentId",
 
 /// Generic types of the standard library around what was meant. Without a type in angle brackets it is another type.
 const WRAPPERS: [&str; 9] = ["Vec", "Box", "Option", "Result", "Rc", "Arc", "RefCell", "Mutex", "RwLock"];
+
+/// The form that the role of a function asks for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Links of both kinds.
+    Step,
+    /// Links that read, and a `bool`.
+    Condition,
+    /// No links.
+    Plain,
+}
 
 /// Reads the arguments beside `self`. A wrong one is left out.
 pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {

@@ -1,16 +1,16 @@
 //! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[start]`, `#[stop]`, `#[modulation]`
 
-use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, Meta, Token};
 
-use super::model::Sources;
+use super::model::{Arrow, Sources};
+use super::roles::ROLES;
+use crate::code::Code;
+use crate::report::{Mistake, coded};
 use crate::{number, text, wording};
-
-/// The attributes that assign a function its role.
-const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
 
 /// Names from other frameworks for our attributes.
 const SYNONYMS: [(&str, &str); 12] = [
@@ -31,31 +31,21 @@ const SYNONYMS: [(&str, &str); 12] = [
 /// Attributes of the language that are spelt much like one of ours.
 const BUILT_IN: [&str; 6] = ["test", "expect", "ignore", "inline", "cold", "must_use"];
 
-/// The role that an attribute assigns, if it is one of ours.
-#[must_use]
-pub fn role(attribute: &Attribute) -> Option<&'static str> {
-    ROLES.into_iter().find(|role| attribute.path().is_ident(role))
-}
-
-/// Whether the brackets of an attribute begin with one of our names.
-pub(crate) fn begins_with_role(brackets: &Group) -> bool {
-    matches!(brackets.stream().into_iter().next(), Some(TokenTree::Ident(name)) if ROLES.iter().any(|role| name == role))
-}
-
-/// The message about an attribute that was meant to be one of ours.
-pub(crate) fn misspelt(attribute: &Attribute) -> Option<String> {
+/// The mistake of an attribute that was meant to be one of ours.
+pub(crate) fn misspelt(attribute: &Attribute) -> Option<Mistake> {
     let path = attribute.path();
     let last = text::name(&path.segments.last()?.ident);
     if path.segments.len() == 2 && path.segments[0].ident == "bica" && ROLES.contains(&last.as_str()) {
-        return Some(wording::bare_attribute(&last));
+        return Some(syn::Error::new_spanned(path, wording::bare_attribute(&last)).into());
     }
     path.get_ident()?;
     if last == "step" {
-        return Some(wording::STEP_ATTRIBUTE.to_owned());
+        return Some(syn::Error::new_spanned(path, wording::STEP_ATTRIBUTE).into());
     }
     let synonym = SYNONYMS.iter().find(|(other, _)| *other == last).map(|(_, ours)| *ours);
     let near = || (!BUILT_IN.contains(&last.as_str())).then(|| text::nearest(&last, ROLES.into_iter())).flatten();
-    synonym.or_else(near).filter(|ours| *ours != last).map(|ours| wording::misspelt_attribute(&last, ours))
+    let meant = synonym.or_else(near).filter(|ours| *ours != last)?.to_owned();
+    Some(Mistake::new(path, Code::MisspeltAttribute { found: last, meant }))
 }
 
 /// Whether it is `#[component]`, by any path.
@@ -96,22 +86,22 @@ pub(crate) fn bare(attribute: &Attribute, role: &str) -> syn::Result<()> {
 ///
 /// # Errors
 /// If it has other words, or one twice.
-pub fn state(attribute: &Attribute) -> syn::Result<(Option<Ident>, bool)> {
+pub fn state(attribute: &Attribute) -> Result<(Option<Ident>, bool), Mistake> {
     let (mut initial, mut last) = (None, false);
     let list = match &attribute.meta {
         Meta::Path(_) => return Ok((initial, last)),
         Meta::List(list) => list,
-        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::STATE_WORDS)),
+        Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::STATE_WORDS).into()),
     };
     let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
     for word in words.map_err(|found| syn::Error::new(found.span(), wording::STATE_WORDS))? {
         match word.to_string().as_str() {
             "initial" if initial.is_none() => initial = Some(word),
             "last" if !last => last = true,
-            "initial" | "last" => return Err(syn::Error::new(word.span(), wording::TWICE)),
+            "initial" | "last" => return Err(syn::Error::new(word.span(), wording::TWICE).into()),
             other => {
                 let nearest = text::nearest(other, ["initial", "last"].into_iter());
-                return Err(syn::Error::new(word.span(), wording::unknown_key(other, nearest, "`initial` and `last`")));
+                return Err(Mistake::new(&word, Code::unknown_key(other, nearest, "`initial` and `last`")));
             }
         }
     }
@@ -125,11 +115,11 @@ const STOPS: [&str; 5] = ["halt", "emergency", "emergency_stop", "estop", "e_sto
 ///
 /// # Errors
 /// If it has another form, another word, or the word twice.
-pub(super) fn modulation(attribute: &Attribute) -> syn::Result<bool> {
+pub(super) fn modulation(attribute: &Attribute) -> Result<bool, Mistake> {
     let list = match &attribute.meta {
         Meta::Path(_) => return Ok(false),
         Meta::List(list) if !list.tokens.is_empty() => list,
-        _ => return Err(syn::Error::new_spanned(attribute, wording::MODULATION_FORM)),
+        _ => return Err(syn::Error::new_spanned(attribute, wording::MODULATION_FORM).into()),
     };
     let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
     let mut stops = false;
@@ -141,45 +131,37 @@ pub(super) fn modulation(attribute: &Attribute) -> syn::Result<bool> {
             } else {
                 text::nearest(&written, ["stop"].into_iter())
             };
-            return Err(syn::Error::new(word.span(), wording::unknown_key(&written, nearest, "only `stop`")));
+            return Err(Mistake::new(word, Code::unknown_key(written, nearest, "only `stop`")));
         }
         if stops {
-            return Err(syn::Error::new(word.span(), wording::TWICE));
+            return Err(syn::Error::new(word.span(), wording::TWICE).into());
         }
         stops = true;
     }
     Ok(stops)
 }
 
-/// The content of `#[transition(a | b -> c, after_ms = N)]`.
-pub struct Arrow {
-    /// States that it leaves.
-    pub from: Sources,
-    /// State that it enters.
-    pub to: Ident,
-    /// Least time in the state before it, ms.
-    pub after_ms: Option<u32>,
-}
-
 /// Reads a transition.
 ///
 /// # Errors
 /// If it has another form.
-pub fn transition(attribute: &Attribute) -> syn::Result<Arrow> {
+pub fn transition(attribute: &Attribute) -> Result<Arrow, Mistake> {
     let Meta::List(list) = &attribute.meta else {
-        return Err(syn::Error::new_spanned(attribute, wording::ARROW));
+        return Err(syn::Error::new_spanned(attribute, wording::ARROW).into());
     };
     if list.tokens.is_empty() {
-        return Err(syn::Error::new_spanned(attribute, wording::ARROW));
+        return Err(syn::Error::new_spanned(attribute, wording::ARROW).into());
     }
-    list.parse_args_with(|input: ParseStream| {
-        let from = sources(input)?;
-        input.parse::<Token![->]>().map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
-        let to = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
-        if input.peek(Token![|]) {
-            return Err(input.error(wording::ONE_TARGET));
-        }
-        Ok(Arrow { from, to, after_ms: after_ms(input)? })
+    coded(|uncoded| {
+        list.parse_args_with(|input: ParseStream| {
+            let from = sources(input)?;
+            input.parse::<Token![->]>().map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
+            let to = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::ARROW))?;
+            if input.peek(Token![|]) {
+                return Err(input.error(wording::ONE_TARGET));
+            }
+            Ok(Arrow { from, to, after_ms: after_ms(input).map_err(uncoded)? })
+        })
     })
 }
 
@@ -197,11 +179,11 @@ fn names(input: ParseStream) -> syn::Result<Vec<Ident>> {
 }
 
 /// `, after_ms = N`
-fn after_ms(input: ParseStream) -> syn::Result<Option<u32>> {
+fn after_ms(input: ParseStream) -> Result<Option<u32>, Mistake> {
     let mut after_ms = None;
     while !input.is_empty() {
         if !input.peek(Token![,]) {
-            return Err(input.error(wording::ARROW));
+            return Err(input.error(wording::ARROW).into());
         }
         input.parse::<Token![,]>()?;
         if input.is_empty() {
@@ -212,10 +194,10 @@ fn after_ms(input: ParseStream) -> syn::Result<Option<u32>> {
         if written != "after_ms" {
             let nearest = ["after", "timeout", "timeout_ms", "after_s"].contains(&written.as_str());
             let nearest = if nearest { Some("after_ms") } else { text::nearest(&written, ["after_ms"].into_iter()) };
-            return Err(syn::Error::new(key.span(), wording::unknown_key(&written, nearest, "`after_ms`")));
+            return Err(Mistake::new(key, Code::unknown_key(written, nearest, "`after_ms`")));
         }
         if after_ms.is_some() {
-            return Err(syn::Error::new(key.span(), wording::TWICE));
+            return Err(syn::Error::new(key.span(), wording::TWICE).into());
         }
         after_ms = Some(milliseconds(input)?);
     }

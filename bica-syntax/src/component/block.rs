@@ -9,7 +9,7 @@ use syn::parse::discouraged::Speculative;
 use syn::parse::{ParseStream, Parser};
 use syn::{Abi, Attribute, ImplItem, ItemImpl, Signature, Token, Visibility};
 
-use super::attributes;
+use super::roles::begins_with_role;
 
 /// An impl block.
 pub struct Block {
@@ -120,7 +120,7 @@ fn unreadable(input: ParseStream) -> TokenStream {
     let mut tokens = Vec::new();
     while let Ok(token) = input.parse::<TokenTree>() {
         let ends = matches!(&token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
-        let role = matches!(&token, TokenTree::Group(group) if attributes::begins_with_role(group));
+        let role = matches!(&token, TokenTree::Group(group) if begins_with_role(group));
         if role && matches!(tokens.last(), Some(TokenTree::Punct(mark)) if mark.as_char() == '#') {
             tokens.pop();
         } else {

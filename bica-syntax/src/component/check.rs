@@ -2,6 +2,7 @@
 
 use super::model::{Behaviour, Component, Machine};
 use super::{near_miss, resolve};
+use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
 
@@ -50,19 +51,20 @@ fn reachable(machine: &Machine, report: &mut Report) {
     }
     for (state, reached) in machine.states.iter().zip(reached) {
         if !reached {
-            report.add(&state.body.name, wording::unreachable(&text::name(&state.body.name)));
+            let name = &state.body.name;
+            report.add_code(name, Code::Unreachable { state: text::name(name) });
         }
     }
 }
 
 fn ends(component: &Component, machine: &Machine, report: &mut Report) {
     for (index, state) in machine.states.iter().enumerate() {
-        let name = text::name(&state.body.name);
+        let name = || text::name(&state.body.name);
         match machine.edges_from(index).find(|edge| edge.from != edge.to) {
-            None if !state.last => report.add(&state.body.name, wording::dead_end(&name)),
+            None if !state.last => report.add_code(&state.body.name, Code::DeadEnd { state: name() }),
             Some(edge) if state.last => {
                 let transition = component.transitions.iter().find(|one| one.function.name == edge.condition.name);
-                report.add(transition.map(|one| &one.attribute), wording::last_but_left(&name));
+                report.add_code(transition.map(|one| &one.attribute), Code::LastButLeft { state: name() });
             }
             _ => {}
         }

@@ -16,6 +16,30 @@ pub enum Kind {
     Rate,
 }
 
+/// The links of functions that run together, each child once, by the text of its type; reads come first, as they are visited first.
+///
+/// A child that one of the functions writes is visited after all of them, also if another one reads it. A rate adds nothing to
+/// another link.
+pub fn merged<K: Copy + Into<Kind>, C>(
+    links: impl Iterator<Item = (K, C)>,
+    text: impl Fn(&C) -> String,
+) -> Vec<(K, C)> {
+    let mut all: Vec<(K, C)> = links.collect();
+    all.sort_by_key(|(kind, _)| match (*kind).into() {
+        Kind::Write => 0,
+        Kind::Read => 1,
+        Kind::Rate => 2,
+    });
+    let mut merged: Vec<(K, C)> = Vec::new();
+    for (kind, child) in all {
+        if !merged.iter().any(|(_, known)| text(known) == text(&child)) {
+            merged.push((kind, child));
+        }
+    }
+    merged.sort_by_key(|(kind, _)| (*kind).into() != Kind::Read);
+    merged
+}
+
 /// The children of functions that run together, each type once if it is written alike.
 ///
 /// Two paths can name one type. Only the compiler can decide that; generated code then drops the link of lower rank.
@@ -27,53 +51,29 @@ pub struct Links {
 }
 
 impl Links {
-    /// The links of functions that run together. A child that one of them writes is visited after all of them, also if
-    /// another reads it.
+    /// The links of functions that run together.
     pub fn of<'a>(functions: impl Iterator<Item = &'a Function> + Clone) -> Self {
-        let mut links = Self::default();
-        let arguments = || functions.clone().flat_map(|function| &function.arguments);
-        for argument in arguments() {
-            if let Argument::Write(child) = argument {
-                links.add(Kind::Write, child);
-            }
-        }
-        for argument in arguments() {
-            if let Argument::Read(child) = argument {
-                links.add(Kind::Read, child);
-            }
-        }
-        for argument in arguments() {
-            if let Argument::Rate(child) = argument {
-                links.add(Kind::Rate, child);
-            }
-        }
+        let links = functions.clone().flat_map(|function| &function.arguments).filter_map(|argument| match argument {
+            Argument::Read(child) => Some((Kind::Read, child.clone())),
+            Argument::Write(child) => Some((Kind::Write, child.clone())),
+            Argument::Rate(child) => Some((Kind::Rate, child.clone())),
+            _ => None,
+        });
+        let list = merged(links, text::written);
         let linking = functions.filter(|function| !function.arguments.is_empty()).count();
-        let rates = links.list.iter().any(|(kind, _)| *kind == Kind::Rate);
-        links.may_coincide = links.list.len() > 1 && (linking > 1 || rates);
-        // Requirements come first, as they are visited first.
-        links.list.sort_by_key(|(kind, _)| *kind != Kind::Read);
-        links
+        let rates = list.iter().any(|(kind, _)| *kind == Kind::Rate);
+        Self { may_coincide: list.len() > 1 && (linking > 1 || rates), list }
     }
 
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.
     #[must_use]
     pub fn of_state(machine: &Machine, index: usize) -> Self {
-        let state = &machine.states[index];
-        let hooks = state.entries.iter().chain(&state.exits);
         let conditions = machine.edges_from(index).map(|edge| &edge.condition);
-        Self::of([&state.body].into_iter().chain(hooks).chain(conditions).collect::<Vec<_>>().into_iter())
+        Self::of(machine.states[index].functions().chain(conditions).collect::<Vec<_>>().into_iter())
     }
 
     /// All links, those that read first.
     pub fn iter(&self) -> impl Iterator<Item = &(Kind, Type)> {
         self.list.iter()
-    }
-
-    /// Adds a child unless it is there.
-    fn add(&mut self, kind: Kind, child: &Type) {
-        let name = text::written(child);
-        if !self.list.iter().any(|(_, known)| text::written(known) == name) {
-            self.list.push((kind, child.clone()));
-        }
     }
 }

@@ -12,9 +12,11 @@ mod near_miss;
 mod operator;
 mod options;
 pub mod parse;
-mod resolve;
+pub mod resolve;
+mod roles;
 mod signature;
 
 pub use self::arguments::meaning;
-pub use self::attributes::{Arrow, hook, is_component, role, state, transition};
+pub use self::attributes::{hook, is_component, state, transition};
 pub use self::info_options::parse as info;
+pub use self::roles::role;

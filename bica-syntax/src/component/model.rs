@@ -141,22 +141,29 @@ pub struct State {
 pub struct Transition {
     /// Function that decides.
     pub function: Function,
+    /// The content of the attribute.
+    pub arrow: Arrow,
+    /// The attribute as written.
+    pub attribute: Attribute,
+}
+
+/// The content of `#[transition(a | b -> c, after_ms = N)]`.
+pub struct Arrow {
     /// States that it leaves.
     pub from: Sources,
     /// State that it enters.
     pub to: Ident,
     /// Least time in the state before it, ms.
     pub after_ms: Option<u32>,
-    /// The attribute as written.
-    pub attribute: Attribute,
 }
 
-/// The states that a transition leaves.
-pub enum Sources {
+/// The states that a transition leaves, by names of a type that may know their places in the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sources<N = Ident> {
     /// All but the one that it enters.
     Any,
     /// The named ones.
-    These(Vec<Ident>),
+    These(Vec<N>),
 }
 
 /// `#[entry]` or `#[exit]`
@@ -177,43 +184,53 @@ pub enum Behaviour {
     Machine(Machine),
 }
 
-/// A state machine; a state is identified by its index.
-pub struct Machine {
+/// A state machine; a state is identified by its index. Its functions are of a type that may know their places in the text.
+pub struct Machine<F = Function> {
     /// The state in which it starts.
     pub initial: usize,
     /// States in the order of the text.
-    pub states: Vec<MachineState>,
+    pub states: Vec<MachineState<F>>,
     /// In the order in which they are tried.
-    pub edges: Vec<Edge>,
+    pub edges: Vec<Edge<F>>,
 }
 
 /// A state with its hooks.
-pub struct MachineState {
+pub struct MachineState<F = Function> {
     /// Function of the state.
-    pub body: Function,
+    pub body: F,
     /// Whether no transition leaves it.
     pub last: bool,
     /// Functions that run when it is entered.
-    pub entries: Vec<Function>,
+    pub entries: Vec<F>,
     /// Functions that run when it is left.
-    pub exits: Vec<Function>,
+    pub exits: Vec<F>,
 }
 
 /// A transition from one state to one other.
-pub struct Edge {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edge<F = Function> {
     /// Function that decides.
-    pub condition: Function,
+    pub condition: F,
     /// State that it leaves.
     pub from: usize,
     /// State that it enters.
     pub to: usize,
     /// Least time in the state before it, ms.
     pub after_ms: Option<u32>,
+    /// Whether the attribute names all states by `*`.
+    pub any: bool,
 }
 
-impl Machine {
+impl<F> Machine<F> {
     /// The transitions that leave a state, in the order in which they are tried.
-    pub fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge> {
+    pub fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge<F>> {
         self.edges.iter().filter(move |edge| edge.from == state)
+    }
+}
+
+impl<F> MachineState<F> {
+    /// Functions of the state and of its hooks.
+    pub fn functions(&self) -> impl Iterator<Item = &F> {
+        [&self.body].into_iter().chain(&self.entries).chain(&self.exits)
     }
 }

@@ -1,16 +1,16 @@
 //! `#[info]`, `#[modulation]` and the calls of `#[action]`: outputs and calls for an operator.
 
 use proc_macro2::Ident;
-use quote::ToTokens;
 use syn::{Attribute, Expr, FnArg, Pat, PatType, ReturnType, Type};
 
 use super::block::Function;
 use super::model::{Info, Modulation};
 use super::signature::Wanted;
 use super::{arguments, attributes, info_options, signature};
+use crate::code::Code;
 use crate::params::field::{self, Keys};
 use crate::params::model::Field;
-use crate::report::Report;
+use crate::report::{Mistake, Report};
 use crate::{text, wording};
 
 /// The attributes of an argument.
@@ -132,12 +132,11 @@ pub(super) fn no_keys(function: &mut Function, report: &mut Report) {
 }
 
 /// `#[range(a..=b)]`, `#[unit("m")]`, `#[step(0.1)]`, `#[default(0.5)]`, `#[place("field.x")]`
-fn key(attribute: &Attribute, keys: &mut Keys) -> syn::Result<()> {
+fn key(attribute: &Attribute, keys: &mut Keys) -> Result<(), Mistake> {
     let written = text::written(attribute.path());
     if !KEYS.contains(&written.as_str()) {
-        let nearest = attribute.path().get_ident().and_then(nearest).unwrap_or_default();
-        let at = attribute.path().to_token_stream();
-        return Err(syn::Error::new_spanned(at, wording::misspelt_attribute(&written, nearest)));
+        let meant = attribute.path().get_ident().and_then(nearest).unwrap_or_default().to_owned();
+        return Err(Mistake::new(attribute.path(), Code::MisspeltAttribute { found: written, meant }));
     }
     let form = |_| syn::Error::new_spanned(attribute, wording::argument_form(&written));
     let value: Expr = attribute.parse_args().map_err(form)?;

@@ -6,8 +6,9 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Expr, Path, Token, parse_quote};
 
 use super::model::Options;
+use crate::code::Code;
 use crate::comma::comma;
-use crate::report::Report;
+use crate::report::{Mistake, Report};
 use crate::{number, text, wording};
 
 /// The options that messages name; `crate` is for the crates of the framework.
@@ -34,7 +35,7 @@ pub(crate) fn parse(tokens: TokenStream, report: &mut Report) -> Options {
     let mut seen = Vec::new();
     let parser = |input: ParseStream| {
         while !input.is_empty() {
-            let read = one(input, &mut options, &mut seen, report).and_then(|()| comma(input));
+            let read = one(input, &mut options, &mut seen, report).and_then(|()| Ok(comma(input)?));
             if let Err(error) = read {
                 report.push(error);
                 skip(input)?;
@@ -58,7 +59,7 @@ fn skip(input: ParseStream) -> syn::Result<()> {
     Ok(())
 }
 
-fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report: &mut Report) -> syn::Result<()> {
+fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report: &mut Report) -> Result<(), Mistake> {
     let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::OPTION_FORM))?;
     if seen.contains(&key) {
         report.add(&key, wording::TWICE);
@@ -68,7 +69,7 @@ fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report:
         "budget_us" => options.budget_us = positive(input, &key, report)?,
         "resume" => {
             if !input.is_empty() && !input.peek(Token![,]) {
-                return Err(input.error(wording::RESUME_VALUE));
+                return Err(input.error(wording::RESUME_VALUE).into());
             }
             options.resume = Some(key.clone());
         }
@@ -83,10 +84,10 @@ fn one(input: ParseStream, options: &mut Options, seen: &mut Vec<Ident>, report:
     Ok(())
 }
 
-fn unknown(key: &Ident, written: &str) -> syn::Error {
+fn unknown(key: &Ident, written: &str) -> Mistake {
     let synonym = SYNONYMS.iter().find(|(other, _)| *other == written).map(|(_, option)| *option);
     let nearest = synonym.or_else(|| text::nearest(written, KEYS.into_iter()));
-    syn::Error::new(key.span(), wording::unknown_key(written, nearest, KNOWN))
+    Mistake::new(key, Code::unknown_key(written, nearest, KNOWN))
 }
 
 fn positive(input: ParseStream, key: &Ident, report: &mut Report) -> syn::Result<Option<f32>> {

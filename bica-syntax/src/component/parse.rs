@@ -8,10 +8,10 @@ use syn::{
     WherePredicate, parse_quote,
 };
 
+use super::arguments::{self, Form};
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
-use super::signature::{self, Form};
-use super::{arguments, attributes, operator, options};
+use super::{attributes, operator, options, roles, signature};
 use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
@@ -168,7 +168,7 @@ fn functions(component: &mut Component, report: &mut Report) {
             Item::Function(function) => {
                 let name = text::name(&function.signature.ident);
                 let ours = take_ours(component, function, report);
-                if !ours.iter().any(|one| attributes::role(one) == Some("modulation")) {
+                if !ours.iter().any(|one| roles::role(one) == Some("modulation")) {
                     operator::no_keys(function, report);
                 }
                 let is_called = name == "step" || !ours.is_empty();
@@ -185,7 +185,7 @@ fn functions(component: &mut Component, report: &mut Report) {
                 }
             }
             Item::Other { attributes, .. } => {
-                for attribute in attributes.extract_if(.., |one| attributes::role(one).is_some()) {
+                for attribute in attributes.extract_if(.., |one| roles::role(one).is_some()) {
                     component.incomplete = true;
                     report.add(&attribute, wording::PLACE_OF_A_ROLE);
                 }
@@ -218,13 +218,15 @@ fn twice(items: &[Item]) -> Vec<(String, Option<Attribute>)> {
 fn take_ours(component: &mut Component, function: &mut block::Function, report: &mut Report) -> Vec<Attribute> {
     for attribute in function.attributes.extract_if(.., |one| attributes::misspelt(one).is_some()) {
         component.incomplete = true;
-        report.add(attribute.path(), attributes::misspelt(&attribute).unwrap_or_default());
+        if let Some(mistake) = attributes::misspelt(&attribute) {
+            report.push(mistake);
+        }
     }
     for attribute in function.attributes.extract_if(.., |one| attributes::conditional_role(one)) {
         component.incomplete = true;
         report.add(attribute, wording::CONDITIONAL);
     }
-    function.attributes.extract_if(.., |one| attributes::role(one).is_some()).collect()
+    function.attributes.extract_if(.., |one| roles::role(one).is_some()).collect()
 }
 
 fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<Attribute>, report: &mut Report) {
@@ -237,13 +239,13 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
         }
         return;
     };
-    let role = attributes::role(first);
+    let role = roles::role(first);
     for other in &roles[1..] {
-        if attributes::role(other) == role && role == Some("transition") {
+        if roles::role(other) == role && role == Some("transition") {
             continue;
         }
         component.incomplete = true;
-        let problem = match attributes::role(other) {
+        let problem = match roles::role(other) {
             Some(same) if Some(same) == role => wording::role_twice(same),
             _ => wording::TWO_ROLES.to_owned(),
         };
@@ -286,18 +288,17 @@ fn state(component: &mut Component, function: &mut block::Function, attribute: &
 
 fn transitions(component: &mut Component, function: &mut block::Function, all: Vec<Attribute>, report: &mut Report) {
     let function = called(component, function, Form::Condition, report);
-    for attribute in all.into_iter().filter(|attribute| attributes::role(attribute) == Some("transition")) {
+    for attribute in all.into_iter().filter(|attribute| roles::role(attribute) == Some("transition")) {
         let Some(arrow) = report.take(attributes::transition(&attribute)) else {
             component.incomplete = true;
             continue;
         };
-        let attributes::Arrow { from, to, after_ms } = arrow;
-        component.transitions.push(Transition { function: function.clone(), from, to, after_ms, attribute });
+        component.transitions.push(Transition { function: function.clone(), arrow, attribute });
     }
 }
 
 fn hook(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
-    let role = attributes::role(attribute).unwrap_or_default();
+    let role = roles::role(attribute).unwrap_or_default();
     let function = called(component, function, Form::Step, report);
     let Some(states) = report.take(attributes::hook(attribute, role)) else {
         component.incomplete = true;

@@ -1,31 +1,195 @@
-//! From names of states to their indices.
+//! From names of states to their indices: for the macro and for tools.
 
 use proc_macro2::Ident;
 
 use super::model::{Component, Edge, Function, Hook, Machine, MachineState, Sources, Transition};
+use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
 
+/// What has a name in the text.
+pub trait Named {
+    /// Returns the name without the `r#` of a raw identifier.
+    fn text(&self) -> String;
+}
+
+impl Named for Ident {
+    fn text(&self) -> String {
+        text::name(self)
+    }
+}
+
+impl Named for Function {
+    fn text(&self) -> String {
+        text::name(&self.name)
+    }
+}
+
+impl<T: Named> Named for &T {
+    fn text(&self) -> String {
+        (*self).text()
+    }
+}
+
+/// A state machine as its attributes write it, with functions `F` and names `N` of states.
+pub struct Written<'a, F, N> {
+    /// Functions of the states, each with whether it is marked as last.
+    pub states: Vec<(F, bool)>,
+    /// Entry hooks with the states that they name.
+    pub entries: Vec<(F, &'a [N])>,
+    /// Exit hooks with the states that they name.
+    pub exits: Vec<(F, &'a [N])>,
+    /// Transitions.
+    pub arrows: Vec<Arrow<'a, F, N>>,
+}
+
+/// A transition: condition, states before, state after, least time in the state before, ms.
+pub type Arrow<'a, F, N> = (F, &'a Sources<N>, &'a N, Option<u32>);
+
+/// A name or a transition that is left out.
+pub enum Omitted<'a, N> {
+    /// The name of no state.
+    Unknown(&'a N),
+    /// The second mention of a state.
+    Twice(&'a N),
+    /// The transition of this index, from all other states to the only one.
+    FromNowhere(usize),
+}
+
+impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
+    /// States and edges with all names resolved; `omitted` gets what is left out.
+    pub fn resolve(&self, mut omitted: impl FnMut(Omitted<'a, N>)) -> (Vec<MachineState<F>>, Vec<Edge<F>>) {
+        let (names, mut states): (Vec<String>, Vec<MachineState<F>>) =
+            self.states.iter().map(MachineState::named).unzip();
+        for (hook, named) in &self.entries {
+            each(&names, named, &mut omitted, |state| states[state].entries.push(hook.clone()));
+        }
+        for (hook, named) in &self.exits {
+            each(&names, named, &mut omitted, |state| states[state].exits.push(hook.clone()));
+        }
+        let mut edges = Vec::new();
+        for index in 0..self.arrows.len() {
+            self.add_edges(&names, index, &mut edges, &mut omitted);
+        }
+        (states, edges)
+    }
+
+    /// Adds one edge for each state that a transition leaves.
+    fn add_edges(
+        &self,
+        names: &[String],
+        index: usize,
+        edges: &mut Vec<Edge<F>>,
+        omitted: &mut impl FnMut(Omitted<'a, N>),
+    ) {
+        let (condition, sources, target, after_ms) = &self.arrows[index];
+        let to = find(names, *target, omitted);
+        let from: Vec<(Option<usize>, &N)> = match sources {
+            Sources::Any => (0..names.len()).map(Some).filter(|from| *from != to).map(|from| (from, *target)).collect(),
+            Sources::These(named) => named.iter().map(|name| (find(names, name, omitted), name)).collect(),
+        };
+        let Some(to) = to else { return };
+        let any = matches!(sources, Sources::Any);
+        if any && from.is_empty() {
+            omitted(Omitted::FromNowhere(index));
+        }
+        for (from, name) in from.into_iter().filter_map(|(from, name)| Some((from?, name))) {
+            let is_same =
+                |edge: &Edge<F>| (edge.from, edge.to) == (from, to) && edge.condition.text() == condition.text();
+            if edges.iter().any(is_same) {
+                omitted(Omitted::Twice(name));
+            } else {
+                edges.push(Edge { condition: condition.clone(), from, to, after_ms: *after_ms, any });
+            }
+        }
+    }
+}
+
+impl<F: Clone + Named> MachineState<F> {
+    /// A state without hooks, and its name.
+    fn named((body, last): &(F, bool)) -> (String, Self) {
+        (body.text(), Self { body: body.clone(), last: *last, entries: Vec::new(), exits: Vec::new() })
+    }
+}
+
+/// The index of the state of that name.
+fn find<'a, N: Named>(names: &[String], name: &'a N, omitted: &mut impl FnMut(Omitted<'a, N>)) -> Option<usize> {
+    let found = names.iter().position(|state| *state == name.text());
+    if found.is_none() {
+        omitted(Omitted::Unknown(name));
+    }
+    found
+}
+
+/// Calls `put` with each state that a hook names.
+fn each<'a, N: Named>(
+    names: &[String],
+    named: &'a [N],
+    omitted: &mut impl FnMut(Omitted<'a, N>),
+    mut put: impl FnMut(usize),
+) {
+    let mut seen = Vec::new();
+    for name in named {
+        match find(names, name, omitted) {
+            Some(state) if seen.contains(&state) => omitted(Omitted::Twice(name)),
+            Some(state) => {
+                seen.push(state);
+                put(state);
+            }
+            None => {}
+        }
+    }
+}
+
 /// Resolves every name; `None` if one is unknown or the initial state is not clear.
 pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Machine> {
-    let names = Names::of(component);
+    let written = Written {
+        states: component.states.iter().map(|state| (state.function.clone(), state.last)).collect(),
+        entries: component.entries.iter().map(Hook::written).collect(),
+        exits: component.exits.iter().map(Hook::written).collect(),
+        arrows: component.transitions.iter().map(Transition::written).collect(),
+    };
     let initial = initial(component, report);
-    let mut states: Vec<MachineState> = component.states.iter().map(MachineState::of).collect();
-    let mut known = true;
-    known &= attach(&component.entries, &names, report, |state, hook| states[state].entries.push(hook));
-    known &= attach(&component.exits, &names, report, |state, hook| states[state].exits.push(hook));
-    let mut edges = Vec::new();
-    for transition in &component.transitions {
-        known &= names.edges(transition, &mut edges, report);
+    let mut is_known = true;
+    let (states, edges) = written.resolve(|omitted| {
+        is_known &= matches!(omitted, Omitted::Twice(_));
+        match omitted {
+            Omitted::Unknown(name) => report.add_code(name, unknown(component, name)),
+            Omitted::Twice(name) => report.add(name, wording::TWICE),
+            Omitted::FromNowhere(index) => {
+                let transition = &component.transitions[index];
+                report.add(&transition.attribute, wording::from_nowhere(&text::name(&transition.arrow.to)));
+            }
+        }
+    });
+    is_known.then_some(Machine { initial: initial?, states, edges })
+}
+
+impl Hook {
+    fn written(&self) -> (Function, &[Ident]) {
+        (self.function.clone(), &self.states)
     }
-    known.then_some(Machine { initial: initial?, states, edges })
+}
+
+impl Transition {
+    fn written(&self) -> Arrow<'_, Function, Ident> {
+        (self.function.clone(), &self.arrow.from, &self.arrow.to, self.arrow.after_ms)
+    }
+}
+
+fn unknown(component: &Component, name: &Ident) -> Code {
+    let names: Vec<String> = component.states.iter().map(|state| state.function.text()).collect();
+    let found = text::name(name);
+    let meant = text::nearest(&found, names.iter().map(String::as_str)).map(str::to_owned);
+    let known = names.iter().map(|state| format!("`{state}`")).collect::<Vec<_>>().join(", ");
+    Code::UnknownState { found, meant, known }
 }
 
 fn initial(component: &Component, report: &mut Report) -> Option<usize> {
     let mut marked = component.states.iter().enumerate().filter_map(|(at, state)| Some((at, state.initial.as_ref()?)));
     let Some((first, _)) = marked.next() else {
-        let first = component.states.first()?;
-        report.add(&first.function.name, wording::no_initial(&text::name(&first.function.name)));
+        let name = &component.states.first()?.function.name;
+        report.add_code(name, Code::NoInitial { first: text::name(name) });
         return None;
     };
     if let Some((_, second)) = marked.next() {
@@ -33,75 +197,4 @@ fn initial(component: &Component, report: &mut Report) -> Option<usize> {
         return None;
     }
     Some(first)
-}
-
-/// Adds each hook to its states; returns whether all of them are known.
-fn attach(hooks: &[Hook], names: &Names, report: &mut Report, mut put: impl FnMut(usize, Function)) -> bool {
-    let mut known = true;
-    for hook in hooks {
-        let mut seen = Vec::new();
-        for name in &hook.states {
-            match names.find(name, report) {
-                Some(state) if seen.contains(&state) => report.add(name, wording::TWICE),
-                Some(state) => {
-                    seen.push(state);
-                    put(state, hook.function.clone());
-                }
-                None => known = false,
-            }
-        }
-    }
-    known
-}
-
-impl MachineState {
-    fn of(state: &super::model::State) -> Self {
-        Self { body: state.function.clone(), last: state.last, entries: Vec::new(), exits: Vec::new() }
-    }
-}
-
-struct Names(Vec<String>);
-
-impl Names {
-    fn of(component: &Component) -> Self {
-        Self(component.states.iter().map(|state| text::name(&state.function.name)).collect())
-    }
-
-    fn find(&self, name: &Ident, report: &mut Report) -> Option<usize> {
-        let wrong = text::name(name);
-        let found = self.0.iter().position(|state| *state == wrong);
-        if found.is_none() {
-            let nearest = text::nearest(&wrong, self.0.iter().map(String::as_str));
-            let known = self.0.iter().map(|state| format!("`{state}`")).collect::<Vec<_>>().join(", ");
-            report.add(name, wording::unknown_state(&wrong, nearest, &known));
-        }
-        found
-    }
-
-    /// Adds one edge for each state that the transition leaves; returns whether all names are known.
-    fn edges(&self, transition: &Transition, edges: &mut Vec<Edge>, report: &mut Report) -> bool {
-        let to = self.find(&transition.to, report);
-        let from: Vec<Option<usize>> = match &transition.from {
-            Sources::Any => (0..self.0.len()).filter(|state| Some(*state) != to).map(Some).collect(),
-            Sources::These(names) => names.iter().map(|name| self.find(name, report)).collect(),
-        };
-        let Some(to) = to else { return false };
-        if from.is_empty() {
-            report.add(&transition.attribute, wording::from_nowhere(&self.0[to]));
-            return false;
-        }
-        for (place, from) in from.iter().enumerate() {
-            let Some(from) = *from else { return false };
-            let same =
-                |edge: &Edge| edge.from == from && edge.to == to && edge.condition.name == transition.function.name;
-            if edges.iter().any(same) {
-                let name = if let Sources::These(names) = &transition.from { names.get(place) } else { None };
-                report.add(name.unwrap_or(&transition.to), wording::TWICE);
-                continue;
-            }
-            let condition = transition.function.clone();
-            edges.push(Edge { condition, from, to, after_ms: transition.after_ms });
-        }
-        true
-    }
 }

@@ -4,22 +4,11 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Safety, Signature, Type};
 
-use super::arguments;
+use super::arguments::{self, Form};
 use super::model::Argument;
 use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
-
-/// The form that the role of a function asks for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
-    /// Links of both kinds.
-    Step,
-    /// Links that read, and a `bool`.
-    Condition,
-    /// No links.
-    Plain,
-}
 
 /// Reads the arguments and reports what a function of that form may not have.
 pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {

@@ -7,8 +7,9 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, ExprLit, ExprRange, Lit, Meta, RangeLimits, Token, Type};
 
 use super::model::{Field, Kind, Number, NumberKind, Place};
+use crate::code::Code;
 use crate::comma::comma;
-use crate::report::Report;
+use crate::report::{Mistake, Report, coded};
 use crate::types::plain;
 use crate::{number, text, wording};
 
@@ -61,26 +62,28 @@ pub(crate) fn keys(attribute: &Attribute, report: &mut Report) -> Option<Keys> {
     };
     let mut keys = Keys::default();
     let mut seen: Vec<Ident> = Vec::new();
-    let parsed = list.parse_args_with(|input: ParseStream| {
-        while !input.is_empty() {
-            one(input, &mut keys, &mut seen)?;
-            comma(input)?;
-        }
-        Ok(())
+    let parsed = coded(|uncoded| {
+        list.parse_args_with(|input: ParseStream| {
+            while !input.is_empty() {
+                one(input, &mut keys, &mut seen).map_err(&mut *uncoded)?;
+                comma(input)?;
+            }
+            Ok(())
+        })
     });
     report.take(parsed).map(|()| keys)
 }
 
-fn one(input: ParseStream, keys: &mut Keys, seen: &mut Vec<Ident>) -> syn::Result<()> {
+fn one(input: ParseStream, keys: &mut Keys, seen: &mut Vec<Ident>) -> Result<(), Mistake> {
     let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::PARAM_FORM))?;
     let name = key.to_string();
     if seen.contains(&key) {
-        return Err(syn::Error::new(key.span(), wording::TWICE));
+        return Err(syn::Error::new(key.span(), wording::TWICE).into());
     }
     if !KEYS.contains(&name.as_str()) {
         let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, ours)| *ours);
         let nearest = synonym.or_else(|| text::nearest(&name, KEYS.into_iter()));
-        return Err(syn::Error::new(key.span(), wording::unknown_key(&name, nearest, KNOWN)));
+        return Err(Mistake::new(key, Code::unknown_key(name, nearest, KNOWN)));
     }
     seen.push(key);
     let form = |found: syn::Error| syn::Error::new(found.span(), wording::param_value(&name));

@@ -1,12 +1,12 @@
 //! From the tokens of a struct or an enum to a model of it.
 
 use proc_macro2::TokenStream;
-use quote::ToTokens;
 use syn::{Attribute, Data, DeriveInput, Expr, Fields, Member, Path, Token, Type, parse_quote};
 
 use super::field;
 use super::model::{Choice, Field, Params};
-use crate::report::Report;
+use crate::code::Code;
+use crate::report::{Mistake, Report, coded};
 use crate::{text, wording};
 
 /// Reads a struct with `#[derive(Params)]`. With mistakes the model has the fields that could be read.
@@ -72,27 +72,27 @@ fn one(field: &syn::Field, report: &mut Report) -> Option<Field> {
 fn options(attributes: &[Attribute], report: &mut Report) -> (Path, Vec<Path>) {
     let (mut krate, mut checks) = (parse_quote!(::bica), Vec::new());
     for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("params")) {
-        let parsed = attribute.parse_nested_meta(|meta| {
-            if meta.path.is_ident("crate") {
-                let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate = bica_core"));
-                meta.input.parse::<Token![=]>().map_err(form)?;
-                krate = meta.input.call(Path::parse_mod_style).map_err(form)?;
-            } else if meta.path.is_ident("check") {
-                let form = |found: syn::Error| syn::Error::new(found.span(), wording::CHECK_FORM);
-                meta.input.parse::<Token![=]>().map_err(form)?;
-                checks.push(meta.input.parse::<Path>().map_err(form)?);
-                if !meta.input.is_empty() && !meta.input.peek(Token![,]) {
-                    return Err(meta.input.error(wording::CHECK_FORM));
+        let parsed = coded(|uncoded| {
+            attribute.parse_nested_meta(|meta| {
+                if meta.path.is_ident("crate") {
+                    let form =
+                        |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate = bica_core"));
+                    meta.input.parse::<Token![=]>().map_err(form)?;
+                    krate = meta.input.call(Path::parse_mod_style).map_err(form)?;
+                } else if meta.path.is_ident("check") {
+                    let form = |found: syn::Error| syn::Error::new(found.span(), wording::CHECK_FORM);
+                    meta.input.parse::<Token![=]>().map_err(form)?;
+                    checks.push(meta.input.parse::<Path>().map_err(form)?);
+                    if !meta.input.is_empty() && !meta.input.peek(Token![,]) {
+                        return Err(meta.input.error(wording::CHECK_FORM));
+                    }
+                } else {
+                    let found = text::written(&meta.path);
+                    let nearest = text::nearest(&found, ["check"].into_iter());
+                    return Err(uncoded(Mistake::new(&meta.path, Code::unknown_key(found, nearest, "`check`"))));
                 }
-            } else {
-                let found = text::written(&meta.path);
-                let nearest = text::nearest(&found, ["check"].into_iter());
-                return Err(syn::Error::new_spanned(
-                    meta.path.to_token_stream(),
-                    wording::unknown_key(&found, nearest, "`check`"),
-                ));
-            }
-            Ok(())
+                Ok(())
+            })
         });
         report.take(parsed);
     }

@@ -6,8 +6,9 @@ use syn::parse::ParseStream;
 use syn::{Attribute, Expr, Path, Token, Type, bracketed, token};
 
 use super::model::{Draft, Entry};
+use crate::code::Code;
 use crate::comma::comma;
-use crate::report::Report;
+use crate::report::{Mistake, Report};
 use crate::types::{plain, unsized_argument};
 use crate::{number, text, wording};
 
@@ -43,7 +44,7 @@ pub(super) fn parse(input: ParseStream, draft: &mut Draft, report: &mut Report) 
             }
             continue;
         }
-        read = read.and_then(|()| comma(input));
+        read = read.and_then(|()| Ok(comma(input)?));
         if let Err(error) = read {
             report.push(error);
             skip(input)?;
@@ -65,7 +66,7 @@ fn at_a_field(input: ParseStream) -> bool {
     input.peek(syn::Ident) && separated
 }
 
-fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mut Report) -> Result<(), Mistake> {
     no_attribute(input)?;
     let key = input.call(Ident::parse_any).map_err(|found| syn::Error::new(found.span(), wording::FIELD_NAME))?;
     let name = key.to_string();
@@ -79,7 +80,7 @@ fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mu
     if name == "tunable" {
         draft.tunable = true;
         let ends = input.is_empty() || input.peek(Token![,]) || input.peek(Token![;]);
-        return if ends { Ok(()) } else { Err(input.error(wording::TUNABLE_VALUE)) };
+        return if ends { Ok(()) } else { Err(input.error(wording::TUNABLE_VALUE).into()) };
     }
     input.parse::<Token![:]>().map_err(|found| syn::Error::new(found.span(), wording::colon(&name)))?;
     match name.as_str() {
@@ -155,8 +156,8 @@ fn entry(input: ParseStream) -> syn::Result<Entry> {
     Ok(Entry { kind, value })
 }
 
-fn unknown(key: &Ident, written: &str) -> syn::Error {
+fn unknown(key: &Ident, written: &str) -> Mistake {
     let synonym = SYNONYMS.iter().find(|(other, _)| *other == written).map(|(_, field)| *field);
     let nearest = synonym.or_else(|| text::nearest(written, KEYS.into_iter()));
-    syn::Error::new(key.span(), wording::unknown_key(written, nearest, KNOWN))
+    Mistake::new(key, Code::unknown_key(written, nearest, KNOWN))
 }

@@ -7,7 +7,7 @@ use heapless::Vec;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-use super::{ImageChunk, ScenePart};
+use super::{Change, ImageChunk, ScenePart};
 
 /// Largest number of conditions in one [`Conditions`].
 pub const MAX_CONDITIONS: usize = 64;
@@ -172,6 +172,31 @@ pub enum ToMonitorExtra<'a> {
         /// The part.
         bytes: &'a [u8],
     },
+    /// A request was applied.
+    Requested(Requested),
+    /// Something happened in the world.
+    #[serde(borrow)]
+    Happened(Happened<'a>),
+}
+
+/// A request was applied, to the tree or to the simulated world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
+pub struct Requested {
+    /// Instant of the first cycle that runs with it, µs.
+    pub time_us: u64,
+    /// The request.
+    pub change: Change,
+}
+
+/// Something happened in the world, such as a goal or a fall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
+pub struct Happened<'a> {
+    /// Time in the robot's time, µs.
+    pub time_us: u64,
+    /// Kind, as `goal` or `kick`.
+    pub kind: &'a str,
+    /// Details, as text; empty without any.
+    pub detail: &'a str,
 }
 
 /// A component has taken a transition.

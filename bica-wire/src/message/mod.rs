@@ -21,8 +21,8 @@ pub use bica_core::params::{Setting, Value};
 pub use diagnostics::{FaultInjection, LinkStats, StackUsage, Telemetry};
 pub use extra::{
     COSTS_CYCLES, ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, ExtraKind, FromMonitorExtra,
-    ImageHead, MAX_CONDITIONS, MAX_COSTS, Offers, Reached, Stop, StopAt, Taken, ToMonitorExtra, WorldChange,
-    WorldRequest, WorldState,
+    Happened, ImageHead, MAX_CONDITIONS, MAX_COSTS, Offers, Reached, Requested, Stop, StopAt, Taken, ToMonitorExtra,
+    WorldChange, WorldRequest, WorldState,
 };
 pub use graph::GraphItem;
 pub use image::{BlobsInfo, ImageChunk};

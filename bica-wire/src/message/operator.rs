@@ -87,7 +87,7 @@ pub enum AnswerResult<'a> {
         code: RefusalCode,
         /// Index of the setting or argument that is refused.
         entry: u16,
-        /// The reason, for people; at most [`MAX_TEXT_BYTES`](super::MAX_TEXT_BYTES).
+        /// The reason, for people; at most [`MAX_TEXT_BYTES`](super::MAX_TEXT_BYTES). Empty if the code says all.
         text: &'a str,
     },
 }

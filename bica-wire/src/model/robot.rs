@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Description;
 use crate::Recordable;
-use crate::server::read;
+use crate::read;
 
 /// Schemas of the messages of a robot.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,11 +1,26 @@
-//! The robot's end of a link to monitors, without what depends on the platform: threads, queues, lines.
+//! The robot's end of a link to monitors, without what depends on the platform: threads, clocks, lines.
 //!
-//! A server on a computer and one on a microcontroller follow the same rules, because both consist of these parts. A
-//! server passes messages to the [`Lease`], which decides who may request what and what ends with it. [`read`] reads
-//! answers, states and parameters out of the tree after the cycle.
+//! The [`Lease`] decides who may request what, and what ends with it; every server follows it. [`MonitorServer`] is the
+//! complete server of a program without heap and threads. It stands beside the [messages](crate::message), which do not
+//! depend on it.
 
 mod component_set;
+#[cfg(feature = "monitor")]
+mod connection;
 mod lease;
-pub mod read;
+#[cfg(feature = "monitor")]
+mod monitor_server;
+#[cfg(feature = "monitor")]
+mod output;
+#[cfg(feature = "monitor")]
+mod packets;
+#[cfg(feature = "monitor")]
+mod refusal;
+#[cfg(feature = "monitor")]
+mod serial_line;
 
 pub use lease::Lease;
+#[cfg(feature = "monitor")]
+pub use monitor_server::{Moment, MonitorServer, Operated};
+#[cfg(feature = "monitor")]
+pub use serial_line::SerialLine;

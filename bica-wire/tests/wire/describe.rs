@@ -79,7 +79,7 @@ static GRAPH: Graph = Graph {
 };
 
 #[test]
-fn every_part_of_the_graph_is_described_once_and_in_order() {
+fn graph_is_described_once_and_in_order() {
     let items: Vec<_> = describe(&GRAPH).with_actions(&ACTIONS).collect();
     let place = GraphItem::Place(Place { frame: "field", axis: Axis::X });
     let doc = |text| GraphItem::Doc { text };
@@ -136,7 +136,7 @@ fn every_part_of_the_graph_is_described_once_and_in_order() {
 }
 
 #[test]
-fn a_long_doc_comment_is_sent_in_parts_that_fit_into_packets() {
+fn long_doc_comment_is_sent_in_parts() {
     let doc: &'static str = Box::leak("ä€ long comment. ".repeat(300).into_boxed_str());
     let graph: &'static Graph = Box::leak(Box::new(Graph { doc, ..GRAPH }));
     let (mut encoder, mut text) = (Encoder::new(), String::new());
@@ -164,7 +164,7 @@ fn items_and_json_give_the_description_of_the_graph() {
 }
 
 #[test]
-fn an_unknown_name_gets_the_most_similar_one_as_remedy() {
+fn unknown_name_gets_the_most_similar_one() {
     let description = Description::of(&GRAPH);
     let help = |path| description.param(path).unwrap_err().help;
     assert_eq!(description.param("Eye.side"), Ok((0, 1)));

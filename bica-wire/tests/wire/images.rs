@@ -45,7 +45,7 @@ fn chunks_of_two_images_are_not_combined() {
 }
 
 #[test]
-fn only_chunks_of_the_current_image_are_written_into_the_memory() {
+fn only_chunks_of_the_current_image_are_kept() {
     let (mut assembler, mut memory) = (ImageAssembler::new(), [7; 16]);
     let chunk = |image_id, offset, bytes| ImageChunk { image_id, offset, bytes };
     for stray in [chunk(1, 4, &[1; 4]), chunk(1, 0, &[1; 17])] {

@@ -46,7 +46,7 @@ fn admits(lease: &mut Lease, connection: u64, number: u64, at: Duration) -> bool
 }
 
 #[test]
-fn one_connection_owns_the_lease_until_another_takes_it() {
+fn one_connection_owns_the_lease() {
     let mut lease = Lease::new(ms(3000));
     assert!(lease.act(1, LeaseAction::Acquire, ms(0), 8));
     assert_eq!(lease.state(1, NOW), LeaseState { lease: 8, owned: true, yours: true, time_us: 5 });
@@ -64,7 +64,7 @@ fn one_connection_owns_the_lease_until_another_takes_it() {
 }
 
 #[test]
-fn silence_ends_the_lease_and_what_was_requested_under_it() {
+fn silence_ends_the_lease_and_its_requests() {
     let mut lease = Lease::new(ms(3000));
     lease.act(1, LeaseAction::Acquire, ms(1000), 1);
     for component in [255, 4, 5, 31, 32] {
@@ -88,7 +88,7 @@ fn silence_ends_the_lease_and_what_was_requested_under_it() {
 }
 
 #[test]
-fn a_new_connection_continues_the_lease_of_one_that_has_ended_and_takes_no_live_one() {
+fn new_connection_continues_only_an_ended_lease() {
     let mut lease = Lease::new(ms(3000));
     lease.act(1, LeaseAction::Acquire, ms(0), 7);
     assert!(!lease.act(2, LeaseAction::Keep { lease: 7 }, ms(1000), 0) && admits(&mut lease, 1, 7, ms(1000)));
@@ -115,7 +115,7 @@ fn no_lease_has_the_number_before_or_none() {
 }
 
 #[test]
-fn a_request_is_refused_after_its_expiry_and_ends_the_silence_all_the_same() {
+fn expired_request_is_refused_but_ends_silence() {
     let mut lease = Lease::new(ms(3000));
     lease.act(1, LeaseAction::Acquire, ms(0), 1);
     let expiring = |expires_us| Request { expires_us, ..request(1) };
@@ -126,7 +126,7 @@ fn a_request_is_refused_after_its_expiry_and_ends_the_silence_all_the_same() {
 }
 
 #[test]
-fn stop_needs_no_lease_and_ends_it_and_a_start_needs_it() {
+fn stop_needs_no_lease_and_ends_it() {
     let call = |component: usize, modulation| {
         let change = Change::Modulate { component: ComponentId::new(component), modulation, arguments: [].into() };
         Request { number: 0, lease: 0, expires_us: 0, change }

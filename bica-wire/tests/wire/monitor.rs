@@ -25,7 +25,7 @@ fn assert_from_fits(message: &FromMonitor) {
 }
 
 #[test]
-fn the_largest_message_of_each_kind_fits_into_a_packet() {
+fn largest_message_of_each_kind_fits_a_packet() {
     let (cycle, component, info) = (u64::MAX, u16::MAX, u16::MAX);
     let state = ComponentState { active: true, held: Hold::Latent, state: Some(u16::MAX), hz: Some(1.0) };
     let states = [state; MAX_STATES].into_iter().collect();
@@ -81,7 +81,7 @@ fn largest_extras() -> Vec<ToMonitorExtra<'static>> {
 }
 
 #[test]
-fn a_batch_that_is_longer_than_the_largest_is_no_message() {
+fn batch_longer_than_the_largest_is_refused() {
     // A request with 33 settings, written by hand: variant 5, number, lease, expiry, variant 2 of the change, length.
     let mut bytes = vec![5, 1, 1, 1, 2, MAX_BATCH as u8 + 1];
     bytes.extend([0, 0, 3, 1].repeat(MAX_BATCH + 1));
@@ -95,7 +95,7 @@ fn a_batch_that_is_longer_than_the_largest_is_no_message() {
 }
 
 #[test]
-fn only_messages_of_the_body_show_that_sensor_values_arrive() {
+fn only_body_messages_count_as_sensor_values() {
     let hello = Hello { schema: 0, messages: 0, clock_mode: ClockMode::Lockstep, set_up: &[] };
     assert!(ToRobot::Hello(hello).is_from_body());
     let monitor = [ToRobot::Monitor(&[0]), ToRobot::MonitorExtra(&[0]), ToRobot::Describe, ToRobot::StackUsage];

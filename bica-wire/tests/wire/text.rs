@@ -3,7 +3,7 @@
 use bica_wire::truncate;
 
 #[test]
-fn a_cut_text_is_the_longest_beginning_of_whole_characters() {
+fn cut_text_ends_at_a_whole_character() {
     let text = "aé€𝄞b€".repeat(9);
     for max in 0..=text.len() + 1 {
         let cut = truncate(&text, max);

@@ -4,6 +4,7 @@ use bica::prelude::*;
 use bica_motion::kick::{Kick, KickKind};
 use bica_motion::side::Side;
 use bica_player::behaviour::{FaceBall, Fixmove, FollowBall, SafetyGuard, SearchBall};
+use bica_player::input::{GameState, RobotState};
 use bica_player::motion::{Body, SideChoice};
 use bica_player::perception::{BallDetector, FallDetector, Odometry};
 use bica_player::strategy::Strike;
@@ -77,7 +78,13 @@ impl Goalkeeper {
     #[state]
     fn go_back(&mut self, _post: &mut GuardPost, _face: &mut FaceBall) {}
 
-    #[transition(look_for_ball | watch | step_aside | walk_to_ball | kick_away | go_back -> get_up)]
+    /// Stands while the robot is out of the game: sent off, or stopped by an operator.
+    #[state]
+    fn out(&mut self, body: &mut Body) {
+        body.stand();
+    }
+
+    #[transition(look_for_ball | watch | step_aside | walk_to_ball | kick_away | go_back | out -> get_up)]
     fn is_down(&self, falls: &FallDetector) -> bool {
         falls.is_down()
     }
@@ -85,6 +92,16 @@ impl Goalkeeper {
     #[transition(get_up -> look_for_ball)]
     fn stands_again(&self, guard: &SafetyGuard) -> bool {
         guard.stands()
+    }
+
+    #[transition(look_for_ball | watch | step_aside | walk_to_ball | kick_away | go_back -> out)]
+    fn sent_off(&self, game: &GameState, state: &RobotState) -> bool {
+        !game.playing() && state.may_stop()
+    }
+
+    #[transition(out -> look_for_ball)]
+    fn let_in(&self, game: &GameState) -> bool {
+        game.playing()
     }
 
     #[transition(look_for_ball -> watch)]

@@ -4,7 +4,7 @@ use bica::prelude::*;
 use bica::runner::Robot;
 use bica_motion::robot::{Command, Lights, Sensors};
 use bica_player::behaviour::{FaceBall, Fixmove, FollowBall, SafetyGuard, SearchBall};
-use bica_player::input::{CameraInput, Colours, FrameTooLarge, HealthMonitor, RobotProfile, RobotState};
+use bica_player::input::{CameraInput, Colours, FrameTooLarge, GameState, HealthMonitor, RobotProfile, RobotState};
 use bica_player::motion::{Body, GoStraight, Head, Kicker, Turn, Walk};
 use bica_player::output::{CameraSelector, Motors};
 use bica_player::perception::{
@@ -29,7 +29,7 @@ activation_tree! {
             Body, GoStraight, Turn, Walk, Kicker, Head,
             Localization, BallDetector, GoalDetector, FieldLines, RobotDetector, FieldBoundary, OwnBody, CameraPose, Odometry,
             FallDetector,
-            CameraInput, Colours, RobotState, HealthMonitor, RobotProfile,
+            CameraInput, Colours, RobotState, HealthMonitor, GameState, RobotProfile,
             Motors, CameraSelector,
         ],
     }
@@ -45,6 +45,7 @@ impl Robot for Keeper {
         let commanded = *self.get::<Motors>().commanded();
         self.get_mut::<RobotState>().measure(sensors, &commanded);
         self.get_mut::<HealthMonitor>().check(sensors, &commanded);
+        self.get_mut::<GameState>().set_button(sensors.buttons.chest);
         let Some(image) = &sensors.image else { return Ok(()) };
         let angles = *self.get::<RobotState>().angles();
         self.get_mut::<CameraInput>().receive(image, &angles)

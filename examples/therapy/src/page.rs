@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn parts_of_a_session_begin_where_one_can_go_and_show_what_matters() {
+    fn session_is_shown_in_parts() {
         let text = "say \"Hello.\"\nwait speech at most 9 s\n\nlight eyes red\nsay \"Up.\"\nmovement nod\nwait all at most 9 s\nwait 1 s\n\
             exercise arms_open reps 2 at most 9 s\nvolume 9";
         let parts = parts(&Script::parse(text).expect("a right script"), &text.lines().collect::<Vec<_>>());

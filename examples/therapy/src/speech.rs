@@ -101,7 +101,7 @@ mod tests {
     use crate::robot::Order;
 
     #[test]
-    fn texts_are_spoken_in_their_language_or_stay_texts_without_the_program() {
+    fn texts_are_spoken_in_their_language() {
         let mut script = Script::parse("say \"- Hello.\"\nsay \"Guten Morgen, wie geht es?\" in de").expect("a script");
         let (folder, silent) = (Folder::new("speech"), script.clone());
         assert!(speak(&mut script, folder.path(), "no-such-program").is_err() && script == silent);

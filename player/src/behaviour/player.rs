@@ -71,7 +71,7 @@ impl Player {
         body.stand();
     }
 
-    /// Stands while the robot is out of the game.
+    /// Stands while the robot is out of the game: sent off, or stopped by an operator.
     #[state]
     fn penalized(&mut self, body: &mut Body) {
         body.stand();
@@ -100,7 +100,7 @@ impl Player {
 
     #[transition(look_for_ball | approach | search_net | go_round | kick | dribble | blind -> penalized)]
     fn sent_off(&self, game: &GameState, state: &RobotState) -> bool {
-        !game.playing() && state.grounded()
+        !game.playing() && state.may_stop()
     }
 
     /// A robot that does not see does not walk. A kick ends on both feet before.

@@ -8,14 +8,14 @@ use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::model::RobotModel;
 
 use crate::Model;
-use crate::input::{HealthMonitor, RobotState};
+use crate::input::{GameState, HealthMonitor, RobotState};
 use crate::motion::Body;
 use crate::output::Motors;
 use crate::perception::FallDetector;
 
 /// Controls the body after a fall or a fault. A falling robot takes a protective posture and then gets up, from the
 /// front or from the back; after a failed attempt with another movement. A robot with a fault stops and sits down:
-/// permanently, or until hot motors have cooled.
+/// permanently, or until hot motors have cooled. One that is stopped stays down.
 #[derive(Debug)]
 pub struct SafetyGuard {
     get_up: GetUp<Model>,
@@ -57,7 +57,7 @@ impl SafetyGuard {
         motors.set_all(&posture, stiffness);
     }
 
-    /// On the ground after a failed attempt, or hot: no stiffness, so that limbs become free and motors cool.
+    /// On the ground after a failed attempt, hot, or stopped: no stiffness, so that limbs become free and motors cool.
     #[state]
     fn rest(&mut self, _falls: &FallDetector, state: &RobotState, motors: &mut Motors) {
         motors.set_all(state.angles(), 0.0);
@@ -146,12 +146,12 @@ impl SafetyGuard {
     }
 
     #[transition(brace -> get_up)]
-    fn lies(&self, falls: &FallDetector, health: &HealthMonitor) -> bool {
-        matches!(falls.state(), FallState::Fallen(_)) && health.fault().is_none()
+    fn lies(&self, falls: &FallDetector, health: &HealthMonitor, game: &GameState) -> bool {
+        matches!(falls.state(), FallState::Fallen(_)) && health.fault().is_none() && game.playing()
     }
 
     #[transition(brace -> rest)]
-    fn lies_hot(&self, falls: &FallDetector) -> bool {
+    fn stays_down(&self, falls: &FallDetector) -> bool {
         matches!(falls.state(), FallState::Fallen(_))
     }
 
@@ -162,8 +162,8 @@ impl SafetyGuard {
     }
 
     #[transition(rest -> brace, after_ms = 500)]
-    fn has_rested(&self, health: &HealthMonitor) -> bool {
-        health.fault().is_none()
+    fn has_rested(&self, health: &HealthMonitor, game: &GameState) -> bool {
+        health.fault().is_none() && game.playing()
     }
 
     #[entry(get_up)]

@@ -2,6 +2,8 @@
 
 use bica::prelude::*;
 use bica_motion::robot::CameraId;
+use glam::Vec2;
+use libm::{atan2f, fabsf};
 
 /// Glances of a scan in sequence: the band, and how far to the first side the head turns, −2 to 2.
 ///
@@ -61,12 +63,15 @@ pub struct Search {
     /// Head tilt, down, with which the top camera shows the field beyond.
     #[param(default = 0.0, range = -0.5..=0.5, unit = "rad", step = 0.01)]
     pub far_tilt: f32,
-    /// Turning speed of the body after a scan without result. A turn takes 2.6 s.
+    /// Turning speed of the body after a scan without result. A turn takes 3.9 s.
     #[param(default = 0.8, range = 0.2..=1.5, unit = "rad/s", step = 0.05)]
     pub turn_speed: f32,
-    /// Number of turns at one place: a full circle.
-    #[param(default = 3, range = 0..=20)]
+    /// Number of half turns at one place: scans before and after one are a full circle.
+    #[param(default = 1, range = 0..=20)]
     pub turns: u32,
+    /// Distance at which the ball is seen: the field is searched from places of which one is so near to each point.
+    #[param(default = 2.4, range = 1.0..=10.0, unit = "m", step = 0.1)]
+    pub view_distance: f32,
     /// Free path ahead with which the robot begins to walk to another place.
     #[param(default = 1.25, range = 0.25..=2.5, unit = "m", step = 0.25)]
     pub free_path: f32,
@@ -79,7 +84,7 @@ pub struct Search {
     /// Walking speed to another place.
     #[param(default = 0.2, range = 0.05..=0.4, unit = "m/s", step = 0.01)]
     pub walk_speed: f32,
-    /// Distance to another place.
+    /// Distance to another place while the robot does not know where on the field it is.
     #[param(default = 1.0, range = 0.2..=5.0, unit = "m", step = 0.1)]
     pub walk_distance: f32,
 }
@@ -91,6 +96,11 @@ impl Search {
         } else {
             Err("`blocked_path` must not be above `free_path`: the walk would end as it begins")
         }
+    }
+
+    /// Time, s, to turn to a place in the ground frame, m, and to walk there.
+    pub(super) fn time_to(&self, at: Vec2) -> f32 {
+        fabsf(atan2f(at.y, at.x)) / self.turn_speed + at.length() / self.walk_speed
     }
 
     /// Camera, head pan and head tilt, rad, of a glance with this first side (1 left, −1 right).

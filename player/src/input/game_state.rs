@@ -2,7 +2,8 @@
 
 use bica::prelude::*;
 
-/// Whether the robot is in the game. Each press of the chest button changes it (rules of RoboCup 2009).
+/// Whether the robot is in the game. Each press of the chest button changes it (rules of RoboCup 2009); an operator's `stop` and `play`
+/// do the same to one side.
 #[derive(Clone, Copy, Debug)]
 pub struct GameState {
     pressed: bool,
@@ -23,6 +24,19 @@ impl GameState {
         self.pressed = pressed;
     }
 
+    /// Takes the robot out of the game: it ends its step or kick, and stands until `play` or the next press of the chest button. A
+    /// robot that lies stays down.
+    #[modulation(stop)]
+    pub const fn stop(&mut self) {
+        self.playing = false;
+    }
+
+    /// Lets the robot play again, as a press of the chest button does.
+    #[modulation]
+    pub const fn play(&mut self) {
+        self.playing = true;
+    }
+
     /// Whether the chest button is pressed.
     #[info]
     #[must_use]
@@ -30,7 +44,7 @@ impl GameState {
         self.pressed
     }
 
-    /// Whether the robot is in the game, not penalized.
+    /// Whether the robot is in the game: neither penalized nor stopped.
     #[info]
     #[must_use]
     pub const fn playing(&self) -> bool {
@@ -52,6 +66,20 @@ mod tests {
             }
             game.set_button(false);
             assert_eq!(game.playing(), expected);
+        }
+    }
+
+    #[test]
+    fn stop_holds_until_play_or_the_next_press() {
+        let mut game = GameState::new();
+        for release in [GameState::play, |game: &mut GameState| game.set_button(true)] {
+            for _ in 0..2 {
+                game.stop();
+                game.set_button(false);
+                assert!(!game.playing());
+            }
+            release(&mut game);
+            assert!(game.playing());
         }
     }
 }

@@ -8,6 +8,7 @@ use bica_motion::robot::{Sensors, plausible_temperature};
 use super::{CameraInput, RobotState};
 use crate::Model;
 use crate::output::JointCommand;
+use crate::perception::Odometry;
 
 /// Reaction to a fault.
 #[derive(Params)]
@@ -50,7 +51,15 @@ impl HealthMonitor {
         self.senses.step(sensors, &commanded.targets);
     }
 
-    fn step(&mut self, tuned: &Tuned<FaultReaction>, time: &Time, input: &CameraInput, state: &RobotState) {
+    fn step(
+        &mut self,
+        tuned: &Tuned<FaultReaction>,
+        time: &Time,
+        input: &CameraInput,
+        state: &RobotState,
+        odometry: &Odometry,
+    ) {
+        self.senses.turn(state.inertial(), odometry.legs_turn(), time.dt());
         if self.image != input.count()
             && let Some(glimpse) = input.glimpse()
         {
@@ -143,6 +152,7 @@ mod tests {
             &crate::behaviour::test_time(10),
             &CameraInput::new(),
             &RobotState::new(),
+            &Odometry::new(),
         );
     }
 

@@ -159,7 +159,19 @@ impl RobotState {
     #[info]
     #[must_use]
     pub fn grounded(&self) -> bool {
-        self.feet[0].total().min(self.feet[1].total()) > self.touch_force
+        self.touching() == [true; 2]
+    }
+
+    /// Whether a motion may end now: both feet touch the ground, or none does because the robot is held up.
+    #[must_use]
+    pub fn may_stop(&self) -> bool {
+        let [left, right] = self.touching();
+        left == right
+    }
+
+    /// Whether the left and the right foot touch the ground.
+    fn touching(&self) -> [bool; 2] {
+        self.feet.map(|foot| foot.total() > self.touch_force)
     }
 }
 
@@ -207,7 +219,18 @@ mod tests {
     }
 
     #[test]
-    fn previous_command_requires_stiff_legs_and_upright_torso() {
+    fn motion_may_end_on_both_feet_or_in_the_air() {
+        let mut state = RobotState::new();
+        for (left, right, may_stop) in [(20.0, 20.0, true), (20.0, 0.0, false), (0.0, 20.0, false), (0.0, 0.0, true)] {
+            let [left_foot, right_foot] =
+                [left, right].map(|front_left| FootPressure { front_left, ..FootPressure::default() });
+            state.measure(&Sensors { left_foot, right_foot, ..sensors(0.0, 0.0) }, &command(1.0));
+            assert_eq!(state.may_stop(), may_stop, "{left} and {right} N");
+        }
+    }
+
+    #[test]
+    fn previous_command_needs_stiff_legs_upright_torso() {
         let mut state = RobotState::new();
         for (roll, stiffness, valid) in [(0.0, 1.0, true), (0.0, 0.5, false), (0.5, 1.0, false), (-0.5, 1.0, false)] {
             state.measure(&sensors(0.0, roll), &command(stiffness));

@@ -31,6 +31,11 @@ impl Age {
         self.0 = 0;
     }
 
+    /// Whether the estimate is of this cycle.
+    pub(super) const fn is_new(self) -> bool {
+        self.0 == 0
+    }
+
     /// Whether a reader may use the estimate.
     pub(super) const fn is_fresh(self) -> bool {
         self.0 <= MAX_AGE

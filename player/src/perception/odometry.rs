@@ -93,6 +93,12 @@ impl Odometry {
         self.age.is_fresh()
     }
 
+    /// Turn of the last cycle by the support leg alone, rad; `None` if it did not run in this cycle.
+    #[must_use]
+    pub const fn legs_turn(&self) -> Option<f32> {
+        if self.age.is_new() { Some(self.estimator.legs_turn()) } else { None }
+    }
+
     /// Standard deviation of the position after 1 m of walking, m.
     #[must_use]
     pub const fn distance_error(&self) -> f32 {

@@ -8,6 +8,7 @@ mod free_path;
 mod obstacles;
 mod planning;
 mod situation;
+mod viewpoints;
 
 pub use dribble::{DribbleCondition, can_dribble};
 pub use free_path::Strip;
@@ -15,6 +16,7 @@ pub(crate) use free_path::free_path;
 pub use obstacles::Clearance;
 pub use planning::Planning;
 pub use situation::Situation;
+pub(crate) use viewpoints::Viewpoints;
 
 use bica_motion::kick::{Kick, Kicks};
 use bica_motion::pose::{rotate, wrap};

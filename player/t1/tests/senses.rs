@@ -10,6 +10,7 @@ use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_player_t1::behaviour::Player;
+use bica_player_t1::input::GameState;
 use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
 use bica_player_t1::senses::{Object, Senses, Sight, View};
 use bica_player_t1::{Forward, Model};
@@ -110,4 +111,17 @@ fn one_mark_and_marks_in_a_point_give_no_pose() {
     let broken = Sight { at: [f32::NAN; 3], ..mark };
     run(&mut forward, &[broken; 40].into_iter().collect(), 6..12);
     assert_eq!(forward.get::<Localization>().pose(), None);
+}
+
+#[test]
+fn server_does_not_end_a_stop() {
+    let mut game = GameState::new();
+    game.stop();
+    game.set(true);
+    assert!(!game.playing());
+    game.play();
+    assert!(game.playing());
+    game.set(false);
+    game.play();
+    assert!(!game.playing(), "the server has sent it off");
 }

@@ -20,6 +20,8 @@ from bica.errors import BicaError
 READ_ERRORS = (McapError, CRCValidationError, RuntimeError)
 #: Format of recordings that this package reads.
 FORMAT = 6
+#: Version of the format of a monitor's recordings.
+MONITOR_FORMAT = 7
 
 
 class RecordingError(BicaError):
@@ -43,8 +45,9 @@ class RecordingFile:
             raise RecordingError(f"`{self.path}` is no recording of a robot's program")
         self.header: dict[str, Any] = self._json(records["bica"])
         self.ending: dict[str, Any] = self._json(records["bica.ending"]) if "bica.ending" in records else {}
-        if self.header["format"] != FORMAT:
-            raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {FORMAT}")
+        readable = MONITOR_FORMAT if "monitor" in self.header else FORMAT
+        if self.header["format"] != readable:
+            raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {readable}")
         self.schemas = summary.schemas
         self._decoders: Any = None
         self.topics = {channel.topic: channel for channel in summary.channels.values()}

@@ -173,20 +173,16 @@ class _Outputs:
     """Names, units and schemas of the outputs of a tree."""
 
     def __init__(self, header: dict[str, Any]) -> None:
-        # A monitor has received the values as text.
-        text = decoder({"name": "String", "ty": "String"}) if "monitor" in header else None
         self._units: dict[str, str | None] = {}
-        #: Columns by the schemas. What a monitor has received may have none.
+        #: Columns by the schemas.
         self.types: dict[str, str] = {}
         self._known: list[list[tuple[str, Any]]] = []
         for component in header["tree"]["components"]:
             outputs = {f"{component['name']}.{output['name']}": output for output in component["info"]}
             self._units |= {name: output.get("unit") for name, output in outputs.items()}
             schemas = [(name, output.get("schema")) for name, output in outputs.items()]
-            if text is None:
-                self.types |= {column: kind for name, of in schemas if of for column, kind in types(name, of["ty"])}
-            as_json = text and (lambda data: json.loads(text(data)))
-            self._known.append([(name, as_json or (schema and decoder(schema))) for name, schema in schemas])
+            self.types |= {column: kind for name, of in schemas if of for column, kind in types(name, of["ty"])}
+            self._known.append([(name, schema and decoder(schema)) for name, schema in schemas])
 
     def row(self, record: dict[str, Any]) -> dict[str, Any]:
         """Return the values of a record; a value that was too large to be recorded is missing."""

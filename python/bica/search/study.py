@@ -15,7 +15,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from bica.errors import BicaError
 from bica.parameters import Parameter, Setting, parsed, text
-from bica.program import Program
+from bica.program import Program, options_of
 from bica.search.expression import Constraint, Expression, ExpressionError
 from bica.search.game import Task, tasks_of
 
@@ -79,6 +79,7 @@ class _File(_Table):
     program: str | None = None
     kind: str | None = None
     worlds: Texts = ()
+    options: Texts = ()
     arguments: Texts = ()
     timeout_s: Annotated[Number, Field(gt=0)] = 600.0
     seeds: _SeedsTable
@@ -133,7 +134,7 @@ class Study:
         #: Number of blocks before a candidate may be pruned; None without pruning.
         self.prune_after = file.pruning.after_blocks if is_pruned else None
         self.worlds: tuple[str | None, ...] = file.worlds or (None,)
-        self.arguments, self.timeout = file.arguments, file.timeout_s
+        self.arguments, self.timeout = (*options_of(file.options), *file.arguments), file.timeout_s
         self._check()
 
     @property

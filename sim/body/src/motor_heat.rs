@@ -81,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn temperature_approaches_steady_rise_with_time_constant() {
+    fn temperature_approaches_its_steady_rise() {
         let mut heat = MotorHeat::new::<TestModel>();
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {

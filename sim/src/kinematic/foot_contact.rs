@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn ball_speed_is_foot_speed_times_one_plus_restitution() {
+    fn ball_speed_follows_foot_speed_and_restitution() {
         for side in Side::BOTH {
             let ball = kick(side, 1.2, 0.01);
             assert!((ball.velocity.length() - 1.8).abs() < 0.01, "{}", ball.velocity);

@@ -15,3 +15,22 @@ mod render;
 mod world;
 
 pub use self::world::KinematicWorld;
+
+use bica_motion::model::Nao;
+use glam::Vec2;
+
+use crate::setup::{Setup, SetupError};
+use crate::{SpectatorView, World};
+
+/// Makes the world of a NAO, with the velocity of the ball, m/s in the field frame. It is compiled and optimised with this crate, and
+/// not once more with each program.
+///
+/// # Errors
+/// If the setup has no place for a robot or the ball, or the velocity is not finite.
+pub fn nao(setup: &Setup, velocity: Vec2) -> Result<Box<dyn SpectatorView>, SetupError> {
+    let mut world = KinematicWorld::<Nao>::new(setup)?;
+    if velocity != Vec2::ZERO {
+        world.set_ball(world.referee().ball(), velocity)?;
+    }
+    Ok(Box::new(world))
+}

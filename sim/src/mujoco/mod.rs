@@ -40,3 +40,21 @@ pub use bica_body::mujoco::{Fault, Physics};
 pub use error::Error;
 pub use stage::{Shown, Stage};
 pub use world::MujocoWorld;
+
+use bica_motion::model::Nao;
+use glam::Vec2;
+
+use crate::SpectatorView;
+use crate::setup::Setup;
+
+/// Makes the world of a NAO, with the velocity of the ball, m/s in the field frame. It is compiled and optimised with this crate.
+///
+/// # Errors
+/// If the setup has no place for a robot or the ball, or MuJoCo refuses.
+pub fn nao(setup: &Setup, velocity: Vec2) -> Result<Box<dyn SpectatorView>, Error> {
+    let mut world = MujocoWorld::<Nao>::new(setup, &Physics::of::<Nao>())?;
+    if velocity != Vec2::ZERO {
+        world.kick_ball(velocity);
+    }
+    Ok(Box::new(world))
+}

@@ -89,7 +89,7 @@ fn image_shows_ball_where_it_was_placed() {
 }
 
 #[test]
-fn moved_limb_follows_the_operator_and_then_the_program_again() {
+fn moved_limb_follows_operator_then_program() {
     use bica_core::Value::{Bool, Choice, F32};
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
     let pitch = |world: &mut KinematicWorld<Nao>| world.sensors().angles[Joint::RShoulderPitch];

@@ -23,7 +23,7 @@ fn pushes_of_a_cycle_do_not_break_the_simulation() {
 }
 
 #[test]
-fn an_impossible_speed_ends_the_simulation_with_a_reason() {
+fn impossible_speed_ends_the_simulation() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
     world.kick_ball(Vec2::X * 1e6);

@@ -92,7 +92,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn poses_are_finite_and_on_the_carpet_for_any_sightings(steps in prop::collection::vec((pose(), sightings()), 1..12), seed: u64) {
+    fn poses_are_on_the_carpet_for_any_sightings(steps in prop::collection::vec((pose(), sightings()), 1..12), seed: u64) {
         let mut localizer = Localizer::<60>::new(seed);
         for (motion, sightings) in steps {
             localizer.advance(motion);

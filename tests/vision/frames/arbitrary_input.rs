@@ -77,7 +77,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
-    fn any_frame_and_pose_give_finite_and_repeatable_detections((width, height, bytes) in frame(), pose in pose(), with_camera: bool) {
+    fn detections_are_finite_and_repeatable((width, height, bytes) in frame(), pose in pose(), with_camera: bool) {
         let frame = Frame::new(width, height, &bytes).unwrap();
         let camera = Camera::new(pose, Intrinsics::nao_v6(width, height));
         let camera = Some(&camera).filter(|_| with_camera);

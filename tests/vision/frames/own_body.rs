@@ -92,7 +92,7 @@ fn wait(world: &mut KinematicWorld<Nao>, targets: &mut Joints, yaw: f32, pitch: 
 }
 
 #[test]
-fn body_outline_from_joint_angles_covers_the_rendered_body() {
+fn outline_from_joint_angles_covers_the_body() {
     let colours = CompactTable::compile(&BUILT_IN);
     let mut count = Count::default();
     looks(
@@ -115,7 +115,7 @@ fn body_outline_from_joint_angles_covers_the_rendered_body() {
 
 /// With a profile that classifies red as orange, the robot's own shoulders and toes look like balls.
 #[test]
-fn body_outline_removes_false_balls_and_keeps_true_ones() {
+fn body_outline_removes_false_balls_only() {
     let colours = CompactTable::compile(&Filters { orange: BUILT_IN.orange.hue(85, 146), ..BUILT_IN });
     let (mut alone, mut beside) = (0, 0);
     looks(
@@ -147,7 +147,7 @@ fn body_outline_removes_false_balls_and_keeps_true_ones() {
 }
 
 bica_test_data::images_test! {
-    fn body_outline_from_the_camera_pose_covers_the_recorded_body() {
+    fn outline_from_the_camera_pose_covers_the_body() {
         let colours = CompactTable::compile(&NAO_2009);
         let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
         for image in Recorded::all() {
@@ -172,7 +172,7 @@ bica_test_data::images_test! {
 }
 
 #[test]
-fn body_outline_is_empty_for_a_pose_that_is_not_finite() {
+fn body_outline_of_a_non_finite_pose_is_empty() {
     let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
     let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
     let bodies = [

@@ -96,7 +96,7 @@ proptest! {
     }
 
     #[test]
-    fn full_list_keeps_the_widest_runs_and_counts_the_dropped(classes in classes(), selected in selected()) {
+    fn full_list_keeps_the_widest_runs(classes in classes(), selected in selected()) {
         let bytes = bytes(&classes);
         let frame = Frame::new(WIDTH, HEIGHT, &bytes).unwrap();
         let (mut few, mut all) = (Runs::<40>::new(), Runs::<1024>::new());

@@ -74,7 +74,7 @@ fn a_thick_post_needs_a_high_threshold_of_width() {
 }
 
 #[test]
-fn a_corrected_mounting_turns_the_camera_and_scales_its_focal_length() {
+fn mounting_correction_turns_and_scales_the_camera() {
     let nominal = camera(0.2);
     assert_eq!(nominal.corrected(&Mounting::EXACT), nominal);
     let tilted = nominal.corrected(&Mounting { tilt: 0.1, ..Mounting::EXACT });

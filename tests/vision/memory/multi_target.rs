@@ -33,7 +33,7 @@ fn sighting_updates_the_nearest_object_or_adds_one() {
 }
 
 #[test]
-fn full_memory_replaces_the_object_of_least_confidence() {
+fn full_memory_replaces_the_least_confident() {
     let mut robots = MultiTargetMemory::<2>::new(1.0);
     robots.see(Vec2::new(1.0, 0.0), &round(0.05), 0.8);
     robots.advance(Pose2::ORIGIN, 1.0);

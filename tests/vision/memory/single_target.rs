@@ -24,7 +24,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn remembered_position_is_fixed_in_the_world_while_the_robot_moves(
+    fn remembered_position_is_fixed_in_the_world(
         x in -3.0_f32..3.0, y in -3.0_f32..3.0, motions in prop::collection::vec(motion(), 0..20),
     ) {
         let mut memory = Memory::new(60.0);

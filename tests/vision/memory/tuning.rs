@@ -35,7 +35,7 @@ fn each_rate_reduces_the_confidence_by_its_own_cause() {
 }
 
 #[test]
-fn errors_of_the_odometry_widen_the_remembered_position() {
+fn odometry_errors_widen_the_remembered_position() {
     let deviation = |tuning: &MemoryTuning, motion: Pose2| {
         let mut memory = memory(tuning);
         memory.advance(motion, 0.0);

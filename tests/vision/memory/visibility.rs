@@ -43,7 +43,7 @@ fn belief_after_looking(at: Vec2, (camera, body): &(Camera, OwnBody)) -> f32 {
 }
 
 #[test]
-fn missing_ball_is_forgotten_in_view_and_kept_out_of_view() {
+fn missing_ball_is_forgotten_only_in_view() {
     let ahead = view(CameraId::Top, 0.0, 0.2);
     let unseen = 0.9 * 0.5_f32.powf(0.1);
     assert!(belief_after_looking(Vec2::new(1.0, 0.0), &ahead) < 0.02);

@@ -113,6 +113,16 @@ where
         self
     }
 
+    /// Returns what this program adds to the page of `monitor`, for another server of the page.
+    #[cfg(feature = "monitor")]
+    #[must_use]
+    pub fn monitor(self) -> bica_monitor::program::Program
+    where
+        R: Recordable<Error: fmt::Display>,
+    {
+        crate::monitor::program(self.worlds, self.robot, self.panels)
+    }
+
     /// Sets the aim of a run: it ends when this holds, unless it is served to monitors. A run that ends earlier has exit code 1.
     #[must_use]
     pub fn until(self, is_done: fn(&R) -> bool) -> Self {
@@ -260,7 +270,7 @@ where
             (Some(("run", matches)), _) if !worlds.is_empty() => run::run::<R, L>(&worlds, robot, &parse(matches)?),
             #[cfg(feature = "monitor")]
             (Some(("monitor", matches)), _) if !worlds.is_empty() => {
-                crate::monitor::run::<R>(worlds, robot, self.panels, &parse(matches)?)
+                crate::monitor::run(crate::monitor::program(worlds, robot, self.panels), &parse(matches)?)
             }
             (Some((name, _)), _) => {
                 if let Some(own) = own.into_iter().find(|own| (own.has)(name)) {

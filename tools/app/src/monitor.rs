@@ -32,16 +32,21 @@ pub(crate) fn command() -> Command {
 }
 
 /// Serves the page until Ctrl-C.
-pub(crate) fn run<R: Recordable<Error: fmt::Display> + 'static>(
+pub(crate) fn run(program: Program, args: &Arguments) -> Result<Outcome, Failure> {
+    bica_monitor::run(args, Options::default(), program, &interrupt::requested)?;
+    Ok(Outcome::Success)
+}
+
+/// Returns what a program adds to the monitor.
+pub(crate) fn program<R: Recordable<Error: fmt::Display> + 'static>(
     worlds: Vec<RegisteredWorld<R>>,
     robots: Robots<R>,
     extensions: Vec<Box<dyn Extension>>,
-    args: &Arguments,
-) -> Result<Outcome, Failure> {
+) -> Program {
     let worlds = Arc::new(worlds);
     let simulated = (0..worlds.len()).filter(|&index| !worlds[index].is_device);
     let local = |index| Box::new(Simulated { worlds: Arc::clone(&worlds), index, robots }) as Box<dyn LocalWorld>;
-    let program = Program {
+    Program {
         graph: Some(const { &R::GRAPH }),
         worlds: simulated.map(local).collect(),
         rerun: Some(Box::new(move |recording, set, out, progress| {
@@ -49,9 +54,7 @@ pub(crate) fn run<R: Recordable<Error: fmt::Display> + 'static>(
         })),
         extensions,
         ..Program::default()
-    };
-    bica_monitor::run(args, Options::default(), program, &interrupt::requested)?;
-    Ok(Outcome::Success)
+    }
 }
 
 /// World of the program, as one of the monitor.

@@ -10,19 +10,15 @@ pub mod palette;
 #[cfg(feature = "pictures")]
 pub mod png;
 #[cfg(feature = "pictures")]
-pub mod polar;
-#[cfg(feature = "pictures")]
 mod shapes;
 mod svg;
 #[cfg(feature = "pictures")]
 pub mod text;
-#[cfg(feature = "pictures")]
 mod tree_state;
 #[cfg(feature = "pictures")]
 pub mod tree_view;
 
 pub use svg::svg;
-#[cfg(feature = "pictures")]
 pub use tree_state::TreeState;
 
 #[cfg(doctest)]

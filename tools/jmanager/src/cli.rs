@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn sources_and_options_are_none_of_the_commands_of_vicode() {
+    fn sources_and_options_are_no_vicode_commands() {
         assert!(parse("").unwrap().command.is_none());
         assert_eq!(parse("run.mcap other.mcap").unwrap().arguments.sources, ["run.mcap", "other.mcap"]);
         for command in [

@@ -69,12 +69,7 @@ impl Packets {
     /// Appends a message to a monitor.
     pub(crate) fn push(&mut self, message: &ToMonitor<'_>) -> Result<(), TooLarge> {
         let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
-        self.push_encoded(&bytes)
-    }
-
-    /// Appends a message to a monitor that is in postcard's format already.
-    pub(crate) fn push_encoded(&mut self, bytes: &[u8]) -> Result<(), TooLarge> {
-        self.push_robot(&FromRobot::Monitor(bytes))
+        self.push_robot(&FromRobot::Monitor(&bytes))
     }
 
     /// Appends a message to a monitor with what only a program on a computer offers.

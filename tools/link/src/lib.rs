@@ -33,12 +33,12 @@ pub use bica_wire::model::{
     Component, Description, Info, Invalid, Kind, Link, Modulation, NamedRequest, NamedSetting, Param, Placement, Plain,
     State, Transition, Variant, Variants,
 };
-pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, Shown, Snapshot, Truth};
+pub use client::{Answered, Client, ClientOptions, Costs, Event, Image, LogLine, Shown, Snapshot, Truth, happened};
 pub use cost_meter::{ComponentTime, CostMeter};
 pub use error::Error;
 pub use memory::Memory;
 pub use pending::Pending;
-pub use schema::{decode as decode_info, decode_exactly, decode_message};
+pub use schema::{decode, decode_exactly, decode_message, decode_output};
 pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};
 

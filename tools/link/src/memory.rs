@@ -9,10 +9,10 @@ use crate::stream::Stream;
 
 /// Place in this process at which a server accepts clients. Clones are the same place. No other program reaches it.
 #[derive(Clone, Debug, Default)]
-pub struct Memory(Arc<Place>);
+pub struct Memory(Arc<Shared>);
 
 #[derive(Debug, Default)]
-struct Place {
+struct Shared {
     state: Mutex<State>,
     changed: Condvar,
 }

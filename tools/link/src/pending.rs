@@ -69,6 +69,12 @@ impl<M, K: Copy + Eq + Hash, D> Pending<M, K, D> {
         self.data.remove(&self.order.pop_front()?)
     }
 
+    /// Number of messages that wait.
+    #[must_use]
+    pub fn messages(&self) -> usize {
+        self.messages.len()
+    }
+
     /// Whether nothing waits.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -89,7 +95,7 @@ mod tests {
     const NEWER: fn(u32, u32) -> u32 = |newer, _| newer;
 
     #[test]
-    fn data_are_replaced_in_their_place_and_messages_are_not() {
+    fn data_are_replaced_and_messages_are_not() {
         let mut pending = Pending::default();
         for (key, data) in [('a', 1), ('b', 2), ('a', 3)] {
             pending.show(key, data, NEWER);
@@ -101,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn a_client_that_does_not_read_overflows_within_bounds() {
+    fn client_that_does_not_read_overflows_in_bounds() {
         let mut pending = Pending::<usize, (), ()>::default();
         assert!((0..MAX_MESSAGES).all(|message| pending.push(message, 0)));
         assert!(!pending.push(0, 0) && pending.overflowed());

@@ -3,6 +3,7 @@
 use std::fmt::{Debug, Display};
 
 use bica_wire::blobs::MIN_BLOB;
+use bica_wire::model::Description;
 use postcard_schema::schema::owned::{OwnedDataModelType, OwnedDataModelVariant, OwnedNamedType};
 use serde_json::{Map, Value, json};
 
@@ -15,6 +16,12 @@ const DEPTH: usize = 64;
 #[must_use]
 pub fn decode(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
     Decoder { bytes, form: Form::Value }.whole(schema)
+}
+
+/// Decodes the value of an output of a tree, as [`decode`]; `None` if the tree has no such output, or its schema is not known.
+#[must_use]
+pub fn decode_output(tree: &Description, component: usize, output: usize, bytes: &[u8]) -> Option<Value> {
+    decode(tree.components.get(component)?.info.get(output)?.schema.as_ref()?, bytes)
 }
 
 /// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob is its size as text, such as
@@ -204,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_has_the_sizes_of_its_blobs_and_for_a_comparison_the_bits_of_numbers() {
+    fn message_has_blob_sizes_and_number_bits() {
         let seen = Seen { text: "a".repeat(600), ..seen() };
         let bytes = bica_wire::blobs::encode(&seen, Vec::new(), |_, _| ()).unwrap();
         let message = decode_message(&Seen::SCHEMA.into(), &bytes).unwrap();
@@ -214,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_bytes_are_no_value_or_another_one_and_never_panic() {
+    fn damaged_bytes_never_panic() {
         let (schema, bytes) = (OwnedNamedType::from(Seen::SCHEMA), postcard::to_stdvec(&seen()).unwrap());
         for end in 0..bytes.len() {
             assert_eq!(decode(&schema, &bytes[..end]), None, "{end}");

@@ -52,7 +52,7 @@ impl Default for Options {
     }
 }
 
-/// A folder among those of all users. Its name cannot be guessed, so that nobody else can make it before, with links in it.
+/// Folder in the shared temporary directory, with a random name, so that other users cannot create it in advance with symbolic links.
 fn spool() -> PathBuf {
     let random = RandomState::new().build_hasher().finish();
     std::env::temp_dir().join(format!("jmanager-{}-{random:016x}", std::process::id()))
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_folder_of_running_recordings_has_a_name_that_cannot_be_guessed() {
+    fn folder_of_running_recordings_cannot_be_guessed() {
         assert_ne!(Options::default().spool, Options::default().spool);
     }
 }

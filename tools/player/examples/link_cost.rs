@@ -1,7 +1,7 @@
 //! What the link, or a ROS 2 node, costs the forward's loop: the processor time of its cycles with and without it in one run.
 //!
-//! `cargo run --release -p bica-player-program --features measure,ros --example link_cost -- --ros`: images of 640×480 at 30/s, in real
-//! time, whose owner is shared with the link, as in a game. It prints a line for each window of time, until the end of its input.
+//! `cargo run --profile dist -p bica-player-program --features measure,ros --example link_cost -- --ros`: images of 640×480 at 30/s, in
+//! real time, whose owner is shared with the link, as in a game. It prints a line for each window of time, until the end of its input.
 
 use std::io::{Read as _, stdin};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Cost of a recording: bytes per second, processor time of its thread, and time of the loop with and without it in one run.
 //!
-//! `cargo run --release -p bica-player-program --features measure --example recording_cost -- [FOLDER]`: images of
+//! `cargo run --profile dist -p bica-player-program --features measure --example recording_cost -- [FOLDER]`: images of
 //! 640×480 at 30/s, in real time, whose owner is shared with the recorder, as in a game, or which the loop copies. With a folder of raw
 //! images `NAME_640x240.yuyv` (every second row) two of these make up an image, else the built-in world renders them.
 

@@ -3,22 +3,24 @@
 use std::path::PathBuf;
 
 use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
-use bica_evaluation::calibrate::CalibrationOptions;
-use bica_evaluation::detection::{DetectionOptions, SeeOptions};
-use bica_evaluation::trial_options::TrialOptions;
+#[cfg(feature = "evaluation")]
+use bica_evaluation::{
+    calibrate::CalibrationOptions,
+    detection::{DetectionOptions, SeeOptions},
+    trial_options::TrialOptions,
+};
 use bica_sim::setup::{Frame, MAX_ROBOTS};
 use clap::{Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
-use crate::league::Address;
 
 pub(crate) const AFTER: &str = "\
 Examples:
   player                                one game, with a line for each change of the activation tree
   player --seed 7 --realtime            another game, in real time
   player --world mujoco                 a game with rigid-body dynamics, in which the robot can fall
-  player --pictures album               the same game, with a picture of each change of the tree
-  player --film game.gif                the same game as a film
+  player --pictures album               the same game, with a picture of each change of the tree (feature `evaluation`)
+  player --film game.gif                the same game as a film (feature `evaluation`)
   player play --games 100               a series of games on all cores, with a summary
   player graph --format svg > tree.svg  a drawing of the activation tree
   player --record run.mcap              the same game, recorded
@@ -27,7 +29,7 @@ Examples:
   player --set FaceBall.gain=0.9        the same game with another value of a parameter
   player play --serve 127.0.0.1:7400    a game in real time that monitors can watch and operate
   player link 127.0.0.1:7400 watch      its states, from another terminal
-  player watch frames --pictures out    detections in recorded images, with a summary
+  player watch frames --pictures out    detections in recorded images, with a summary (feature `evaluation`)
   player see frames --json              the same as one line of JSON for each image
 
 Exit codes: 0 a goal (or the command is done), 1 no goal (or no image could be read, or a replay differs),
@@ -46,16 +48,27 @@ tree, and the cost of each component.";
 pub(crate) enum Command {
     /// Play one game or a series (the default command)
     Play(Box<Play>),
+    #[cfg(feature = "evaluation")]
     #[command(
         about = "Run trials of the body in MuJoCo: walking, pushes, odometry, kicks, falls; print tables of results"
     )]
     Trial(TrialOptions),
+    #[cfg(feature = "evaluation")]
     /// Detect ball, goals, lines and robots in a folder of images; print a table and a summary
     Watch(DetectionOptions),
+    #[cfg(feature = "evaluation")]
     /// Detect in a folder of images; print one line for each image, and a score against labels
     See(SeeOptions),
+    #[cfg(feature = "evaluation")]
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(CalibrationOptions),
+    /// Detections in recorded images, calibration, trials in MuJoCo: with the feature `evaluation` of Cargo
+    #[cfg(not(feature = "evaluation"))]
+    #[command(name = "watch", visible_aliases = ["see", "calibrate", "trial"], disable_help_flag = true)]
+    Evaluation {
+        #[arg(hide = true, trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<std::ffi::OsString>,
+    },
 }
 
 #[derive(Clone, Debug, Args)]
@@ -118,8 +131,8 @@ pub(crate) struct Play {
 #[derive(Clone, Debug, Args)]
 pub(crate) struct LeagueArgs {
     /// With `--world league`, join the game of a running server: HOST:PORT of its players [default: start one]
-    #[arg(long, value_name = "ADDR", value_parser = crate::league::server)]
-    pub(crate) server: Option<Address>,
+    #[arg(long, value_name = "ADDR")]
+    pub(crate) server: Option<String>,
     /// With `--world league`, name of the team
     #[arg(long, value_name = "NAME", default_value = "BICA")]
     pub(crate) team: String,

@@ -7,12 +7,14 @@ mod cli;
 mod colour_profile;
 pub mod emulator;
 pub mod game;
+#[cfg(feature = "league")]
 mod league;
 mod play;
 
 use std::process::ExitCode;
 
 use bica_app::App;
+#[cfg(feature = "evaluation")]
 use bica_evaluation::{calibrate, detection, trial_options};
 use bica_player::tunable::Forward;
 
@@ -31,13 +33,21 @@ pub fn app() -> App<Forward, ColourProfile> {
     App::new("player")
         .describe(|command| command.version(env!("CARGO_PKG_VERSION")).about(cli::ABOUT).after_help(cli::AFTER))
         .kind("built-in")
-        .replay(|options| league::replay(options).unwrap_or_else(|| game::replay(options)))
+        .replay(play::replay)
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),
+            #[cfg(feature = "evaluation")]
             Command::Watch(args) => detection::watch(&args),
+            #[cfg(feature = "evaluation")]
             Command::See(args) => detection::see(&args),
+            #[cfg(feature = "evaluation")]
             Command::Calibrate(args) => calibrate::run(&args),
+            #[cfg(feature = "evaluation")]
             Command::Trial(args) => trial_options::run(&args),
+            #[cfg(not(feature = "evaluation"))]
+            Command::Evaluation { .. } => {
+                Err(play::built_without("evaluation", "recorded images, calibration and trials"))
+            }
         })
 }

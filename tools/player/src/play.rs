@@ -4,7 +4,8 @@ use std::cell::OnceCell;
 use std::time::Duration;
 
 use crate::game::{
-    FirmwareImage, GRAPH, RecordOptions, Rules, SeriesOptions, ServeOptions, WorldKind, play_one, play_series,
+    FirmwareImage, GRAPH, RecordOptions, ReplayOptions, ReplayReport, Rules, SeriesOptions, ServeOptions, WorldKind,
+    play_one, play_series,
 };
 use bica::Setting;
 use bica_app::{Console, Failure, Outcome, RecordArgs, in_force, print_in_force};
@@ -17,7 +18,10 @@ use crate::cli::{Play, World};
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     if args.world == World::League {
+        #[cfg(feature = "league")]
         return crate::league::run(args);
+        #[cfg(not(feature = "league"))]
+        return Err(built_without("league", "the simulation league"));
     }
     if args.league.server.is_some() || args.league.against {
         let what = "--server and --against belong to the league's server, and this game is played in another world";
@@ -71,6 +75,22 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
             play_series(&rules, console, pictures, &options, layers)
         }
     }
+}
+
+/// Runs the code again on a recording of this program.
+pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
+    #[cfg(feature = "league")]
+    if let Some(report) = crate::league::replay(options) {
+        return report;
+    }
+    crate::game::replay(options)
+}
+
+/// Returns the error of what needs a feature of Cargo.
+#[cfg(not(all(feature = "evaluation", feature = "league")))]
+pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
+    let help = format!("give Cargo the feature, too: `cargo run --release --features {feature} -- …`");
+    Failure::new(format!("this program was built without {what}"), help)
 }
 
 /// Returns the parameters of the command line and of the tune files of the world.

@@ -48,9 +48,9 @@ pub struct StoredBlob {
     pub bytes: Vec<u8>,
 }
 
-/// Which large data of a recording a record holds.
+/// Position of large data in a recording.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct BlobIndex {
     pub(crate) id: u32,
     pub(crate) cycle: Option<u64>,
     pub(crate) part: u16,
@@ -90,7 +90,7 @@ impl StoredBlob {
 /// Codes large data and passes the record on, with the kind of chunk that it belongs to.
 pub(crate) fn code(
     blob: &Blob<'_>,
-    Place { id, cycle, part }: Place,
+    BlobIndex { id, cycle, part }: BlobIndex,
     coder: &mut ImageCoder,
     write: impl FnOnce(Compression, &BlobRecord<'_>),
 ) {

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::io;
 
+use crate::header::{FORMAT, MONITOR_FORMAT};
+
 /// Reason why a file cannot be read or written.
 #[derive(Debug)]
 pub enum Error {
@@ -83,7 +85,10 @@ impl fmt::Display for Error {
                 "this MCAP file is not a recording of a robot: no metadata record `bica` precedes its messages",
             ),
             Self::Format(format) => {
-                write!(out, "the recording has format {format}; this program reads format {}", crate::header::FORMAT)
+                write!(
+                    out,
+                    "the recording has format {format}; this program reads format {FORMAT}, of a monitor {MONITOR_FORMAT}"
+                )
             }
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),

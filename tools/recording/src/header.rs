@@ -16,6 +16,8 @@ use crate::scenery::Scenery;
 /// Version of the format. Version 6 has all schemas in the description of the tree, and sources of log lines; earlier ones cannot be
 /// read.
 pub const FORMAT: u32 = 6;
+/// Version of the format of a monitor's recordings. Version 7 has outputs and requests as the robot's own program records them.
+pub const MONITOR_FORMAT: u32 = 7;
 
 /// What a replay needs to know before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,6 +52,8 @@ pub struct Header {
 pub struct MonitorInfo {
     /// Address of the robot.
     pub address: String,
+    /// Topics that a recording of the robot's own program has and this one has not.
+    pub lacks: Vec<String>,
 }
 
 /// What a program needs to set up the same run again, by name: the seed, options, and the name `world` of a simulated world. The

@@ -2,7 +2,7 @@
 
 use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Tree};
-use bica_link::decode_info;
+use bica_link::decode_output;
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
@@ -26,18 +26,8 @@ pub struct InformationValue {
     pub component: u16,
     /// Index of the information in the component.
     pub index: u16,
-    /// The value in postcard's format, with the schema in the description, and of a monitor JSON as a string; empty if it is too large.
+    /// The value in postcard's format, with the schema in the description; empty if it is too large.
     pub value: Vec<u8>,
-}
-
-impl InformationValue {
-    /// A value as JSON text, in a recording that a monitor makes.
-    #[must_use]
-    pub fn in_json(component: usize, index: usize, text: &str) -> Self {
-        let mut value = Vec::with_capacity(text.len() + 2);
-        encode(&mut value, &text);
-        Self { component: component as u16, index: index as u16, value }
-    }
 }
 
 impl Header {
@@ -48,11 +38,7 @@ impl Header {
         if value.is_empty() {
             return None;
         }
-        if self.monitor.is_some() {
-            return serde_json::from_str(postcard::from_bytes(value).ok()?).ok();
-        }
-        let output = self.tree.components.get(usize::from(component))?.info.get(usize::from(index))?;
-        decode_info(output.schema.as_ref()?, value)
+        decode_output(&self.tree, component.into(), index.into(), value)
     }
 }
 

@@ -47,7 +47,7 @@ pub use compare::{Comparison, Decision, Difference};
 pub use digest::RunningFingerprint;
 pub use error::Error;
 pub use figure::Figure;
-pub use header::{Ending, FORMAT, Header, ImagePolicy, MonitorInfo, SetUp, Topics};
+pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};

@@ -1,5 +1,6 @@
 //! Channels of a recording and their messages.
 
+use bica::Hold;
 use bica_wire::message::LogSource;
 use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
@@ -119,11 +120,11 @@ pub struct TreeRecord {
     pub states: Vec<u8>,
 }
 
-/// Holds and rates after a cycle. Of a run the requests say the same.
+/// Holds and rates after a cycle. In the recording of a robot's own program the requests say the same.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct HoldsRecord {
-    /// One byte for each component. 0: activated by the tree, 1: held active, 2: held latent.
-    pub holds: Vec<u8>,
+    /// Hold of each component.
+    pub holds: Vec<Hold>,
     /// For each component the rate in force, Hz; none: every cycle.
     pub rates: Vec<Option<f32>>,
 }

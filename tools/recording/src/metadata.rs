@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::io;
 
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::header::{Ending, FORMAT, Header};
+use crate::header::{Ending, FORMAT, Header, MONITOR_FORMAT};
 
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
@@ -66,9 +67,10 @@ pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<He
     #[derive(Deserialize)]
     struct Format {
         format: u32,
+        monitor: Option<IgnoredAny>,
     }
-    let Format { format } = from_metadata(fields, at)?;
-    if format != FORMAT {
+    let Format { format, monitor } = from_metadata(fields, at)?;
+    if format != if monitor.is_some() { MONITOR_FORMAT } else { FORMAT } {
         return Err(Error::Format(format));
     }
     check_metadata(fields, at)?;

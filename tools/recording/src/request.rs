@@ -18,11 +18,6 @@ pub enum RequestRecord {
         /// One value for each argument.
         values: Vec<Value>,
     },
-    /// A request of which only the text is known. Such a run cannot be replayed.
-    Unknown {
-        /// The request, as text.
-        text: String,
-    },
 }
 
 impl RequestRecord {
@@ -43,7 +38,6 @@ impl RequestRecord {
     pub fn describe(&self, tree: &Description) -> String {
         match self {
             Self::Tree(request) => tree.named(request.borrow()).to_string(),
-            Self::Unknown { text } => text.clone(),
             Self::World { name, values } => {
                 let arguments = tree.action(name).map_or(&[][..], |index| &tree.actions[index].arguments);
                 let plain = |(index, &value): (usize, &Value)| {

@@ -1,7 +1,7 @@
 //! What does not move in a world.
 
 use bica::visual::{Scene, SceneItem, Shape};
-use bica_link::decode_info;
+use bica_link::decode;
 use serde::{Deserialize, Serialize};
 
 /// Something that does not move, such as the walls of a room.
@@ -42,7 +42,7 @@ impl Scene for Items {
         }
         let (name, shape, frame) = (item.name.to_owned(), value.name().to_owned(), item.frame.to_owned());
         // What cannot be encoded is left out.
-        if let Some(value) = decode_info(&value.schema().into(), &bytes) {
+        if let Some(value) = decode(&value.schema().into(), &bytes) {
             let SceneItem { colour, line_width, .. } = *item;
             self.0.push(Scenery { name, shape, frame, colour, line_width, value });
         }

@@ -113,7 +113,7 @@ fn assert_fails(result: Result<(), Invalid>, what: &str, help: &str) {
 }
 
 #[test]
-fn a_later_layer_replaces_values_of_an_earlier_one_and_each_states_its_source() {
+fn later_layer_wins_and_each_value_has_its_source() {
     let mut layers = layers("[Kicker]\nfar = 0.5\nruns = 4\n");
     layers.read_text("tune/one.toml", "\n\n[Kicker]\n\nruns = 5\nfoot = \"Right\"\n").expect("valid");
     layers.assign("Kicker.shift = -7", "--set").expect("valid");
@@ -130,7 +130,7 @@ fn a_later_layer_replaces_values_of_an_earlier_one_and_each_states_its_source() 
 }
 
 #[test]
-fn a_whole_number_is_a_valid_f32_and_nothing_else_changes_its_kind() {
+fn whole_number_is_a_valid_f32() {
     assert_eq!(value(&layers("[Kicker]\nfar = 1\n"), "far").0, "1.0");
     let read = |text: &str| Layers::new(&GRAPH).read_text("t", text);
     let runs = "write a whole number from 0 to 9";
@@ -151,7 +151,7 @@ fn a_whole_number_is_a_valid_f32_and_nothing_else_changes_its_kind() {
 }
 
 #[test]
-fn wrong_names_and_values_are_errors_with_file_line_and_remedy() {
+fn wrong_names_and_values_are_located() {
     let read = |text: &str| Layers::new(&GRAPH).read_text("tune/nao.toml", text);
     assert_fails(
         read("# a comment\n[Kiker]\nfar = 1.0"),
@@ -209,7 +209,7 @@ fn a_wrong_assignment_is_an_error() {
 }
 
 #[test]
-fn values_that_break_a_rule_together_are_refused_with_their_sources() {
+fn values_that_break_a_rule_are_refused() {
     let mut layers = layers("[Kicker]\nnear = 0.15\n");
     layers.apply(&mut Robot::new()).expect("still ordered");
     layers.assign("Kicker.far=0.12", "--set").expect("in range");
@@ -235,7 +235,7 @@ shift = -7 # default 0, -9 to 9 mm
 ";
 
 #[test]
-fn a_tune_file_has_the_differences_only_sorted_with_comments_and_reads_as_the_same_values() {
+fn tune_file_has_only_differences_and_round_trips() {
     let written = layers("[Kicker]\nshift = -7\nnear = 0.1\nfoot = \"Right\"\nfar = 0.3\n");
     assert_eq!(render(&written), FILE);
     assert_eq!(layers(FILE).settings().len(), 3);
@@ -243,7 +243,7 @@ fn a_tune_file_has_the_differences_only_sorted_with_comments_and_reads_as_the_sa
 }
 
 #[test]
-fn comments_of_a_person_stay_when_a_tune_file_is_rewritten() {
+fn comments_stay_when_a_tune_file_is_rewritten() {
     let old = "\
 # Hall 3, March.
 
@@ -271,7 +271,7 @@ foot = \"Right\" # default Left, one of Left, Right
 }
 
 #[test]
-fn an_existing_file_is_replaced_on_request_only_and_nothing_else_is_left() {
+fn existing_file_is_replaced_on_request_only() {
     let folder = Folder::new("write");
     let path = folder.0.join("nao.toml");
     write(&layers(FILE), &path, false).expect("written");

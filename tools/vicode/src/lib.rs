@@ -32,10 +32,10 @@ pub mod model;
 mod read;
 pub mod trial;
 
-pub use self::document::{Change, Conflict, DEFAULT_WIDTH, Document, External, Keep};
+pub use self::document::{Change, Conflict, Document, External, Keep};
 pub use self::edit::{
-    Edit, NewNumber, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of, ordered, plan,
-    reads, uses,
+    DEFAULT_WIDTH, Edit, NewNumber, Refusal, Splice, Target, Use, applied, blank, declare, enlist, inverse, module_of,
+    ordered, plan, reads, uses,
 };
 pub use self::files::{FileError, Folder, Layout, LayoutError, Note, Position, save};
 pub use self::fix::{Fix, fixes};

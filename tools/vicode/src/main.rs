@@ -1,4 +1,4 @@
-//! The command line of VICODE.
+//! Command line of VICODE.
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ struct Arguments {
     command: bica_vicode::cli::Command,
 }
 
-/// 0: all is well; 1: a file has mistakes; 2: the command is not possible.
+/// Exit code 0: no mistakes; 1: a file has mistakes; 2: the command failed.
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let mut out = io::stdout().lock();

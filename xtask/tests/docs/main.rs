@@ -63,6 +63,18 @@ fn cited_tests_and_files_exist() {
 }
 
 #[test]
+fn names_of_tests_have_at_most_50_characters() {
+    let long = |page: Page| {
+        let names =
+            page.text.split("fn ").skip(1).map(|rest| rest.split(['(', '<', ' ', '\n']).next().unwrap_or_default());
+        let is_long = |name: &&str| name.len() > 50 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        names.filter(is_long).map(|name| format!("{}: {name}", page.name)).collect::<Vec<_>>()
+    };
+    let long: Vec<_> = Page::read_all("rs").into_iter().flat_map(long).collect();
+    assert!(long.is_empty(), "names of tests that do not state a property in 50 characters:\n{}", long.join("\n"));
+}
+
+#[test]
 fn targets_without_test_program_have_no_tests() {
     let files = untested::with_tests(&cargo::packages());
     assert!(files.is_empty(), "tests that never run, as their manifest says `test = false`: {files:?}");

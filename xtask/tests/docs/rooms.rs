@@ -163,7 +163,7 @@ fn names_of_robots_are_found() {
 }
 
 #[test]
-fn words_of_soccer_are_found_outside_comments_and_tests() {
+fn words_of_soccer_are_found_in_sources() {
     let code = "place_ball(OwnGoal); // ball\nlet BALL = 1;\nballoon(\"a nao\");\n";
     let text = format!("{code}#[cfg(test)]\nmod tests {{\n    ball();\n}}\n");
     let page = Page { path: "x.rs".into(), name: "x.rs".into(), text };

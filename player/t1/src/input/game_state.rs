@@ -2,10 +2,11 @@
 
 use bica::prelude::*;
 
-/// Whether the robot is in the game, as the league's server tells each player by its play mode.
+/// Whether the robot is in the game, as the league's server tells each player by its play mode, and no operator has stopped it.
 #[derive(Clone, Copy, Debug)]
 pub struct GameState {
-    playing: bool,
+    admitted: bool,
+    stopped: bool,
 }
 
 #[component(budget_us = 1)]
@@ -13,18 +14,31 @@ impl GameState {
     /// Creates the component in the game.
     #[must_use]
     pub const fn new() -> Self {
-        Self { playing: true }
+        Self { admitted: true, stopped: false }
     }
 
-    /// Takes whether the robot may play.
-    pub const fn set(&mut self, playing: bool) {
-        self.playing = playing;
+    /// Takes whether the server lets the robot play.
+    pub const fn set(&mut self, admitted: bool) {
+        self.admitted = admitted;
+    }
+
+    /// Takes the robot out of the game, whatever the server says: it ends its step or kick, and stands until `play`. A robot that lies
+    /// stays down.
+    #[modulation(stop)]
+    pub const fn stop(&mut self) {
+        self.stopped = true;
+    }
+
+    /// Lets the robot play again when the server does.
+    #[modulation]
+    pub const fn play(&mut self) {
+        self.stopped = false;
     }
 
     /// Whether the robot is in the game.
     #[info]
     #[must_use]
     pub const fn playing(&self) -> bool {
-        self.playing
+        self.admitted && !self.stopped
     }
 }

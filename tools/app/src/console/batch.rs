@@ -1,9 +1,9 @@
 //! The same run with many seeds, on several threads.
 
 use std::num::NonZero;
-use std::thread;
-
-use rayon::prelude::*;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::thread::{self, Builder};
 
 use super::{Failure, STACK_BYTES, interrupt};
 
@@ -33,12 +33,29 @@ impl Batch {
     /// # Errors
     /// The error of a run, or that no thread can be started.
     pub fn run<T: Send>(&self, job: impl Fn(u64) -> Result<T, Failure> + Sync) -> Result<Vec<T>, Failure> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).stack_size(STACK_BYTES).build();
-        let pool =
-            pool.map_err(|error| Failure::new(format!("cannot start a thread: {error}"), "try fewer --threads"))?;
-        // Runs differ in length: each is a unit of its own for the scheduler.
-        let runs = || (0..self.runs).into_par_iter().with_max_len(1).filter(|_| !interrupt::requested());
-        pool.install(|| runs().map(|run| job(self.first_seed.wrapping_add(run.into()))).collect())
+        let next = AtomicU64::new(0);
+        let end = || next.store(self.runs.into(), Relaxed);
+        // Runs differ in length, so a thread takes the next one when it is done with one.
+        let work = || {
+            let take =
+                || Some(next.fetch_add(1, Relaxed)).filter(|run| *run < self.runs.into() && !interrupt::requested());
+            std::iter::from_fn(take)
+                .map(|run| Ok((run, job(self.first_seed.wrapping_add(run)).inspect_err(|_| end())?)))
+                .collect::<Result<Vec<_>, Failure>>()
+        };
+        let results = thread::scope(|scope| {
+            let start = |_| Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, work).inspect_err(|_| end());
+            let threads: Vec<_> = (0..self.threads).map(start).collect();
+            let joined = threads.into_iter().map(|thread| {
+                let thread = thread
+                    .map_err(|error| Failure::new(format!("cannot start a thread: {error}"), "try fewer --threads"))?;
+                thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+            });
+            joined.collect::<Result<Vec<_>, Failure>>()
+        })?;
+        let mut results: Vec<_> = results.into_iter().flatten().collect();
+        results.sort_by_key(|(run, _)| *run);
+        Ok(results.into_iter().map(|(_, result)| result).collect())
     }
 }
 

@@ -1,21 +1,21 @@
 //! Output of a command: lines for people, JSON for programs. Errors, exit codes and signals.
 
-use std::io::{self, Write};
+use std::env;
+use std::io::{self, IsTerminal, Write};
 
-use anstream::{AutoStream, ColorChoice};
 use anstyle::AnsiColor;
 use serde::Serialize;
 
-#[cfg(feature = "batch")]
 mod batch;
 mod failure;
 pub mod interrupt;
 mod outcome;
+mod progress;
 
-#[cfg(feature = "batch")]
 pub use batch::Batch;
 pub use failure::Failure;
 pub use outcome::Outcome;
+pub use progress::Progress;
 
 /// Stack of a thread that runs a robot, bytes: a tree may hold a whole image and is built on the stack before it moves to
 /// the heap.
@@ -66,8 +66,10 @@ impl Console {
     /// The console of this process, with or without `--json`.
     #[must_use]
     pub fn new(json: bool) -> Self {
-        let choice = if json { AutoStream::choice(&io::stderr()) } else { AutoStream::choice(&io::stdout()) };
-        Self { json, colour: choice != ColorChoice::Never }
+        let is_terminal = if json { io::stderr().is_terminal() } else { io::stdout().is_terminal() };
+        let is_plain = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+            || env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
+        Self { json, colour: is_terminal && !is_plain }
     }
 
     /// Whether JSON is printed.
@@ -82,10 +84,10 @@ impl Console {
     /// If stdout cannot be written. A closed stderr is ignored: the JSON on stdout is still needed.
     pub fn print(self, line: &str) -> Result<(), Failure> {
         if self.json {
-            let _ = writeln!(anstream::stderr().lock(), "{line}");
+            let _ = writeln!(io::stderr().lock(), "{line}");
             return Ok(());
         }
-        Ok(writeln!(anstream::stdout().lock(), "{line}")?)
+        Ok(writeln!(io::stdout().lock(), "{line}")?)
     }
 
     /// Prints a line that begins with a name.

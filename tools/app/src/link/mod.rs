@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_link::{Client, ClientOptions, Component, Error, Event, Modulation, Param, Plain, Snapshot};
+use bica_link::{
+    Client, ClientOptions, Component, Error, Event, LogLine, Modulation, Param, Plain, Snapshot, decode_output,
+};
 use bica_wire::message::WorldChange;
 use bica_wire::model::{NamedRequest, NamedSetting};
 use serde::Serialize;
@@ -169,7 +171,7 @@ impl Monitor {
                     }
                 }
                 Some(Event::Info { cycle, component, info, value }) => {
-                    self.show_info(cycle, component, info, value.as_ref())?;
+                    self.show_info(cycle, component, info, value.as_deref())?;
                 }
                 Some(other) => self.show_extra(&other, images)?,
                 None => {}
@@ -211,18 +213,14 @@ impl Monitor {
         Ok(is_new)
     }
 
-    fn show_info(
-        &self,
-        cycle: u64,
-        component: usize,
-        info: usize,
-        value: Option<&serde_json::Value>,
-    ) -> Result<(), Failure> {
-        let Some(component) = self.client.description().components.get(component) else { return Ok(()) };
+    fn show_info(&self, cycle: u64, component: usize, info: usize, value: Option<&[u8]>) -> Result<(), Failure> {
+        let tree = self.client.description();
+        let value = value.and_then(|bytes| decode_output(tree, component, info, bytes));
+        let Some(component) = tree.components.get(component) else { return Ok(()) };
         let Some(info) = component.info.get(info) else { return Ok(()) };
         let name = format!("{}.{}", component.name, info.name);
         let unit = info.unit.as_deref().unwrap_or_default();
-        let shown = value.map_or_else(|| "too large for the link".to_owned(), ToString::to_string);
+        let shown = value.as_ref().map_or_else(|| "too large for the link".to_owned(), ToString::to_string);
         self.console.print_row(&format!("cycle {cycle}"), &format!("{name} = {shown} {unit}"))?;
         self.line("bica/link-info/1", json!({ "cycle": cycle, "name": name, "value": value }))
     }
@@ -316,7 +314,9 @@ impl Monitor {
     fn log(&mut self, count: Option<u64>) -> Result<Outcome, Failure> {
         let mut seen = 0;
         while !interrupt::requested() {
-            if let Some(Event::Log { time_us, level, source, text }) = self.next()? {
+            let event = self.next()?;
+            let line = event.and_then(|event| event.line(self.client.description()));
+            if let Some(LogLine { time_us, level, source, text }) = line {
                 let style = if level > 2 { Style::Bad } else { Style::Plain };
                 let time = format!("{:.2} s", time_us as f64 * 1e-6);
                 let line = json!({ "time_us": time_us, "level": level, "source": source, "text": text });

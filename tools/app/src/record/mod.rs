@@ -75,7 +75,8 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     console
         .print_row("tree", &format!("{}, {count} components, {} Hz, hash {}", tree.name, tree.cycle_hz, tree.hash))?;
     if let Some(monitor) = &header.monitor {
-        let text = format!("what {} sent, without sensor values and commands: not for a replay", monitor.address);
+        let (address, lacks) = (&monitor.address, monitor.lacks.join(", "));
+        let text = format!("what {address} sent, without {lacks}: not for a replay");
         console.print_row("monitor", &text)?;
     }
     if !header.set_up.is_empty() {

@@ -6,7 +6,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::process::{Folder, Served, example, link};
+use crate::process::{Folder, Served, example, link, refused};
 
 fn start() -> Served {
     let mut program = example("wall_follower");
@@ -24,15 +24,31 @@ fn operator_watches_tunes_and_drives_a_paused_robot() {
         (&"WallFollower".into(), &"Drive".into())
     );
     assert_eq!(link(&served, &["set", "Explorer.speed=0.3"])[0]["name"], "Explorer.speed");
+    let explorer = &link(&served, &["describe", "Explorer"])[0]["components"][0];
+    let speed = explorer["params"].as_array().and_then(|list| list.iter().find(|one| one["name"] == "speed"));
+    assert_eq!(speed.map(|one| &one["value"]), Some(&0.3.into()), "a parameter stays");
+    assert_eq!(link(&served, &["rate", "Explorer", "5", "--seconds", "0.01"])[0]["values"][0], 5.0);
+    for (args, error) in [
+        (&["set", "Explorer.speed=9"][..], "is outside"),
+        (&["set", "Explorer.speed=high"], "`high` is not a value of `speed`"),
+        (&["set", "Explorer.sped=0.5"], "did you mean `speed`?"),
+        (&["hold", "Exploror", "latent"], "did you mean `Explorer`?"),
+        (&["watch", "Odometry.pos"], "did you mean `pose`?"),
+        (&["modulate", "Drive.request", "1"], "takes 2 arguments, found 1"),
+    ] {
+        refused(&[&["link", &served.address][..], args].concat(), &[error]);
+    }
     link(&served, &["hold", "Explorer", "latent", "--seconds", "0.01"]);
     link(&served, &["modulate", "Drive.request", "0.2", "1.0"]);
     link(&served, &["step", "50"]);
     let watched = link(&served, &["watch", "Odometry.pose", "--count", "1"]);
-    assert!(watched.iter().any(|line| line["schema"] == "bica/link-snapshot/1"), "{watched:?}");
+    let snapshot = watched.iter().find(|line| line["schema"] == "bica/link-snapshot/1").expect("a snapshot");
+    let explorer = &snapshot["components"][0];
+    assert_eq!((&explorer["held"], &explorer["hz"]), (&"tree".into(), &25.0.into()), "each lease has ended");
 }
 
 #[test]
-fn true_pose_of_the_world_is_that_of_the_odometry_in_the_true_start() {
+fn true_pose_equals_odometry_from_the_true_start() {
     let served = start();
     let watched = link(&served, &["watch", "Odometry.pose", "--truth", "--count", "60"]);
     let of = |schema: &'static str| watched.iter().filter(move |line| line["schema"] == schema);

@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use crate::process::{Folder, example, run};
 
 #[test]
-fn page_of_the_robot_is_served_and_its_run_recorded_until_an_interrupt() {
+fn page_is_served_and_its_run_recorded() {
     let folder = Folder::new("monitor");
     let file = folder.file("run.mcap");
     let mut program = example("wall_follower");

@@ -3,7 +3,7 @@
 use crate::process::{Folder, refused, run};
 
 #[test]
-fn recording_replays_bit_for_bit_and_with_other_parameters() {
+fn recording_replays_with_other_parameters() {
     let folder = Folder::new("recorded");
     let (all, none) = (folder.file("all.mcap"), folder.file("none.mcap"));
     for (file, images) in [(&all, "all"), (&none, "none")] {
@@ -13,6 +13,11 @@ fn recording_replays_bit_for_bit_and_with_other_parameters() {
         let report = replayed.json();
         assert_eq!((replayed.code, &report["equal"], &report["cycles"]), (Some(0), &true.into(), &600.into()));
     }
+    let open = run(&["replay", &all, "--set", "Explorer.gain=3", "--json"]);
+    let report = open.json();
+    assert_eq!((open.code, &report["equal"], &report["set"][0]), (Some(1), &false.into(), &"Explorer.gain=3".into()));
+    assert!(report["first_difference"]["field"].as_str().is_some_and(|one| one.starts_with("command")), "{report}");
+    assert!(open.stderr.contains("other parameters: Explorer.gain=3"), "{}", open.stderr);
     let closed = run(&["replay", &all, "--closed-loop", "--set", "Explorer.speed=0.6", "--json"]);
     let report = closed.json();
     assert_eq!((closed.code, &report["equal"], &report["loop"]), (Some(1), &false.into(), &"closed".into()));
@@ -21,7 +26,7 @@ fn recording_replays_bit_for_bit_and_with_other_parameters() {
 }
 
 #[test]
-fn recording_has_figures_and_the_version_of_its_program() {
+fn recording_has_figures_and_program_version() {
     let folder = Folder::new("figures");
     let file = folder.file("run.mcap");
     let ran = run(&["--seconds", "2.5", "--record", &file, "--json"]).json();
@@ -45,5 +50,9 @@ fn recording_names_its_world_and_replaces_no_file() {
     assert_eq!((&set_up["world"], &set_up["seed"]), (&"room".into(), &7.into()));
     refused(&["--seconds", "1", "--record", &file], &[&file, "--force"]);
     refused(&["replay", &file, "--set", "Explorer.gain=9"], &["Explorer.gain", "0.5 to 5.0"]);
+    let twice = ["replay", &file, "--set", "Explorer.gain=3", "--set", "Explorer.gain=3"];
+    refused(&twice, &["--set sets one parameter twice"]);
+    refused(&["replay", &file, "--set", "Explorer.gian=3"], &["did you mean `gain`?"]);
+    refused(&["replay", &file, "--set", "Explorer.gain=3", "--against", &file], &["--set", "--against"]);
     refused(&["replay", &folder.file("none.mcap")], &["none.mcap", "help: "]);
 }

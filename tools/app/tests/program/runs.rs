@@ -41,7 +41,10 @@ fn tune_file_and_assignment_change_the_run_alike() {
     let (file, seconds) = (folder.file("slow.toml"), ["--seconds", "9", "--json"]);
     let written = run(&[&["params", "--write", &file][..], &set].concat());
     assert_eq!(written.code, Some(0), "{}", written.stderr);
+    assert!(written.stdout.contains("1 value"), "{}", written.stdout);
     assert!(fs::read_to_string(&file).expect("the file").contains("[Explorer]\n"));
+    refused(&[&["params", "--write", &file][..], &set].concat(), &[&file, "exists", "--force"]);
+    assert_eq!(run(&[&["params", "--force", "--write", &file][..], &set].concat()).code, Some(0));
     let tuned = run(&[&seconds[..], &["--tune", &file]].concat());
     assert!(tuned.stderr.contains(&format!("{file}: Explorer.speed=0.3")), "{}", tuned.stderr);
     let [tuned, set, default] = [tuned, run(&[&seconds[..], &set].concat()), run(&seconds)].map(|ran| {

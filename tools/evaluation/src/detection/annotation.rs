@@ -6,13 +6,13 @@ use bica_app::Failure;
 use bica_drawing::canvas::Canvas;
 use bica_drawing::palette::{FAINT, PAPER, TEXT};
 use bica_drawing::png;
-use bica_drawing::polar::Polar;
 use bica_drawing::text::Font;
 use glam::Vec2;
 
 use super::detections::{Detections, PoseTrust};
 use crate::frame_io::RecordedFrame;
 use crate::pictures::camera;
+use crate::polar::Polar;
 
 /// Width of the image, px.
 const WIDTH: usize = 640;

@@ -1,8 +1,8 @@
 //! Detections of a folder, as a table and as JSON.
 
+use crate::polar::Polar;
 use crate::statistics::percentile;
 use bica_app::{Console, Failure, Outcome, Style};
-use bica_drawing::polar::Polar;
 use glam::Vec2;
 use serde::Serialize;
 

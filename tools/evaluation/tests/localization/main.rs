@@ -18,7 +18,7 @@ fn slow_robot_is_localized_after_ten_seconds() {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_localization_recovers_from_kidnapping_among_other_robots() {
+fn slow_localization_recovers_from_kidnapping() {
     let mut outcomes = Vec::new();
     for seed in 100..105 {
         let mut lookout = Lookout::new(seed, 4, Frame::default());

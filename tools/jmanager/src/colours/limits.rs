@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_removed_pixel_is_out_and_pixels_that_belong_to_the_class_stay() {
+    fn only_the_removed_pixel_leaves_the_class() {
         let own: Vec<Pixel> = colours().filter(|pixel| orange().has(*pixel)).collect();
         assert!(own.len() > 5);
         let (kept, removed) = (own[0], own[1]);

@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn the_links_of_each_robot_follow_its_kinematics_and_their_surfaces_are_outside() {
+    fn links_of_each_robot_follow_its_kinematics() {
         follows::<Nao>();
         follows::<T1>();
         follows::<K1>();

@@ -348,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn each_row_of_a_get_up_and_of_a_kick_has_every_number_of_its_form() {
+    fn each_row_of_a_motion_has_every_number() {
         let forms = Form::all();
         for (file, count) in [("getup.rs", 5), ("kick_dynamic.rs", 3), ("kick_kinematic.rs", 3)] {
             let file = format!("bica-motion/src/model/nao/{file}");
@@ -367,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_a_source_are_the_postures_of_the_compiled_robot() {
+    fn numbers_of_a_source_are_the_robot_s_postures() {
         let forms = Form::all();
         let check = |file: &str, name: &str, expected: &Joints| {
             let table = tables(file).into_iter().find(|table| table.key == name).expect(name);

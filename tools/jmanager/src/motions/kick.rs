@@ -94,7 +94,7 @@ mod tests {
     const RUNS: u32 = 5;
 
     #[test]
-    fn the_changed_kick_of_the_tutorial_goes_farther_in_mujoco() {
+    fn kick_of_the_tutorial_goes_farther_in_mujoco() {
         let tutorial = include_str!("../../../../docs/motions.md");
         assert!(tutorial.contains("\n-    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.111, 0.025], "));
         assert!(tutorial.contains("\n+    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.125, 0.025], "));

@@ -257,7 +257,7 @@ mod tests {
     }
 
     #[test]
-    fn measured_angles_follow_the_commanded_ones_at_the_speed_of_the_motors() {
+    fn measured_angles_follow_at_motor_speed() {
         let mut posture = Nao::STAND;
         posture[Joint::RShoulderPitch] = -1.0;
         let at = |seconds: f32| tried(vec![Key { seconds, posture, stiffness: 1.0 }], Start::Stand);

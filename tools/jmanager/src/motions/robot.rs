@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn a_load_is_the_moment_of_the_masses_that_the_joint_carries() {
+    fn load_is_the_moment_of_the_carried_masses() {
         let mut posture = Nao::STAND;
         posture[Joint::LShoulderPitch] = 0.0;
         let skeleton = Skeleton::<Nao>::of(&posture);

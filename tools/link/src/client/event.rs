@@ -1,9 +1,12 @@
 //! What a client receives.
 
+use bica::runner::OwnedRequest;
 use bica_wire::message::{
     self, ComponentCost, ComponentState, ConditionState, CycleInfo, LeaseState, LogSource, Reached, RefusalCode, Taken,
     Value, WorldState,
 };
+
+use bica_wire::model::Description;
 
 use super::scene::{Shown, Truth};
 use crate::error::Error;
@@ -14,8 +17,9 @@ use crate::error::Error;
 pub enum Event {
     /// State of the tree after a cycle.
     Snapshot(Snapshot),
-    /// A value of information of a component as JSON, in a cycle; none if it is too large for a packet or its schema is unknown.
-    Info { cycle: u64, component: usize, info: usize, value: Option<serde_json::Value> },
+    /// The value of an output of a component after a cycle in postcard's format, see [`decode_output`](crate::decode_output); none if
+    /// it is too large for a packet.
+    Info { cycle: u64, component: usize, info: usize, value: Option<Vec<u8>> },
     /// Parameters of a component changed; the new values are in the description.
     Params { component: usize },
     /// The lease.
@@ -41,8 +45,47 @@ pub enum Event {
     Taken(Taken),
     /// A stop was reached.
     Reached(Reached),
+    /// A request was applied at an instant, µs. A microcontroller sends a line of the log instead.
+    Requested { time_us: u64, request: OwnedRequest },
+    /// Something happened in the robot's world at a time, µs: its kind, as `goal`, and details.
+    Happened { time_us: u64, kind: String, detail: String },
     /// How the run has ended, for people.
     Result(String),
+}
+
+/// A line of a log.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LogLine {
+    /// Time in the robot's time, µs.
+    pub time_us: u64,
+    /// 1 debug, 2 information, 3 warning, 4 error.
+    pub level: u8,
+    /// Where it comes from.
+    pub source: LogSource,
+    /// The text.
+    pub text: String,
+}
+
+impl Event {
+    /// Returns the line of the log that tells the event, with the names of the tree; none for what is not told in a log.
+    #[must_use]
+    pub fn line(&self, tree: &Description) -> Option<LogLine> {
+        let (time_us, level, source, text) = match self {
+            Self::Log { time_us, level, source, text } => (*time_us, *level, *source, text.clone()),
+            Self::Requested { time_us, request } => {
+                (*time_us, 2, LogSource::Operator, tree.named(request.borrow()).to_string())
+            }
+            Self::Happened { time_us, kind, detail } => (*time_us, 2, LogSource::World, happened(kind, detail)),
+            _ => return None,
+        };
+        Some(LogLine { time_us, level, source, text })
+    }
+}
+
+/// Returns an event of a world as text: its kind and its details.
+#[must_use]
+pub fn happened(kind: &str, detail: &str) -> String {
+    if detail.is_empty() { kind.to_owned() } else { format!("{kind}, {detail}") }
 }
 
 /// Costs of the components and of the cycle.

@@ -30,7 +30,12 @@ const fn key(event: &Event) -> Option<Key> {
         Event::World(_) => (8, 0, 0),
         Event::Scenery(_) => (9, 0, 0),
         Event::Result(_) => (10, 0, 0),
-        Event::Log { .. } | Event::Answer(_) | Event::Taken(_) | Event::Reached(_) => return None,
+        Event::Log { .. }
+        | Event::Answer(_)
+        | Event::Taken(_)
+        | Event::Reached(_)
+        | Event::Requested { .. }
+        | Event::Happened { .. } => return None,
     })
 }
 
@@ -81,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lease_answer_and_the_only_sample_of_an_output_stay_among_many_events() {
+    fn lease_answer_stays_among_many_events() {
         let mut events = Events::default();
         let info = |cycle, info| Event::Info { cycle, component: 0, info, value: None };
         let log = |time_us| Event::Log { time_us, level: 2, source: LogSource::Robot, text: String::new() };

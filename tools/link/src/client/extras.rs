@@ -1,7 +1,7 @@
 //! What only a program on a computer offers, from its messages.
 
 use bica_wire::ToMonitorExtra;
-use bica_wire::message::{ComponentCosts, Conditions, ImageChunk, ImageHead, SceneKind};
+use bica_wire::message::{ComponentCosts, Conditions, Happened, ImageChunk, ImageHead, Requested, SceneKind};
 
 use super::event::{Costs, Event, Image};
 use super::scene::{Scenes, Truth};
@@ -36,6 +36,12 @@ impl Extras {
                     SceneKind::Scenery => Event::Scenery(items),
                     SceneKind::Truth => Event::Truth(Truth { time_us, items }),
                 })
+            }
+            ToMonitorExtra::Requested(Requested { time_us, change }) => {
+                Some(Event::Requested { time_us, request: change.borrow().into() })
+            }
+            ToMonitorExtra::Happened(Happened { time_us, kind, detail }) => {
+                Some(Event::Happened { time_us, kind: kind.to_owned(), detail: detail.to_owned() })
             }
             ToMonitorExtra::Result(text) => Some(Event::Result(text.to_owned())),
             ToMonitorExtra::Image(head) => {

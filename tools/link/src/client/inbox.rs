@@ -14,7 +14,6 @@ use super::event::{Answered, Event, Snapshot};
 use super::events::Events;
 use super::extras::Extras;
 use crate::error::Error;
-use crate::schema::decode;
 
 /// Largest size of a schema, bytes.
 const MAX_SCHEMA: usize = 1 << 14;
@@ -198,10 +197,7 @@ impl Inbox {
 
     fn info(&mut self, value: &InfoValue<'_>) {
         let (component, info) = (usize::from(value.component), usize::from(value.info));
-        let output = self.description.components.get(component).and_then(|one| one.info.get(info));
-        let schema = output.and_then(|output| output.schema.as_ref());
-        let decoded = schema.zip(value.bytes).and_then(|(schema, bytes)| decode(schema, bytes));
-        self.events.push(Event::Info { cycle: value.cycle, component, info, value: decoded });
+        self.events.push(Event::Info { cycle: value.cycle, component, info, value: value.bytes.map(Into::into) });
     }
 
     fn info_schema(&mut self, &InfoSchema { component, info, last, bytes }: &InfoSchema<'_>) {
@@ -240,7 +236,10 @@ fn answered(answer: Answer<'_>) -> Answered {
     let Answer { number, cycle, arrived, result } = answer;
     let (values, refused) = match result {
         AnswerResult::Done { values } => (values.iter().copied().collect(), None),
-        AnswerResult::Refused { code, entry, text } => (Vec::new(), Some((code, entry.into(), text.to_owned()))),
+        AnswerResult::Refused { code, entry, text } => {
+            let text = if text.is_empty() { code.text() } else { text };
+            (Vec::new(), Some((code, entry.into(), text.to_owned())))
+        }
     };
     Answered { number, cycle, arrived, values, refused }
 }

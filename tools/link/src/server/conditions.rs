@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_state_that_was_left_the_condition_of_the_taken_transition_is_kept() {
+    fn condition_of_the_taken_transition_is_kept() {
         let component = ComponentId::new(0);
         let mut table = ConditionTable { components: vec![vec![None; 2]], now: Instant::MIN, holding: 0 };
         table.cycle_begin(Instant::from_micros(10));

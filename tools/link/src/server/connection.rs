@@ -5,9 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use super::counters::Counters;
-use super::encoded::{Encoded, Watched};
-use super::outbox::{Batch, Message, Outbox};
-use super::picture::Picture;
+use super::outbox::{Batch, Message, Outbox, Unsent};
 use crate::stream::Stream;
 
 /// Time after which the next image is sent though the last one was not taken, ms: a part may be lost on a serial line.
@@ -66,16 +64,18 @@ impl Connection {
         self.image_ms.store(TAKEN, Ordering::Relaxed);
     }
 
-    /// Adds data of a cycle, which replaces what was not sent. For threads that may wait, not for the loop.
-    pub(super) fn show(&self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
-        self.outbox.show(data, snapshot, watched);
+    /// Hands over what the loop has for the monitor, unless the writer uses the queues in this instant; then it stays with the loop,
+    /// which never waits.
+    pub(super) fn offer(&self, unsent: &mut Unsent) {
+        if !self.outbox.offer(unsent) {
+            self.overflow();
+        }
     }
 
-    /// Adds an image, which replaces one that was not begun. For threads that may wait, not for the loop.
-    pub(super) fn show_image(&self, picture: Picture) {
+    /// The image with a number will be sent.
+    pub(super) fn shows_image(&self, number: u32) {
         self.image_ms.store(self.began.elapsed().as_millis() as u64, Ordering::Relaxed);
-        self.image.store(picture.number.into(), Ordering::Relaxed);
-        self.outbox.show_image(picture);
+        self.image.store(number.into(), Ordering::Relaxed);
     }
 
     /// The monitor begins to watch images: the newest one is sent to it, also if it was sent before.

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bica_wire::message::{
-    Change, CycleInfo, LeaseAction, LogSource, Offers, RefusalCode, Request, WorldChange, WorldRequest,
+    Change, CycleInfo, LeaseAction, LogSource, Offers, RefusalCode, Request, Requested, WorldChange, WorldRequest,
 };
 use bica_wire::server::Lease;
 
 use super::connection::Connection;
-use super::exchange::{Outgoing, Recipient};
+use super::cycle_data::CyclePool;
 use super::hub::{Command, Hub, Inbound};
 use super::key::Key;
 use super::options::ServerOptions;
@@ -46,8 +46,8 @@ pub(super) struct Control {
     pub(super) shown: WorldScenes,
     /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
     pub(super) stands: bool,
-    /// What the distributor gets at the end of the cycle.
-    pub(super) outgoing: Outgoing,
+    /// Memory of the data of cycles.
+    pub(super) pool: CyclePool,
     pub(super) lease: Lease,
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
@@ -75,7 +75,7 @@ impl Control {
             stops: Stops::default(),
             shown,
             stands: false,
-            outgoing: Outgoing::default(),
+            pool: CyclePool::default(),
             lease: Lease::new(options.silence),
             applied: Vec::new(),
             changed: Vec::new(),
@@ -93,26 +93,28 @@ impl Control {
 
     /// Sends a message to one monitor, if it is still connected.
     pub(super) fn tell(&mut self, connection: u64, message: Message) {
-        if let Some(watcher) = self.watchers.find(connection) {
-            let recipient = Recipient::One(Arc::clone(&watcher.connection));
-            self.outgoing.messages.push_back((recipient, message));
+        if let Some(watcher) = self.watchers.find_mut(connection) {
+            watcher.unsent.messages.push_back(message);
         }
     }
 
     /// Sends a message to every monitor.
     pub(super) fn tell_all(&mut self, message: &Message) {
-        for watcher in self.watchers.iter() {
-            let recipient = Recipient::One(Arc::clone(&watcher.connection));
-            self.outgoing.messages.push_back((recipient, message.clone()));
-        }
+        self.watchers.iter_mut().for_each(|watcher| watcher.unsent.messages.push_back(message.clone()));
     }
 
     /// Sends the lease to every monitor.
     pub(super) fn announce_lease(&mut self, now: bica::Instant) {
-        for watcher in self.watchers.iter() {
+        for watcher in self.watchers.iter_mut() {
             let lease = Message::Lease(self.lease.state(watcher.connection.id, now));
-            self.outgoing.messages.push_back((Recipient::One(Arc::clone(&watcher.connection)), lease));
+            watcher.unsent.messages.push_back(lease);
         }
+    }
+
+    /// Sends a change that was applied to every monitor.
+    pub(super) fn announce_change(&mut self, now: bica::Instant, change: &Change) {
+        let requested = Requested { time_us: now.as_micros(), change: change.clone() };
+        self.tell_all(&Message::Requested(Arc::new(requested)));
     }
 
     /// Sends a line about the operator to every monitor.

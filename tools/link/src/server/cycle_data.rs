@@ -1,5 +1,6 @@
 //! Data of one cycle, shared by all monitors.
 
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -7,20 +8,22 @@ use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Tree};
 use bica_wire::message::{InfoValue, MAX_INFO_BYTES};
 use bica_wire::{ToMonitor, TooLarge};
-use serde::Serialize;
 
-use super::encoded::{Encoded, EncodedReading};
 use super::extras::Extra;
 use super::key::Key;
 use super::snapshot::Snapshot;
-use super::watcher::Watcher;
+use crate::frame::Packets;
 
-/// Data of one cycle: what at least one monitor watches. The loop fills it, and its memory is used again.
-#[derive(Debug, Default)]
+/// What is watched, with n for every n-th cycle.
+pub(super) type Watched = HashMap<Key, u16>;
+
+/// Largest number of cycles whose memory is kept.
+const MAX_KEPT: usize = 16;
+
+/// Data of one cycle: what at least one monitor watches. The loop fills it once for all of them.
+#[derive(Clone, Debug, Default)]
 pub(super) struct CycleData {
     pub(super) cycle: u64,
-    /// The monitors in this cycle.
-    pub(super) watchers: Arc<[Watcher]>,
     pub(super) snapshot: Snapshot,
     readings: Vec<Reading>,
     pub(super) extras: Vec<Extra>,
@@ -30,7 +33,7 @@ pub(super) struct CycleData {
     used: usize,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Reading {
     component: u16,
     info: u16,
@@ -40,7 +43,7 @@ struct Reading {
 
 impl CycleData {
     /// Removes the contents; the memory is kept.
-    pub(super) fn begin(&mut self, cycle: u64) {
+    fn begin(&mut self, cycle: u64) {
         self.cycle = cycle;
         self.snapshot.clear();
         self.readings.clear();
@@ -67,33 +70,6 @@ impl CycleData {
         self.used = place.as_ref().map_or(self.used, |place| place.end);
         self.readings.push(Reading { component, info, place });
     }
-
-    /// Encodes everything once for all monitors.
-    pub(super) fn encode(&self) -> Result<Encoded, TooLarge> {
-        let cycle = self.cycle;
-        let (mut bytes, mut snapshot, mut readings) =
-            (Vec::with_capacity(2 * self.used + 1024), Vec::new(), Vec::new());
-        self.snapshot.messages(|message| append(&mut bytes, message).map(|place| snapshot.push(place)))?;
-        for Reading { component, info, place } in &self.readings {
-            let (component, info) = (*component, *info);
-            let value = place.clone().and_then(|place| self.bytes.get(place));
-            let place = append(&mut bytes, &ToMonitor::Info(InfoValue { cycle, component, info, bytes: value }))?;
-            readings.push(EncodedReading { key: Key::Info(component, info), places: vec![place] });
-        }
-        for extra in &self.extras {
-            let mut places = Vec::new();
-            extra.messages(cycle, |message| append(&mut bytes, message).map(|place| places.push(place)))?;
-            readings.push(EncodedReading { key: extra.key(), places });
-        }
-        Ok(Encoded { cycle, snapshot, readings, bytes })
-    }
-}
-
-/// Appends a message in postcard's format; returns its place.
-fn append(bytes: &mut Vec<u8>, message: &impl Serialize) -> Result<Range<usize>, TooLarge> {
-    let start = bytes.len();
-    *bytes = postcard::to_extend(message, std::mem::take(bytes)).map_err(|_| TooLarge)?;
-    Ok(start..bytes.len())
 }
 
 /// Puts a value in postcard's format into the room.
@@ -106,5 +82,117 @@ struct Bytes<'a> {
 impl InfoSink for Bytes<'_> {
     fn take<V: Information>(&mut self, value: &V) {
         self.length = postcard::to_slice(value, self.room).ok().map(|bytes| bytes.len());
+    }
+}
+
+/// Memory of the data of cycles, which is used again once no monitor needs it.
+#[derive(Debug, Default)]
+pub(super) struct CyclePool(Vec<Arc<CycleData>>);
+
+impl CyclePool {
+    /// Fills the data of a cycle; none if there is nothing to send.
+    pub(super) fn fill(&mut self, cycle: u64, fill: impl FnOnce(&mut CycleData)) -> Option<Arc<CycleData>> {
+        let free = self.0.iter_mut().position(|data| Arc::get_mut(data).is_some());
+        let mut data = free.map_or_else(Arc::default, |free| self.0.swap_remove(free));
+        // Nobody else has it, so this copies nothing.
+        let filled = Arc::make_mut(&mut data);
+        filled.begin(cycle);
+        fill(filled);
+        if self.0.len() < MAX_KEPT {
+            self.0.push(Arc::clone(&data));
+        }
+        (!data.is_empty()).then_some(data)
+    }
+}
+
+/// Data of a cycle, and what of it is due for a monitor.
+#[derive(Debug)]
+pub(super) struct Due {
+    pub(super) data: Arc<CycleData>,
+    pub(super) snapshot: bool,
+    pub(super) watched: Arc<Watched>,
+}
+
+impl Due {
+    /// Returns what is due.
+    pub(super) fn parts(&self) -> impl Iterator<Item = Part> {
+        let Self { data, snapshot, watched } = self;
+        let is_due =
+            |part: &Part| watched.get(&part.key()).is_some_and(|&every| data.cycle.is_multiple_of(every.into()));
+        let part = |value| Part { data: Arc::clone(data), value };
+        let readings = (0..data.readings.len()).map(Value::Reading);
+        let values = readings.chain((0..data.extras.len()).map(Value::Extra));
+        snapshot.then_some(Value::Snapshot).map(part).into_iter().chain(values.map(part).filter(is_due))
+    }
+}
+
+/// Place of a value in the data of a cycle.
+#[derive(Clone, Copy, Debug)]
+enum Value {
+    Snapshot,
+    Reading(usize),
+    Extra(usize),
+}
+
+/// A value in the data of a cycle.
+#[derive(Debug)]
+pub(super) struct Part {
+    data: Arc<CycleData>,
+    value: Value,
+}
+
+impl Part {
+    pub(super) fn key(&self) -> Key {
+        match self.value {
+            Value::Snapshot => Key::Snapshot,
+            Value::Reading(index) => Key::Info(self.data.readings[index].component, self.data.readings[index].info),
+            Value::Extra(index) => self.data.extras[index].key(),
+        }
+    }
+
+    #[cfg(test)]
+    pub(super) fn cycle(&self) -> u64 {
+        self.data.cycle
+    }
+
+    /// Appends the packets.
+    pub(super) fn frame(&self, packets: &mut Packets) -> Result<(), TooLarge> {
+        let data = &*self.data;
+        match self.value {
+            Value::Snapshot => data.snapshot.messages(|message| packets.push(message)),
+            Value::Reading(index) => {
+                let Reading { component, info, place } = &data.readings[index];
+                let bytes = place.clone().and_then(|place| data.bytes.get(place));
+                packets.push(&ToMonitor::Info(InfoValue {
+                    cycle: data.cycle,
+                    component: *component,
+                    info: *info,
+                    bytes,
+                }))
+            }
+            Value::Extra(index) => data.extras[index].messages(data.cycle, |message| packets.push_extra(message)),
+        }
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// Data of a cycle with the values of outputs.
+    pub(in crate::server) fn data(cycle: u64, outputs: &[u16]) -> Arc<CycleData> {
+        let reading = |&info: &u16| Reading { component: 0, info, place: None };
+        Arc::new(CycleData { cycle, readings: outputs.iter().map(reading).collect(), ..CycleData::default() })
+    }
+
+    #[test]
+    fn memory_of_a_cycle_is_used_again() {
+        let mut pool = CyclePool::default();
+        let mut last = None;
+        for cycle in 0..100 {
+            last = pool.fill(cycle, |data| data.readings.push(Reading { component: 0, info: 0, place: None }));
+        }
+        assert_eq!(last.unwrap().cycle, 99);
+        assert_eq!(pool.0.len(), 2, "one is filled while the last one is sent");
     }
 }

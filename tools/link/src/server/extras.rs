@@ -7,7 +7,7 @@ use super::key::Key;
 use super::scene::Sent;
 
 /// Data of one cycle that only a program on a computer offers.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Extra {
     /// Conditions of a component at an instant, µs.
     Conditions {

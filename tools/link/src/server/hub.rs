@@ -14,7 +14,6 @@ use bica_wire::model::Description;
 
 use super::connection::Connection;
 use super::counters::Counters;
-use super::exchange::Exchange;
 use super::images::has_blobs;
 use super::key::Key;
 use super::options::{MAX_MONITORS, ServerOptions};
@@ -71,8 +70,6 @@ pub(super) struct Hub {
     connections: Mutex<Vec<Weak<Connection>>>,
     /// Connections that have sent nothing yet, the oldest first.
     silent: Mutex<VecDeque<Weak<Connection>>>,
-    /// To the thread that distributes.
-    pub(super) exchange: Exchange,
     pub(super) counters: Arc<Counters>,
     last_id: AtomicU64,
     /// Number of the next cycle.
@@ -105,7 +102,6 @@ impl Hub {
             inbox,
             connections: Mutex::default(),
             silent: Mutex::default(),
-            exchange: Exchange::default(),
             counters: Arc::default(),
             last_id: AtomicU64::new(0),
             next_cycle: AtomicU64::new(0),
@@ -143,7 +139,7 @@ impl Hub {
     pub(super) fn set_result(&self, text: &str) {
         let text: Arc<str> = text.into();
         *self.result.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&text));
-        self.exchange.push_to_all(Message::Result(text));
+        self.push_to_each(&Message::Result(text));
     }
 
     /// Returns a number that no other connection of this server has.
@@ -199,11 +195,17 @@ impl Hub {
 
     pub(super) fn log(&self, level: u8, source: LogSource, text: &str) {
         let time_us = self.time_us.load(Ordering::Relaxed);
-        self.exchange.push_to_all(Message::Log { time_us, level, source, text: text.into() });
+        self.push_to_each(&Message::Log { time_us, level, source, text: text.into() });
+    }
+
+    /// Sends what happened in the world to every monitor, with the time of the last cycle.
+    pub(super) fn happened(&self, kind: &str, detail: &str) {
+        let time_us = self.time_us.load(Ordering::Relaxed);
+        self.push_to_each(&Message::Happened(time_us, kind.into(), detail.into()));
     }
 
     /// Adds a message to the queue of each connection. Not for the loop, which never waits.
-    pub(super) fn push_to_each(&self, message: &Message) {
+    fn push_to_each(&self, message: &Message) {
         self.each(|connection| connection.push(message.clone()));
     }
 

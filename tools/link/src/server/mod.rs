@@ -5,9 +5,6 @@ mod connection;
 mod control;
 mod counters;
 mod cycle_data;
-mod distributor;
-mod encoded;
-mod exchange;
 mod extras;
 mod hub;
 mod images;
@@ -55,7 +52,6 @@ pub struct LinkServer {
     hub: Arc<Hub>,
     address: String,
     listener: Option<JoinHandle<()>>,
-    distributor: Option<JoinHandle<()>>,
 }
 
 impl LinkServer {
@@ -97,10 +93,6 @@ impl LinkServer {
         let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, [R::SENSORS, R::COMMAND], &options);
         let hub = Arc::new(hub);
         let (bound, listener) = listener::start(&hub, address, options.anywhere)?;
-        let distributor = distributor::start(&hub).map_err(|error| {
-            hub.stopped.store(true, Ordering::Relaxed);
-            Error::connect(address, error)
-        })?;
         let mut control = Control::new(Arc::clone(&hub), options, shown);
         if matches!(address, Address::Memory(_)) && control.can_pause() {
             control.pace.change(WorldChange::Pause);
@@ -108,7 +100,7 @@ impl LinkServer {
         let control = Arc::new(Mutex::new(control));
         let requests = LinkRequests::new(inboxes, Arc::clone(&control));
         let observer = LinkObserver::new(control);
-        Ok((Self { hub, address: bound, listener: Some(listener), distributor: Some(distributor) }, requests, observer))
+        Ok((Self { hub, address: bound, listener: Some(listener) }, requests, observer))
     }
 
     /// Returns the address, with the port that the operating system chose for port 0.
@@ -121,6 +113,11 @@ impl LinkServer {
     /// 3 warning, 4 error.
     pub fn log(&self, level: u8, source: LogSource, text: &str) {
         self.hub.log(level, source, text);
+    }
+
+    /// Sends an event of the world to every monitor, with the time of the last cycle: its kind, as `goal`, and details.
+    pub fn event(&self, kind: &str, detail: &str) {
+        self.hub.happened(kind, detail);
     }
 
     /// Sets how the run has ended, for people, such as `done after 12.00 s`. Every monitor gets it, also one that attaches later.
@@ -137,17 +134,11 @@ impl LinkServer {
 
 impl Drop for LinkServer {
     fn drop(&mut self) {
-        self.hub.exchange.close();
-        join(self.distributor.take());
         self.hub.end("the run has ended", LAST_MESSAGES);
         self.hub.stopped.store(true, Ordering::Relaxed);
-        join(self.listener.take());
-    }
-}
-
-fn join(thread: Option<JoinHandle<()>>) {
-    if let Some(thread) = thread {
-        // A panic of the thread has printed its message.
-        let _ = thread.join();
+        if let Some(listener) = self.listener.take() {
+            // A panic of the thread has printed its message.
+            let _ = listener.join();
+        }
     }
 }

@@ -8,12 +8,11 @@ use bica::runner::{Cycle, Observer, Overrun, Robot, World};
 use bica::{ComponentId, Instant, Probe, Tree};
 use bica_wire::Recordable;
 use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues, WorldChange};
-use bica_wire::server::read;
+use bica_wire::read;
 
 use super::conditions::ConditionTable;
-use super::connection::Connection;
 use super::control::{Applied, Control};
-use super::exchange::Shot;
+use super::cycle_data::CycleData;
 use super::extras::Extra;
 use super::images::Images;
 use super::key::Key;
@@ -61,25 +60,19 @@ impl<R: Robot> LinkObserver<R> {
     pub fn show_truth<W: World<R> + ?Sized>(&self, world: &W) {
         let mut control = lock(&self.control);
         let Some(CycleInfo { cycle, time_us, .. }) = control.last else { return };
-        let watchers = if control.stands {
-            control.watchers.take_owed_truth()
-        } else if control.watchers.is_due(Key::Truth, cycle) {
-            control.watchers.shared()
-        } else {
-            return;
-        };
-        if watchers.is_empty() {
+        let owed = if control.stands { control.watchers.take_owed_truth() } else { Vec::new() };
+        let is_due = !control.stands && control.watchers.is_due(Key::Truth, cycle);
+        if owed.is_empty() && !is_due {
             return;
         }
         let (declarations, truth) = control.shown.truth(time_us, EncodedScene::of(|scene| world.truth(scene)));
         if let Some(declarations) = declarations {
             control.tell_all(&Message::Scene(declarations));
         }
-        let mut data = control.outgoing.unused_data();
-        data.begin(cycle);
-        data.extras.push(Extra::Truth(truth));
-        data.watchers = watchers;
-        control.outgoing.add_data(data);
+        let Control { pool, watchers, .. } = &mut *control;
+        if let Some(data) = pool.fill(cycle, |data| data.extras.push(Extra::Truth(truth))) {
+            if is_due { watchers.send(&data) } else { watchers.send_owed(&data, owed) }
+        }
         control.hand_over();
     }
 }
@@ -133,12 +126,9 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         if !control.watchers.wants_images() && !control.can_pause() {
             return;
         }
-        let watchers = control.watchers.of_image(number, false);
         let Some(picture) = self.images.take::<R>(sensors, number, now) else { return };
-        self.newest = Some(picture.clone());
-        if !watchers.is_empty() {
-            control.outgoing.shot = Some(Shot { watchers, picture });
-        }
+        control.watchers.send_image(&picture, false);
+        self.newest = Some(picture);
     }
 
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
@@ -164,9 +154,8 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         control.send_params(robot);
         // Neither data nor an image come before the world goes on.
         control.send_owed(robot, &self.conditions);
-        if let Some(picture) = self.newest.as_ref().filter(|_| control.outgoing.shot.is_none()) {
-            let watchers = control.watchers.of_image(picture.number, true);
-            control.outgoing.shot = (!watchers.is_empty()).then(|| Shot { watchers, picture: picture.clone() });
+        if let Some(picture) = &self.newest {
+            control.watchers.send_image(picture, true);
         }
         control.hand_over();
         self.costs.switch(control.watchers.has(Key::Costs));
@@ -207,25 +196,20 @@ impl Control {
     /// Reads what is watched in this cycle, once for all monitors.
     fn send_data<T: Tree>(&mut self, tree: &T, conditions: &ConditionTable, costs: &mut CostMeter) {
         let info = self.next;
-        let mut data = self.outgoing.unused_data();
-        data.begin(info.cycle);
-        if self.watchers.is_snapshot_due(info.cycle) {
-            data.snapshot.read(info, tree);
-        }
-        self.watchers.find_due(info.cycle, &mut self.due);
-        for &key in &self.due {
-            match key {
-                Key::Info(component, index) => data.read(tree, component, index),
-                Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
-                Key::Costs => {
-                    data.extras.extend(costs.read(info.cycle).map(|(cycles, costs)| Extra::Costs(cycles, costs)));
-                }
-                // It is not known before the world has advanced.
-                Key::Snapshot | Key::Truth => {}
+        let Self { watchers, pool, due, .. } = self;
+        watchers.find_due(info.cycle, due);
+        let data = pool.fill(info.cycle, |data| {
+            if watchers.is_snapshot_due(info.cycle) {
+                data.snapshot.read(info, tree);
             }
+            data.read_keys(due, tree, conditions, info.time_us);
+            if due.contains(&Key::Costs) {
+                data.extras.extend(costs.read(info.cycle).map(|(cycles, costs)| Extra::Costs(cycles, costs)));
+            }
+        });
+        if let Some(data) = data {
+            watchers.send(&data);
         }
-        data.watchers = self.watchers.shared();
-        self.outgoing.add_data(data);
         self.watchers.settle(info.cycle);
         self.last = Some(info);
     }
@@ -236,27 +220,22 @@ impl Control {
         if !std::mem::replace(&mut self.stands, true) {
             self.watchers.owe_rest(info.cycle);
         }
-        let watchers = self.watchers.take_owed();
-        if watchers.is_empty() {
+        let owed = self.watchers.take_owed();
+        if owed.is_empty() {
             return;
         }
-        let mut data = self.outgoing.unused_data();
-        data.begin(info.cycle);
-        if watchers.iter().any(|watcher| watcher.every > 0) {
-            data.snapshot.read(info, tree);
-        }
-        let mut keys: Vec<Key> = watchers.iter().flat_map(|watcher| watcher.watched.keys().copied()).collect();
+        let mut keys: Vec<Key> = owed.iter().flat_map(|owed| owed.keys.keys().copied()).collect();
         keys.sort_unstable();
         keys.dedup();
-        for key in keys {
-            match key {
-                Key::Info(component, index) => data.read(tree, component, index),
-                Key::Conditions(component) => data.extras.extend(conditions.read(component, info.time_us)),
-                Key::Snapshot | Key::Costs | Key::Truth => {}
+        let data = self.pool.fill(info.cycle, |data| {
+            if owed.iter().any(|owed| owed.snapshot) {
+                data.snapshot.read(info, tree);
             }
+            data.read_keys(&keys, tree, conditions, info.time_us);
+        });
+        if let Some(data) = data {
+            self.watchers.send_owed(&data, owed);
         }
-        data.watchers = watchers;
-        self.outgoing.add_data(data);
     }
 
     /// Reports transitions and stops of this cycle to the monitors that watch them, and pauses the world at a stop.
@@ -279,11 +258,9 @@ impl Control {
         }
     }
 
-    /// Hands everything over to the thread that sends it.
+    /// Hands everything over to the threads that send it.
     pub(super) fn hand_over(&mut self) {
-        if !self.outgoing.is_empty() {
-            self.hub.exchange.offer(&mut self.outgoing, Connection::overflow);
-        }
+        self.watchers.hand_over();
         self.forget_closed();
         self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
     }
@@ -291,6 +268,19 @@ impl Control {
     fn next_cycle(&mut self) {
         self.next.cycle += 1;
         self.hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
+    }
+}
+
+impl CycleData {
+    /// Reads outputs and conditions. Costs are those of a window, and the true state is not known before the world has advanced.
+    fn read_keys<T: Tree>(&mut self, keys: &[Key], tree: &T, conditions: &ConditionTable, time_us: u64) {
+        for &key in keys {
+            match key {
+                Key::Info(component, index) => self.read(tree, component, index),
+                Key::Conditions(component) => self.extras.extend(conditions.read(component, time_us)),
+                Key::Snapshot | Key::Costs | Key::Truth => {}
+            }
+        }
     }
 }
 

@@ -1,22 +1,36 @@
 //! Messages that wait for a monitor.
 
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::collections::VecDeque;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::time::Duration;
 
 use bica::Graph;
 use bica::action::Action;
 use bica_wire::message::{
-    Answer, AnswerResult, Attached, InfoSchema, LeaseState, LogLine, LogSource, MAX_TEXT_BYTES, ParamValues, Reached,
-    RefusalCode, SCHEMA_PART_BYTES, Taken, Value, WorldState,
+    Answer, AnswerResult, Attached, Happened, InfoSchema, LeaseState, LogLine, LogSource, MAX_TEXT_BYTES, ParamValues,
+    Reached, RefusalCode, Requested, SCHEMA_PART_BYTES, Taken, Value, WorldState,
 };
 use bica_wire::{FromRobot, ToMonitor, ToMonitorExtra, TooLarge, describe, truncate};
 use postcard_schema::schema::NamedType;
 
-use super::encoded::{Encoded, EncodedPart, Watched};
+use super::cycle_data::{Due, Part};
 use super::key::Key;
 use super::picture::Picture;
 use super::scene::Sent;
 use crate::frame::Packets;
 use crate::pending::Pending;
+
+/// Largest number of messages that the loop keeps while the writer uses the queues.
+const MAX_UNSENT: usize = 1 << 16;
+/// Largest number of cycles whose data waits as it is; of older ones the newest value of each key waits.
+const MAX_DATA: usize = 8;
+/// Number of messages that wake the writer.
+const WAKE_MESSAGES: usize = 256;
+/// Time between two looks of the writer: waking it in each cycle would cost the loop a call of the operating system, which takes
+/// longer than everything else.
+const POLL: Duration = Duration::from_millis(2);
+/// Number of looks without a result after which it sleeps until it is woken.
+const POLLS: u32 = 16;
 
 /// Message of the lossless queue.
 #[derive(Clone, Debug)]
@@ -26,12 +40,25 @@ pub(super) enum Message {
     Schemas(Arc<[OutputSchema]>),
     Lease(LeaseState),
     Params(Vec<ParamValues>),
-    Answer { number: u32, cycle: u64, arrived: u64, result: AnswerKind },
-    Log { time_us: u64, level: u8, source: LogSource, text: Arc<str> },
+    Answer {
+        number: u32,
+        cycle: u64,
+        arrived: u64,
+        result: AnswerKind,
+    },
+    Log {
+        time_us: u64,
+        level: u8,
+        source: LogSource,
+        text: Arc<str>,
+    },
     World(WorldState),
     Taken(Taken),
     Reached(Reached),
     Scene(Sent),
+    Requested(Arc<Requested>),
+    /// Time, µs, kind and detail.
+    Happened(u64, Arc<str>, Arc<str>),
     Result(Arc<str>),
     Closing(&'static str),
 }
@@ -54,31 +81,70 @@ pub(super) enum AnswerKind {
     Refused { code: RefusalCode, entry: u16, text: String },
 }
 
-/// The two queues of a monitor, and the place for an image.
+/// What the loop has for a monitor and the writer has not got yet.
+#[derive(Debug, Default)]
+pub(super) struct Unsent {
+    pub(super) messages: VecDeque<Message>,
+    /// Data of cycles, the oldest first.
+    pub(super) data: VecDeque<Due>,
+    /// The newest image that was not begun.
+    pub(super) image: Option<Picture>,
+}
+
+impl Unsent {
+    pub(super) fn is_empty(&self) -> bool {
+        self.messages.is_empty() && self.data.is_empty() && self.image.is_none()
+    }
+}
+
+/// The queues of a monitor. Their lock is held for moves only, unless a monitor is slow.
 #[derive(Debug, Default)]
 pub(super) struct Outbox {
     queues: Mutex<Queues>,
     filled: Condvar,
 }
 
-/// What the writer sends next.
+/// What the writer sends next: messages and the newest values of older cycles, and the data of the last ones.
 pub(super) struct Batch {
-    pub(super) waiting: Pending<Message, Key, EncodedPart>,
+    pub(super) waiting: Pending<Message, Key, Part>,
+    pub(super) data: VecDeque<Due>,
     pub(super) image: Option<Picture>,
 }
 
 #[derive(Debug, Default)]
 struct Queues {
-    waiting: Pending<Message, Key, EncodedPart>,
-    /// The newest image that was not begun.
+    waiting: Pending<Message, Key, Part>,
+    /// The newest data of cycles.
+    data: VecDeque<Due>,
     image: Option<Picture>,
-    /// Whether the writer waits; waking it costs a call of the operating system.
-    sleeps: bool,
+    sleep: Sleep,
     closed: bool,
 }
 
+/// Waiting of the writer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Sleep {
+    #[default]
+    Awake,
+    /// It looks again soon.
+    Short,
+    /// Only a wake-up ends it.
+    Long,
+}
+
+impl Queues {
+    /// Takes the oldest data apart if there is too much: the newest value of each key waits.
+    fn limit_data(&mut self) {
+        while self.data.len() > MAX_DATA {
+            for part in self.data.pop_front().iter().flat_map(Due::parts) {
+                self.waiting.show(part.key(), part, |newer, _| newer);
+            }
+        }
+    }
+}
+
 impl Outbox {
-    /// Adds a message to the lossless queue; returns whether there was room.
+    /// Adds a message to the lossless queue; returns whether there was room. For threads that may wait, not for the loop.
     pub(super) fn push(&self, message: Message) -> bool {
         let mut queues = self.lock();
         // Each is small: their number is bounded.
@@ -87,37 +153,56 @@ impl Outbox {
         room
     }
 
-    /// Adds data of a cycle, which replaces what was not sent.
-    pub(super) fn show(&self, data: &Arc<Encoded>, snapshot: bool, watched: &Watched) {
-        let mut queues = self.lock();
-        for part in Encoded::parts(data, snapshot, watched) {
-            queues.waiting.show(part.key(), part, |newer, _| newer);
+    /// Takes over what the loop has, unless the writer uses the queues in this instant. Returns whether there was room for its
+    /// messages.
+    pub(super) fn offer(&self, unsent: &mut Unsent) -> bool {
+        let mut guard = match self.queues.try_lock() {
+            Ok(queues) => queues,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => {
+                let surplus = unsent.data.len().saturating_sub(MAX_DATA);
+                unsent.data.drain(..surplus);
+                return unsent.messages.len() < MAX_UNSENT;
+            }
+        };
+        let queues = &mut *guard;
+        let mut room = true;
+        for message in unsent.messages.drain(..) {
+            room &= queues.waiting.push(message, 0);
         }
-        self.wake(queues);
+        queues.data.append(&mut unsent.data);
+        queues.limit_data();
+        if let Some(picture) = unsent.image.take() {
+            queues.image = Some(picture);
+        }
+        let is_much = queues.data.len() >= MAX_DATA / 2 || queues.waiting.messages() >= WAKE_MESSAGES;
+        if is_much || queues.sleep == Sleep::Long {
+            self.wake(guard);
+        }
+        room
     }
 
-    /// Sets the image that is sent next; one that was not begun is replaced.
-    pub(super) fn show_image(&self, picture: Picture) {
-        let mut queues = self.lock();
-        queues.image = Some(picture);
-        self.wake(queues);
-    }
-
-    /// Waits for messages and takes all; `None` after [`close`](Self::close). It does not wait, and leaves the next image, while
-    /// `is_sending` an image.
+    /// Waits for messages, data or an image and takes all; `None` after [`close`](Self::close). It looks again [some times](POLLS),
+    /// then waits until it is woken. It does not wait, and leaves the next image, while `is_sending` an image.
     pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
-        let mut queues = self.lock();
-        let is_idle = |queues: &Queues| queues.waiting.is_empty() && queues.image.is_none();
+        let (mut queues, mut polls) = (self.lock(), 0);
+        let is_idle = |queues: &Queues| queues.waiting.is_empty() && queues.data.is_empty() && queues.image.is_none();
         while !is_sending && is_idle(&queues) && !queues.closed {
-            queues.sleeps = true;
-            queues = self.filled.wait(queues).unwrap_or_else(PoisonError::into_inner);
+            if polls < POLLS {
+                polls += 1;
+                queues.sleep = Sleep::Short;
+                queues = self.filled.wait_timeout(queues, POLL).unwrap_or_else(PoisonError::into_inner).0;
+            } else {
+                queues.sleep = Sleep::Long;
+                queues = self.filled.wait(queues).unwrap_or_else(PoisonError::into_inner);
+            }
         }
-        queues.sleeps = false;
-        let queues = &mut *queues;
-        (!queues.closed).then(|| Batch {
-            waiting: std::mem::take(&mut queues.waiting),
-            image: if is_sending { None } else { queues.image.take() },
-        })
+        queues.sleep = Sleep::Awake;
+        if queues.closed {
+            return None;
+        }
+        let image = if is_sending { None } else { queues.image.take() };
+        Some(Batch { waiting: std::mem::take(&mut queues.waiting), data: std::mem::take(&mut queues.data), image })
     }
 
     /// Ends the thread that takes messages.
@@ -128,9 +213,9 @@ impl Outbox {
     }
 
     fn wake(&self, mut queues: MutexGuard<'_, Queues>) {
-        let sleeps = std::mem::take(&mut queues.sleeps);
+        let sleep = std::mem::take(&mut queues.sleep);
         drop(queues);
-        if sleeps {
+        if sleep != Sleep::Awake {
             self.filled.notify_one();
         }
     }
@@ -179,6 +264,11 @@ impl Message {
             Self::Taken(taken) => packets.push_extra(&ToMonitorExtra::Taken(*taken)),
             Self::Reached(reached) => packets.push_extra(&ToMonitorExtra::Reached(*reached)),
             Self::Scene(sent) => sent.messages(|message| packets.push_extra(message)),
+            Self::Requested(requested) => packets.push_extra(&ToMonitorExtra::Requested((**requested).clone())),
+            Self::Happened(time_us, kind, detail) => {
+                let (kind, detail) = (truncate(kind, MAX_TEXT_BYTES), truncate(detail, MAX_TEXT_BYTES));
+                packets.push_extra(&ToMonitorExtra::Happened(Happened { time_us: *time_us, kind, detail }))
+            }
             Self::Result(text) => packets.push_extra(&ToMonitorExtra::Result(truncate(text, MAX_TEXT_BYTES))),
             Self::Closing(reason) => packets.push(&ToMonitor::Closing { reason }),
         }
@@ -193,4 +283,58 @@ fn in_parts(
     let bytes = postcard::to_stdvec(schema).map_err(|_| TooLarge)?;
     let count = bytes.len().div_ceil(SCHEMA_PART_BYTES);
     bytes.chunks(SCHEMA_PART_BYTES).zip(1..).try_for_each(|(bytes, number)| part(number == count, bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::cycle_data::{Watched, tests::data};
+    use super::*;
+
+    /// Offers a message and the data of each of 20 cycles, of which nobody takes any.
+    fn offer(outbox: &Outbox, unsent: &mut Unsent) {
+        let watched = Arc::new(Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]));
+        for cycle in 0..20 {
+            unsent.messages.push_back(Message::Happened(cycle, "".into(), "".into()));
+            let data = data(cycle, &[0, 1]);
+            unsent.data.push_back(Due { data, snapshot: true, watched: Arc::clone(&watched) });
+            assert!(outbox.offer(unsent));
+        }
+    }
+
+    /// Takes everything: the times of the messages, and the keys of the data with their cycles.
+    fn take(outbox: &Outbox) -> (Vec<u64>, Vec<(Key, u64)>) {
+        let Batch { mut waiting, data, .. } = outbox.take(false).unwrap();
+        let time = |message| match message {
+            Message::Happened(time_us, ..) => time_us,
+            _ => panic!("another message"),
+        };
+        let times = std::iter::from_fn(|| waiting.message()).map(time).collect();
+        let parts = std::iter::from_fn(|| waiting.data()).chain(data.iter().flat_map(Due::parts));
+        (times, parts.map(|part| (part.key(), part.cycle())).collect())
+    }
+
+    /// The data of the last cycles.
+    fn last() -> impl Iterator<Item = (Key, u64)> {
+        (12..20).flat_map(|cycle| [(Key::Snapshot, cycle), (Key::Info(0, 0), cycle)])
+    }
+
+    #[test]
+    fn slow_writer_gets_all_messages_and_newest_values() {
+        let (outbox, mut unsent) = (Outbox::default(), Unsent::default());
+        offer(&outbox, &mut unsent);
+        assert!(unsent.is_empty());
+        let older = [(Key::Snapshot, 11), (Key::Info(0, 0), 11), (Key::Info(0, 1), 0)];
+        assert_eq!(take(&outbox), ((0..20).collect(), older.into_iter().chain(last()).collect()));
+    }
+
+    #[test]
+    fn loop_keeps_little_while_the_writer_is_busy() {
+        let (outbox, mut unsent) = (Outbox::default(), Unsent::default());
+        let busy = outbox.lock();
+        offer(&outbox, &mut unsent);
+        drop(busy);
+        assert_eq!((unsent.messages.len(), unsent.data.len()), (20, MAX_DATA));
+        assert!(outbox.offer(&mut unsent) && unsent.is_empty());
+        assert_eq!(take(&outbox), ((0..20).collect(), last().collect()));
+    }
 }

@@ -102,9 +102,12 @@ impl Requests for LinkRequests {
     }
 
     fn answered(&mut self, now: Instant, result: Result<(), Refusal>) {
-        let Some(Current::Operator(applied)) = self.current.take() else { return };
         let mut control = lock(&self.control);
-        let text = control.hub.description.named(applied.change.borrow()).to_string();
+        let applied = match self.current.take() {
+            Some(Current::Operator(applied)) => applied,
+            Some(Current::Ending(change)) => return control.announce_change(now, &change),
+            None => return,
+        };
         match result {
             Ok(()) => {
                 let graph = control.hub.graph;
@@ -115,17 +118,19 @@ impl Requests for LinkRequests {
                 if let Change::World { .. } = applied.change {
                     control.watchers.owe_truth();
                 }
+                control.announce_change(now, &applied.change);
                 control.applied.push(*applied);
-                control.log(now, 2, &text);
                 if ended {
                     control.announce_lease(now);
                     control.log(now, 3, "the stop has ended control: holds and rates end");
                 }
             }
             Err(refusal) => {
-                let Applied { connection, number, arrived, .. } = *applied;
                 let (entry, reason) = (refusal.entry as u16, refusal.to_string());
-                control.log(now, 3, &format!("{text} refused: {reason}"));
+                let text = control.hub.description.named(applied.change.borrow());
+                let text = format!("{text} refused: {reason}");
+                control.log(now, 3, &text);
+                let Applied { connection, number, arrived, .. } = *applied;
                 let is_of_world = matches!(applied.change, Change::World { .. });
                 let code = if is_of_world { RefusalCode::World } else { RefusalCode::Tree };
                 control.refuse(connection, number, arrived, code, entry, reason);

@@ -11,7 +11,7 @@ use bica_wire::{FromMonitor, FromMonitorExtra, Packet, ToMonitor, ToRobot};
 
 use super::connection::Connection;
 use super::counters::Counters;
-use super::encoded::EncodedPart;
+use super::cycle_data::{Due, Part};
 use super::hub::{Command, Hub, MAX_PENDING};
 use super::key::Key;
 use super::options::MAX_MONITORS;
@@ -57,9 +57,9 @@ fn reject(stream: &mut Stream) {
 }
 
 /// A place of a monitor, until it is dropped.
-struct Place(Arc<Counters>);
+struct MonitorSlot(Arc<Counters>);
 
-impl Place {
+impl MonitorSlot {
     fn take(counters: &Arc<Counters>) -> Option<Self> {
         let more = |open| (open < MAX_MONITORS).then_some(open + 1);
         counters.open.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more).ok()?;
@@ -67,7 +67,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for MonitorSlot {
     fn drop(&mut self) {
         self.0.open.fetch_sub(1, Ordering::Relaxed);
     }
@@ -78,15 +78,15 @@ fn read(hub: &Arc<Hub>, connection: &Arc<Connection>, stream: &mut Stream) {
     let mut receiver = if stream.is_serial() { Receiver::new() } else { Receiver::strict() };
     let mut heard = Instant::now();
     let mut damaged = 0;
-    let (mut place, mut is_full) = (None, false);
+    let (mut slot, mut is_full) = (None, false);
     while !connection.is_closed() && !hub.stopped.load(Ordering::Relaxed) {
         let mut served = true;
         let reading = receiver.receive(stream, |packet| match decode(&packet) {
             Some(message) if !connection.is_closed() && !is_full => {
                 heard = Instant::now();
-                if place.is_none() {
-                    place = Place::take(&hub.counters);
-                    is_full = place.is_none();
+                if slot.is_none() {
+                    slot = MonitorSlot::take(&hub.counters);
+                    is_full = slot.is_none();
                     if is_full {
                         return;
                     }
@@ -107,7 +107,7 @@ fn read(hub: &Arc<Hub>, connection: &Arc<Connection>, stream: &mut Stream) {
             return;
         }
         let ended = matches!(reading, Ok(Reading::End) | Err(_));
-        let longest = if place.is_some() || stream.is_serial() { IDLE } else { FIRST };
+        let longest = if slot.is_some() || stream.is_serial() { IDLE } else { FIRST };
         if ended || !served || heard.elapsed() > longest {
             return;
         }
@@ -177,7 +177,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
 fn write(connection: &Connection, mut stream: Stream) {
     let mut packets = Packets::new();
     let mut sending: Option<Sending> = None;
-    while let Some(Batch { mut waiting, image }) = connection.take(sending.is_some()) {
+    while let Some(Batch { mut waiting, data, image }) = connection.take(sending.is_some()) {
         let mut closing = false;
         while let Some(message) = waiting.message() {
             closing |= matches!(message, Message::Closing(_));
@@ -190,8 +190,8 @@ fn write(connection: &Connection, mut stream: Stream) {
         }
         let mut parts: Vec<_> = std::iter::from_fn(|| waiting.data()).collect();
         // The snapshot, which has the time of the cycle, comes first.
-        parts.sort_by_key(EncodedPart::key);
-        for part in parts {
+        parts.sort_by_key(Part::key);
+        for part in parts.into_iter().chain(data.iter().flat_map(Due::parts)) {
             let _ = part.frame(&mut packets);
         }
         sending = sending.or_else(|| image.map(Sending::new));

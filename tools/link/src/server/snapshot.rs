@@ -5,7 +5,7 @@ use bica_wire::message::{ComponentState, ComponentStates, CycleInfo, MAX_STATES}
 use bica_wire::{ToMonitor, TooLarge};
 
 /// State of a tree after a cycle, or nothing.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Snapshot {
     info: CycleInfo,
     states: Vec<ComponentState>,

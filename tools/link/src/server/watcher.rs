@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use super::connection::Connection;
-use super::encoded::Watched;
+use super::cycle_data::Watched;
 use super::key::Key;
+use super::outbox::Unsent;
 
 /// Largest number of information and components with conditions that a monitor watches.
 pub(super) const MAX_WATCHED: usize = 512;
 
 /// A monitor as the loop sees it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Watcher {
     pub(super) connection: Arc<Connection>,
     /// A snapshot in every n-th cycle; 0: none.
@@ -18,17 +19,13 @@ pub(super) struct Watcher {
     pub(super) watched: Arc<Watched>,
     /// Every n-th image; 0: none.
     pub(super) images: u16,
+    /// What the writer has not got yet.
+    pub(super) unsent: Unsent,
 }
 
 impl Watcher {
     pub(super) fn new(connection: Arc<Connection>) -> Self {
-        Self { connection, every: 0, watched: Arc::default(), images: 0 }
-    }
-
-    /// The same monitor, watching only these in each cycle.
-    pub(super) fn only(&self, snapshot: bool, keys: impl IntoIterator<Item = Key>) -> Self {
-        let watched = Arc::new(keys.into_iter().map(|key| (key, 1)).collect());
-        Self { connection: Arc::clone(&self.connection), every: snapshot.into(), watched, images: 0 }
+        Self { connection, every: 0, watched: Arc::default(), images: 0, unsent: Unsent::default() }
     }
 
     /// Whether a snapshot is due in a cycle.

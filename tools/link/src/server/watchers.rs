@@ -3,15 +3,15 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use super::cycle_data::{CycleData, Due, Watched};
 use super::key::Key;
+use super::picture::Picture;
 use super::watcher::{MAX_WATCHED, Watcher};
 
 /// All monitors, and what at least one of them watches.
 #[derive(Debug, Default)]
 pub(super) struct Watchers {
     list: Vec<Watcher>,
-    /// Copy of the list for the distributor, if nothing changed since.
-    shared: Option<Arc<[Watcher]>>,
     /// What monitors have not got since they watch it. It is sent when it is due, or when the world is paused.
     owed: HashMap<u64, Owed>,
 }
@@ -23,22 +23,31 @@ struct Owed {
     keys: HashSet<Key>,
 }
 
+/// What a monitor is sent because it is owed it.
+pub(super) struct OwedTo {
+    connection: u64,
+    pub(super) snapshot: bool,
+    pub(super) keys: Arc<Watched>,
+}
+
 impl Watchers {
     pub(super) fn iter(&self) -> impl Iterator<Item = &Watcher> {
         self.list.iter()
+    }
+
+    pub(super) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Watcher> {
+        self.list.iter_mut()
     }
 
     pub(super) fn find(&self, connection: u64) -> Option<&Watcher> {
         self.list.iter().find(|watcher| watcher.connection.id == connection)
     }
 
-    fn find_mut(&mut self, connection: u64) -> Option<&mut Watcher> {
-        self.shared = None;
+    pub(super) fn find_mut(&mut self, connection: u64) -> Option<&mut Watcher> {
         self.list.iter_mut().find(|watcher| watcher.connection.id == connection)
     }
 
     pub(super) fn add(&mut self, watcher: Watcher) {
-        self.shared = None;
         self.list.push(watcher);
     }
 
@@ -106,25 +115,63 @@ impl Watchers {
         }
     }
 
-    /// The monitors that are owed the true state, and nothing else; they are owed it no more.
-    pub(super) fn take_owed_truth(&mut self) -> Arc<[Watcher]> {
+    /// Takes the true state that monitors are owed.
+    pub(super) fn take_owed_truth(&mut self) -> Vec<OwedTo> {
+        let truth = Arc::new(Watched::from([(Key::Truth, 1)]));
         let Self { list, owed, .. } = self;
         let owed_to =
             |watcher: &&Watcher| owed.get_mut(&watcher.connection.id).is_some_and(|owed| owed.keys.remove(&Key::Truth));
-        let only = |watcher: &Watcher| watcher.only(false, [Key::Truth]);
-        list.iter().filter(owed_to).map(only).collect()
+        let list = list.iter().filter(owed_to);
+        list.map(|watcher| OwedTo { connection: watcher.connection.id, snapshot: false, keys: Arc::clone(&truth) })
+            .collect()
     }
 
-    /// What is owed but the true state, as monitors that watch just that in each cycle; it is owed no more.
-    pub(super) fn take_owed(&mut self) -> Arc<[Watcher]> {
+    /// Takes what monitors are owed but the true state.
+    pub(super) fn take_owed(&mut self) -> Vec<OwedTo> {
         let Self { list, owed, .. } = self;
         let take = |watcher: &Watcher| {
-            let owed = owed.get_mut(&watcher.connection.id)?;
-            let keys: Vec<Key> = owed.keys.extract_if(|key| *key != Key::Truth).collect();
+            let connection = watcher.connection.id;
+            let owed = owed.get_mut(&connection)?;
+            let keys: Watched = owed.keys.extract_if(|key| *key != Key::Truth).map(|key| (key, 1)).collect();
             let snapshot = std::mem::take(&mut owed.snapshot);
-            (snapshot || !keys.is_empty()).then(|| watcher.only(snapshot, keys))
+            (snapshot || !keys.is_empty()).then(|| OwedTo { connection, snapshot, keys: Arc::new(keys) })
         };
         list.iter().filter_map(take).collect()
+    }
+
+    /// Sends what is due in a cycle to each monitor.
+    pub(super) fn send(&mut self, data: &Arc<CycleData>) {
+        for watcher in &mut self.list {
+            let snapshot = !data.snapshot.is_empty() && watcher.is_due(data.cycle);
+            if snapshot || !watcher.watched.is_empty() {
+                let (data, watched) = (Arc::clone(data), Arc::clone(&watcher.watched));
+                watcher.unsent.data.push_back(Due { data, snapshot, watched });
+            }
+        }
+    }
+
+    /// Sends what monitors were owed.
+    pub(super) fn send_owed(&mut self, data: &Arc<CycleData>, owed: Vec<OwedTo>) {
+        for OwedTo { connection, snapshot, keys } in owed {
+            if let Some(watcher) = self.find_mut(connection) {
+                watcher.unsent.data.push_back(Due { data: Arc::clone(data), snapshot, watched: keys });
+            }
+        }
+    }
+
+    /// Sends an image to those that get it, in a world that `stands` still or does not.
+    pub(super) fn send_image(&mut self, picture: &Picture, stands: bool) {
+        for watcher in self.list.iter_mut().filter(|watcher| watcher.wants_image(picture.number, stands)) {
+            watcher.connection.shows_image(picture.number);
+            watcher.unsent.image = Some(picture.clone());
+        }
+    }
+
+    /// Hands everything over to the writers.
+    pub(super) fn hand_over(&mut self) {
+        for Watcher { connection, unsent, .. } in self.list.iter_mut().filter(|watcher| !watcher.unsent.is_empty()) {
+            connection.offer(unsent);
+        }
     }
 
     /// Removes those that are disconnected; returns their connections.
@@ -132,7 +179,6 @@ impl Watchers {
         if !self.list.iter().any(|watcher| watcher.connection.is_closed()) {
             return Vec::new();
         }
-        self.shared = None;
         let closed: Vec<_> = self.list.extract_if(.., |watcher| watcher.connection.is_closed()).collect();
         let forget = |watcher: Watcher| {
             self.owed.remove(&watcher.connection.id);
@@ -165,18 +211,8 @@ impl Watchers {
         self.list.iter().any(|watcher| watcher.watched.contains_key(&key))
     }
 
-    /// Those that get the image with a number, in a world that `stands` still or does not.
-    pub(super) fn of_image(&self, number: u32, stands: bool) -> Arc<[Watcher]> {
-        self.list.iter().filter(|watcher| watcher.wants_image(number, stands)).cloned().collect()
-    }
-
     /// Whether somebody watches images, ready for the next one or not.
     pub(super) fn wants_images(&self) -> bool {
         self.list.iter().any(|watcher| watcher.images > 0)
-    }
-
-    /// The monitors as they are now.
-    pub(super) fn shared(&mut self) -> Arc<[Watcher]> {
-        Arc::clone(self.shared.get_or_insert_with(|| self.list.as_slice().into()))
     }
 }

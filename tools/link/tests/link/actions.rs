@@ -1,23 +1,17 @@
 //! Actions of a simulated world.
 
 use bica::Value;
-use bica_link::{Client, Event, ServerOptions, Truth};
+use bica_link::{Event, ServerOptions, Truth};
 use bica_wire::message::{ExtraKind, RefusalCode, WorldChange};
 use bica_wire::model::{NamedRequest, Plain};
 
 use crate::extras::distance;
-use crate::session::{FARTHEST, Session, anywhere, next, placed, refusal};
+use crate::session::{FARTHEST, Session, Way, logged, next, over_ways, placed, refusal};
 
 const NEAR: [Value; 1] = [Value::F32(1.0)];
 
-/// Waits for a line of the log that contains a text.
-fn logged(client: &mut Client, text: &str) {
-    next!(client, text, Event::Log { text: line, .. } if line.contains(text) => ());
-}
-
-#[test]
-fn actions_are_found_by_name() {
-    let session = Session::start_world();
+fn actions_are_found_by_name(way: Way) {
+    let session = Session::start_world(way);
     let client = session.client();
     let request = |action: &str, x: f64| {
         let arguments = vec![Plain::Number(x)];
@@ -30,9 +24,8 @@ fn actions_are_found_by_name() {
     assert!(request("place_wall", 9.0).unwrap_err().to_string().contains("9 is outside 0..=3"));
 }
 
-#[test]
-fn an_action_is_in_force_in_the_cycle_of_its_answer() {
-    let session = Session::start_world();
+fn an_action_is_in_force_in_the_cycle_of_its_answer(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     watcher.watch_extra(ExtraKind::Truth, 1).unwrap();
     operator.acquire(false).unwrap();
@@ -52,9 +45,8 @@ fn an_action_is_in_force_in_the_cycle_of_its_answer() {
     }
 }
 
-#[test]
-fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
-    let session = Session::start_world();
+fn refused_action_is_answered_with_its_reason(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     let error = operator.request(placed(&[Value::F32(0.0)])).unwrap_err();
@@ -68,9 +60,8 @@ fn an_action_that_the_world_refuses_is_answered_with_its_reason() {
     operator.request(placed(&[Value::F32(FARTHEST)])).unwrap();
 }
 
-#[test]
-fn only_the_operator_acts_and_nothing_old_is_applied() {
-    let session = Session::start_world();
+fn only_the_operator_acts_and_nothing_old_is_applied(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut other) = (session.client(), session.client());
     assert_eq!(refusal(other.request(placed(&NEAR))).0, RefusalCode::NoLease);
     operator.acquire(false).unwrap();
@@ -84,9 +75,8 @@ fn only_the_operator_acts_and_nothing_old_is_applied() {
     operator.answer(number).unwrap();
 }
 
-#[test]
-fn an_unknown_action_and_a_server_for_watching_refuse() {
-    let session = Session::start_world();
+fn an_unknown_action_and_a_server_for_watching_refuse(way: Way) {
+    let session = Session::start_world(way);
     let mut client = session.client();
     client.acquire(false).unwrap();
     let unknown = bica::runner::Request::World { action: 1, arguments: &NEAR };
@@ -95,7 +85,15 @@ fn an_unknown_action_and_a_server_for_watching_refuse() {
     session.run(20);
 
     let options = ServerOptions { watch_only: true, ..ServerOptions::default() };
-    let session = Session::serve(&anywhere(), options);
+    let session = Session::serve(way, options);
     assert_eq!(refusal(session.client().request(placed(&NEAR))).0, RefusalCode::Unsupported);
     session.run(20);
+}
+
+over_ways! { memory tcp serial:
+    actions_are_found_by_name
+}
+over_ways! { memory tcp:
+    an_action_is_in_force_in_the_cycle_of_its_answer, refused_action_is_answered_with_its_reason,
+    only_the_operator_acts_and_nothing_old_is_applied, an_unknown_action_and_a_server_for_watching_refuse
 }

@@ -16,14 +16,14 @@ use bica_wire::{Encoder, FromMonitor};
 use crate::faults::{assert_served, cut, monitor_packet, raw};
 use crate::proxy::Proxy;
 use crate::robot::{CART, OtherTree};
-use crate::session::{CYCLE_US, LIMIT, Session, anywhere, connect, silence_ends_lease};
+use crate::session::{CYCLE_US, LIMIT, Session, Way, anywhere, connect};
 
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 
 /// Attacks 1 and 3: a web page makes a browser send packets to the link. What it chooses comes behind a head.
 #[test]
-fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
-    let session = Session::start();
+fn connection_without_a_packet_is_closed() {
+    let session = Session::start(Way::Tcp);
     let http = b"POST / HTTP/1.1\r\nHost: 127.0.0.1:7400\r\nContent-Type: text/plain\r\nContent-Length: 200\r\n\r\n";
     let handshake = [0x16, 3, 1, 2, 0, 1, 0, 1, 0xfc, 3, 3];
     for (number, head) in (1..).zip([&http[..], &handshake]) {
@@ -40,7 +40,7 @@ fn a_connection_that_begins_with_something_else_than_a_packet_is_closed() {
 /// Attack 11: connections that send nothing take no place of a monitor, nor does a newer one wait for them.
 #[test]
 fn silent_connections_leave_room_for_an_operator() {
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let mut silent: Vec<_> = (0..3 * MAX_MONITORS).map(|_| raw(&session)).collect();
     let mut operator = session.client();
     operator.acquire(false).unwrap();
@@ -60,29 +60,15 @@ fn assert_closed(stream: &mut TcpStream) {
     assert!(read.map_or_else(|kind| cut.contains(&kind), |count| count == 0), "{read:?}");
 }
 
-/// Attack 8: the operator's program was killed, or its network is gone.
-#[test]
-fn the_lease_of_an_operator_that_is_gone_ends_on_the_robots_clock() {
-    let silence = Duration::from_secs(30);
-    let session = Session::start_with(&anywhere(), silence);
-    let mut watcher = session.client();
-    watcher.watch(1).unwrap();
-    let mut operator = session.client();
-    operator.acquire(false).unwrap();
-    let last = operator.request(HOLD).unwrap().cycle;
-    drop(operator);
-    silence_ends_lease(&mut watcher, last, silence);
-}
-
 /// Attack 15: the same robot, started again, has another operator.
 #[test]
 fn a_lease_of_an_earlier_run_is_void() {
-    let first = Session::start();
+    let first = Session::start(Way::Tcp);
     let proxy = Proxy::start(first.server.address());
     let mut client = connect(&proxy.address.parse().unwrap());
     client.acquire(false).unwrap();
     let old = client.lease().lease;
-    let second = Session::start();
+    let second = Session::start(Way::Tcp);
     let mut other = second.client();
     other.acquire(false).unwrap();
     assert_ne!(other.lease().lease, old);
@@ -113,7 +99,7 @@ impl World<OtherTree> for Still {
 /// Attack 15: another robot answers at the address.
 #[test]
 fn a_client_does_not_continue_with_another_robot() {
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let proxy = Proxy::start(session.server.address());
     let mut client = connect(&proxy.address.parse().unwrap());
     client.acquire(false).unwrap();

@@ -15,8 +15,8 @@ use bica_wire::message::{
 
 use crate::robot::{CART, CartTree};
 use crate::session::{
-    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, anywhere, event, is_late, next, placed,
-    snapshot,
+    BRICKS, CAMERA, COLOURS, CYCLE_US, HEIGHT, PIXELS, Session, WIDTH, Wall, Way, event, is_late, next, over_ways,
+    placed, snapshot,
 };
 
 const PAUSE: WorldChange = WorldChange::Pause;
@@ -32,9 +32,8 @@ fn image(client: &mut Client) -> Image {
     next!(client, "an image", Event::Image(image) => image)
 }
 
-#[test]
-fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
-    let session = Session::start_world();
+fn paused_world_applies_requests_and_counts_steps(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     world(&mut watcher, "the state when it attaches", |state| !state.paused);
     watcher.watch(1).unwrap();
@@ -69,9 +68,8 @@ fn a_paused_world_applies_requests_and_runs_exactly_the_requested_steps() {
     session.run(20);
 }
 
-#[test]
-fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
-    let session = Session::start_world();
+fn monitor_gets_all_of_a_paused_world_s_last_cycle(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut slow) = (session.client(), session.client());
     let seldom = |client: &mut Client| {
         client.watch(10_000).unwrap();
@@ -105,11 +103,10 @@ fn a_monitor_that_comes_to_a_paused_world_gets_everything_of_the_last_cycle() {
     assert_eq!(session.cycles(), last + 1, "time stands still");
 }
 
-#[test]
-fn the_operator_is_silent_in_a_paused_world_too() {
+fn the_operator_is_silent_in_a_paused_world_too(way: Way) {
     let silence = Duration::from_secs(2);
     let options = bica_link::ServerOptions { silence, offers: Offers::PAUSE, ..bica_link::ServerOptions::default() };
-    let session = Session::serve(&anywhere(), options);
+    let session = Session::serve(way, options);
     let (mut silent, mut next) = (session.client(), session.client());
     silent.acquire(false).unwrap();
     silent.change_world(PAUSE).unwrap();
@@ -121,9 +118,8 @@ fn the_operator_is_silent_in_a_paused_world_too() {
     session.run(20);
 }
 
-#[test]
-fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
-    let session = Session::start();
+fn time_stops_only_for_a_world_s_operator(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     assert_eq!(client.offers(), Offers::OPERATE.with(Offers::CONDITIONS).with(Offers::COSTS).with(Offers::IMAGES));
     client.acquire(false).unwrap();
@@ -138,7 +134,7 @@ fn time_is_stopped_only_by_the_operator_of_a_simulated_world() {
     session.run(50);
     assert!(matches!(client.watch_extra(ExtraKind::Truth, 1), Err(Error::NotOffered(_))));
 
-    let session = Session::start_world();
+    let session = Session::start_world(way);
     let mut watcher = session.client();
     let refused = watcher.change_world(PAUSE);
     assert!(matches!(refused, Err(Error::Refused { code: RefusalCode::NoLease, .. })), "{refused:?}");
@@ -181,10 +177,9 @@ impl Probe for Oracle {
 
 impl Observer<CartTree> for Oracle {}
 
-#[test]
-fn conditions_and_the_true_state_are_those_of_their_cycle() {
+fn conditions_and_truth_are_of_their_cycle(way: Way) {
     const CYCLES: usize = 2000;
-    let session = Session::start_world();
+    let session = Session::start_world(way);
     let mut client = session.client();
     client.watch_extra(CONDITIONS, 3).unwrap();
     client.watch_extra(ExtraKind::Truth, 5).unwrap();
@@ -229,9 +224,8 @@ pub(crate) fn distance(truth: &Truth) -> f32 {
     truth.value("cart").and_then(|cart| cart["x"].as_f64()).expect("the cart has a pose") as f32
 }
 
-#[test]
-fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_world_declares_them() {
-    let session = Session::start_world();
+fn attached_monitor_gets_scenery_result_and_items(way: Way) {
+    let session = Session::start_world(way);
     let mut client = session.client();
     client.watch_extra(ExtraKind::Truth, 1).unwrap();
     let truth = next!(&mut client, "the true state", Event::Truth(truth) => truth);
@@ -257,7 +251,7 @@ fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_w
         assert_eq!((lines.len(), &lines[BRICKS - 1]["end"]["x"]), (BRICKS, &(BRICKS as f64 - 1.0).into()));
         assert_eq!(result.as_deref(), Some("it is over"));
     }
-    let mut alone = Session::start().client();
+    let mut alone = Session::start(way).client();
     assert!(!alone.offers().contains(Offers::TRUTH));
     while let Some(event) = alone.poll(Duration::from_millis(50)).unwrap() {
         assert!(!matches!(event, Event::Scenery(_) | Event::Result(_)), "{event:?}");
@@ -267,9 +261,8 @@ fn a_monitor_gets_the_scenery_and_the_result_when_it_attaches_and_items_as_the_w
     }
 }
 
-#[test]
-fn costs_have_the_runs_of_their_window() {
-    let session = Session::start();
+fn costs_have_the_runs_of_their_window(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     client.watch_extra(ExtraKind::Costs, 1).unwrap();
     let mut next = || next!(&mut client, "costs", Event::Costs(costs) => costs);
@@ -295,9 +288,8 @@ fn costs_have_the_runs_of_their_window() {
     }
 }
 
-#[test]
-fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
-    let session = Session::start_world();
+fn monitor_gets_the_newest_image_next(way: Way) {
+    let session = Session::start_world(way);
     let (mut slow, mut other) = (session.client(), session.client());
     for client in [&mut slow, &mut other] {
         client.watch_extra(ExtraKind::Images, 3).unwrap();
@@ -335,9 +327,8 @@ fn of_images_a_monitor_gets_the_newest_after_it_has_taken_the_last() {
     }
 }
 
-#[test]
-fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease() {
-    let session = Session::start_world();
+fn world_pauses_at_a_stop_unless_leased(way: Way) {
+    let session = Session::start_world(way);
     let (mut watcher, mut operator) = (session.client(), session.client());
     // The cart waits while the wall is near, and approaches it when it is far.
     let [near, far] = [0.1, 3.0].map(|x| [Value::F32(x)]);
@@ -375,4 +366,13 @@ fn a_world_pauses_at_the_cycle_of_a_stop_unless_another_monitor_owns_the_lease()
     operator.request(placed(&near)).unwrap();
     assert!(!reached(&mut watcher).0.paused);
     session.run(20);
+}
+
+over_ways! { memory tcp serial:
+    time_stops_only_for_a_world_s_operator, conditions_and_truth_are_of_their_cycle, costs_have_the_runs_of_their_window
+}
+over_ways! { memory tcp:
+    paused_world_applies_requests_and_counts_steps, monitor_gets_all_of_a_paused_world_s_last_cycle,
+    the_operator_is_silent_in_a_paused_world_too, attached_monitor_gets_scenery_result_and_items,
+    monitor_gets_the_newest_image_next, world_pauses_at_a_stop_unless_leased
 }

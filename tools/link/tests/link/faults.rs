@@ -7,13 +7,13 @@ use std::thread;
 use std::time::Duration;
 
 use bica::runner::Request;
-use bica_link::{Client, ClientOptions, Error, Event, LinkServer, ServerOptions};
+use bica_link::{Address, Client, ClientOptions, Error, Event, LinkServer, Memory, ServerOptions};
 use bica_wire::message::{ClockMode, Hello, Hold, Setting, Value, Watch, WatchInfo};
 use bica_wire::{Encoder, FromMonitor, FromRobot, MAX_PACKET, SCHEMA, ToRobot};
 
 use crate::proxy::Proxy;
 use crate::robot::{CART, CartTree};
-use crate::session::{Session, connect, next, snapshot};
+use crate::session::{Session, Way, connect, next, snapshot};
 
 /// A connection without a client.
 pub(crate) fn raw(session: &Session) -> TcpStream {
@@ -37,8 +37,8 @@ pub(crate) fn assert_served(session: &Session) {
 }
 
 #[test]
-fn a_monitor_that_never_reads_is_disconnected_and_disturbs_nobody() {
-    let session = Session::start();
+fn monitor_that_never_reads_is_disconnected() {
+    let session = Session::start(Way::Tcp);
     let mut deaf = raw(&session);
     let mut encoder = Encoder::new();
     for message in [
@@ -64,7 +64,7 @@ fn a_monitor_that_never_reads_is_disconnected_and_disturbs_nobody() {
 #[test]
 fn a_storm_of_requests_is_limited_in_each_cycle() {
     const STORM: usize = 5000;
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     let mut watcher = session.client();
@@ -88,9 +88,9 @@ fn a_storm_of_requests_is_limited_in_each_cycle() {
 }
 
 #[test]
-fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() {
+fn messages_before_a_cycle_are_limited() {
     const EACH: usize = 32;
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let mut clients: Vec<_> = (0..6).map(|_| session.client()).collect();
     session.pause(true);
     for client in &mut clients {
@@ -113,8 +113,8 @@ fn of_the_messages_of_all_monitors_a_limited_number_is_handled_before_a_cycle() 
 }
 
 #[test]
-fn garbage_and_messages_of_the_game_are_counted_and_skipped() {
-    let session = Session::start();
+fn garbage_is_counted_and_skipped() {
+    let session = Session::start(Way::Tcp);
     let mut link = raw(&session);
     let mut encoder = Encoder::new();
     link.write_all(&monitor_packet(&mut encoder, &FromMonitor::Attach)).unwrap();
@@ -151,6 +151,19 @@ fn other_addresses_than_loopback_need_permission() {
     start(true).unwrap();
 }
 
+#[test]
+fn place_in_memory_is_served_while_its_server_runs() {
+    let place = Memory::default();
+    let address = Address::Memory(place.clone());
+    assert!(!place.is_served_within(Duration::ZERO));
+    let served = LinkServer::start::<CartTree>(&address, ServerOptions::default()).unwrap();
+    assert!(place.is_served_within(Duration::ZERO));
+    drop(served);
+    assert!(!place.is_served_within(Duration::ZERO));
+    let options = ClientOptions { timeout: Duration::from_millis(1), ..ClientOptions::default() };
+    assert!(matches!(Client::connect(&address, options), Err(Error::Connect { .. })));
+}
+
 /// Waits until a connection is cut; returns the reason.
 pub(crate) fn cut(client: &mut Client) -> Error {
     loop {
@@ -161,8 +174,8 @@ pub(crate) fn cut(client: &mut Client) -> Error {
 }
 
 #[test]
-fn a_client_connects_again_and_continues_watching_and_its_lease() {
-    let session = Session::start();
+fn reconnected_client_keeps_watches_and_lease() {
+    let session = Session::start(Way::Tcp);
     let proxy = Proxy::start(session.server.address());
     let mut client = connect(&proxy.address.parse().unwrap());
     client.watch(1).unwrap();

@@ -7,6 +7,7 @@ mod actions;
 mod attacks;
 mod extras;
 mod faults;
+mod microcontroller;
 mod monitors;
 mod operators;
 mod proxy;

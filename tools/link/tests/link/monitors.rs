@@ -4,26 +4,24 @@ use std::time::Duration;
 
 use bica::Tree;
 use bica::action::Actions;
-use bica::runner::{Request, Runner};
-use bica_link::{Description, Error, Event, MAX_MONITORS};
+use bica::runner::{OwnedRequest, Request, Runner};
+use bica_link::{Description, Error, Event, MAX_MONITORS, decode_output};
 use bica_wire::message::{Hold, LogSource, Setting, Value};
 
 use crate::faults::cut;
 use crate::robot::{CART, CartTree, DRIVE};
-use crate::session::{CYCLE_US, Session, Wall, event, next, snapshot};
+use crate::session::{CYCLE_US, Session, Wall, Way, event, next, over_ways, snapshot};
 
-#[test]
-fn the_description_is_that_of_the_robot_in_its_world() {
-    let session = Session::start_world();
+fn the_description_is_that_of_the_robot_in_its_world(way: Way) {
+    let session = Session::start_world(way);
     let described = Description::of(&CartTree::GRAPH).with_actions(Wall::new().list()).of_robot(&CartTree::new());
     assert!(described.messages.is_some() && described.components[1].info[0].schema.is_some());
     assert_eq!(*session.client().description(), described);
 }
 
-#[test]
-fn attaching_and_watching_change_no_command() {
+fn attaching_and_watching_change_no_command(way: Way) {
     const MONITORS: usize = 20;
-    let session = Session::start();
+    let session = Session::start(way);
     session.run(50);
     let mut clients: Vec<_> = (0..MONITORS).map(|_| session.client()).collect();
     for client in &mut clients {
@@ -44,9 +42,8 @@ fn attaching_and_watching_change_no_command() {
     assert_eq!(commands, expected);
 }
 
-#[test]
-fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
-    let session = Session::start();
+fn snapshot_has_cycle_instant_and_states(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     client.watch(1).unwrap();
     let first = snapshot(&mut client, "a snapshot", |_| true);
@@ -61,9 +58,8 @@ fn a_snapshot_has_the_cycle_its_instant_and_all_states() {
     }
 }
 
-#[test]
-fn information_is_decoded_and_comes_in_every_nth_cycle() {
-    let session = Session::start();
+fn output_comes_in_every_nth_cycle(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     // Another monitor watches the same in each cycle.
     let mut other = session.client();
@@ -73,7 +69,7 @@ fn information_is_decoded_and_comes_in_every_nth_cycle() {
         let info =
             next!(&mut client, "information", Event::Info { cycle, component: 1, info: 0, value } => (cycle, value));
         let (cycle, value) = info;
-        let value = value.expect("a value");
+        let value = decode_output(client.description(), 1, 0, &value.expect("a value")).expect("its schema");
         let distance = value[0].as_f64().expect("a number");
         assert!((distance * distance - value[1].as_f64().expect("a number")).abs() < 1e-4, "{value}");
         assert!(cycle.is_multiple_of(7), "{cycle}");
@@ -85,36 +81,37 @@ fn information_is_decoded_and_comes_in_every_nth_cycle() {
     assert_eq!(client.poll(Duration::from_millis(50)).unwrap(), None);
 }
 
-#[test]
-fn every_monitor_receives_changed_parameters_and_log_lines() {
-    let session = Session::start();
+fn every_monitor_gets_new_parameters_and_log_lines(way: Way) {
+    let session = Session::start(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     let setting = Setting::new(CART, 0, Value::F32(0.75));
     operator.request(Request::Params(&[setting])).unwrap();
-    session.server.log(2, LogSource::World, "the referee whistles");
-    let (mut changed, mut asked, mut whistled) = (false, false, false);
-    while !(changed && asked && whistled) {
+    session.server.event("whistle", "twice");
+    session.server.log(2, LogSource::World, "the referee goes");
+    let (mut changed, mut told, tree) = (false, Vec::new(), watcher.description().clone());
+    while !(changed && told.len() == 3) {
         event(&mut watcher, "values and lines of the log", |event| {
-            match event {
-                Event::Params { component: 0 } => changed = true,
-                Event::Log { text, level: 2, source: LogSource::Operator, .. } if text == "set Cart.gain=0.75" => {
-                    asked = true;
-                }
-                Event::Log { text, level: 2, source: LogSource::World, .. } if text == "the referee whistles" => {
-                    whistled = true;
-                }
-                _ => return None,
+            if let Event::Requested { request, .. } = &event {
+                assert_eq!(*request, OwnedRequest::Params(vec![setting]));
             }
+            changed |= event == Event::Params { component: 0 };
+            told.extend(event.line(&tree).map(|line| (line.level, line.source, line.text)));
             Some(())
         });
     }
+    told.sort();
+    let line = |source, text: &str| (2, source, text.to_owned());
+    let world = |text| line(LogSource::World, text);
+    let expected =
+        [world("the referee goes"), world("whistle, twice"), line(LogSource::Operator, "set Cart.gain=0.75")];
+    assert_eq!(told, expected);
     assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.75)));
 }
 
 #[test]
 fn one_monitor_too_many_is_told_so() {
-    let session = Session::start();
+    let session = Session::start(Way::Tcp);
     let clients: Vec<_> = (0..MAX_MONITORS).map(|_| session.client()).collect();
     let address = session.server.address().parse().unwrap();
     let error = bica_link::Client::connect(&address, bica_link::ClientOptions::default()).err().unwrap();
@@ -125,18 +122,16 @@ fn one_monitor_too_many_is_told_so() {
     session.client();
 }
 
-#[test]
-fn the_end_of_the_run_is_told_to_monitors() {
-    let session = Session::start();
+fn the_end_of_the_run_is_told_to_monitors(way: Way) {
+    let session = Session::start(way);
     let mut client = session.client();
     drop(session);
     let error = cut(&mut client);
     assert!(matches!(&error, Error::Disconnected(reason) if reason == "the run has ended"), "{error}");
 }
 
-#[test]
-fn a_modulation_is_called_before_the_next_cycle() {
-    let session = Session::start();
+fn a_modulation_is_called_before_the_next_cycle(way: Way) {
+    let session = Session::start(way);
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     operator.request(Request::Hold { component: CART, hold: Hold::Latent }).unwrap();
@@ -149,4 +144,13 @@ fn a_modulation_is_called_before_the_next_cycle() {
     let cycle = usize::try_from(answer.cycle).unwrap();
     assert!(commands[cycle..cycle + 20].iter().all(|&command| command == (-0.25_f32).to_bits()));
     assert_ne!(commands[cycle - 1], (-0.25_f32).to_bits());
+}
+
+over_ways! { memory tcp serial:
+    the_description_is_that_of_the_robot_in_its_world, snapshot_has_cycle_instant_and_states,
+    the_end_of_the_run_is_told_to_monitors, a_modulation_is_called_before_the_next_cycle
+}
+over_ways! { memory tcp:
+    attaching_and_watching_change_no_command, output_comes_in_every_nth_cycle,
+    every_monitor_gets_new_parameters_and_log_lines
 }

@@ -8,7 +8,7 @@ use bica_link::{Client, Error, Event};
 use bica_wire::message::{Hold, LeaseAction, RefusalCode, Setting, Value};
 
 use crate::robot::{CART, DRIVE};
-use crate::session::{Session, anywhere, next, refusal, silence_ends_lease, snapshot};
+use crate::session::{CYCLE_US, Session, Way, next, over_ways, refusal, snapshot};
 
 fn set(index: u16, value: f32) -> Setting {
     Setting::new(CART, index, Value::F32(value))
@@ -21,9 +21,8 @@ fn batch(settings: &[Setting]) -> Request<'_> {
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 const SLOW: Request<'static> = Request::Rate { component: DRIVE, hz: Some(5.0) };
 
-#[test]
-fn a_parameter_is_in_force_in_the_first_or_second_cycle_after_its_arrival() {
-    let session = Session::start();
+fn parameter_is_in_force_within_two_cycles(way: Way) {
+    let session = Session::start(way);
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     for step in 0..200 {
@@ -35,9 +34,8 @@ fn a_parameter_is_in_force_in_the_first_or_second_cycle_after_its_arrival() {
     }
 }
 
-#[test]
-fn a_batch_is_applied_whole_or_refused_whole() {
-    let session = Session::start();
+fn a_batch_is_applied_whole_or_refused_whole(way: Way) {
+    let session = Session::start(way);
     let mut operator = session.client();
     operator.acquire(false).unwrap();
     let answer = operator.request(batch(&[set(1, 1.5), set(2, 1.0)])).unwrap();
@@ -57,9 +55,8 @@ fn a_batch_is_applied_whole_or_refused_whole() {
     assert_eq!(values, [Value::F32(0.5), Value::F32(1.5), Value::F32(1.0), Value::Choice(0)].map(Some));
 }
 
-#[test]
-fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
-    let session = Session::start();
+fn lease_end_ends_holds_and_keeps_parameters(way: Way) {
+    let session = Session::start(way);
     let (mut operator, mut watcher) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     for change in [HOLD, SLOW, batch(&[set(0, 0.25)])] {
@@ -76,10 +73,9 @@ fn the_end_of_a_lease_ends_holds_and_rates_and_keeps_parameters() {
     assert_eq!(refusal(operator.request(HOLD)).0, RefusalCode::NoLease);
 }
 
-#[test]
-fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
+fn silence_ends_the_lease_on_the_robot_s_clock(way: Way) {
     let silence = Duration::from_secs(30);
-    let session = Session::start_with(&anywhere(), silence);
+    let session = Session::start_with(way, silence);
     let mut watcher = session.client();
     watcher.watch(1).unwrap();
     let mut operator = session.client();
@@ -87,45 +83,27 @@ fn silence_of_the_operator_ends_its_lease_on_the_robots_clock() {
     operator.request(HOLD).unwrap();
     let last = operator.request(batch(&[set(0, 0.25)])).unwrap().cycle;
     // From here on the operator is silent, and its connection stays open.
-    silence_ends_lease(&mut watcher, last, silence);
+    let ended_us = next!(&mut watcher, "the lease ends",
+        Event::Log { time_us, level: 3, text, .. } if text.contains("silent") => time_us);
+    let expected = last * CYCLE_US + silence.as_micros() as u64 + CYCLE_US;
+    assert_eq!(ended_us, expected, "the first cycle after the silence");
+    let ended = snapshot(&mut watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
+    assert_eq!(ended.states[0].held, Hold::Tree);
     assert!(!watcher.lease().owned);
     assert_eq!(watcher.description().components[0].params[0].value, Some(Value::F32(0.25)));
     assert_eq!(refusal(operator.request(HOLD)).0, RefusalCode::NoLease);
 }
 
-#[test]
-fn a_second_operator_is_refused_until_it_takes_the_lease() {
-    let session = Session::start();
-    let (mut first, mut second) = (session.client(), session.client());
-    first.acquire(false).unwrap();
-    let old = first.lease().lease;
-    // The answer to the request of the second one is not what it was told before.
-    next!(&mut second, "the lease of the first", Event::Lease(lease) if lease.owned => ());
-    assert!(matches!(second.acquire(false), Err(Error::Lease)));
-    first.request(batch(&[set(0, 0.25)])).unwrap();
-    assert_eq!(second.lease().lease, 0, "only the owner learns the number");
-    assert_eq!(refusal(second.request(HOLD)).0, RefusalCode::NoLease);
-    let guessed = second.send_request_with(HOLD, old, u64::MAX).unwrap();
-    assert_eq!(refusal(second.answer(guessed)).0, RefusalCode::NoLease);
-    second.acquire(true).unwrap();
-    second.request(batch(&[set(0, 0.25)])).unwrap();
-    let stale = first.send_request_with(HOLD, old, u64::MAX).unwrap();
-    assert_eq!(refusal(first.answer(stale)).0, RefusalCode::NoLease);
-    let newer = first.send_request_with(HOLD, second.lease().lease, u64::MAX).unwrap();
-    assert_eq!(refusal(first.answer(newer)).0, RefusalCode::NoLease);
-    assert!(!first.lease().yours && first.lease().owned);
-    assert_eq!(session.requests(), 2);
-}
-
-#[test]
-fn numbers_of_leases_cannot_be_guessed_and_a_live_lease_is_not_moved_by_its_number() {
-    let session = Session::start();
+fn lease_numbers_cannot_be_guessed(way: Way) {
+    let session = Session::start(way);
     let (mut operator, mut other) = (session.client(), session.client());
     let numbers = [(); 4].map(|()| {
         operator.acquire(true).unwrap();
         operator.lease().lease
     });
     assert!(numbers.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) > 1000), "{numbers:?}");
+    assert!(matches!(other.acquire(false), Err(Error::Lease)));
+    assert_eq!(other.lease().lease, 0, "only the owner learns the number");
     let lease = numbers[3];
     other.send_lease(LeaseAction::Keep { lease }).unwrap();
     let known = other.send_request_with(HOLD, lease, u64::MAX).unwrap();
@@ -137,22 +115,8 @@ fn numbers_of_leases_cannot_be_guessed_and_a_live_lease_is_not_moved_by_its_numb
     assert!(!operator.lease().yours);
 }
 
-#[test]
-fn a_request_after_its_expiry_is_refused() {
-    let session = Session::start();
-    let mut operator = session.client();
-    operator.acquire(false).unwrap();
-    let lease = operator.lease();
-    session.run(10);
-    let late = operator.send_request_with(HOLD, lease.lease, lease.time_us).unwrap();
-    assert_eq!(refusal(operator.answer(late)).0, RefusalCode::Expired);
-    let in_time = operator.send_request_with(HOLD, lease.lease, lease.time_us + 3_600_000_000).unwrap();
-    operator.answer(in_time).unwrap();
-}
-
-#[test]
-fn what_a_cut_connection_left_in_the_queue_is_dropped() {
-    let session = Session::start();
+fn what_a_cut_connection_left_in_the_queue_is_dropped(way: Way) {
+    let session = Session::start(way);
     let mut operator: Client = session.client();
     operator.acquire(false).unwrap();
     session.pause(true);
@@ -164,4 +128,13 @@ fn what_a_cut_connection_left_in_the_queue_is_dropped() {
     session.pause(false);
     session.run(20);
     assert_eq!(session.requests(), 0);
+}
+
+over_ways! { memory tcp serial:
+    parameter_is_in_force_within_two_cycles
+}
+over_ways! { memory tcp:
+    a_batch_is_applied_whole_or_refused_whole, lease_end_ends_holds_and_keeps_parameters,
+    silence_ends_the_lease_on_the_robot_s_clock, lease_numbers_cannot_be_guessed,
+    what_a_cut_connection_left_in_the_queue_is_dropped
 }

@@ -10,9 +10,9 @@ use bica::runner::{Cycle, Observer, Request, Runner, World};
 use bica::visual::{Point2, Pose2, Scene, SceneItem, Segment};
 use bica::{Blob, Format, Probe, Value, world_actions};
 use bica_link::{
-    Address, Answered, Client, ClientOptions, Error, Event, LinkServer, LinkStats, ServerOptions, Snapshot,
+    Address, Answered, Client, ClientOptions, Error, Event, LinkServer, LinkStats, Memory, ServerOptions, Snapshot,
 };
-use bica_wire::message::{Hold, Offers, RefusalCode};
+use bica_wire::message::{Offers, RefusalCode, WorldChange};
 
 use crate::robot::CartTree;
 
@@ -26,6 +26,48 @@ pub(crate) const LONG: Duration = Duration::from_secs(1_000_000);
 pub(crate) fn anywhere() -> Address {
     "127.0.0.1:0".parse().unwrap()
 }
+
+/// How monitors reach the server.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Way {
+    /// In the same process.
+    Memory,
+    Tcp,
+    /// A serial line, which has one monitor.
+    #[cfg(target_os = "linux")]
+    Serial,
+}
+
+impl Way {
+    /// Addresses of the server and of its monitors. Those of a TCP server depend on its port.
+    fn ends(self) -> (Address, Option<Address>) {
+        match self {
+            Self::Tcp => (anywhere(), None),
+            Self::Memory => {
+                let place = Address::Memory(Memory::default());
+                (place.clone(), Some(place))
+            }
+            #[cfg(target_os = "linux")]
+            Self::Serial => {
+                let [server, monitor] = crate::serial::line();
+                (server, Some(monitor))
+            }
+        }
+    }
+}
+
+/// Makes a test of each function for each way.
+macro_rules! over_ways {
+    ($($way:ident)+: $($name:ident),+) => { over_ways!(@all [$($way)+] $($name)+); };
+    (@all $ways:tt $($name:ident)+) => { $(over_ways!(@each $name $ways);)+ };
+    (@each $name:ident [$($way:ident)+]) => { mod $name { $(crate::session::over_ways!(@one $name $way);)+ } };
+    (@one $name:ident memory) => { #[test] fn memory() { super::$name(crate::session::Way::Memory) } };
+    (@one $name:ident tcp) => { #[test] fn tcp() { super::$name(crate::session::Way::Tcp) } };
+    (@one $name:ident serial) => {
+        #[cfg(target_os = "linux")] #[test] fn serial() { super::$name(crate::session::Way::Serial) }
+    };
+}
+pub(crate) use over_ways;
 
 /// Robot's time of a cycle.
 pub(crate) const CYCLE_US: u64 = 10_000;
@@ -165,33 +207,37 @@ impl Wall {
 pub(crate) struct Session {
     shared: Arc<Shared>,
     pub(crate) server: LinkServer,
+    /// Address for clients.
+    monitors: Address,
     thread: Option<JoinHandle<Vec<u32>>>,
 }
 
 impl Session {
     /// Starts a loop whose operator may be silent for long.
-    pub(crate) fn start() -> Self {
-        Self::start_with(&anywhere(), LONG)
+    pub(crate) fn start(way: Way) -> Self {
+        Self::start_with(way, LONG)
     }
 
     /// Starts a simulated world, which can be paused, with images in every cycle.
-    pub(crate) fn start_world() -> Self {
+    pub(crate) fn start_world(way: Way) -> Self {
         let (offers, actions) = (Offers::PAUSE, Wall::new().list());
-        Self::serve(&anywhere(), ServerOptions { silence: LONG, offers, actions, ..ServerOptions::default() })
+        Self::serve(way, ServerOptions { silence: LONG, offers, actions, ..ServerOptions::default() })
     }
 
-    pub(crate) fn start_with(address: &Address, silence: Duration) -> Self {
-        Self::serve(address, ServerOptions { silence, ..ServerOptions::default() })
+    pub(crate) fn start_with(way: Way, silence: Duration) -> Self {
+        Self::serve(way, ServerOptions { silence, ..ServerOptions::default() })
     }
 
-    pub(crate) fn serve(address: &Address, options: ServerOptions) -> Self {
+    pub(crate) fn serve(way: Way, options: ServerOptions) -> Self {
+        let (address, monitors) = way.ends();
         let is_world = options.offers.contains(Offers::PAUSE);
         let started = if is_world {
-            LinkServer::start_in_world::<CartTree>(address, options, &Wall::new())
+            LinkServer::start_in_world::<CartTree>(&address, options, &Wall::new())
         } else {
-            LinkServer::start::<CartTree>(address, options)
+            LinkServer::start::<CartTree>(&address, options)
         };
         let (server, requests, observer) = started.expect("the server starts");
+        let monitors = monitors.unwrap_or_else(|| server.address().parse().unwrap());
         let shared = Arc::<Shared>::default();
         let counter = Counter { shared: Arc::clone(&shared), this_cycle: 0 };
         let runner = Runner::new(Box::new(CartTree::new()), Wall::new());
@@ -219,11 +265,24 @@ impl Session {
             }
             commands
         });
-        Self { shared, server, thread: Some(thread) }
+        let session = Self { shared, server, monitors, thread: Some(thread) };
+        if way == Way::Memory && is_world {
+            session.begin();
+        }
+        session
+    }
+
+    /// Continues a world in this process, which begins paused.
+    fn begin(&self) {
+        let mut client = self.client();
+        client.acquire(false).unwrap();
+        assert_eq!(self.cycles(), 0, "no monitor misses a cycle");
+        client.change_world(WorldChange::Resume).unwrap();
+        client.release().unwrap();
     }
 
     pub(crate) fn client(&self) -> Client {
-        connect(&self.server.address().parse().unwrap())
+        connect(&self.monitors)
     }
 
     /// Number of cycles so far.
@@ -314,22 +373,17 @@ macro_rules! next {
 }
 pub(crate) use next;
 
+/// Waits for a line of the log that contains a text.
+#[track_caller]
+pub(crate) fn logged(client: &mut Client, text: &str) {
+    let tree = client.description().clone();
+    event(client, text, |event| event.line(&tree).filter(|line| line.text.contains(text)));
+}
+
 /// Waits for a snapshot that meets a condition.
 #[track_caller]
 pub(crate) fn snapshot(client: &mut Client, expected: &str, condition: impl Fn(&Snapshot) -> bool) -> Snapshot {
     next!(client, expected, Event::Snapshot(snapshot) if condition(&snapshot) => snapshot)
-}
-
-/// Waits for the end of the lease of an operator that was silent after a cycle; `watcher` watches each snapshot. Checks that it ends on
-/// the robot's clock, and its holds with it.
-pub(crate) fn silence_ends_lease(watcher: &mut Client, last_cycle: u64, silence: Duration) {
-    let silent = |text: &str| text.contains("silent");
-    let ended_us =
-        next!(watcher, "the lease ends", Event::Log { time_us, level: 3, text, .. } if silent(&text) => time_us);
-    let expected = last_cycle * CYCLE_US + silence.as_micros() as u64 + CYCLE_US;
-    assert_eq!(ended_us, expected, "the first cycle after the silence");
-    let ended = snapshot(watcher, "a snapshot", |snapshot| snapshot.info.time_us >= ended_us);
-    assert_eq!(ended.states[0].held, Hold::Tree);
 }
 
 /// Code, entry and text of a refusal.

@@ -8,7 +8,7 @@ use bica_link::Event;
 use bica_wire::message::{Hold, RefusalCode, WorldChange};
 
 use crate::robot::{CART, DRIVE};
-use crate::session::{Session, next, refusal, snapshot};
+use crate::session::{Session, Way, logged, next, over_ways, refusal, snapshot};
 
 const fn call(modulation: u16) -> Request<'static> {
     Request::Modulate { component: DRIVE, modulation, arguments: &[] }
@@ -23,9 +23,8 @@ fn assert_stands(session: Session, from: u64) {
     assert!(commands.len() > from as usize && moved.is_none(), "{from}: {moved:?}");
 }
 
-#[test]
-fn stop_ends_what_an_operator_does_and_a_start_needs_a_lease() {
-    let session = Session::start();
+fn stop_ends_control_and_a_start_needs_a_lease(way: Way) {
+    let session = Session::start(way);
     let (mut operator, mut other) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     let old = operator.lease().lease;
@@ -45,20 +44,8 @@ fn stop_ends_what_an_operator_does_and_a_start_needs_a_lease() {
     assert_stands(session, answers[0].cycle);
 }
 
-#[test]
-fn stop_of_the_operator_ends_its_own_lease_too() {
-    let session = Session::start();
-    let mut operator = session.client();
-    operator.acquire(false).unwrap();
-    operator.request(call(1)).unwrap();
-    assert_eq!(refusal(operator.request(RELEASE)).0, RefusalCode::NoLease);
-    operator.acquire(false).unwrap();
-    operator.request(RELEASE).unwrap();
-}
-
-#[test]
-fn stop_waits_for_no_request_of_others() {
-    let session = Session::start();
+fn stop_waits_for_no_request_of_others(way: Way) {
+    let session = Session::start(way);
     let (mut floods, mut other) = ([(); 4].map(|()| session.client()), session.client());
     floods[0].acquire(false).unwrap();
     session.pause(true);
@@ -77,21 +64,19 @@ fn stop_waits_for_no_request_of_others() {
     assert_stands(session, stopped.cycle);
 }
 
-#[test]
-fn stop_of_a_monitor_that_leaves_at_once_is_applied() {
-    let session = Session::start();
+fn stop_of_a_monitor_that_leaves_at_once_is_applied(way: Way) {
+    let session = Session::start(way);
     let (mut leaving, mut watcher) = (session.client(), session.client());
     session.pause(true);
     leaving.send_request(call(1)).unwrap();
     drop(leaving);
     session.until_stats("it is gone", |stats| stats.monitors == 1);
     session.pause(false);
-    next!(&mut watcher, "the stop", Event::Log { text, .. } if text.contains("Drive.stop") => ());
+    logged(&mut watcher, "Drive.stop");
 }
 
-#[test]
-fn stop_is_in_force_in_a_paused_world() {
-    let session = Session::start_world();
+fn stop_is_in_force_in_a_paused_world(way: Way) {
+    let session = Session::start_world(way);
     let (mut operator, mut other) = (session.client(), session.client());
     operator.acquire(false).unwrap();
     operator.change_world(WorldChange::Pause).unwrap();
@@ -101,4 +86,9 @@ fn stop_is_in_force_in_a_paused_world() {
     operator.change_world(WorldChange::Resume).unwrap();
     session.run(50);
     assert_stands(session, cycle);
+}
+
+over_ways! { memory tcp:
+    stop_ends_control_and_a_start_needs_a_lease, stop_waits_for_no_request_of_others,
+    stop_of_a_monitor_that_leaves_at_once_is_applied, stop_is_in_force_in_a_paused_world
 }

@@ -57,7 +57,7 @@ pub enum BuildState {
     Starting,
     /// It runs as a session.
     Running,
-    /// It was not built, or did not start. A program that ran before goes on.
+    /// The build or the start failed; the previous program keeps running.
     Failed,
     /// It has ended.
     Ended,

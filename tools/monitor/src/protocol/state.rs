@@ -2,7 +2,7 @@
 
 use bica::Hold;
 use bica_link::Shown;
-use bica_wire::message::LogSource;
+use bica_wire::message::{ComponentState, LogSource};
 use serde::Serialize;
 
 /// State of a component, in JSON a list.
@@ -19,6 +19,12 @@ pub struct ComponentNow(
     /// Time since which it has been in this state, or active or latent, µs.
     pub u64,
 );
+
+impl From<ComponentNow> for ComponentState {
+    fn from(ComponentNow(active, held, state, hz, _): ComponentNow) -> Self {
+        Self { active, held, state, hz }
+    }
+}
 
 /// A value of information, in JSON a list.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,7 +1,7 @@
 //! Breakpoints of a session.
 
+use super::breakpoint_target::{BreakpointTarget, moved, next};
 use super::commands::Command;
-use super::places::{Place, moved, next};
 use super::session::{Session, Shared};
 use crate::protocol::{Breakpoint, Failed, Hit, LogLine, Reached, ToPage};
 use bica_wire::message::LogSource;
@@ -18,11 +18,11 @@ impl Session {
         }
         let description = self.description()?;
         let is_exact = self.shared().can.conditions;
-        let found = list.iter().map(|one| Place::find(*one, &description, is_exact));
-        let places = found.collect::<Result<Vec<_>, _>>()?;
+        let found = list.iter().map(|one| BreakpointTarget::find(*one, &description, is_exact));
+        let targets = found.collect::<Result<Vec<_>, _>>()?;
         {
             let mut shared = self.shared();
-            shared.breakpoints = places;
+            shared.breakpoints = targets;
             self.pages.broadcast(&self.breakpoints(&shared));
         }
         // Transitions are watched from now on; a recording has no thread that watches.
@@ -32,26 +32,26 @@ impl Session {
 
     /// Takes over the breakpoints of the session that this one replaces, as far as its tree has such places.
     pub(super) fn inherit(&self, other: &Self) {
-        let (tree, places) = {
+        let (tree, targets) = {
             let other = other.shared();
             (other.description.clone(), other.breakpoints.clone())
         };
         let Some(tree) = tree else { return };
         let mut shared = self.shared();
         if let Some(now) = shared.description.clone() {
-            let places = moved(&places, &tree, &now, shared.can.conditions);
+            let targets = moved(&targets, &tree, &now, shared.can.conditions);
             drop(shared);
-            let list: Vec<_> = places.iter().map(|place| place.breakpoint).collect();
+            let list: Vec<_> = targets.iter().map(|target| target.breakpoint).collect();
             // They fit the tree.
             let _ = self.set_breakpoints(&list);
         } else {
-            shared.inherited = Some((tree, places));
+            shared.inherited = Some((tree, targets));
         }
     }
 
     /// The breakpoints, for pages.
     pub(super) fn breakpoints(&self, shared: &Shared) -> ToPage {
-        let list = shared.breakpoints.iter().map(|place| place.breakpoint).collect();
+        let list = shared.breakpoints.iter().map(|target| target.breakpoint).collect();
         ToPage::Breakpoints { session: self.id, list }
     }
 
@@ -65,8 +65,8 @@ impl Session {
     pub(super) fn hit(&self, reached: Reached, paused: bool) {
         let text = {
             let shared = self.shared();
-            let place = shared.breakpoints.iter().find(|place| place.breakpoint == reached.breakpoint);
-            place.map_or_else(String::new, |place| place.text.clone())
+            let target = shared.breakpoints.iter().find(|target| target.breakpoint == reached.breakpoint);
+            target.map_or_else(String::new, |target| target.text.clone())
         };
         let end = if paused { ": the world is paused" } else { "" };
         let text = format!("breakpoint: {text}{end}");

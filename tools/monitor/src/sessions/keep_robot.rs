@@ -5,11 +5,12 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use bica_recording::{Header, MonitorRecorder, Report, create};
+use bica_recording::{Header, MonitorRecorder, RecordedCycle, Report, create};
+use bica_wire::message::ComponentState;
 use serde_json::{Value, json};
 
-use super::recorded::recorded_scenery;
-use super::robot_recording::{Cycles, add_info, add_line, received};
+use super::robot_recording::received;
+use super::scenery::recorded_scenery;
 use super::session::Session;
 use crate::files::{WRITE_HELP, failed, make_folder_of};
 use crate::protocol::Failed;
@@ -21,7 +22,8 @@ const BATCH: usize = 256;
 pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
     make_folder_of(target)?;
     let scenery = recorded_scenery(&session.shared().scenery);
-    let header = Header { scenery, ..Header::of_monitor(&session.name, &*session.description()?) };
+    let offers = session.shared().offers;
+    let header = Header { scenery, ..Header::of_monitor(&session.name, &*session.description()?, offers) };
     let file = create(target, false).map_err(|error| failed("write", target, &error, WRITE_HELP))?;
     let reason = match MonitorRecorder::new(file, &header).and_then(|recorder| write(session, recorder)) {
         Ok(Report { reason: None, cycles: 0, .. }) => {
@@ -44,7 +46,7 @@ fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<R
         let shared = session.shared();
         (shared.epoch, shared.history.span().1)
     };
-    let (mut cycles, mut after_us) = (Cycles::default(), None);
+    let mut after_us = None;
     loop {
         let part = {
             let shared = session.shared();
@@ -55,11 +57,12 @@ fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<R
         after_us = Some(last.time_us);
         for part in part {
             part.images.iter().try_for_each(|image| recorder.image(&received(image)))?;
-            let mut cycle = cycles.cycle(part.time_us, part.cycle, part.states.into_iter());
-            for (component, info, text) in &part.info {
-                add_info(&mut cycle, *component, *info, text);
+            let states = part.states.into_iter().map(ComponentState::from);
+            let mut cycle = RecordedCycle::received(part.cycle, part.time_us, states);
+            for (component, output, value) in &part.info {
+                cycle.add_output(*component, *output, Some(value));
             }
-            part.lines.iter().for_each(|line| add_line(&mut cycle, line));
+            part.told.into_iter().for_each(|told| told.record(&mut cycle));
             recorder.cycle(&cycle)?;
         }
     }

@@ -5,6 +5,7 @@
 //! sends to a page goes into the page's [`Outbox`].
 
 mod asked;
+mod breakpoint_target;
 mod breakpoints;
 mod commands;
 mod common;
@@ -13,12 +14,13 @@ mod history;
 mod keep_robot;
 mod live;
 mod manager;
-mod places;
+
 mod query;
 mod recorded;
 mod recorded_images;
 mod registry;
 mod robot_recording;
+mod scenery;
 mod session;
 mod storage;
 mod tune;

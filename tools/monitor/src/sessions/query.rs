@@ -21,10 +21,13 @@ impl Session {
             }
             Request::Series { component, info, from_us, until_us, points } => {
                 let points = points.min(MAX_POINTS);
-                Ok(json!(self.shared().history.info.series(component, info, from_us, until_us, points)))
+                let shared = self.shared();
+                let decode = |value: &[u8]| shared.decode(component, info, value);
+                Ok(json!(shared.history.info.series(component, info, from_us, until_us, points, decode)))
             }
             Request::Lines { from_us, until_us, limit } => {
-                Ok(json!(self.shared().history.lines(from_us, until_us, limit.min(MAX_POINTS))))
+                let tree = self.description()?;
+                Ok(json!(self.shared().history.lines(from_us, until_us, limit.min(MAX_POINTS), &tree)))
             }
             _ => Err(Failed::new("this is no question", "reload the page")),
         }
@@ -46,7 +49,7 @@ impl Session {
                 history.states.at(time_us).ok_or_else(none)?;
             let sample = |&(component, info): &(usize, usize)| {
                 let (at, value) = history.info.at(component, info, time)?;
-                Some(InfoSample(component, info, at, value))
+                Some(InfoSample(component, info, at, shared.decode(component, info, value)))
             };
             let image = history.images.at(time).cloned();
             let place = shared.recorded.at(time);

@@ -1,7 +1,6 @@
 //! Recordings as sessions.
 
 mod index;
-mod tree;
 
 use std::fs;
 use std::io::{BufReader, Read as _};
@@ -13,8 +12,6 @@ use bica_link::Description;
 use bica_recording::ReplayReport;
 use bica_wire::model::NamedSetting;
 use serde_json::{Value, json};
-
-pub(super) use tree::recorded_scenery;
 
 use super::commands::Commands;
 use super::common::Common;

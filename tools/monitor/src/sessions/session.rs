@@ -7,12 +7,13 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 use bica_drawing::layout::{Kind, kinds};
-use bica_link::{Description, Shown};
+use bica_link::{Description, Shown, decode_output};
+use serde_json::Value;
 
+use super::breakpoint_target::{self, BreakpointTarget};
 use super::commands;
 use super::common::Common;
-use super::history::{History, Limits};
-use super::places::{self, Place};
+use super::history::{History, Limits, Told};
 use super::recorded_images::{Recorded, read_image};
 use super::robot_recording::RobotRecorder;
 use super::watches::Watching;
@@ -24,7 +25,7 @@ use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
     Capabilities, Connection, Control, Failed, LogLine, RecordingState, SessionId, SessionInfo, SessionKind, ToPage,
 };
-use bica_wire::message::LogSource;
+use bica_wire::message::{LogSource, Offers};
 
 /// Time between two looks whether a session has ended.
 const POLL: Duration = Duration::from_millis(5);
@@ -50,6 +51,8 @@ pub(super) struct Shared {
     pub(super) result: String,
     pub(super) seed: Option<u64>,
     pub(super) can: Capabilities,
+    /// What the robot's program sends, of a connected session.
+    pub(super) offers: Offers,
     pub(super) recording: RecordingState,
     /// File with the run of a world.
     pub(super) recording_file: PathBuf,
@@ -70,9 +73,9 @@ pub(super) struct Shared {
     /// File and images of a recording.
     pub(super) recorded: Recorded,
     pub(super) watching: Watching,
-    pub(super) breakpoints: Vec<Place>,
+    pub(super) breakpoints: Vec<BreakpointTarget>,
     /// Breakpoints of the session before this one, and its tree.
-    pub(super) inherited: Option<(Arc<Description>, Vec<Place>)>,
+    pub(super) inherited: Option<(Arc<Description>, Vec<BreakpointTarget>)>,
     /// Pages that know the tree.
     described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
@@ -100,6 +103,14 @@ pub(super) struct Session {
     ended: AtomicBool,
     commands: commands::Commands,
     shared: Mutex<Shared>,
+}
+
+impl Shared {
+    /// Returns a value of an output as JSON; null if it is too large, or its schema is not known.
+    pub(super) fn decode(&self, component: usize, output: usize, value: &[u8]) -> Value {
+        let tree = self.description.as_ref();
+        tree.and_then(|tree| decode_output(tree, component, output, value)).unwrap_or_default()
+    }
 }
 
 impl Session {
@@ -208,12 +219,12 @@ impl Session {
         }
     }
 
-    /// Begins with a tree: what was remembered is forgotten.
+    /// Resets the session for a tree and clears the history.
     pub(super) fn describe(&self, description: Description, can: Capabilities) {
         self.begin(description, can, false);
     }
 
-    /// Begins with a tree. What was remembered is forgotten, unless the run of which it is goes on.
+    /// Resets the session for a tree. Clears the history unless the same run continues.
     pub(super) fn begin(&self, description: Description, can: Capabilities, goes_on: bool) {
         let mut shared = self.shared();
         if goes_on {
@@ -225,8 +236,8 @@ impl Session {
             shared.scenery.clear();
         }
         let own = shared.description.take().map(|tree| (tree, std::mem::take(&mut shared.breakpoints)));
-        if let Some((tree, places)) = shared.inherited.take().or(own) {
-            shared.breakpoints = places::moved(&places, &tree, &description, can.conditions);
+        if let Some((tree, targets)) = shared.inherited.take().or(own) {
+            shared.breakpoints = breakpoint_target::moved(&targets, &tree, &description, can.conditions);
         }
         shared.kinds = kinds(&description);
         let description = Some(Arc::new(description));
@@ -306,8 +317,17 @@ impl Session {
     }
 
     pub(super) fn add_line(&self, line: LogLine) {
-        self.shared().history.add_line(line.clone());
-        self.record_robot(|recorder| recorder.line(&line));
+        self.tell(line.time_us, Told::Line(line));
+    }
+
+    /// Remembers what a log tells of a time, µs, and sends the line to all pages.
+    pub(super) fn tell(&self, time_us: u64, told: Told) {
+        let line = {
+            let mut shared = self.shared();
+            shared.history.told.push(time_us, told.clone());
+            told.line(time_us, &shared.description.clone().unwrap_or_default())
+        };
+        self.record_robot(|recorder| recorder.tell(time_us, told));
         self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
     }
 

@@ -24,6 +24,18 @@ pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Age above which a value is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
 const OLD: u64 = 500_000;
 
+/// A value of an output that was received.
+#[derive(Debug)]
+pub(super) struct Sample {
+    /// Number of the cycle after which it was read, and the time of that, µs.
+    pub(super) cycle: u64,
+    pub(super) time_us: u64,
+    pub(super) component: usize,
+    pub(super) output: usize,
+    /// The value in postcard's format; empty if it is too large.
+    pub(super) value: Vec<u8>,
+}
+
 impl Shared {
     fn is_recent(&self, time_us: u64) -> bool {
         time_us.saturating_add(OLD) >= self.history.span().1
@@ -84,7 +96,7 @@ impl Session {
         let new = watch.info.iter().map(|one| (one.component, one.info)).filter(|one| !known.contains(one));
         let newest = new.filter_map(|(component, info)| {
             let (time, value) = shared.history.info.at(component, info, last)?;
-            Some(InfoSample(component, info, time, value))
+            Some(InfoSample(component, info, time, shared.decode(component, info, value)))
         });
         self.send_samples(page, newest.collect());
         for &component in watch.conditions.iter().filter(|one| !before.conditions.contains(one)) {
@@ -167,15 +179,19 @@ impl Session {
         self.send(&shared.watching.pages(|watch| watch.costs), DataKind::Costs, message);
     }
 
-    /// Sends samples, each with its cycle, to the pages for which they are due.
-    pub(super) fn show_samples(&self, samples: &[(u64, InfoSample)]) {
-        for (&page, watch) in &self.shared().watching.by_page {
+    /// Sends samples to the pages for which they are due.
+    pub(super) fn show_samples(&self, samples: &[Sample]) {
+        let shared = self.shared();
+        for (&page, watch) in &shared.watching.by_page {
             let wanted: BTreeMap<_, _> =
                 watch.info.iter().map(|one| ((one.component, one.info), u64::from(one.every.max(1)))).collect();
-            let is_wanted = |(cycle, InfoSample(component, info, ..)): &&(u64, InfoSample)| {
-                wanted.get(&(*component, *info)).is_some_and(|every| cycle.is_multiple_of(*every))
+            let is_wanted = |Sample { cycle, component, output, .. }: &&Sample| {
+                wanted.get(&(*component, *output)).is_some_and(|every| cycle.is_multiple_of(*every))
             };
-            self.send_samples(page, samples.iter().filter(is_wanted).map(|(_, sample)| sample.clone()).collect());
+            let decoded = |&Sample { component, output, time_us, ref value, .. }: &Sample| {
+                InfoSample(component, output, time_us, shared.decode(component, output, value))
+            };
+            self.send_samples(page, samples.iter().filter(is_wanted).map(decoded).collect());
         }
     }
 
@@ -211,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_begins_to_watch_during_the_last_message_before_a_pause_gets_it() {
+    fn late_watch_gets_the_last_message_before_a_pause() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let pixels: Arc<[u8]> = vec![0; 1 << 16].into();
@@ -239,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn the_last_image_before_a_pause_reaches_a_page_that_wants_few() {
+    fn last_image_before_a_pause_reaches_every_page() {
         let identity = (1, SessionKind::Robot, String::new());
         let session = Session::new(identity, Common::default(), Commands::of_nobody(), None);
         let page = Arc::new(Received::default());

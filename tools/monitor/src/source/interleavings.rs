@@ -176,7 +176,7 @@ fn interleave(seed: u64) -> bool {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_interleaved_edits_of_both_sides_are_never_lost() {
+fn slow_interleaved_edits_are_never_lost() {
     let conflicts = (1..=500).filter(|seed| interleave(*seed)).count();
     assert!((50..450).contains(&conflicts), "{conflicts} of 500 are conflicts");
 }

@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn no_module_imports_from_another_host_or_by_a_bare_name() {
+    fn modules_import_from_their_own_host_only() {
         for (name, bytes) in
             FILES.iter().filter(|(name, _)| media_type(name).is_some_and(|media| media.starts_with("text/javascript")))
         {

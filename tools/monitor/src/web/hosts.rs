@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn all_address_literals_are_allowed_if_the_server_listens_on_all_addresses() {
+    fn server_on_all_addresses_allows_all_literals() {
         let hosts = hosts("0.0.0.0:7410");
         assert!(hosts.allows("192.168.1.2:7410"));
         assert!(!hosts.allows("192.168.1.2:80"));

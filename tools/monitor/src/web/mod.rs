@@ -13,7 +13,7 @@ mod guard;
 mod headers;
 mod hosts;
 mod numbers;
-mod places;
+mod pending_connections;
 mod queue;
 mod rate;
 mod serve;

@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn the_only_sample_of_an_output_waits_behind_many_of_others() {
+    fn only_sample_of_an_output_is_kept_among_others() {
         let queue = Queue::default();
         let key = Key { session: 1, kind: DataKind::Info };
         for time_us in 0..10_000 {

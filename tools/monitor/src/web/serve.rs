@@ -16,7 +16,7 @@ use hyper_util::service::TowerToHyperService;
 use tokio::net::TcpStream;
 use tokio::sync::watch;
 
-use super::places::{Place, Places};
+use super::pending_connections::{PendingConnection, PendingConnections};
 use super::{Shared, assets, guard, socket};
 
 /// Longest time until the head of a request is complete.
@@ -26,23 +26,23 @@ const HEAD_TIME: Duration = Duration::from_secs(5);
 pub(crate) async fn serve(listener: TcpListener, shared: Arc<Shared>, mut stop: watch::Receiver<bool>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
     let routes = routes(&shared, &stop);
-    let places = Places::default();
+    let pending = PendingConnections::default();
     loop {
         let accepted = tokio::select! {
             accepted = listener.accept() => accepted,
             _ = stop.changed() => return,
         };
         match accepted {
-            Ok((stream, _)) => drop(tokio::spawn(connection(stream, routes.clone(), places.take()))),
+            Ok((stream, _)) => drop(tokio::spawn(connection(stream, routes.clone(), pending.add()))),
             // Too many open files, or a connection that was cut before it was accepted.
             Err(_) => tokio::time::sleep(Duration::from_millis(20)).await,
         }
     }
 }
 
-async fn connection(stream: TcpStream, routes: Router, place: Arc<Place>) {
+async fn connection(stream: TcpStream, routes: Router, pending: Arc<PendingConnection>) {
     let _ = stream.set_nodelay(true);
-    let service = TowerToHyperService::new(routes.layer(Extension(Arc::clone(&place))));
+    let service = TowerToHyperService::new(routes.layer(Extension(Arc::clone(&pending))));
     let served = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(HEAD_TIME)
@@ -52,7 +52,7 @@ async fn connection(stream: TcpStream, routes: Router, place: Arc<Place>) {
     tokio::select! {
         // What a client did wrong concerns nobody else.
         _ = served => {}
-        () = place.needed() => {}
+        () = pending.needed() => {}
     }
 }
 

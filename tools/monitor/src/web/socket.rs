@@ -11,7 +11,7 @@ use axum::response::Response;
 use tokio::sync::{OwnedSemaphorePermit, watch};
 use tokio::time::{interval, sleep, timeout};
 
-use super::places::Place;
+use super::pending_connections::PendingConnection;
 use super::queue::Queue;
 use super::rate::Rate;
 use super::{Enter, Shared};
@@ -47,18 +47,18 @@ const REFUSED: u16 = 4403;
 /// Accepts a WebSocket.
 pub(crate) async fn upgrade(
     State((shared, stop)): State<(Arc<Shared>, watch::Receiver<bool>)>,
-    Extension(place): Extension<Arc<Place>>,
+    Extension(pending): Extension<Arc<PendingConnection>>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
     let limit = if shared.manager.edits_sources() { MAX_SOURCE_MESSAGE } else { MAX_MESSAGE };
     upgrade.max_message_size(limit).max_frame_size(limit).on_upgrade(async move |mut socket| {
         let page = tokio::select! {
             page = enter(&mut socket, &shared) => page,
-            () = place.needed() => return,
+            () = pending.needed() => return,
         };
         match page {
             Ok(_page) => {
-                place.enter();
+                pending.enter();
                 run(socket, shared, stop).await;
             }
             Err(reason) => close(&mut socket, reason).await,
@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_that_wait_when_the_page_is_gone_are_dropped() {
+    fn requests_of_a_page_that_is_gone_are_dropped() {
         let (sender, requests) = sync_channel(8);
         for id in 1..=5 {
             sender.send(FromPage { id, session: None, request: Request::Recordings {} }).unwrap();

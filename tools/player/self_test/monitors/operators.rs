@@ -90,7 +90,7 @@ fn tuned_colours(client: &mut Client) -> Result<bool, Box<dyn std::error::Error>
     client.watch_info(component, info, 10)?;
     loop {
         match client.poll(super::PATIENCE)? {
-            Some(Event::Info { value: Some(value), .. }) if value == true => break,
+            Some(Event::Info { value: Some(value), .. }) if value == [1] => break,
             Some(_) => {}
             None => return Ok(false),
         }
@@ -111,11 +111,7 @@ pub(super) fn refusals(image: &Path) -> Outcome {
     let expired = client.send_request_with(change.borrow(), lease, 0)?;
     expect_refused(&client.answer(expired), RefusalCode::Expired, "expiry")?;
     let outside = set(&client, "Head.stiffness", Value::F32(7.0))?;
-    expect_refused(
-        &client.request(outside.borrow()),
-        RefusalCode::Tree,
-        "`Head.stiffness`: the value is outside its range",
-    )?;
+    expect_refused(&client.request(outside.borrow()), RefusalCode::Tree, "`Head.stiffness`: outside the range")?;
     let kind = set(&client, "Head.stiffness", Value::Bool(true))?;
     expect_refused(&client.request(kind.borrow()), RefusalCode::Tree, "another kind")?;
     let Change::Params(mut batch) = change else { return Err("no batch".into()) };

@@ -9,7 +9,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::Tree;
-use bica_link::{Client, Event};
+use bica_link::{Client, Event, decode_output};
 use bica_player::Model;
 use bica_player::tunable::Forward;
 use bica_player_program::emulator::{Controller, Emulator, Transport};
@@ -92,10 +92,13 @@ fn watch_everything(address: SocketAddr) -> Outcome {
                 expect_eq(&snapshot.states.len(), &nodes.len())?;
                 snapshots += 1;
             }
-            Some(Event::Info { component, info, value: Some(_), .. }) => drop(wanted.remove(&(component, info))),
-            Some(Event::Info { component, info, value: None, .. }) => {
-                let node = &nodes[component];
-                return Err(format!("{}.{} cannot be decoded", node.name, node.info[info].name).into());
+            Some(Event::Info { component, info, value, .. }) => {
+                let decode = |bytes: Vec<u8>| decode_output(client.description(), component, info, &bytes);
+                if value.and_then(decode).is_none() {
+                    let node = &nodes[component];
+                    return Err(format!("{}.{} cannot be decoded", node.name, node.info[info].name).into());
+                }
+                wanted.remove(&(component, info));
             }
             _ => {}
         }

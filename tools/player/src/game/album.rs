@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use bica::ComponentId;
 use bica_app::Failure;
 use bica_drawing::png;
-use bica_drawing::polar::describe;
 use bica_evaluation::pictures::make_folder;
+use bica_evaluation::polar::describe;
 
 use crate::game::observer::GameObserver;
 use crate::game::pictures::sheet::{Sheet, Snapshot};

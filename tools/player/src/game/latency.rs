@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn memory_of_a_game_without_end_is_bounded_and_keeps_the_newest() {
+    fn memory_is_bounded_and_keeps_the_newest() {
         let mut latencies = Latencies::default();
         for cycle in 0..MAX_CYCLES + 3 {
             latencies.add(Duration::from_nanos(cycle as u64));

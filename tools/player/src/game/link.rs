@@ -6,14 +6,11 @@ use bica_link::{Address, LinkObserver, LinkRequests, LinkServer, ServerOptions};
 use bica_player::tunable::Forward;
 use bica_sim::SpectatorView;
 use bica_sim::referee::TimedEvent;
-use bica_wire::message::{LogSource, Offers};
+use bica_wire::message::Offers;
 
 use crate::game::event::{self, EventRecord};
 use crate::game::firmware::FirmwareCheck;
 use crate::game::rules::Rules;
-
-/// Level of informative lines in the log of a link.
-const INFORMATION: u8 = 2;
 
 /// Where and how a game is served to monitors.
 #[derive(Clone, Copy)]
@@ -68,8 +65,7 @@ impl GameLink {
             if let Some(result) = event::result(event) {
                 server.set_result(&result);
             }
-            let separator = if detail.is_empty() { "" } else { ", " };
-            server.log(INFORMATION, LogSource::World, &format!("{kind}{separator}{detail}"));
+            server.event(kind, &detail);
         }
     }
 }

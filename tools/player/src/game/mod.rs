@@ -1,15 +1,20 @@
 //! Games of the forward: one game or a series, with observers, summaries, pictures and films.
 
+#[cfg(feature = "evaluation")]
 mod album;
 mod control;
 mod event;
+#[cfg(feature = "evaluation")]
 pub(crate) mod film;
 mod fingerprint;
 mod firmware;
 mod latency;
 mod link;
 mod meter;
+#[cfg(not(feature = "evaluation"))]
+mod no_pictures;
 mod observer;
+#[cfg(feature = "evaluation")]
 mod pictures;
 mod play;
 mod recording;
@@ -25,6 +30,10 @@ mod summary_text;
 mod tuning;
 mod world_factory;
 
+#[cfg(feature = "evaluation")]
+use self::{album::Album, film::Film};
+#[cfg(not(feature = "evaluation"))]
+use self::{no_pictures::NoPictures as Album, no_pictures::NoPictures as Film};
 pub use bica_recording::{ReplayOptions, ReplayReport};
 pub use control::{GameControl, NextStep};
 pub use firmware::FirmwareImage;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use bica::action::Actions;
 use bica::runner::World;
 use bica::{Instant, Tree};
-use bica_app::{Failure, interrupt};
+use bica_app::{Failure, Progress, interrupt};
 use bica_field::GoalColour;
 use bica_motion::model::RobotModel;
 use bica_motion::robot::{Command, Sensors};
@@ -19,32 +19,24 @@ use bica_sim::SpectatorView;
 use bica_sim::setup::Frame;
 use bica_tuning::Layers;
 use bica_wire::model::Invalid;
-use indicatif::ProgressBar;
 use serde::de::DeserializeOwned;
 
 use crate::game::rules::{Rules, WorldKind};
 use crate::game::scene::GRAPH;
 use crate::game::world_factory;
 
-/// Number of bytes after which the progress bar moves.
-const PROGRESS_STEP: u64 = 1 << 16;
-
 /// Runs the code again on a recording, or compares two recordings.
 ///
 /// # Errors
 /// If a file cannot be read, or the recording cannot be replayed by this program.
 pub fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure> {
-    let bar = ProgressBar::new(std::fs::metadata(options.path).map_or(0, |data| data.len()));
+    let bar = Progress::new(std::fs::metadata(options.path).map_or(0, |data| data.len()));
     let progress = |position| {
-        if position >= bar.position() + PROGRESS_STEP {
-            bar.set_position(position);
-        }
+        bar.show(position, "");
         !interrupt::requested()
     };
     let subject = |header: &Header, runs_world| subject(header, options.set, runs_world);
-    let report = bica_recording::replay(options, subject, progress);
-    bar.finish_and_clear();
-    Ok(report?)
+    Ok(bica_recording::replay(options, subject, progress)?)
 }
 
 /// Runs the code again on a recording, with other parameters, and writes the new course to a recording with images.

@@ -1,13 +1,12 @@
 //! A series of games on several threads.
 
 use std::path::Path;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use bica_app::{Batch, Console, Failure, InForce, Outcome, interrupt};
-use indicatif::{ProgressBar, ProgressStyle};
+use bica_app::{Batch, Console, Failure, InForce, Outcome, Progress, interrupt};
 
-use crate::game::album::Album;
+use crate::game::Album;
 use crate::game::observer::GameObserver;
 use crate::game::play::play_recorded;
 use crate::game::rules::Rules;
@@ -51,26 +50,16 @@ pub(crate) fn play_series(
 
 /// Returns the games that were played to their end, in the order of their seeds.
 fn play_all(rules: &Rules, pictures: Option<&Path>, batch: &Batch) -> Result<Vec<GameSummary>, Failure> {
-    let (bar, goals) = (progress_bar(batch.runs), AtomicU32::new(0));
+    let progress = Progress::new(batch.runs.into());
+    let (played, goals) = (AtomicU64::new(0), AtomicU64::new(0));
     let games = batch.run(|seed| {
         let mut album = pictures.map(|folder| Album::new(&folder.join(format!("seed-{seed}")))).transpose()?;
         let mut observers: Vec<&mut dyn GameObserver> = album.iter_mut().map(|album| album as _).collect();
         let (game, _) = play_recorded(&Rules { seed, ..*rules }, &mut observers[..], None, None)?;
-        let won = u32::from(game.result == GameResult::Goal);
-        bar.set_message(format!("{} goals", goals.fetch_add(won, Ordering::Relaxed) + won));
-        bar.inc(1);
+        let add = |count: &AtomicU64, more| more + count.fetch_add(more, Ordering::Relaxed);
+        let goals = add(&goals, u64::from(game.result == GameResult::Goal));
+        progress.show(add(&played, 1), &format!("{goals} goals"));
         Ok(game)
     });
-    bar.finish_and_clear();
     Ok(games?.into_iter().filter(|game| game.result != GameResult::Interrupted).collect())
-}
-
-/// A bar on stderr; hidden where that is no terminal.
-fn progress_bar(games: u32) -> ProgressBar {
-    let style = ProgressStyle::with_template("[{bar:30}] {pos}/{len} games, {msg}, {eta} left");
-    let bar = ProgressBar::new(games.into());
-    if let Ok(style) = style {
-        bar.set_style(style.progress_chars("#."));
-    }
-    bar
 }

@@ -6,8 +6,6 @@ use bica_app::{Console, Failure, InForce, Outcome};
 use bica_recording::processor;
 use serde::Serialize;
 
-use crate::game::album::Album;
-use crate::game::film::Film;
 use crate::game::link::ServeOptions;
 use crate::game::observer::GameObserver;
 use crate::game::play::play_recorded;
@@ -16,6 +14,7 @@ use crate::game::rules::Rules;
 use crate::game::story::{Story, TreeChange};
 use crate::game::summary::{GameResult, GameSummary};
 use crate::game::summary_text;
+use crate::game::{Album, Film};
 
 /// JSON of a game.
 #[derive(Serialize)]

@@ -2,7 +2,7 @@
 
 use bica_app::{Console, Failure, Style};
 use bica_drawing::TreeState;
-use bica_drawing::polar::{Polar, describe};
+use bica_evaluation::polar::{Polar, describe};
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
 

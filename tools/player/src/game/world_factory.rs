@@ -6,11 +6,10 @@ use std::str::FromStr;
 use bica_app::{Failure, WorldOptions};
 use bica_motion::joints::Joint;
 use bica_motion::pose::Pose2;
-use bica_player::Model;
+use bica_sim::SpectatorView;
 use bica_sim::faults::{Faults, FaultyWorld, ImageFault};
-use bica_sim::kinematic::KinematicWorld;
+use bica_sim::kinematic;
 use bica_sim::setup::{Setup, SetupError, Start};
-use bica_sim::{SpectatorView, World};
 use glam::Vec2;
 
 use crate::game::rules::{Rules, WorldKind};
@@ -33,7 +32,7 @@ pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
         let help = "try another number of --robots, or another --option of the start";
         Failure::new(format!("the game cannot be set up: {error}"), help)
     };
-    let drawn = KinematicWorld::<Model>::new(&setup).map_err(failed)?;
+    let drawn = kinematic::nao(&setup, Vec2::ZERO).map_err(failed)?;
     let place = |at: &[f32]| Vec2::new(at[0], at[1]);
     let start = (!robot.is_empty() || !ball.is_empty()).then(|| Start {
         robot: robot.first().map_or(drawn.referee().robot(), |_| Pose2::new(robot[0], robot[1], robot[2])),
@@ -42,13 +41,7 @@ pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
     let setup = Setup { start, ..setup };
     let velocity = if ball.len() == 4 { place(&ball[2..]) } else { Vec2::ZERO };
     let world: Box<dyn SpectatorView> = match rules.world {
-        WorldKind::BuiltIn => {
-            let mut world = KinematicWorld::<Model>::new(&setup).map_err(failed)?;
-            if velocity != Vec2::ZERO {
-                world.set_ball(place(&ball), velocity).map_err(failed)?;
-            }
-            Box::new(world)
-        }
+        WorldKind::BuiltIn => kinematic::nao(&setup, velocity).map_err(failed)?,
         #[cfg(feature = "mujoco")]
         WorldKind::Mujoco => mujoco(&setup, velocity)?,
     };
@@ -60,8 +53,8 @@ pub(crate) fn open(rules: &Rules) -> Result<Box<dyn SpectatorView>, Failure> {
 
 #[cfg(feature = "mujoco")]
 fn mujoco(setup: &Setup, ball: Vec2) -> Result<Box<dyn SpectatorView>, Failure> {
-    use bica_sim::mujoco::{Error, MujocoWorld, Physics};
-    let mut world = MujocoWorld::<Model>::new(setup, &Physics::of::<Model>()).map_err(|error| match &error {
+    use bica_sim::mujoco::{self, Error};
+    mujoco::nao(setup, ball).map_err(|error| match &error {
         Error::Camera(what) => {
             Failure::new(format!("MuJoCo cannot draw: {what}"), "`cargo xtask mujoco` installs what that needs")
         }
@@ -69,11 +62,7 @@ fn mujoco(setup: &Setup, ball: Vec2) -> Result<Box<dyn SpectatorView>, Failure> 
             format!("the game cannot be set up: {error}"),
             "try another number of --robots, or another --option",
         ),
-    })?;
-    if ball != Vec2::ZERO {
-        world.kick_ball(ball);
-    }
-    Ok(Box::new(world))
+    })
 }
 
 /// Reads the faults.

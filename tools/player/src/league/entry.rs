@@ -68,7 +68,7 @@ impl Entry {
 ///
 /// # Errors
 /// If the text has another form.
-pub(crate) fn server(text: &str) -> Result<Address, String> {
+pub(super) fn server(text: &str) -> Result<Address, String> {
     let (host, port) = text.rsplit_once(':').filter(|(host, _)| !host.is_empty()).ok_or("write it as HOST:PORT")?;
     let agents = port.parse().map_err(|_| format!("`{port}` is no port, which is a number from 1 to 65535"))?;
     Ok(Address { host: host.to_owned(), agents, monitors: 0 })

@@ -9,7 +9,7 @@ use bica::{ComponentId, Setting, Tree};
 use bica_app::{Console, Failure, interrupt};
 use bica_drawing::TreeState;
 use bica_drawing::canvas::{Canvas, Rgb};
-use bica_drawing::polar::Polar;
+use bica_evaluation::polar::Polar;
 use bica_field::SSIM_2026;
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::pose::Pose2;

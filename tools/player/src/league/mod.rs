@@ -10,6 +10,4 @@ mod robot;
 mod start;
 mod world;
 
-pub(crate) use client::Address;
-pub(crate) use entry::server;
 pub(crate) use play::{replay, run};

@@ -10,7 +10,7 @@ use bica_evaluation::statistics::percentile;
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
-use super::entry::{Entry, failure};
+use super::entry::{Entry, failure, server};
 use super::robot::{self, Footballer, K1, ROBOT, Standing, T1, WORLD, forward};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
@@ -164,8 +164,9 @@ fn entry(args: &Play) -> Result<Entry, Failure> {
         let what = "a game of the league that is filmed is neither recorded nor served, and is no series";
         return Err(Failure::new(what, "leave out --film, or --games, --record and --serve"));
     }
+    let server = args.league.server.as_deref().map(server).transpose();
     let entry = Entry {
-        server: args.league.server.clone(),
+        server: server.map_err(|help| Failure::new("--server names no server", help))?,
         team: args.league.team.clone(),
         number: args.league.number,
         realtime: args.realtime,

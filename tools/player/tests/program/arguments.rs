@@ -1,6 +1,8 @@
 //! Wrong arguments: exit code 2, nothing on stdout, and a message with the mistake and the remedy.
 
-use crate::process::{self, Folder, run};
+#[cfg(feature = "evaluation")]
+use crate::process::Folder;
+use crate::process::{self, run};
 
 fn refused(args: &[&str], words: &[&str]) {
     assert_eq!(process::refused(args, words).stdout, "", "{args:?}");
@@ -30,9 +32,23 @@ fn errors_name_the_wrong_argument_and_the_valid_ones() {
     refused(&["play", "--at-least", "1"], &["--games"]);
     refused(&["graph", "--format", "bmp"], &["bmp", "svg, dot, mermaid, json"]);
     refused(&["graph", "--format", "dot", "--json"], &["--format", "--json"]);
+    #[cfg(feature = "evaluation")]
     refused(&["watch"], &["DIR"]);
 }
 
+#[cfg(not(feature = "evaluation"))]
+#[test]
+fn errors_name_the_feature_that_the_program_lacks() {
+    for args in
+        [&["watch", "frames", "--json"][..], &["trial"], &["--film", "game.gif"], &["play", "--pictures", "album"]]
+    {
+        refused(args, &["built without", "--features evaluation"]);
+    }
+    #[cfg(not(feature = "league"))]
+    refused(&["play", "--world", "league"], &["built without", "--features league"]);
+}
+
+#[cfg(feature = "evaluation")]
 #[test]
 fn errors_name_the_folder_that_cannot_be_written() {
     let folder = Folder::new("arguments");
@@ -50,6 +66,7 @@ fn help_has_examples_and_exit_codes() {
         (&["--help"], "Exit codes: 0 a goal"),
         (&["play", "--help"], "the same seed gives the same game"),
         (&["graph", "--help"], "Graphviz"),
+        #[cfg(feature = "evaluation")]
         (&["watch", "--help"], "in the order of their names"),
         (&["--version"], env!("CARGO_PKG_VERSION")),
     ] {

@@ -79,7 +79,7 @@ fn errors_name_the_wrong_input() {
 }
 
 bica_test_data::images_test! {
-    fn profiles_in_the_repository_are_reproduced_from_the_images() {
+    fn profiles_are_reproduced_from_the_images() {
         let images = bica_test_data::images();
         let outer = Folder::new("calibrate/real");
         let profiles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../profiles");

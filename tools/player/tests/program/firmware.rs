@@ -26,7 +26,7 @@ fn story(mut printed: Value) -> Value {
 
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn firmware_plays_the_same_game_and_counts_instructions() {
+fn firmware_plays_the_same_game() {
     let mut image = String::new();
     let game = ["--seed", "3", "--seconds", "3", "--json"];
     let args = with_image(&mut image, &game);
@@ -49,7 +49,7 @@ fn firmware_plays_the_same_game_and_counts_instructions() {
 
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn each_firmware_image_plays_the_sizes_that_it_has_memory_for() {
+fn each_firmware_image_plays_sizes_that_fit() {
     let mut image = String::new();
     with_image(&mut image, &[]);
     let medium = format!("{image}-medium");
@@ -90,7 +90,7 @@ fn a_recorded_firmware_game_replays_on_the_host() {
 /// A request that did not reach both would make their commands differ, which ends the game with code 2.
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
+fn operated_firmware_game_replays() {
     let folder = Folder::new("operated-firmware");
     let file = folder.path().join("game.mcap");
     let file = file.to_str().expect("UTF-8");
@@ -124,7 +124,7 @@ fn an_operator_of_a_served_firmware_changes_both_and_the_game_replays() {
 
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn the_summary_gives_instructions_instead_of_microseconds() {
+fn summary_gives_instructions() {
     let mut image = String::new();
     let args = with_image(&mut image, &["--seconds", "1"]);
     let Ran { code, stdout, stderr } = run(&args);
@@ -137,7 +137,7 @@ fn the_summary_gives_instructions_instead_of_microseconds() {
 
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn firmware_games_do_not_depend_on_the_number_of_threads() {
+fn firmware_games_are_equal_on_any_threads() {
     let mut image = String::new();
     let games = ["--games", "3", "--seconds", "1", "--json", "--threads"];
     let args = with_image(&mut image, &games);
@@ -148,7 +148,7 @@ fn firmware_games_do_not_depend_on_the_number_of_threads() {
 #[cfg(unix)]
 #[test]
 #[cfg_attr(not(firmware_image), ignore = "needs a firmware image: run `cargo xtask firmware`")]
-fn ctrl_c_of_a_terminal_ends_a_firmware_game_with_its_summary() {
+fn ctrl_c_ends_a_firmware_game_with_its_summary() {
     use std::os::unix::process::CommandExt;
 
     let mut image = String::new();

@@ -1,8 +1,9 @@
 //! Games: reproducible, and printed as text and as JSON.
 
+use bica_recording::Recording;
 use serde_json::{Value, json};
 
-use crate::process::{Ran, run, without_wall};
+use crate::process::{Folder, Ran, run, without_wall};
 
 fn game(args: &[&str]) -> Value {
     let mut printed = run(args).json();
@@ -41,6 +42,32 @@ fn options_set_up_the_start_and_faults_that_are_told() {
         story["story"].as_array().unwrap().iter().find_map(|change| change["ball"].as_object().cloned())
     };
     assert!(ball(&printed).is_some_and(|ball| (ball["distance"].as_f64().unwrap() - 1.1).abs() < 0.2), "{printed}");
+}
+
+#[test]
+#[ignore = "slow: `cargo xtask ci` runs it"]
+fn slow_each_fault_has_its_line_entry_and_message() {
+    let folder = Folder::new("faults");
+    for (option, fault) in [
+        ("image=freeze", "the camera repeats the same image"),
+        ("image=dark", "the camera's images are black"),
+        ("image=bright", "the camera's images are white"),
+        ("image=drop", "the camera sends no images"),
+        ("gyro=0.2", "the gyroscope measures a turn that the robot does not make"),
+        ("stuck=HeadYaw", "HeadYaw does not follow its target"),
+        ("hot=LKneePitch", "LKneePitch is too hot"),
+    ] {
+        let file = folder.file("fault.mcap");
+        let faulty = ["--option", option, "--option", "from=1", "--option", "until=5", "--seconds", "7"];
+        let kept = ["--size", "160x120", "--json", "--record", &file, "--force", "--images", "none"];
+        let ran = run(&[faulty, kept].concat());
+        assert!(ran.stderr.contains(&format!("* fault: {fault}")), "{option}: {}", ran.stderr);
+        assert_eq!(ran.json()["faults"][0]["fault"], fault, "{option}");
+        let mut recording = Recording::open(file.as_ref()).expect("a recording");
+        let next = || recording.next_cycle().expect("a whole recording");
+        let texts: Vec<String> = std::iter::from_fn(next).flat_map(|cycle| cycle.log).map(|line| line.text).collect();
+        assert_eq!(texts.first(), Some(&format!("fault: {fault}")), "{option}: {texts:?}");
+    }
 }
 
 #[test]

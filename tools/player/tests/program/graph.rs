@@ -27,7 +27,7 @@ fn every_format_names_every_component() {
 }
 
 #[test]
-fn the_drawing_in_the_documentation_shows_the_current_tree() {
+fn drawing_in_the_documentation_is_current() {
     let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/forward.svg");
     let kept = std::fs::read_to_string(kept).unwrap_or_default();
     let remedy = "draw it anew: cargo run --release -- graph --format svg > docs/forward.svg";

@@ -30,48 +30,6 @@ pub(crate) fn finish(mut served: Served) -> String {
 }
 
 #[test]
-fn an_operator_describes_sets_holds_changes_rates_and_calls() {
-    let game = small_game(&["--seconds", "600"]);
-    let (code, lines, _) = monitor(&game, &["describe", "FaceBall"]);
-    assert_eq!(code, Some(0));
-    let [component] = &lines[0]["components"].as_array().expect("a list")[..] else { panic!("{lines:?}") };
-    let params = component["params"].as_array().expect("a list");
-    let gain = params.iter().find(|param| param["name"] == "gain").expect("a gain");
-    assert_eq!((&gain["kind"], &gain["value"]), (&Value::from("f32"), &gain["default"]));
-
-    let (code, lines, _) = monitor(&game, &["set", "FaceBall.gain=0.875"]);
-    assert_eq!((code, &lines[0]["value"]), (Some(0), &Value::from(0.875)));
-    let (_, lines, _) = monitor(&game, &["describe", "FaceBall"]);
-    let params = lines[0]["components"][0]["params"].as_array().expect("a list");
-    assert!(params.iter().any(|param| param["value"] == 0.875), "a parameter stays");
-
-    for (args, error) in [
-        (&["set", "FaceBall.gain=9"][..], "is outside"),
-        (&["set", "FaceBall.gain=high"], "`high` is not a value of `gain`"),
-        (&["set", "FaceBall.gian=0.5"], "did you mean `gain`?"),
-        (&["set", "FaceBal.gain=0.5"], "did you mean `FaceBall`?"),
-        (&["hold", "Playr", "latent"], "did you mean `Player`?"),
-        (&["watch", "FaceBall.eror"], "did you mean `error`?"),
-        (&["modulate", "Body.go", "1"], "takes 2 arguments, found 1"),
-    ] {
-        let (code, _, errors) = monitor(&game, args);
-        assert_eq!(code, Some(2), "{args:?}");
-        assert!(errors.contains(error), "{args:?}: {errors}");
-    }
-
-    let (code, lines, errors) = monitor(&game, &["rate", "FaceBall", "5", "--seconds", "0.05"]);
-    assert_eq!((code, &lines[0]["values"][0]), (Some(0), &Value::from(5.0)), "{errors}");
-    let (code, ..) = monitor(&game, &["hold", "FaceBall", "latent", "--seconds", "0.05"]);
-    assert_eq!(code, Some(0));
-    let (code, _, errors) = monitor(&game, &["modulate", "Body.go", "0.1", "-0.5"]);
-    assert_eq!(code, Some(0), "{errors}");
-    let (_, lines, _) = monitor(&game, &["watch", "--count", "1"]);
-    let components = lines[0]["components"].as_array().expect("a list");
-    let face = components.iter().find(|component| component["name"] == "FaceBall").expect("FaceBall");
-    assert_eq!((&face["held"], &face["hz"]), (&Value::from("tree"), &Value::from(30.0)), "the lease has ended");
-}
-
-#[test]
 fn wrong_addresses_are_errors() {
     for (args, error) in [
         (&["play", "--serve", "0.0.0.0:0"][..], "--listen-anywhere"),
@@ -102,7 +60,7 @@ fn a_served_world_is_shown() {
 }
 
 #[test]
-fn the_ball_of_a_served_world_is_placed_and_the_game_replays() {
+fn game_with_a_placed_ball_replays() {
     let folder = crate::process::Folder::new("link-ball");
     let file = &folder.file("run.mcap");
     let game = small_game(&["--seconds", "6", "--record", file, "--images", "none"]);

@@ -1,6 +1,7 @@
 //! The program `player`, started as a process.
 
 mod arguments;
+#[cfg(feature = "evaluation")]
 mod calibrate;
 mod exit;
 mod firmware;
@@ -9,10 +10,14 @@ mod graph;
 mod link;
 mod mujoco;
 mod params;
+#[cfg(feature = "evaluation")]
 mod pictures;
 mod process;
 mod recordings;
 mod schema;
+#[cfg(feature = "evaluation")]
 mod see;
+#[cfg(feature = "evaluation")]
 mod test_image;
+#[cfg(feature = "evaluation")]
 mod watch;

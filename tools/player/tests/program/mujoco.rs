@@ -2,7 +2,7 @@
 
 #[cfg(not(feature = "mujoco"))]
 #[test]
-fn without_mujoco_the_error_describes_its_installation() {
+fn missing_mujoco_is_explained() {
     let ran = crate::process::run(&["play", "--world", "mujoco"]);
     assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""));
     assert!(ran.stderr.contains("cargo xtask mujoco") && ran.stderr.contains("--features mujoco"), "{}", ran.stderr);
@@ -57,7 +57,7 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_robot_with_a_hot_joint_stops_and_sits_down_without_a_fall() {
+    fn robot_with_a_hot_joint_sits_down() {
         let (mut robot, mut world) = forward();
         for cycle in 0..3000 {
             if cycle == 500 {
@@ -72,7 +72,7 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_fallen_robot_with_a_hot_joint_lies_until_it_has_cooled_and_gets_up() {
+    fn fallen_robot_rises_after_a_hot_joint_cooled() {
         let (mut robot, mut world) = forward();
         for cycle in 0..2600 {
             match cycle {
@@ -98,7 +98,7 @@ mod with_mujoco {
     }
 
     #[test]
-    fn a_sitting_robot_stands_up_without_a_fall_when_the_joint_has_cooled() {
+    fn sitting_robot_stands_up_after_cooling() {
         let (mut robot, mut world) = forward();
         for cycle in 0..2500 {
             match cycle {

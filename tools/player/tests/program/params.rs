@@ -44,7 +44,7 @@ fn limit(name: &str, args: &[&str]) -> (String, Value) {
 }
 
 #[test]
-fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
+fn colour_profile_is_a_layer_between_tune_files() {
     let folder = Folder::new("tune-profile");
     fs::write(folder.file("built-in.toml"), "[Colours]\norange_hue_to = 140\ngreen_luma_max = 199\n").unwrap();
     fs::write(folder.file("rob.toml"), "[Colours]\nblue_luma_max = 150\n").unwrap();
@@ -62,7 +62,7 @@ fn a_colour_profile_is_a_layer_between_the_files_of_world_and_robot() {
 }
 
 #[test]
-fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
+fn colour_profile_becomes_an_equal_tune_file() {
     let folder = Folder::new("tune-convert");
     for profile in ["nao2009", "darwin2013"] {
         let file = folder.file(&format!("{profile}.toml"));
@@ -80,7 +80,7 @@ fn a_colour_profile_becomes_a_tune_file_with_the_same_values() {
 }
 
 #[test]
-fn a_profile_that_parameters_cannot_express_is_refused() {
+fn inexpressible_profile_is_refused() {
     let folder = Folder::new("tune-inexpressible");
     let file = folder.file("hall.toml");
     let of_profile = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../profiles/nao2009.toml")).unwrap();
@@ -98,7 +98,7 @@ fn a_profile_that_parameters_cannot_express_is_refused() {
 }
 
 #[test]
-fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
+fn tune_files_then_the_command_line_decide() {
     let folder = Folder::new("tune-layers");
     fs::write(folder.file("built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
     fs::write(folder.file("rob.toml"), "[FaceBall]\ngain = 0.6\n").unwrap();
@@ -118,69 +118,21 @@ fn a_tune_file_of_the_world_then_of_the_robot_then_the_command_line_decide() {
 }
 
 #[test]
-fn a_written_tune_file_gives_the_same_values() {
-    let folder = Folder::new("tune-write");
-    let file = folder.file("built-in.toml");
-    let set = ["--set", "FaceBall.gain=0.9", "--write", &file];
-    let written = run(&[&["params"][..], &set].concat());
-    assert_eq!(written.code, Some(0), "{}", written.stderr);
-    assert!(written.stdout.contains("1 value"), "{}", written.stdout);
-    assert_eq!(gain(&["--tune", folder.text()]).0, "0.9");
-    refused(&[&["params"][..], &set].concat(), &[&file, "exists", "--force"]);
-    assert_eq!(run(&[&["params", "--force"][..], &set].concat()).code, Some(0));
-}
-
-#[test]
-fn wrong_parameters_are_errors_of_every_command_that_takes_them() {
+fn wrong_layers_are_errors_of_every_command() {
     let folder = Folder::new("tune-errors");
-    let file = folder.file("built-in.toml");
-    fs::write(&file, "# comment\n[FaceBall]\ngian = 0.5\n").unwrap();
+    fs::write(folder.file("built-in.toml"), "[FaceBall]\ngain = 0.5\n").unwrap();
+    let missing = folder.file("missing.toml");
     for command in [&["play", "--seconds", "0.1"][..], &["params"]] {
-        let with = |args: &[&str]| [command, args].concat().iter().map(|arg| (*arg).to_owned()).collect::<Vec<_>>();
-        let refused = |args: &[&str], words: &[&str]| {
-            let args = with(args);
-            refused(&args.iter().map(String::as_str).collect::<Vec<_>>(), words);
-        };
-        refused(&["--set", "FaceBall.gain"], &["not an assignment", "Component.name=value"]);
-        refused(&["--set", "FaceBal.gain=0.5"], &["`FaceBal`", "did you mean `FaceBall`?"]);
-        refused(&["--set", "FaceBall.gian=0.5"], &["`gian`", "did you mean `gain`?"]);
-        refused(&["--set", "FaceBall.gain=x"], &["FaceBall.gain", "expected f32", "write a number from"]);
-        refused(&["--set", "FaceBall.gain=7"], &["FaceBall.gain", "7 is outside"]);
-        refused(&["--tune", folder.text()], &[&format!("`{file}` line 3"), "did you mean `gain`?"]);
-        refused(&["--tune", folder.text(), "--robot", "rob"], &["help: "]);
-        refused(&["--robot", "rob"], &["rob.toml", "--write"]);
-        for robot in [&[][..], &["--robot", "rob"]] {
-            let missing = folder.file("missing.toml");
-            refused(&[&["--tune", &missing], robot].concat(), &[&format!("`{missing}`"), "--write"]);
+        for (args, words) in [
+            (&["--set", "FaceBall.gian=0.5"][..], &["`gian`", "did you mean `gain`?"][..]),
+            (&["--tune", folder.text(), "--robot", "rob"], &["help: "]),
+            (&["--robot", "rob"], &["rob.toml", "--write"]),
+            (&["--tune", &missing], &[&format!("`{missing}`"), "--write"]),
+            (&["--tune", &missing, "--robot", "rob"], &[&format!("`{missing}`"), "--write"]),
+        ] {
+            refused(&[command, args].concat(), words);
         }
-        let twice = ["--set", "FaceBall.gain=0.5", "--set", "FaceBall.gain=0.6"];
-        refused(&twice, &["`FaceBall.gain=0.5` and `FaceBall.gain=0.6`", "leave one of them out"]);
     }
     refused(&["params", "FaceBal"], &["did you mean `FaceBall`?"]);
     refused(&["--world", "firmware", "--set", "FaceBall.gain=0.5"], &["help: "]);
-}
-
-#[test]
-fn a_replay_uses_the_recorded_parameters_and_shows_what_others_would_have_decided() {
-    let folder = Folder::new("tune-replay");
-    let file = folder.file("run.mcap");
-    let played = short_game(&["--set", "FaceBall.gain=0.5", "--record", &file]);
-    assert_eq!(played.json()["recording"]["recorded_cycles"], 500, "{}", played.stderr);
-    let header = run(&["record", "info", &file, "--json"]).json()["header"].clone();
-    let named = |list: &serde_json::Value, name| {
-        list.as_array().and_then(|list| list.iter().find(|one| one["name"] == name).cloned()).expect("it is listed")
-    };
-    let component = named(&header["tree"]["components"], "FaceBall");
-    assert_eq!(named(&component["params"], "gain")["value"], 0.5);
-    assert_eq!(run(&["replay", &file, "--json"]).json()["equal"], true);
-    let other = run(&["replay", &file, "--set", "FaceBall.gain=0.7", "--json"]);
-    assert_eq!(other.code, Some(1), "{}", other.stderr);
-    let json = other.json();
-    assert_eq!((&json["equal"], &json["set"][0]), (&false.into(), &"FaceBall.gain=0.7".into()));
-    assert!(json["first_difference"]["field"].as_str().is_some_and(|field| field.starts_with("command.")), "{json}");
-    assert!(other.stderr.contains("other parameters: FaceBall.gain=0.7"), "{}", other.stderr);
-    let twice = ["--set", "FaceBall.gain=0.7", "--set", "FaceBall.gain=0.7"];
-    refused(&[&["replay", &file][..], &twice].concat(), &["--set sets one parameter twice"]);
-    refused(&["replay", &file, "--set", "FaceBall.gian=0.7"], &["did you mean `gain`?"]);
-    refused(&["replay", &file, "--set", "FaceBall.gain=0.7", "--against", &file], &["--set", "--against"]);
 }

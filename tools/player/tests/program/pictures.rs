@@ -51,7 +51,7 @@ fn film(path: &Path) -> Vec<(u16, u16, u16)> {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_film_has_fourteen_pictures_per_second_and_does_not_change_the_game() {
+fn slow_film_does_not_change_the_game() {
     let folder = Folder::new("film");
     let path = folder.path().join("game.gif");
     let game = ["--seconds", "2", "--json", "--size", "160x120"];

@@ -6,8 +6,11 @@ use std::process::Stdio;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use bica::runner::OwnedRequest;
+use bica::{ComponentId, Hold};
 use bica_link::{Component, Description};
 use bica_recording::{Header, MonitorRecorder, RecordedCycle, RequestRecord, Tick};
+use bica_wire::message::Offers;
 use serde_json::Value;
 
 use crate::process::{Folder, Ran, player, refused, run};
@@ -81,13 +84,15 @@ fn files_are_mended_cut_and_shown() {
 fn monitored(file: &str) {
     let component = Component { name: "Lamp".to_owned(), ..Component::default() };
     let description = Description { components: vec![component], cycle_hz: 100.0, ..Description::default() };
-    let header = Header::of_monitor("tcp://lamp:7400", &description);
+    let header = Header::of_monitor("tcp://lamp:7400", &description, Offers::OPERATE);
     let mut recorder = MonitorRecorder::new(fs::File::create(file).unwrap(), &header).unwrap();
     for number in 0..200 {
         let tick = Tick { cycle: number, instant: 10_000 * number, ..Tick::default() };
         let mut cycle = RecordedCycle { tick, ..RecordedCycle::default() };
         if number == 150 {
-            cycle.requests.push(RequestRecord::Unknown { text: "hold Lamp Active".to_owned() });
+            cycle
+                .requests
+                .push(RequestRecord::Tree(OwnedRequest::Hold { component: ComponentId::new(0), hold: Hold::Active }));
         }
         recorder.cycle(&cycle).unwrap();
     }
@@ -95,13 +100,13 @@ fn monitored(file: &str) {
 }
 
 #[test]
-fn what_a_monitor_recorded_is_shown_cut_and_mended_and_not_replayed() {
+fn monitor_recording_is_shown_but_not_replayed() {
     let folder = Folder::new("recorded-monitor");
     let (file, game) = (folder.file("sent.mcap"), folder.file("game.mcap"));
     monitored(&file);
     record(&game, &["--seconds", "0.1"]);
     let shown = run(&["record", "info", &file]).stdout;
-    for word in ["tcp://lamp:7400", "not for a replay", "200 cycles", "complete", "request: hold Lamp Active"] {
+    for word in ["tcp://lamp:7400", "not for a replay", "200 cycles", "complete", "request: hold Lamp active"] {
         assert!(shown.contains(word), "`{word}` is missing in:\n{shown}");
     }
     assert!(!shown.contains("fingerprint") && !shown.contains("attacks"), "{shown}");

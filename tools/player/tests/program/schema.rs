@@ -34,6 +34,7 @@ fn every_printed_field_is_documented() {
         &["--seconds", "1.5"][..],
         &["play", "--games", "1", "--seconds", "0.1"],
         &["graph"],
+        #[cfg(feature = "evaluation")]
         &["watch", folder.text()],
         &["--seconds", "0.5", "--record", file],
         &["record", "info", file],

@@ -134,7 +134,7 @@ fn figure(value: &Value) -> f64 {
 }
 
 bica_test_data::images_test! {
-    fn detections_in_images_of_a_nao_of_2009_reach_their_scores() {
+    fn detections_in_nao_images_reach_their_scores() {
         let score = score(bica_test_data::images(), "nao2009");
         assert!(score["recall"]["of"] == 66 && part(&score["recall"]) >= 0.98, "{score}");
         assert!(part(&score["precision"]) >= 0.99, "{score}");
@@ -149,7 +149,7 @@ bica_test_data::images_test! {
         assert!(figure(&score["horizon_px"]["max"]) <= 2.0, "{score}");
     }
 
-    fn detections_in_images_of_a_darwin_of_2013_reach_their_scores() {
+    fn detections_in_darwin_images_reach_their_scores() {
         let score = score(bica_test_data::images(), "darwin2013");
         assert!(score["labelled"] == 8 && score["recall"]["of"] == 7, "{score}");
         assert!(part(&score["recall"]) >= 0.99 && part(&score["precision"]) >= 0.99, "{score}");

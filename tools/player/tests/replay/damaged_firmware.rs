@@ -151,7 +151,7 @@ fn image() -> PathBuf {
 
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_firmware_games_over_a_link_with_damaged_packets_replay_bit_for_bit() {
+fn long_firmware_games_over_a_bad_link_replay() {
     let image = image();
     with_stack(|| {
         for seed in 0..5 {

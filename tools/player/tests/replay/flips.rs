@@ -86,7 +86,7 @@ fn flips_are_found(trials: u32, name: &str) {
 }
 
 #[test]
-fn a_flipped_bit_in_a_command_an_image_or_an_instant_is_located() {
+fn flipped_bit_in_a_cycle_is_located() {
     flips_are_found(30, "flips.mcap");
 }
 

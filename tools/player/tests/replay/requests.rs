@@ -74,7 +74,7 @@ fn random_value<V: Variants>(kind: &Kind<V>, rng: &mut Pcg64) -> Value {
 }
 
 #[test]
-fn games_with_random_holds_rates_parameters_and_modulations_replay_bit_for_bit() {
+fn games_with_random_requests_replay() {
     let mut rng = Pcg64::seed_from_u64(13);
     for (game, images) in
         [ImagePolicy::All, ImagePolicy::None, ImagePolicy::All, ImagePolicy::None].into_iter().enumerate()

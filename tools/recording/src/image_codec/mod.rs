@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn smooth_images_become_much_smaller_and_noise_hardly_larger() {
+    fn smooth_images_shrink_and_noise_hardly_grows() {
         let smooth: Vec<u8> = (0..160 * 120 * 2).map(|i| (i % 320 / 4 + i / 3200) as u8).collect();
         let coded = round_trip(&smooth, 160, 120);
         assert!(coded * 5 < smooth.len(), "{coded}");

@@ -1,8 +1,10 @@
 //! The header of a recording that a monitor makes.
 
+use bica_wire::message::Offers;
 use bica_wire::model::Description;
 
-use crate::header::{FORMAT, Header, ImagePolicy, MonitorInfo, SetUp, Topics};
+use crate::header::{Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};
+use crate::message::Channel;
 use crate::program::{Program, Start};
 
 /// Ticks of an instant in a second: a monitor knows times in µs.
@@ -10,11 +12,13 @@ const TICK_HZ: u64 = 1_000_000;
 
 impl Header {
     /// The header of what this program, a monitor, records of a robot at an address. Parameters have the values that are in the
-    /// description now.
+    /// description now. `offers` is what the robot's program sends: a microcontroller tells requests in its log only.
     #[must_use]
-    pub fn of_monitor(address: &str, description: &Description) -> Self {
+    pub fn of_monitor(address: &str, description: &Description, offers: Offers) -> Self {
+        let requests = (!offers.contains(Offers::CONDITIONS)).then_some(Channel::Requests);
+        let lacks = [Channel::Sensors, Channel::Command, Channel::Costs].into_iter().chain(requests);
         Self {
-            format: FORMAT,
+            format: MONITOR_FORMAT,
             program: Program::bica(),
             start: Start::now(),
             tree: description.clone(),
@@ -23,7 +27,10 @@ impl Header {
             images: ImagePolicy::None,
             scenery: Vec::new(),
             topics: Topics::Standard,
-            monitor: Some(MonitorInfo { address: address.to_owned() }),
+            monitor: Some(MonitorInfo {
+                address: address.to_owned(),
+                lacks: lacks.map(|channel| channel.topic().to_owned()).collect(),
+            }),
         }
     }
 }

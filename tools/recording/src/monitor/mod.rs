@@ -5,11 +5,13 @@ mod header;
 use std::io;
 
 use bica::{Blob, Format};
+use bica_wire::message::ComponentState;
 
-use crate::blob::{Place, code};
+use crate::blob::{BlobIndex, code};
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
-use crate::message::{Channel, Tick, TreeRecord};
+use crate::information::InformationValue;
+use crate::message::{Channel, HoldsRecord, Tick, TreeRecord};
 use crate::recorder::{Output, Report, Sink};
 use crate::recording::{MAX_BLOBS, RecordedCycle};
 
@@ -29,6 +31,32 @@ pub struct ReceivedImage<'a> {
     pub blob: Blob<'a>,
 }
 
+impl RecordedCycle {
+    /// A cycle that a monitor has received: its number, its instant, µs, and the states of all components after it.
+    #[must_use]
+    pub fn received(number: u64, time_us: u64, states: impl Iterator<Item = ComponentState>) -> Self {
+        let (mut tree, mut holds) = (TreeRecord::default(), HoldsRecord::default());
+        for (index, ComponentState { active, held, state, hz }) in states.enumerate() {
+            if index % 8 == 0 {
+                tree.active.push(0);
+            }
+            tree.active[index / 8] |= u8::from(active) << (index % 8);
+            tree.states.push(state.and_then(|state| u8::try_from(state).ok()).unwrap_or(u8::MAX));
+            holds.holds.push(held);
+            holds.rates.push(hz);
+        }
+        let tick = Tick { cycle: number, instant: time_us, ..Tick::default() };
+        Self { tick, tree, holds: Some(holds), ..Self::default() }
+    }
+
+    /// Adds the value of an output in postcard's format; none if it is too large.
+    pub fn add_output(&mut self, component: usize, index: usize, value: Option<&[u8]>) {
+        let (component, index) = (component as u16, index as u16);
+        let value = value.unwrap_or_default().to_vec();
+        self.information.get_or_insert_default().values.push(InformationValue { component, index, value });
+    }
+}
+
 /// Writer of what a monitor has received.
 ///
 /// Values are written when a chunk is full, and by [`write_if_due`](Self::write_if_due) at the latest after 0.3 s; every 0.5 s the
@@ -38,6 +66,7 @@ pub struct MonitorRecorder<S> {
     output: Output<S>,
     tree: Option<TreeRecord>,
     tree_digest: u32,
+    holds: Option<HoldsRecord>,
     coder: ImageCoder,
     /// Number of images of the open chunk.
     images: usize,
@@ -50,7 +79,7 @@ impl<S: Sink> MonitorRecorder<S> {
     /// If the header cannot be written.
     pub fn new(sink: S, header: &Header) -> io::Result<Self> {
         let output = Output::new(sink, header, CHUNK_BYTES)?;
-        Ok(Self { output, tree: None, tree_digest: 0, coder: ImageCoder::default(), images: 0 })
+        Ok(Self { output, tree: None, tree_digest: 0, holds: None, coder: ImageCoder::default(), images: 0 })
     }
 
     /// Length of the file, bytes.
@@ -70,8 +99,8 @@ impl<S: Sink> MonitorRecorder<S> {
             return Ok(());
         }
         let (output, time) = (&mut self.output, time_us.saturating_mul(1000));
-        let place = Place { id: number.wrapping_add(1), cycle: None, part: 0 };
-        code(blob, place, &mut self.coder, |compression, record| output.blob(compression, time, record));
+        let index = BlobIndex { id: number.wrapping_add(1), cycle: None, part: 0 };
+        code(blob, index, &mut self.coder, |compression, record| output.blob(compression, time, record));
         self.images += 1;
         if self.images >= CHUNK_IMAGES { self.flush() } else { self.output.flush_if_large() }
     }
@@ -90,8 +119,9 @@ impl<S: Sink> MonitorRecorder<S> {
         if let Some(information) = &cycle.information {
             output.message(Channel::Information, time, information);
         }
-        if let Some(holds) = &cycle.holds {
+        if let Some(holds) = cycle.holds.as_ref().filter(|holds| self.holds.as_ref() != Some(holds)) {
             output.message(Channel::Holds, time, holds);
+            self.holds = Some(holds.clone());
         }
         if self.tree.as_ref() != Some(&cycle.tree) {
             output.message(Channel::Tree, time, &cycle.tree);

@@ -7,7 +7,7 @@ use bica::Blob;
 use super::output::Output;
 use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
-use crate::blob::{Place, code};
+use crate::blob::{BlobIndex, code};
 use crate::digest::{RunningFingerprint, blobs_digest};
 use crate::header::{Ending, Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
@@ -135,9 +135,9 @@ impl<S: Sink> Writing<S> {
         for (part, blob) in (0..).zip(kept) {
             let (format, frame) = described(&sensors[blob.at..]);
             self.last_blob = self.last_blob.wrapping_add(1);
-            let place = Place { id: self.last_blob, cycle, part };
+            let index = BlobIndex { id: self.last_blob, cycle, part };
             let output = &mut self.output;
-            code(&Blob { bytes: blob.bytes(), format, frame }, place, &mut self.coder, |compression, record| {
+            code(&Blob { bytes: blob.bytes(), format, frame }, index, &mut self.coder, |compression, record| {
                 output.blob(compression, time, record);
             });
         }

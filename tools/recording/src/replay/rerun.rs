@@ -7,7 +7,7 @@ use bica::runner::Robot;
 use bica_wire::Recordable;
 use bica_wire::message::LogSource;
 
-use super::run::{Again, WorldRefusal};
+use super::run::Again;
 use super::{Subject, of_file, open, subject};
 use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
@@ -60,14 +60,13 @@ where
             match (result, request) {
                 (Ok(()), RequestRecord::World { .. }) => recorder.add_request(request.clone()),
                 (Ok(()), _) => {}
-                (Err(WorldRefusal::World(error)), _) => {
+                (Err(error), _) => {
                     recorder.log(LogLine {
                         level: 3,
                         source: LogSource::Operator,
                         text: format!("request refused: {error}"),
                     });
                 }
-                (Err(WorldRefusal::Unknown(refused)), _) => return Err(refused),
             }
         }
         again.cycle(&recorded)?;

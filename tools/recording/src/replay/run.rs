@@ -92,20 +92,16 @@ where
     ///
     /// # Errors
     /// Why the world refuses a change. A tree's refusal is a difference of the run.
-    pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), WorldRefusal> {
+    pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), Refusal> {
         match request {
             RequestRecord::World { name, values } => {
                 let Some(world) = &mut self.world else { return Ok(()) };
-                perform(world.actions(), name.as_str(), values).map_err(WorldRefusal::World)
+                perform(world.actions(), name.as_str(), values)
             }
             RequestRecord::Tree(request) => {
                 // The observer receives the refusal.
                 let _ = self.runner.request(self.now(recorded), request.borrow());
                 Ok(())
-            }
-            RequestRecord::Unknown { text } => {
-                let what = format!("the recording has a request of which only the text is known: {text}");
-                Err(WorldRefusal::Unknown(Invalid::new(what, "replay the recording of the robot's own program")))
             }
         }
     }
@@ -144,14 +140,6 @@ where
     }
 }
 
-/// Reason why a recorded request is not applied.
-pub(super) enum WorldRefusal {
-    /// The world refuses it.
-    World(Refusal),
-    /// The program does not know it.
-    Unknown(Invalid),
-}
-
 /// The robot of this program.
 pub(super) struct Repeated<R: Robot> {
     again: Again<R, Taken>,
@@ -182,11 +170,9 @@ where
         }
         let mut requests = Vec::with_capacity(recorded.requests.len());
         for request in &recorded.requests {
-            match self.again.request(recorded, request) {
-                Ok(()) => {}
+            if self.again.request(recorded, request).is_err() {
                 // A change that the repeated world refuses is a difference.
-                Err(WorldRefusal::World(_)) => continue,
-                Err(WorldRefusal::Unknown(refused)) => return Err(refused),
+                continue;
             }
             self.fingerprint.add_request(request);
             requests.push(request.clone());

@@ -69,7 +69,7 @@ fn cut(step: usize) {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_file_cut_anywhere_recovers_all_complete_chunks_and_opens() {
+fn slow_cut_file_recovers_all_complete_chunks() {
     cut(17);
 }
 
@@ -129,7 +129,7 @@ fn flip(file: &mut [u8], rng: &mut Pcg64, end: usize) {
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_flipped_bit_in_the_header_is_found_and_recovered() {
+fn slow_flipped_bit_in_the_header_is_recovered() {
     let (file, mut rng) = (recorded(15), Pcg64::seed_from_u64(5));
     let header = Recording::new(&file[..]).expect("intact").position() as usize;
     let whole = content(&file).expect("intact");
@@ -202,7 +202,7 @@ fn with_chunk(uncompressed: u64, compression: &str, stored: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn decompression_bombs_and_impossible_lengths_end_in_an_error_with_bounded_memory() {
+fn decompression_bombs_need_bounded_memory() {
     use lz4_flex::frame::FrameEncoder;
     let mut bomb = FrameEncoder::new(Vec::new());
     std::io::copy(&mut std::io::Read::take(std::io::repeat(0), 1 << 27), &mut bomb).expect("memory");
@@ -294,7 +294,7 @@ proptest! {
 
     #[test]
     #[ignore = "slow: `cargo xtask ci` runs it"]
-    fn slow_a_damaged_byte_never_panics_and_takes_little_memory(at in any::<prop::sample::Index>(), value in any::<u8>()) {
+    fn slow_damaged_byte_never_panics(at in any::<prop::sample::Index>(), value in any::<u8>()) {
         static FILE: std::sync::LazyLock<Vec<u8>> = std::sync::LazyLock::new(|| recorded(24));
         let mut file = FILE.clone();
         let at = at.index(file.len());

@@ -1,18 +1,20 @@
 //! Full and slow disks.
 
+use std::fs;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use bica::runner::Runner;
 use bica::{Blob, Format};
-use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording};
+use bica_recording::{Backpressure, ImagePolicy, Info, Recorder, RecorderOptions, Recording, create};
 
 use crate::support::{Cart, Disk, Sensors, cycles, header, pixels, record, recorded, sensors, small_chunks};
 
 #[test]
 #[ignore = "slow: `cargo xtask ci` runs it"]
-fn slow_a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
+fn slow_full_disk_leaves_a_readable_file() {
     let whole = recorded(60).len();
     let mut lengths = Vec::new();
     for capacity in (0..whole).step_by(whole / 200) {
@@ -35,7 +37,7 @@ fn slow_a_full_disk_ends_the_recording_and_leaves_a_readable_file() {
 }
 
 #[test]
-fn a_full_disk_is_reported_at_once_and_named_in_the_file_if_there_is_room() {
+fn full_disk_is_reported_at_once_and_in_the_file() {
     let (sender, receiver) = std::sync::mpsc::channel();
     let disk = Disk { capacity: Some(recorded(1).len() + 300), ..Disk::default() };
     let on_end = move |reason: &str| sender.send(reason.to_owned()).expect("somebody listens");
@@ -81,7 +83,7 @@ fn a_queue_without_room_for_values_ends_the_recording() {
 }
 
 #[test]
-fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
+fn simulation_waits_for_a_slow_disk() {
     let disk = Disk { delay: Duration::from_millis(2), ..Disk::default() };
     let backpressure = Backpressure::Wait;
     let options = RecorderOptions { cycles: 10, images: 2, backpressure, ..small_chunks() };
@@ -92,7 +94,7 @@ fn a_simulation_waits_for_a_slow_disk_and_loses_nothing() {
 }
 
 #[test]
-fn a_sync_that_takes_long_delays_no_write_and_drops_no_image() {
+fn long_sync_delays_no_write() {
     // The queue has room for their images and scans.
     const STEP: u64 = 45;
     let (disk, mut cart, mut count) = (Disk::default(), Cart::new(), 0);
@@ -187,4 +189,15 @@ fn a_recorder_that_panics_does_not_stop_the_loop() {
     }
     assert_eq!(ended.recv().as_deref(), Ok("the thread of the recorder failed"));
     assert_eq!(runner.into_parts().3.finish("").reason.as_deref(), Some("the thread of the recorder failed"));
+}
+
+#[test]
+fn file_that_is_being_recorded_is_not_replaced() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("locked.mcap");
+    let writer = create(&path, true).expect("room");
+    let error = create(&path, true).expect_err("locked");
+    assert!(error.to_string().contains("another program"), "{error}");
+    drop(writer);
+    create(&path, true).expect("free");
+    fs::remove_file(path).expect("a file");
 }

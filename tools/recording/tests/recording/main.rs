@@ -3,6 +3,7 @@
 mod damage;
 mod disk;
 mod monitor;
+mod overruns;
 mod replay;
 mod support;
 mod topics;

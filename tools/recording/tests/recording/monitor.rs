@@ -4,18 +4,32 @@ use std::io::Cursor;
 
 use std::io::Read;
 
+use bica::runner::OwnedRequest;
+use bica::{ComponentId, Hold};
 use bica_link::{Component, Description, Info as Information, State};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
     Error, Header, HoldsRecord, Info, InformationRecord, InformationValue, LogLine, LogSource, MonitorRecorder,
     ReceivedImage, RecordedCycle, Recording, Report, RequestRecord, RunEvent, Tick, TreeRecord,
 };
-use serde_json::json;
+use bica_wire::message::Offers;
+use postcard_schema::Schema;
+use serde::Serialize;
 
 use crate::support::{self, Disk, SIZE, pixels};
 
+/// The component `Counter`.
+const COUNTER: ComponentId = ComponentId::new(1);
+
 /// Period of a cycle, µs.
 const PERIOD_US: u64 = 10_000;
+
+/// Value of an output.
+#[derive(Serialize, Schema)]
+struct Seen {
+    number: u64,
+    at: (f32, f32),
+}
 
 /// A tree of two components, one of them with states and an output.
 fn description() -> Description {
@@ -27,7 +41,7 @@ fn description() -> Description {
         unit: Some(text("m")),
         type_name: text("Seen"),
         placement: None,
-        schema: None,
+        schema: Some(Seen::SCHEMA.into()),
     };
     let states = vec![state("dark", true), state("bright", false)];
     let blinker = Component { name: text("Blinker"), states, info: vec![info], ..Component::default() };
@@ -37,7 +51,7 @@ fn description() -> Description {
 }
 
 fn header() -> Header {
-    Header::of_monitor("tcp://lamp:7400", &description())
+    Header::of_monitor("tcp://lamp:7400", &description(), Offers::OPERATE)
 }
 
 /// A cycle with everything that depends on its number.
@@ -46,13 +60,17 @@ fn cycle(number: u64) -> RecordedCycle {
     let tick = Tick { cycle: number, instant, ..Tick::default() };
     let tree =
         TreeRecord { active: vec![1 + 2 * u8::from(number >= 20)], states: vec![u8::from(number >= 10), u8::MAX] };
-    let holds = HoldsRecord { holds: vec![0, 1 + u8::from(number >= 15)], rates: vec![None, Some(25.0)] };
-    let value = InformationValue::in_json(0, 0, &json!({ "number": number, "at": [0.5, null] }).to_string());
+    let holds = HoldsRecord {
+        holds: vec![Hold::Tree, if number >= 15 { Hold::Latent } else { Hold::Active }],
+        rates: vec![None, Some(25.0)],
+    };
+    let value = postcard::to_stdvec(&Seen { number, at: (0.5, f32::NAN) }).expect("memory");
+    let value = InformationValue { component: 0, index: 0, value };
     let mut cycle = RecordedCycle { tick, tree, ..RecordedCycle::default() };
     cycle.holds = [0, 15].contains(&number).then_some(holds);
     cycle.information = number.is_multiple_of(10).then(|| InformationRecord { values: vec![value] });
     match number {
-        3 => cycle.requests.push(RequestRecord::Unknown { text: "hold Counter Latent".to_owned() }),
+        3 => cycle.requests.push(RequestRecord::Tree(OwnedRequest::Hold { component: COUNTER, hold: Hold::Latent })),
         4 => cycle.log.push(LogLine { level: 3, source: LogSource::Monitor, text: "hot".to_owned() }),
         5 => cycle.events.push(RunEvent { at_ns: 50_000_000, kind: "goal".to_owned(), detail: "own".to_owned() }),
         _ => {}
@@ -146,7 +164,7 @@ fn an_image_of_an_impossible_size_is_left_out() {
 }
 
 #[test]
-fn a_trimmed_recording_begins_with_the_states_and_holds_before_it() {
+fn trimmed_recording_begins_with_earlier_states() {
     let mut part = Vec::new();
     let copied = trim(Cursor::new(recorded(40, 0)), &mut part, 250_000_000, 300_000_000, None).expect("memory");
     assert_eq!(copied.cycles, 6);
@@ -180,22 +198,26 @@ fn a_full_disk_leaves_all_complete_chunks() {
 }
 
 #[test]
-fn an_overview_lists_requests_and_events_and_no_fingerprint() {
+fn overview_lists_requests_and_events() {
     let info = Info::read(&recorded(40, 0)[..]).expect("a recording");
     assert_eq!((info.cycles, info.fingerprint.as_str(), info.damage), (40, "", None));
-    assert_eq!((info.requests[0].request.as_str(), info.events[0].event.as_str()), ("hold Counter Latent", "goal"));
+    assert_eq!((info.requests[0].request.as_str(), info.events[0].event.as_str()), ("hold Counter latent", "goal"));
     let monitor = info.header.monitor.expect("a monitor made it");
     assert_eq!(monitor.address, "tcp://lamp:7400");
+    assert_eq!(monitor.lacks, ["sensors", "command", "costs", "requests"]);
     assert_eq!(info.header.tree, description());
 }
 
 #[test]
 fn a_recording_of_another_format_is_refused() {
-    for format in [1, 5, 7] {
+    for format in [1, 6, 8] {
         let disk = Disk::default();
         let _ = MonitorRecorder::new(disk.clone(), &Header { format, ..header() }).expect("memory");
         let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("another format");
         assert!(matches!(error, Error::Format(found) if found == format), "{error}");
-        assert!(error.to_string().contains(&format!("format {format}; this program reads format 6")), "{error}");
+        assert!(
+            error.to_string().contains(&format!("format {format}; this program reads format 6, of a monitor 7")),
+            "{error}"
+        );
     }
 }

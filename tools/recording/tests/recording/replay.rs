@@ -1,13 +1,16 @@
 //! A cart, which is no humanoid and plays no soccer, runs again on its recordings.
 
 use std::fs::{self, File};
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process;
 
 use bica::runner::World;
 use bica::{Instant, Setting, Tree, Value};
+use bica_recording::repair::trim;
 use bica_recording::{
-    Header, ImagePolicy, Info, Program, Recorder, RepeatedWorld, ReplayOptions, ReplayReport, Subject, replay, rerun,
+    Error, Header, ImagePolicy, Info, Program, Recorder, Recording, RepeatedWorld, ReplayOptions, ReplayReport,
+    Subject, replay, rerun,
 };
 
 use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
@@ -101,9 +104,10 @@ fn other_processors_are_named_if_both_are_known() {
 }
 
 #[test]
-fn the_first_difference_of_another_parameter_names_its_value() {
+fn first_difference_names_the_parameter_s_value() {
     let file = Temporary::new("cart-gain.mcap", &recorded(60));
     let report = replayed(&ReplayOptions::whole(&file.0), Some(0.5));
+    assert_eq!(report.feedback, Some("open"));
     let first = report.first_difference.expect("another gain");
     // The cart counts from the cycle on in which its lamp shines.
     assert_eq!((first.field.as_str(), first.cycle > 0), ("command.torques[0]", true), "{first:?}");
@@ -135,7 +139,7 @@ fn a_cart_that_runs_again_is_recorded_as_before() {
 }
 
 #[test]
-fn a_new_course_that_cannot_be_written_to_its_end_is_an_error() {
+fn unwritable_new_course_is_an_error() {
     let file = Temporary::new("cart-long.mcap", &recorded(60));
     let out = file.0.with_file_name("cart-pipe.mcap");
     let _ = fs::remove_file(&out);
@@ -152,11 +156,49 @@ fn a_new_course_that_cannot_be_written_to_its_end_is_an_error() {
 }
 
 #[test]
-fn a_replay_without_cycles_is_refused() {
-    let file = Temporary::new("cart-empty.mcap", &recorded(10));
-    let beyond = ReplayOptions { from: 5.0, ..ReplayOptions::whole(&file.0) };
-    let refused = replay(&beyond, subject(None), |_| true).expect_err("no cycle is in the span");
-    assert!(refused.what.contains("no cycle was compared"), "{refused}");
+fn span_and_another_recording_are_compared() {
+    let (one, two) =
+        (Temporary::new("cart-short.mcap", &recorded(60)), Temporary::new("cart-longer.mcap", &recorded_by_rules(90)));
+    let whole = ReplayOptions::whole(&one.0);
+    assert_eq!(replayed(&ReplayOptions { from: 0.1, until: 0.2, ..whole }, None).cycles, 11);
+    let against = ReplayOptions { against: Some(&two.0), ..whole };
+    let report = replayed(&against, None);
+    let first = report.first_difference.expect("one is longer");
+    assert_eq!((report.cycles, first.cycle, first.field.as_str()), (60, 60, "cycle"));
+    assert_eq!((first.recorded.as_str(), first.repeated.as_str()), ("the end", "a cycle"));
+    assert!(replayed(&ReplayOptions { until: 0.5, ..against }, None).equal);
+}
+
+#[test]
+fn cut_recording_is_compared_up_to_its_cut() {
+    let bytes = recorded(60);
+    let file = Temporary::new("cart-cut.mcap", &bytes[..2 * bytes.len() / 3]);
+    let report = replayed(&ReplayOptions::whole(&file.0), None);
+    assert!(report.equal && report.damage.expect("cut").contains("cut off"));
+    assert!((10..60).contains(&report.cycles), "{}", report.cycles);
+}
+
+#[test]
+fn span_without_cycles_or_beyond_the_end_is_refused() {
+    let bytes = recorded(31);
+    let file = Temporary::new("cart-no-cycles.mcap", &bytes);
+    let whole = ReplayOptions::whole(&file.0);
+    let header = Recording::new(&bytes[..]).expect("a header").position() as usize;
+    let cut = Temporary::new("cart-header.mcap", &bytes[..header]);
+    for (options, words) in [
+        (ReplayOptions { from: 0.5, ..whole }, ["no cycle was compared", "0.30 s"]),
+        (ReplayOptions { from: 0.101, until: 0.109, ..whole }, ["no cycle was compared", "none in the span"]),
+        (ReplayOptions { until: 0.5, ..whole }, ["--until", "0.30 s"]),
+        (ReplayOptions::whole(&cut.0), ["none before its damage", "cut off"]),
+    ] {
+        let refused = replay(&options, subject(None), |_| true).expect_err("no cycle is compared").what;
+        assert!(words.iter().all(|word| refused.contains(word)), "{refused}");
+    }
+    assert_eq!(replayed(&ReplayOptions { until: 0.3, ..whole }, None).cycles, 31);
+    let trimmed = |from, until| trim(Cursor::new(&bytes), std::io::sink(), from, until, None);
+    for (from, until) in [(500_000_000, u64::MAX), (0, 500_000_000)] {
+        assert!(matches!(trimmed(from, until), Err(Error::Span { end: 300_000_000 })), "{from} to {until}");
+    }
 }
 
 #[test]

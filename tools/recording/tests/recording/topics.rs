@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 
 use bica::runner::Runner;
+use bica::visual::{CameraCalibration, ImageCircle, ImageSegment, Point2, Pose2, Scan};
 use bica::{Blob, Format};
 use bica_link::{Component, Description, Info as Output, Placement};
 use bica_recording::mcap::{Item, Reader};
@@ -12,6 +13,10 @@ use bica_recording::{
     Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle, Recorder,
     RecorderOptions, Scenery, Tick, Topics, TreeRecord,
 };
+use bica_wire::message::Offers;
+use postcard_schema::Schema;
+use postcard_schema::schema::NamedType;
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::support::{Cart, Disk, Sensors, cycles, header, record_topics, recorded, sensors};
@@ -76,7 +81,7 @@ fn described(topics: Topics) -> (Vec<u8>, Messages) {
 }
 
 #[test]
-fn topics_change_nothing_else_and_are_made_again_by_a_copy() {
+fn topics_are_made_again_by_a_copy() {
     let [(none, empty), (standard, shown), (all, _)] = [Topics::None, Topics::Standard, Topics::All].map(described);
     assert_eq!(empty, BTreeMap::new());
     let names: Vec<_> = shown.keys().map(String::as_str).collect();
@@ -93,7 +98,7 @@ fn topics_change_nothing_else_and_are_made_again_by_a_copy() {
 }
 
 #[test]
-fn previews_are_three_images_a_second_and_scans_are_points() {
+fn previews_are_rare_and_scans_are_points() {
     let (_, shown) = described(Topics::Standard);
     let times: Vec<_> = shown["/camera/image"].iter().map(|(time, _)| time / 1_000_000).collect();
     assert_eq!(times, [50, 350], "with the outputs of cycles 5 and 35");
@@ -132,39 +137,45 @@ fn all_numbers_are_json_on_request() {
     assert_eq!(json("/command").len(), 60);
 }
 
+/// An output with a visual type: that type, the frame of its values, the frame that they place, its schema and its value.
+type Seen = (&'static str, &'static str, Option<&'static str>, &'static NamedType, Vec<u8>);
+
+fn output<V: Serialize + Schema>(shape: &'static str, frame: &'static str, value: &V) -> Seen {
+    (shape, frame, None, V::SCHEMA, postcard::to_stdvec(value).expect("memory"))
+}
+
 /// Outputs of a robot with a camera, and their values.
-fn outputs() -> [(&'static str, &'static str, Option<&'static str>, Value); 6] {
+fn outputs() -> [Seen; 6] {
+    let ranges = [2.0, 5.0, f32::NAN].into_iter().collect();
+    let pose = Pose2 { x: 1.0, y: 2.0, heading: 0.5 };
+    let mut place = output("Pose2", "world", &pose);
+    place.2 = Some("robot");
     [
-        ("Pose2", "world", Some("robot"), json!({ "x": 1.0, "y": 2.0, "heading": std::f64::consts::PI })),
-        ("Point2", "robot", None, json!([{ "x": 3.0, "y": 0.5 }, null])),
-        (
-            "Scan",
-            "robot",
-            None,
-            json!({ "angle_min": 0.0, "angle_increment": 0.5, "range_max": 4.0, "ranges": [2.0, 5.0, null] }),
-        ),
-        ("ImageCircle", "eye", None, json!({ "x": 100.0, "y": 50.0, "radius": 8.0 })),
-        ("ImageSegment", "eye", None, Value::Null),
-        (
+        place,
+        output("Point2", "robot", &(Some(Point2 { x: 3.0, y: 0.5 }), None::<Point2>)),
+        output("Scan", "robot", &Scan::<3> { angle_min: 0.0, angle_increment: 0.5, range_max: 4.0, ranges }),
+        output("ImageCircle", "eye", &ImageCircle { x: 100.0, y: 50.0, radius: 8.0 }),
+        output("ImageSegment", "eye", &None::<ImageSegment>),
+        output(
             "CameraCalibration",
             "eye",
-            None,
-            json!({ "focal_x": 600.0, "focal_y": 602.0, "centre_x": 320.0, "centre_y": 240.0 }),
+            &CameraCalibration { focal_x: 600.0, focal_y: 602.0, centre_x: 320.0, centre_y: 240.0 },
         ),
     ]
 }
 
 /// Records a robot of which only a description is known.
 fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
-    let info = outputs().map(|(shape, frame, child, _)| {
+    let info = outputs().map(|(shape, frame, child, schema, _)| {
         let [shape, frame] = [shape, frame].map(str::to_owned);
         let placement = Some(Placement { shape: shape.clone(), frame, child: child.map(str::to_owned) });
-        Output { name: shape, doc: String::new(), unit: None, type_name: String::new(), placement, schema: None }
+        let schema = Some(schema.into());
+        Output { name: shape, doc: String::new(), unit: None, type_name: String::new(), placement, schema }
     });
     let component = Component { name: "Seeing".to_owned(), info: info.to_vec(), ..Component::default() };
     let description = Description { cycle_hz: 100.0, components: vec![component], ..Description::default() };
     let disk = Disk::default();
-    let header = Header::of_monitor("tcp://robot:7400", &description);
+    let header = Header::of_monitor("tcp://robot:7400", &description, Offers::OPERATE);
     let mut recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
     let yuyv = [[200, 90], [40, 160]].concat().repeat(640 * 480 / 2);
     for number in 0..100 * seconds {
@@ -175,7 +186,7 @@ fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
         }
         let values = outputs().into_iter().enumerate().map(|(index, (.., value))| {
             // Each second the component sees something in its first half.
-            InformationValue::in_json(0, index, &value.to_string())
+            InformationValue { component: 0, index: index as u16, value }
         });
         let active = number % 100 < 50;
         let values = if active { values.collect() } else { Vec::new() };
@@ -200,7 +211,7 @@ fn visual_outputs_are_shown_in_their_frames() {
     let tf = fields(&shown["/tf"][1].1, 1);
     let frames: Vec<_> = tf.iter().map(|tf| [2, 3].map(|at| String::from_utf8_lossy(fields(tf, at)[0]))).collect();
     assert_eq!(frames, [["world", "robot"], ["eye", "eye_optical"]]);
-    assert_eq!((double(fields(tf[0], 4)[0], 2), double(fields(tf[0], 5)[0], 3)), (2.0, 1.0));
+    assert_eq!((double(fields(tf[0], 4)[0], 2), double(fields(tf[0], 5)[0], 3)), (2.0, 0.25_f64.sin()));
     let dots = fields(fields(&shown["/scene/Seeing/Point2"][0].1, 2)[0], 9);
     assert_eq!((dots.len(), double(fields(fields(dots[0], 1)[0], 1)[0], 1)), (1, 3.0));
     assert_eq!(fields(&shown["/points/Seeing/Scan"][0].1, 6), [[2.0_f32, 0.0, 0.0].map(f32::to_le_bytes).concat()]);
@@ -215,7 +226,7 @@ fn visual_outputs_are_shown_in_their_frames() {
 }
 
 #[test]
-fn rates_are_bounded_and_what_a_latent_component_showed_disappears() {
+fn rates_are_bounded_and_latent_outputs_disappear() {
     let shown = monitored(2);
     assert_eq!(shown["/tf"].len(), 1 + 2 * 17, "17 a second, of 50 records");
     assert_eq!(shown["/eye/image"].len(), 7);
@@ -228,7 +239,8 @@ fn rates_are_bounded_and_what_a_latent_component_showed_disappears() {
 
 #[test]
 fn a_recording_of_before_has_no_topics() {
-    let text = serde_json::to_value(Header::of_monitor("tcp://robot:7400", &Description::default())).expect("JSON");
+    let header = Header::of_monitor("tcp://robot:7400", &Description::default(), Offers::OPERATE);
+    let text = serde_json::to_value(header).expect("JSON");
     let mut old = text.as_object().expect("an object").clone();
     assert_eq!(old.remove("topics"), Some("standard".into()));
     let header: Header = serde_json::from_value(old.into()).expect("a header");
@@ -255,7 +267,7 @@ fn each_camera_has_its_own_topic() {
 }
 
 #[test]
-fn two_things_with_one_topic_are_refused_before_the_run() {
+fn equal_topics_are_refused_before_the_run() {
     let item = |name: &str| Scenery {
         name: name.to_owned(),
         shape: "Point2".to_owned(),

@@ -58,7 +58,7 @@ fn every_value_is_restored_bit_for_bit() {
 }
 
 #[test]
-fn information_of_active_components_is_recorded_at_a_tenth_of_the_rate_with_its_schema() {
+fn outputs_are_recorded_in_each_tenth_cycle() {
     let (cycles, _) = cycles(&recorded(60)[..]);
     let with: Vec<_> = cycles.iter().filter(|cycle| cycle.information.is_some()).collect();
     assert_eq!(with.iter().map(|cycle| cycle.tick.cycle).collect::<Vec<_>>(), [5, 15, 25, 35, 45, 55]);
@@ -99,7 +99,7 @@ fn without_images_digests_and_decisions_are_the_same() {
 }
 
 #[test]
-fn shared_images_are_recorded_from_their_owner_and_others_are_copied() {
+fn shared_images_are_recorded_without_a_copy() {
     let dark = |yuyv: &[u8]| -> Arc<Vec<u8>> { Arc::new(yuyv.iter().map(|value| value / 2).collect()) };
     for images in [ImagePolicy::All, ImagePolicy::None] {
         let disk = Disk::default();
@@ -191,7 +191,7 @@ fn times_are_those_since_the_first_cycle() {
 }
 
 #[test]
-fn a_trimmed_file_has_the_cycles_of_its_span_and_their_tree() {
+fn trimmed_file_has_its_cycles_and_tree() {
     let source = recorded(60);
     let mut target = Vec::new();
     let copied = trim(Cursor::new(&source), &mut target, 200_000_000, 299_999_999, None).expect("a recording");

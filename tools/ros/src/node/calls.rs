@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn arguments_are_taken_by_name_and_the_others_are_defaults() {
+    fn named_arguments_replace_defaults() {
         let description = serde_json::json!({ "name": "go", "doc": "", "arguments": [
             { "name": "speed", "doc": "", "unit": null, "kind": "f32", "min": 0.0, "max": 1.0, "default": 0.5 },
             { "name": "side", "doc": "", "unit": null, "kind": "bool", "default": false },

@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use bica::Format;
-use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, Snapshot};
+use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, LogLine, Snapshot, decode_output};
 use bica_wire::message::{ExtraKind, Offers};
 use bica_wire::model::Invalid;
 use ros2_client::dds::Subscription;
@@ -248,7 +248,9 @@ impl Bridge {
     fn event(&mut self, event: Event) {
         match event {
             Event::Snapshot(snapshot) => self.snapshot(&snapshot),
-            Event::Info { cycle, component, info, value: Some(value) } => {
+            Event::Info { cycle, component, info, value } => {
+                let decode = |bytes: Vec<u8>| decode_output(self.robot.link.description(), component, info, &bytes);
+                let Some(value) = value.and_then(decode) else { return };
                 if self.times.back().is_some_and(|(last, _)| *last >= cycle) {
                     self.value(cycle, (component, info), &value);
                 } else if self.waiting.len() < MAX_WAITING {
@@ -257,10 +259,6 @@ impl Bridge {
             }
             Event::Params { component } => self.changed(component),
             Event::Answer(answer) => self.answer(answer),
-            Event::Log { time_us, level, text, .. } if text != self.last_line => {
-                self.log(self.time(time_us), level, &text);
-                self.last_line = text;
-            }
             Event::Result(text) => self.log(self.now(), 2, &text),
             Event::Costs(costs) => {
                 let messages =
@@ -269,7 +267,13 @@ impl Bridge {
             }
             Event::Scenery(items) => self.network.send(self.topics.scenery(&items)),
             Event::Image(image) => self.image(&image),
-            _ => {}
+            told => {
+                let line = told.line(self.robot.link.description());
+                if let Some(LogLine { time_us, level, text, .. }) = line.filter(|line| line.text != self.last_line) {
+                    self.log(self.time(time_us), level, &text);
+                    self.last_line = text;
+                }
+            }
         }
     }
 

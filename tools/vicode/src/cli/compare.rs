@@ -9,13 +9,13 @@ use crate::compare::{ComponentChange, Version, committed, compare, report, union
 use crate::draw::{Diagram, svg};
 use crate::model::Model;
 
-/// Where a comparison goes, beside its text.
+/// Outputs of a comparison beside its text.
 pub(super) struct Output<'a> {
     pub(super) svg: Option<&'a Path>,
     pub(super) json: bool,
 }
 
-/// Returns whether the versions are equal.
+/// Prints the comparison; returns whether the versions are equal.
 pub(super) fn run(
     file: &Path,
     other: Option<&Path>,
@@ -51,7 +51,7 @@ pub(super) fn run(
     Ok(comparison.is_empty())
 }
 
-/// The one machine with a difference.
+/// Returns the only machine with a difference.
 fn chosen<'a>(changes: &'a [ComponentChange], versions: [&Model; 2]) -> Result<&'a ComponentChange, String> {
     let is_machine = |one: &&ComponentChange| {
         versions.iter().any(|model| model.component(&one.key).is_some_and(crate::model::Component::is_machine))

@@ -10,7 +10,7 @@ use super::draw::chosen;
 use super::{print, print_json, text_of};
 use crate::coverage::{Coverage, Visits};
 
-/// How the coverage is printed.
+/// Format of the printed coverage.
 #[derive(Clone, Copy)]
 pub(super) enum Form {
     Table,
@@ -41,7 +41,7 @@ pub(super) fn run(
     Ok(true)
 }
 
-/// Adds a recording. One that was cut off is read as far as it goes.
+/// Adds a recording; of a truncated one all readable cycles.
 fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> {
     let mut recording = Recording::open(path).map_err(|error| error.to_string())?.without_blobs();
     let header = recording.header().clone();
@@ -58,7 +58,7 @@ fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> 
     Ok(())
 }
 
-/// Adds what tests wrote into a folder. Those of robots without the component are left out.
+/// Adds the files that tests wrote into a folder, except those of robots without the component.
 fn add_tests(visits: &mut Visits, folder: &Path, component: &str) -> Result<(), String> {
     let mut is_known = false;
     for entry in fs::read_dir(folder).map_err(|error| error.to_string())? {

@@ -8,7 +8,7 @@ use crate::edit::{applied, blank, declare, enlist, module_of, ordered};
 use crate::model::Model;
 use crate::{Refusal, Splice, read};
 
-/// A file before and after.
+/// A file's text before and after an edit.
 struct Changed {
     path: PathBuf,
     before: String,
@@ -51,7 +51,7 @@ pub(super) fn run(
     Ok(true)
 }
 
-/// The file that declares the modules of a folder.
+/// Returns the file that declares the modules of a folder.
 fn parent_of(folder: &Path) -> Result<PathBuf, String> {
     let within = ["mod.rs", "lib.rs", "main.rs"].map(|name| folder.join(name));
     let beside = folder.with_extension("rs");
@@ -61,7 +61,7 @@ fn parent_of(folder: &Path) -> Result<PathBuf, String> {
     })
 }
 
-/// Edits a file; one that was edited already, from its new text.
+/// Edits a file, from its new text if it was edited before.
 fn change(
     changes: &mut Vec<Changed>,
     path: &Path,

@@ -2,7 +2,7 @@
 
 use similar::TextDiff;
 
-/// The difference of two texts of a file, as `diff -u` prints it; empty if there is none.
+/// Returns the difference of two texts in the format of `diff -u`; empty if they are equal.
 #[must_use]
 pub fn unified(name: &str, before: &str, after: &str) -> String {
     let diff = TextDiff::from_lines(before, after);

@@ -50,7 +50,7 @@ fn picture(_: &Diagram, _: &Path) -> Result<(), String> {
     Err("this program was built without pictures: take `--format svg`, or build it with the feature `png`".to_owned())
 }
 
-/// A picture is never printed on a terminal.
+/// Refuses to print a picture on a terminal.
 fn default_picture(component: &Component) -> PathBuf {
     PathBuf::from(component.name.text.split('<').next().unwrap_or_default().to_lowercase()).with_extension("png")
 }
@@ -69,7 +69,7 @@ pub(super) fn chosen<'a>(model: &'a Model, name: Option<&str>) -> Result<&'a Com
     }
 }
 
-/// The layout beside a source, empty without one.
+/// Reads the layout file beside a source; empty without one.
 pub(super) fn layout(source: &Path) -> Result<Layout, String> {
     let path = Layout::beside(source);
     match fs::read_to_string(&path) {

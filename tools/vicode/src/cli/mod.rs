@@ -20,7 +20,7 @@ use serde::de::DeserializeOwned;
 
 pub use self::diff::unified;
 
-/// What the command line can do.
+/// Commands of the command line.
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
     /// Prints the model of a file as JSON
@@ -147,10 +147,10 @@ pub enum Format {
     Dot,
 }
 
-/// Runs a command; whether all was well. What it prints goes to `out`.
+/// Runs a command, which prints to `out`; returns whether no mistake and no difference was found.
 ///
 /// # Errors
-/// If a file cannot be read or written, or an edit is refused. Nothing was changed then.
+/// If a file cannot be read or written, or an edit is refused. Nothing is changed then.
 pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
     match command {
         Command::Model { file, .. } => {
@@ -183,13 +183,13 @@ pub fn run(command: &Command, out: &mut dyn Write) -> Result<bool, String> {
     }
 }
 
-/// The text of a file.
+/// Reads a file.
 fn text_of(file: &Path) -> Result<String, String> {
     let failed = |error| format!("cannot read `{}`: {error}\n  help: name a Rust source file", file.display());
     fs::read_to_string(file).map_err(failed)
 }
 
-/// A JSON file with a list of `what`; `-` is the standard input.
+/// Reads a JSON file with a list of `what`; `-` is the standard input.
 fn list_of<T: DeserializeOwned>(path: &Path, what: &str) -> Result<Vec<T>, String> {
     let failed = |error| format!("cannot read `{}`: {error}", path.display());
     let json = if path == Path::new("-") {
@@ -210,14 +210,14 @@ fn print_json(out: &mut dyn Write, value: &impl Serialize) -> Result<(), String>
     print(out, &(json + "\n"))
 }
 
-/// Line and column of a byte, both from 1, the column in characters.
+/// Returns line and column of a byte offset, both from 1, the column in characters.
 fn place(text: &str, at: usize) -> (usize, usize) {
     let before = &text[..at.min(text.len())];
     let line = before.rfind('\n').map_or(0, |newline| newline + 1);
     (before.matches('\n').count() + 1, before[line..].chars().count() + 1)
 }
 
-/// The folder of a file and its name in it.
+/// Opens the folder of a file; returns it with the file's name.
 fn folder_of(file: &Path) -> Result<(crate::Folder, String), String> {
     let name =
         file.file_name().and_then(|name| name.to_str()).ok_or_else(|| format!("`{}` is no file", file.display()))?;
@@ -225,7 +225,7 @@ fn folder_of(file: &Path) -> Result<(crate::Folder, String), String> {
     Ok((crate::Folder::open(parent).map_err(|error| error.to_string())?, name.to_owned()))
 }
 
-/// The longest line of the `rustfmt.toml` that rules a file.
+/// Returns the line width, in characters, of the `rustfmt.toml` that applies to a file.
 #[must_use]
 pub fn width_of(file: &Path) -> usize {
     let file = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());

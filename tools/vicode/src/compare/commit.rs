@@ -1,10 +1,10 @@
-//! Files in the last commit.
+//! Files of the last commit.
 
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A file as the last commit has it.
+/// A file in the last commit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Committed {
     /// Abbreviated name of the commit.
@@ -30,7 +30,7 @@ pub fn committed(file: &Path) -> Result<Committed, String> {
     Ok(Committed { revision: revision.trim().to_owned(), text })
 }
 
-/// Standard output of a command of Git; `None` if it fails.
+/// Runs Git; returns its standard output, `None` if it fails.
 fn git<const N: usize>(folder: &Path, arguments: [&OsStr; N]) -> Result<Option<String>, String> {
     let mut command = Command::new("git");
     command.arg("-C").arg(folder).arg("--no-optional-locks").args(arguments).stdin(Stdio::null());

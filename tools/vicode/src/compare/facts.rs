@@ -1,6 +1,5 @@
 //! Parts of a file as lists of properties that can be compared.
 
-use super::Part;
 use crate::model::{Arrow, Component, Docs, Function, Input, LinkKind, Model, Name, Setting, Sources, Span};
 use crate::read::lexed;
 
@@ -8,12 +7,19 @@ use crate::read::lexed;
 pub(super) const KINDS: [&str; 9] =
     ["component", "step", "state", "transition", "hook", "output", "modulation", "function", "parameter"];
 
+/// A part with all its properties: a state, a transition, a parameter.
+pub(super) struct Part {
+    pub(super) kind: &'static str,
+    pub(super) name: String,
+    pub(super) facts: Vec<Fact>,
+}
+
 /// A property of a part.
 pub(super) struct Fact {
     pub(super) what: String,
-    /// As a person reads it.
+    /// Value for people.
     pub(super) value: String,
-    /// As it is compared.
+    /// Normalised value for comparisons.
     pub(super) meaning: String,
 }
 
@@ -23,7 +29,7 @@ impl Fact {
         Self { what: what.into(), meaning: value.clone(), value }
     }
 
-    /// Code: comments and white space do not count.
+    /// A property that is code, compared without comments and white space.
     fn code(what: &str, code: &str) -> Self {
         let tokens = lexed(code);
         let words = tokens.iter().filter(|token| !token.is_trivia()).map(|token| token.text);
@@ -31,7 +37,7 @@ impl Fact {
     }
 }
 
-/// All parts of a component.
+/// Returns all parts of a component.
 pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
     let mut parts = vec![Part { kind: "component", name: component.key.clone(), facts: of_component(component) }];
     let mut add = |kind, function: &Function, code: &str, before: Vec<Fact>| {
@@ -66,7 +72,7 @@ pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
     parts
 }
 
-/// All parameters of a file.
+/// Returns all parameters of a file as parts.
 pub(super) fn parameter_parts(model: &Model) -> Vec<Part> {
     let of_group = |group: &crate::model::ParameterGroup| {
         let name = group.name.text.clone();
@@ -103,7 +109,7 @@ fn of_arrow(index: usize, arrow: &Arrow) -> impl Iterator<Item = Fact> {
     [from, Fact::new(what("to"), &*arrow.to.text)].into_iter().chain(timer)
 }
 
-/// The arguments, the code and the docs of a function.
+/// Returns arguments, code and docs of a function as properties.
 fn of_function<'a>(function: &'a Function, code: &'a str, text: &'a str) -> impl Iterator<Item = Fact> + 'a {
     let arguments = function.arguments.iter().map(|argument| match &argument.input {
         Input::Link { kind, child } => Fact::new(format!("child {child}"), link_word(*kind)),
@@ -125,14 +131,14 @@ fn joined(names: &[Name]) -> String {
     names.iter().map(|name| &*name.text).collect::<Vec<_>>().join(" | ")
 }
 
-/// A list of names in an order that does not depend on how it is written.
+/// Sorts a list of names, so that their order in the source does not matter.
 fn sorted(names: &str) -> String {
     let mut names: Vec<&str> = names.split(" | ").collect();
     names.sort_unstable();
     names.join(" | ")
 }
 
-/// Lines without the indentation that all have in common, and without empty lines at both ends.
+/// Removes the common indentation, and empty lines at both ends.
 fn dedented(code: &str) -> String {
     let lines: Vec<&str> = code.trim_matches(['\n', '\r']).trim_end().lines().collect();
     let indent = |line: &&str| line.len() - line.trim_start().len();

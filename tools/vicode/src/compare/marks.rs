@@ -1,13 +1,13 @@
-//! Both versions of a machine as one drawing.
+//! Drawing of both versions of a machine.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::{Change, PartChange};
+use super::change::{Change, PartChange, change_of, paired};
 use crate::model::{Arrow, Component, Sources, State, Transition};
 
-/// The differences of a machine by what is drawn of it. What has none is not in the lists.
+/// Differences of a machine, grouped by drawn element; unchanged elements are omitted.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Marks {
     /// States.
@@ -25,7 +25,7 @@ pub struct ArrowMark {
     pub from: String,
     /// State that it enters.
     pub to: String,
-    /// How it differs.
+    /// Its change.
     pub change: Change,
 }
 
@@ -46,9 +46,9 @@ impl Marks {
                 !one.what.starts_with("from") && !one.what.starts_with("to") && !one.what.starts_with("timer")
             })
         };
-        let pairs = super::paired(&before, &after, |arrow| (arrow.name, arrow.from, arrow.to));
+        let pairs = paired(&before, &after, |arrow| (arrow.name, arrow.from, arrow.to));
         let marks = pairs.into_iter().filter_map(|(old, new)| {
-            let (arrow, change) = (new.or(old)?, super::change_of(old, new));
+            let (arrow, change) = (new.or(old)?, change_of(old, new));
             let is_different = change != Change::Changed
                 || old.map(|one| one.after_ms) != new.map(|one| one.after_ms)
                 || of_kind("transition").any(|part| part.name == arrow.name && is_whole(part));
@@ -59,7 +59,7 @@ impl Marks {
         Self { states, arrows }
     }
 
-    /// How an arrow differs.
+    /// Returns the change of an arrow; `None` if it is equal.
     #[must_use]
     pub fn arrow(&self, name: &str, from: &str, to: &str) -> Option<Change> {
         self.arrows.iter().find(|one| one.name == name && one.from == from && one.to == to).map(|one| one.change)
@@ -91,8 +91,8 @@ fn sources(arrow: &Arrow) -> Vec<&str> {
     }
 }
 
-/// The second version of a machine with the states and arrows of the first one that it does not have. Places in the text are those of
-/// the version from which a part comes.
+/// Merges two versions of a machine: the second one, with the states and arrows that only the first one has. Spans refer to the
+/// version that a part comes from.
 #[must_use]
 pub fn union(before: &Component, after: &Component) -> Component {
     let mut both = after.clone();
@@ -116,7 +116,7 @@ pub fn union(before: &Component, after: &Component) -> Component {
     both
 }
 
-/// An arrow without some of its sources; `None` if no source remains.
+/// Removes sources of an arrow; `None` if no source remains.
 fn without(arrow: &Arrow, is_out: impl Fn(&str) -> bool) -> Option<Arrow> {
     match &arrow.from {
         Sources::Any => (!is_out("*")).then(|| arrow.clone()),

@@ -1,5 +1,6 @@
 //! The difference of two versions of a file in components, states, transitions, children, conditions and parameters, matched by name.
 
+mod change;
 mod commit;
 mod facts;
 mod marks;
@@ -7,38 +8,16 @@ mod text;
 
 use serde::Serialize;
 
+pub use self::change::{Change, Detail, PartChange};
+use self::change::{change_of, paired};
 pub use self::commit::{Committed, committed};
-use self::facts::{Fact, component_parts, parameter_parts};
+use self::facts::{Fact, Part, component_parts, parameter_parts};
 pub use self::marks::{Marks, union};
 pub use self::text::report;
 use crate::model::{Component, Model};
 
-/// How a part of the second version differs from the first one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Change {
-    /// Only the second version has it.
-    Added,
-    /// Only the first version has it.
-    Removed,
-    /// Both have it, with differences.
-    Changed,
-}
-
-impl Change {
-    /// The sign before its name: `+`, `-`, `~`.
-    #[must_use]
-    pub const fn sign(self) -> char {
-        match self {
-            Self::Added => '+',
-            Self::Removed => '-',
-            Self::Changed => '~',
-        }
-    }
-}
-
-/// The difference of two versions of a file. Empty if their models are equal; comments, white space in code and the order of functions
-/// do not count.
+/// Differences of two versions of a file, by their models: comments, white space in code and the order of functions are
+/// ignored.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Comparison {
     /// Components with a difference, in the order of the second version, removed ones at the end.
@@ -52,36 +31,12 @@ pub struct Comparison {
 pub struct ComponentChange {
     /// Its key.
     pub key: String,
-    /// How it differs.
+    /// Its change.
     pub change: Change,
     /// Its parts with a difference.
     pub parts: Vec<PartChange>,
-    /// The same by what is drawn.
+    /// The same, grouped by drawn element.
     pub marks: Marks,
-}
-
-/// The difference of a part: a state, a transition, a parameter, …
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct PartChange {
-    /// Kind of the part: `component`, `step`, `state`, `transition`, `hook`, `output`, `modulation`, `function`, `parameter`.
-    pub part: &'static str,
-    /// Its name.
-    pub name: String,
-    /// How it differs.
-    pub change: Change,
-    /// Its properties with a difference; of an added or removed part all.
-    pub details: Vec<Detail>,
-}
-
-/// The difference of a property of a part.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Detail {
-    /// The property: `condition`, `from`, `child Body`, …
-    pub what: String,
-    /// Value in the first version, if it has one.
-    pub before: Option<String>,
-    /// Value in the second version, if it has one.
-    pub after: Option<String>,
 }
 
 /// A file's text with its model.
@@ -121,7 +76,7 @@ impl Comparison {
         self.components.is_empty() && self.parameters.is_empty()
     }
 
-    /// Numbers of added, removed and changed states and transitions: `+ 1 state, - 2 transitions`; empty without any.
+    /// Returns the numbers of added, removed and changed parts: `+ 1 state, - 2 transitions`; empty without differences.
     #[must_use]
     pub fn summary(&self) -> String {
         let parts: Vec<&PartChange> =
@@ -139,14 +94,7 @@ impl Comparison {
     }
 }
 
-/// A part with all its properties.
-struct Part {
-    kind: &'static str,
-    name: String,
-    facts: Vec<Fact>,
-}
-
-/// The parts that are not equal in two lists.
+/// Returns the parts that differ between two lists.
 fn differences(before: &[Part], after: &[Part]) -> Vec<PartChange> {
     let pairs = paired(before, after, |part| (part.kind, &part.name));
     let changes = pairs.into_iter().filter_map(|(old, new)| {
@@ -175,28 +123,3 @@ fn differences(before: &[Part], after: &[Part]) -> Vec<PartChange> {
     changes.sort_by_key(|change| facts::KINDS.iter().position(|kind| *kind == change.part));
     changes
 }
-
-const fn change_of<T>(old: Option<&T>, new: Option<&T>) -> Change {
-    match (old, new) {
-        (None, _) => Change::Added,
-        (_, None) => Change::Removed,
-        _ => Change::Changed,
-    }
-}
-
-/// The elements of two lists with the same key, in the order of the second one; then those of the first one alone. Several elements of a
-/// key, as functions under `cfg`, are matched in their order.
-fn paired<'a, T, K: PartialEq>(before: &'a [T], after: &'a [T], key: impl Fn(&'a T) -> K) -> Vec<Pair<'a, T>> {
-    let keyed = |list: &'a [T]| -> Vec<(K, usize)> {
-        let number = |at: usize| list[..at].iter().filter(|other| key(other) == key(&list[at])).count();
-        (0..list.len()).map(|at| (key(&list[at]), number(at))).collect()
-    };
-    let (old, new) = (keyed(before), keyed(after));
-    let place = |list: &[(K, usize)], wanted: &(K, usize)| list.iter().position(|one| one == wanted);
-    let common = after.iter().zip(&new).map(|(one, key)| (place(&old, key).map(|at| &before[at]), Some(one)));
-    let gone = before.iter().zip(&old).filter(|(_, key)| place(&new, key).is_none());
-    common.chain(gone.map(|(one, _)| (Some(one), None))).collect()
-}
-
-/// An element of the first list and one of the second, or only one of them.
-type Pair<'a, T> = (Option<&'a T>, Option<&'a T>);

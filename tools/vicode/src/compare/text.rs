@@ -1,4 +1,4 @@
-//! Comparisons as text.
+//! Comparisons in lines of text.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use similar::{ChangeTag, TextDiff};
 
 use super::{Change, Comparison, Detail, PartChange};
 
-/// A comparison as lines for a terminal; empty if there is no difference.
+/// Formats a comparison for a terminal; empty without differences.
 #[must_use]
 pub fn report(comparison: &Comparison) -> String {
     let mut out = String::new();
@@ -62,7 +62,7 @@ fn of_detail(out: &mut String, Detail { what, before, after }: &Detail) {
     }
 }
 
-/// The difference of two lists of names: `+ wait, - dribble`.
+/// Formats the difference of two lists of names: `+ wait, - dribble`.
 fn names(old: &str, new: &str) -> String {
     let split = |text: &'_ str| text.split(" | ").map(str::to_owned).collect::<Vec<_>>();
     let (old, new) = (split(old), split(new));

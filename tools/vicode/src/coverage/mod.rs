@@ -1,18 +1,19 @@
-//! Which states and transitions of a machine were visited, how often and for how long.
+//! Coverage of a machine: number and duration of the visits of its states and transitions.
 
 mod table;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use bica_syntax::component::model::Edge;
 use serde::Serialize;
 
-use crate::model::{Component, Graph};
+use crate::model::{Component, Function};
 
-/// The states of a machine over time, of one or several runs.
+/// Visits of a machine's states in one or several runs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Visits {
     states: BTreeMap<String, Stays>,
-    /// Number of changes from a state to another one.
+    /// Number of changes between two states.
     ways: BTreeMap<(String, String), u64>,
     /// Time, µs, and state of the last sample; no state while the component is latent.
     last: Option<(u64, Option<String>)>,
@@ -22,25 +23,25 @@ pub struct Visits {
 /// Stays in a state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Stays {
-    /// Number of times that it was entered.
+    /// Number of entries.
     pub visits: u64,
-    /// Time in it, µs.
+    /// Total time in it, µs.
     pub us: u64,
     /// Longest stay without interruption, µs.
     pub longest_us: u64,
-    /// Length of the stay that lasts, µs.
+    /// Length of the current stay, µs.
     #[serde(skip)]
     current_us: u64,
 }
 
 impl Visits {
-    /// A new run begins, or samples are missing: what follows does not continue what was before.
+    /// Begins a new run or, after missing samples, a new sequence: the current stay ends.
     pub fn begin(&mut self) {
         (self.last, self.runs) = (None, self.runs + 1);
     }
 
-    /// The state from a time on, µs, until the next sample; `None` while the component is latent. Samples of all cycles or of all
-    /// changes are the same, but the last one has to be there.
+    /// Adds a sample: the state from a time on, µs, until the next sample; `None` while the component is latent. Samples of all cycles
+    /// and samples of all changes give the same result, if the last cycle has a sample.
     pub fn sample(&mut self, time_us: u64, state: Option<&str>) {
         let before = self.last.replace((time_us, state.map(str::to_owned)));
         let (since, left) = before.map_or((time_us, None), |(since, left)| (since, left));
@@ -76,7 +77,7 @@ pub struct Coverage {
     pub states: Vec<StateCoverage>,
     /// Its transitions, in the order in which they are tried, one entry for each state that they leave.
     pub transitions: Vec<TransitionCoverage>,
-    /// States of the runs that the source does not have.
+    /// States of the runs that are not in the source.
     pub unknown: Vec<String>,
 }
 
@@ -101,28 +102,31 @@ pub struct TransitionCoverage {
     pub to: String,
     /// Whether its attribute names all states by `*`.
     pub any: bool,
-    /// Number of changes from the one state to the other; `None` of a transition to the state that it leaves, which samples of states
+    /// Number of changes from the one state to the other; `None` for a transition from a state to itself, which samples of states
     /// do not show.
     pub taken: Option<u64>,
-    /// Other transitions between the same states: which of them was taken is not known.
+    /// Other transitions between the same states; samples of states do not tell them apart.
     pub or: Vec<String>,
 }
 
 impl Coverage {
-    /// The coverage of a machine by its visits.
+    /// Evaluates the visits of a machine.
     #[must_use]
     pub fn of(component: &Component, visits: &Visits) -> Self {
         let names: Vec<&str> = component.states.iter().map(|state| &*state.function.name.text).collect();
         let stays = |name: &&str| visits.states.get(*name).copied().unwrap_or_default();
         let states = names.iter().map(|name| StateCoverage { name: (*name).to_owned(), stays: stays(name) });
-        let edges = Graph::of(component).edges;
+        let edges = component.machine().edges;
+        let condition = |edge: &Edge<&Function>| edge.condition.name.text.clone();
         let transitions = edges.iter().map(|edge| {
             let [from, to] = [edge.from, edge.to].map(|state| names[state].to_owned());
-            let same = edges.iter().filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.name != edge.name);
-            let or = same.map(|one| one.name.clone()).collect();
+            let same = edges
+                .iter()
+                .filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.condition != edge.condition);
+            let or = same.map(condition).collect();
             let count = |from: &str| visits.ways.get(&(from.to_owned(), to.clone())).copied().unwrap_or_default();
             let taken = (from != to).then(|| count(&from));
-            TransitionCoverage { name: edge.name.clone(), from, to, any: edge.from_any, taken, or }
+            TransitionCoverage { name: condition(edge), from, to, any: edge.any, taken, or }
         });
         Self {
             component: component.key.clone(),
@@ -134,13 +138,13 @@ impl Coverage {
         }
     }
 
-    /// Number of visited states.
+    /// Returns the number of visited states.
     #[must_use]
     pub fn visited(&self) -> usize {
         self.states.iter().filter(|state| state.stays.visits > 0).count()
     }
 
-    /// Number of conditions that led to another state, and of all that can. Of several between the same states all count.
+    /// Returns the number of conditions that led to another state, and of all that can. Several conditions between the same states
     #[must_use]
     pub fn taken(&self) -> (usize, usize) {
         let names = |is_counted: &dyn Fn(&&TransitionCoverage) -> bool| {

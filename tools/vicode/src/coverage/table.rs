@@ -1,11 +1,11 @@
-//! Coverage as text.
+//! Coverage in lines of text.
 
 use std::fmt::{self, Display, Write};
 
 use super::{Coverage, TransitionCoverage};
 
 impl Coverage {
-    /// One line: how many states and transitions were visited, in which time.
+    /// Formats numbers of visited states and transitions, and the time, in one line.
     #[must_use]
     pub fn summary(&self) -> String {
         let ((taken, all), runs) = (self.taken(), if self.runs == 1 { "run" } else { "runs" });
@@ -54,7 +54,7 @@ impl Display for Coverage {
 }
 
 impl Coverage {
-    /// Name with target, number, and sources of each transition, those of one name to one state together.
+    /// Returns name with target, number of changes, and sources of each transition; transitions of one name to one state are one.
     fn rows(&self) -> Vec<(String, Option<u64>, String)> {
         let mut groups: Vec<Vec<&TransitionCoverage>> = Vec::new();
         for one in &self.transitions {

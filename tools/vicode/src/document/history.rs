@@ -1,11 +1,11 @@
-//! Steps that can be undone.
+//! History of steps for undo and redo.
 
 use crate::edit::Splice;
 
-/// Most steps that are kept.
+/// Largest number of kept steps.
 const STEPS: usize = 1000;
 
-/// Lists of splices, each list of the text after the list before it.
+/// Lists of splices; each list applies to the result of the previous one.
 type Splices = Vec<Vec<Splice>>;
 
 /// A step.
@@ -13,7 +13,7 @@ type Splices = Vec<Vec<Splice>>;
 struct Step {
     forth: Splices,
     back: Splices,
-    /// Number of a change of several documents of which it is a part.
+    /// Number of the change of several documents that it belongs to.
     group: Option<usize>,
 }
 
@@ -26,7 +26,7 @@ pub(super) struct History {
 }
 
 impl History {
-    /// Adds a step and forgets undone ones.
+    /// Adds a step; discards undone ones.
     pub(super) fn push(&mut self, forth: Splices, back: Splices) {
         self.steps.truncate(self.done);
         self.steps.push(Step { forth, back, group: None });
@@ -36,36 +36,36 @@ impl History {
         self.done = self.steps.len();
     }
 
-    /// Makes the last step a part of a change of several documents.
+    /// Assigns the last step to a change of several documents.
     pub(super) fn group(&mut self, group: usize) {
         if let Some(step) = self.done.checked_sub(1).and_then(|last| self.steps.get_mut(last)) {
             step.group = Some(group);
         }
     }
 
-    /// Number of the change of several documents to which the step to undo, or to redo (`again`), belongs.
+    /// Returns the number of the change of several documents that the step to undo, or to redo (`again`), belongs to.
     pub(super) fn next_group(&self, again: bool) -> Option<usize> {
         let index = if again { self.done } else { self.done.checked_sub(1)? };
         self.steps.get(index)?.group
     }
 
-    /// Whether there is a step to undo.
+    /// Returns whether there is a step to undo.
     pub(super) const fn can_undo(&self) -> bool {
         self.done > 0
     }
 
-    /// Whether there is a step to make again.
+    /// Returns whether there is a step to redo.
     pub(super) const fn can_redo(&self) -> bool {
         self.done < self.steps.len()
     }
 
-    /// The splices that undo the last step.
+    /// Returns the splices that undo the last step.
     pub(super) fn undo(&mut self) -> Option<Splices> {
         self.done = self.done.checked_sub(1)?;
         Some(self.steps[self.done].back.clone())
     }
 
-    /// The splices that redo the last undone step.
+    /// Returns the splices that redo the last undone step.
     pub(super) fn redo(&mut self) -> Option<Splices> {
         let forth = self.steps.get(self.done)?.forth.clone();
         self.done += 1;

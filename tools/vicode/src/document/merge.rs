@@ -1,4 +1,4 @@
-//! Edits on both sides: here, and in the file on disk.
+//! Merge of edits in the document and changes of its file on disk.
 
 use serde::Serialize;
 
@@ -7,16 +7,16 @@ use crate::edit::{Splice, applied};
 use crate::model::Span;
 use crate::read::parse;
 
-/// Two texts whose changes touch each other.
+/// Two versions of a text whose changes overlap or meet.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Conflict {
-    /// The text that both began with.
+    /// Common ancestor of both texts.
     pub base: String,
-    /// The text here.
+    /// Text of the document.
     pub ours: String,
-    /// The text of the file.
+    /// Text of the file.
     pub theirs: String,
-    /// The parts of `base` that both changed.
+    /// Parts of `base` that both versions changed.
     pub spans: Vec<Span>,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn merge(base: &str, ours: &str, theirs: &str) -> Result<String, Conf
     Ok(merged)
 }
 
-/// Whether two changes overlap or meet.
+/// Returns whether two changes overlap or meet.
 const fn touch(one: &Splice, other: &Splice) -> bool {
     one.span.start <= other.span.end && other.span.start <= one.span.end
 }

@@ -1,4 +1,4 @@
-//! A file that is open: its text, its model, its history, and the file on disk beside it.
+//! An open source file: text, model, history, and its version on disk.
 
 mod history;
 mod merge;
@@ -12,60 +12,57 @@ use self::history::History;
 pub use self::merge::Conflict;
 use self::merge::merge;
 use self::words::difference;
-use crate::edit::{Edit, Refusal, Splice, applied, inverse, plan};
+use crate::edit::{DEFAULT_WIDTH, Edit, Refusal, Splice, applied, inverse, plan};
 use crate::model::Model;
 use crate::read::read;
 
-/// The longest line that `rustfmt` writes without a configuration.
-pub const DEFAULT_WIDTH: usize = 100;
-
-/// A file that is open. Canvas and code are two views of its one text, with one history.
+/// An open source file. Canvas and code are views of its text, with one history.
 #[derive(Clone, Debug)]
 pub struct Document {
     text: Arc<str>,
     model: Arc<Model>,
     version: u64,
     history: History,
-    /// The text of the file when it was last read or written.
+    /// Text of the file when it was last read or written.
     saved: Arc<str>,
     conflict: Option<Conflict>,
     width: usize,
 }
 
-/// A change of the text that was made.
+/// A change that was made.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Change {
     /// Version of the text after it.
     pub version: u64,
-    /// Replacements, each list of the text after the list before it.
+    /// Lists of splices; each list applies to the result of the previous one.
     pub splices: Vec<Vec<Splice>>,
 }
 
-/// What a change of the file on disk led to.
+/// Result of a change of the file on disk.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "external", rename_all = "snake_case")]
 pub enum External {
-    /// The text already equals the file.
+    /// The document has the same text already.
     Same,
-    /// The text has both sides' changes now.
+    /// The document has both changes now.
     Merged(Change),
-    /// Both sides changed the same part. The text stays as it was until one of them is chosen.
+    /// Both changed the same part. The document keeps its text until one version is chosen.
     Conflict(Conflict),
 }
 
-/// Which text to keep.
+/// Choice that ends a conflict.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// The text of this document.
+    /// Text of the document.
     Ours,
-    /// The text of the file.
+    /// Text of the file.
     Theirs,
-    /// A text made of both.
+    /// A text that merges both.
     Text(String),
 }
 
 impl Document {
-    /// Opens a text as the file has it.
+    /// Creates a document of a file's text.
     #[must_use]
     pub fn new(text: &str) -> Self {
         let model = Arc::new(read(text));
@@ -81,44 +78,44 @@ impl Document {
         }
     }
 
-    /// The same with lines of new code of at most `width` characters.
+    /// Sets the longest line of new code, characters.
     #[must_use]
     pub const fn with_width(mut self, width: usize) -> Self {
         self.width = width;
         self
     }
 
-    /// The text.
+    /// Returns the text.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The model of the text.
+    /// Returns the model of the text.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// The version of the text: it grows with each change, undone ones too.
+    /// Returns the version of the text, which grows with each change, also by undo and redo.
     #[must_use]
     pub const fn version(&self) -> u64 {
         self.version
     }
 
-    /// Whether the text differs from the file.
+    /// Returns whether the text differs from the file.
     #[must_use]
     pub fn is_changed(&self) -> bool {
         self.text != self.saved
     }
 
-    /// The text of the file when it was last read or written.
+    /// Text of the file when it was last read or written.
     #[must_use]
     pub fn saved(&self) -> &str {
         &self.saved
     }
 
-    /// The conflict that is open.
+    /// Returns the open conflict.
     #[must_use]
     pub const fn conflict(&self) -> Option<&Conflict> {
         self.conflict.as_ref()
@@ -127,7 +124,7 @@ impl Document {
     /// Applies edits as one step of the history: all or none.
     ///
     /// # Errors
-    /// If one of them is not possible. Nothing has changed then.
+    /// If one of them is not possible. Nothing is changed then.
     pub fn apply(&mut self, edits: &[Edit]) -> Result<Change, Refusal> {
         let (mut text, mut model) = (self.text.to_string(), None);
         let (mut all, mut back) = (Vec::new(), Vec::new());
@@ -146,42 +143,42 @@ impl Document {
         Ok(self.changed(text, model, all))
     }
 
-    /// Makes the last step a part of a change of several documents, whose number is `group`.
+    /// Assigns the last step to the change `group` of several documents.
     pub fn group(&mut self, group: usize) {
         self.history.group(group);
     }
 
-    /// Number of the change of several documents to which the step to undo, or to redo (`again`), belongs.
+    /// Returns the number of the change of several documents that the step to undo, or to redo (`again`), belongs to.
     #[must_use]
     pub fn next_group(&self, again: bool) -> Option<usize> {
         self.history.next_group(again)
     }
 
-    /// Undoes the last step; `None` without one.
+    /// Undoes the last step; returns `None` without one.
     pub fn undo(&mut self) -> Option<Change> {
         let splices = self.history.undo()?;
         Some(self.replay(splices))
     }
 
-    /// Whether there is a step to undo.
+    /// Returns whether there is a step to undo.
     #[must_use]
     pub const fn can_undo(&self) -> bool {
         self.history.can_undo()
     }
 
-    /// Whether there is a step to redo.
+    /// Returns whether there is a step to redo.
     #[must_use]
     pub const fn can_redo(&self) -> bool {
         self.history.can_redo()
     }
 
-    /// Redoes the last undone step; `None` without one.
+    /// Redoes the last undone step; returns `None` without one.
     pub fn redo(&mut self) -> Option<Change> {
         let splices = self.history.redo()?;
         Some(self.replay(splices))
     }
 
-    /// Takes over a change of the file on disk. It is a step of the history.
+    /// Merges a change of the file on disk, as a step of the history.
     pub fn external_change(&mut self, theirs: &str) -> External {
         if let Some(conflict) = &mut self.conflict {
             theirs.clone_into(&mut conflict.theirs);
@@ -206,7 +203,7 @@ impl Document {
         }
     }
 
-    /// Ends a conflict; `None` without one.
+    /// Ends the conflict; returns `None` without one.
     pub fn resolve(&mut self, keep: Keep) -> Option<Change> {
         let conflict = self.conflict.take()?;
         self.saved = conflict.theirs.as_str().into();
@@ -224,7 +221,7 @@ impl Document {
         })
     }
 
-    /// Notes that the file has `text` now, which was the text of this document when it was written.
+    /// Records that `text`, a former or the current text, was written to the file.
     pub fn mark_written(&mut self, text: &str) {
         self.saved = if *text == *self.text { Arc::clone(&self.text) } else { text.into() };
     }

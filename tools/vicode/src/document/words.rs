@@ -1,4 +1,4 @@
-//! The difference of two texts, by words.
+//! Difference of two texts, by functions, lines and words.
 
 use std::time::Duration;
 
@@ -8,10 +8,10 @@ use crate::edit::Splice;
 use crate::model::Span;
 use crate::read::landmarks;
 
-/// Longest search for the shortest difference; a longer one is taken then.
+/// Time limit of the search for the shortest difference.
 const LIMIT: Duration = Duration::from_millis(200);
 
-/// The splices that lead from one text to another.
+/// Returns the splices that turn one text into another.
 ///
 /// Functions of the same name are compared with each other, so that a copy of a function is not mistaken for the function. Within a
 /// function, and between functions, lines are compared, then words within the lines that differ.
@@ -43,9 +43,9 @@ pub(super) fn difference(from: &str, to: &str) -> Vec<Splice> {
     splices
 }
 
-/// A function, or what stands between two.
+/// A function, or the text between two functions.
 struct Part {
-    /// The name of the function, or the text between functions.
+    /// Name of the function, or text between functions.
     key: String,
     span: Span,
 }
@@ -66,7 +66,7 @@ fn parts(text: &str) -> Vec<Part> {
     parts
 }
 
-/// The difference of two parts, the first at offset `at`.
+/// Adds the difference of two parts, the first at offset `at`.
 fn lines(at: usize, from: &str, to: &str) -> Vec<Splice> {
     if from == to {
         return Vec::new();
@@ -83,7 +83,7 @@ fn lines(at: usize, from: &str, to: &str) -> Vec<Splice> {
     splices
 }
 
-/// The difference of two texts that have no line in common, the first at offset `at`.
+/// Adds the difference of two texts without a common line, the first at offset `at`.
 fn within(at: usize, from: &str, to: &str) -> Vec<Splice> {
     let (old, new) = (words(from), words(to));
     let (old_at, new_at) = (offsets(&old), offsets(&new));
@@ -101,7 +101,7 @@ fn changes(old: &[&str], new: &[&str]) -> Vec<DiffOp> {
     ops.into_iter().filter(|op| op.tag() != DiffTag::Equal).collect()
 }
 
-/// Offset of each part, and of the end.
+/// Returns the offset of each part, and of the end.
 fn offsets(parts: &[&str]) -> Vec<usize> {
     let mut at = 0;
     let mut offsets = vec![0];
@@ -112,7 +112,7 @@ fn offsets(parts: &[&str]) -> Vec<usize> {
     offsets
 }
 
-/// Names and numbers, runs of white space, and single other characters.
+/// Splits a text into names and numbers, runs of white space, and single other characters.
 fn words(text: &str) -> Vec<&str> {
     let class = |character: char| match character {
         '\n' => 0,

@@ -1,9 +1,9 @@
 //! A layout of a machine that nobody arranged: states in columns by their distance from the initial one, ordered within a column
 //! so that few transitions cross. The same machine has the same layout on each machine.
 
-use super::diagram::height;
+use super::parts::{height, hooks_of};
 use crate::files::{Layout, Position};
-use crate::model::{Component, Graph};
+use crate::model::{Component, links};
 
 /// Distance of the centres of two columns, points.
 const COLUMN: i32 = 340;
@@ -14,14 +14,19 @@ const FIRST: Position = Position { x: 110, y: 90 };
 /// Passes over the columns that reduce crossings.
 const SWEEPS: usize = 12;
 
-/// The positions of all states: those of `layout` where it has them, automatic ones elsewhere.
+/// Returns the positions of all states: those of `layout` where it has them, automatic ones elsewhere.
 #[must_use]
 pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
     // Transitions from all states say nothing about neighbourhood.
-    let named = Graph::of(component).edges.into_iter().filter(|edge| !edge.from_any);
+    let machine = component.machine();
+    let named = machine.edges.iter().filter(|edge| !edge.any);
     let columns = columns(component, &named.map(|edge| (edge.from, edge.to)).collect::<Vec<_>>());
     let mut positions = vec![FIRST; component.states.len()];
-    let heights: Vec<i32> = (0..component.states.len()).map(|state| height(component, state).ceil() as i32).collect();
+    let heights = component.states.iter().zip(&machine.states).map(|(state, parts)| {
+        let links = links(None, parts.functions().copied()).len();
+        height(hooks_of(component, &state.function.name.text).len() + links).ceil() as i32
+    });
+    let heights: Vec<i32> = heights.collect();
     let total = |states: &Vec<usize>| states.iter().map(|state| heights[*state] + GAP).sum::<i32>() - GAP;
     let tallest = columns.iter().map(total).max().unwrap_or(0);
     for (column, states) in columns.iter().enumerate() {

@@ -1,23 +1,21 @@
-//! What is drawn, in points.
+//! Drawing of a machine, in points.
+
+use bica_syntax::component::model::Machine;
 
 use super::automatic;
+use super::parts::{Edge, HEIGHT, LINE, Label, Node, WIDTH, height, hooks_of};
 use super::route::{course, place_names};
-use crate::compare::{Change, Marks};
+use crate::compare::Marks;
 use crate::files::Layout;
-use crate::model::{self, Component, Graph, Link, LinkKind, own_links};
+use crate::model::{Component, Function, links};
 
-/// Width and least height of a state, points.
-const WIDTH: f32 = 160.0;
-const HEIGHT: f32 = 40.0;
-/// Height of a line of text, points.
-const LINE: f32 = 14.0;
 /// White around all, points.
 const MARGIN: f32 = 50.0;
 
 /// State that is left, `None` for all, and state that is entered.
 type Pair = (Option<usize>, usize);
 
-/// A machine with the places of all its parts.
+/// A machine with the coordinates of all its parts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagram {
     /// Name of the component.
@@ -36,56 +34,15 @@ pub struct Diagram {
     pub notes: Vec<String>,
 }
 
-/// A state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Node {
-    /// Its name.
-    pub name: String,
-    /// Whether the machine starts in it.
-    pub initial: bool,
-    /// Whether no transition leaves it.
-    pub last: bool,
-    /// Centre and size, points.
-    pub centre: (f32, f32),
-    /// Width and height, points.
-    pub size: (f32, f32),
-    /// Its hooks.
-    pub hooks: Vec<String>,
-    /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
-    pub links: Vec<Link>,
-    /// How it differs, in a difference.
-    pub mark: Option<Change>,
-}
-
-/// Transitions from one state to another.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Edge {
-    /// Names and timers, one line each.
-    pub labels: Vec<Label>,
-    /// The curve, points.
-    pub points: Vec<(f32, f32)>,
-    /// Middle of the labels, points.
-    pub label_at: (f32, f32),
-}
-
-/// Name and timer of a transition.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// Text; with a mark it begins with the sign of the mark.
-    pub text: String,
-    /// How it differs, in a difference.
-    pub mark: Option<Change>,
-}
-
 impl Diagram {
-    /// A component as it is arranged, states without a position automatically.
+    /// Draws a component with the positions of `layout`, and automatic ones for the other states.
     #[must_use]
     pub fn of(component: &Component, layout: &Layout) -> Self {
         let notes = layout.notes(&component.key).flat_map(|note| note.text.lines()).map(str::to_owned).collect();
         Self { notes, ..Self::marked(component, layout, &Marks::default()) }
     }
 
-    /// The difference of two versions of a machine; `notes` are lines below it.
+    /// Draws the difference of two versions of a machine; `notes` are lines below it.
     #[must_use]
     pub fn of_difference(both: &Component, layout: &Layout, marks: &Marks, notes: &str) -> Self {
         let notes = notes.lines().map(str::to_owned).collect();
@@ -95,31 +52,33 @@ impl Diagram {
     fn marked(component: &Component, layout: &Layout, marks: &Marks) -> Self {
         let positions = automatic(component, layout);
         let mut nodes: Vec<Node> = Vec::new();
+        let machine = component.machine();
         for (index, (state, at)) in component.states.iter().zip(positions).enumerate() {
             let name = state.function.name.text.clone();
-            let (hooks, links) = (hooks_of(component, &name), own_links(component, index));
-            let size = (WIDTH, height(component, index));
+            let links = links(Some(index), machine.states[index].functions().copied());
+            let hooks = hooks_of(component, &name);
+            let size = (WIDTH, height(hooks.len() + links.len()));
             let centre = (at.x as f32, at.y as f32);
             let mark = marks.states.get(&name).copied();
             nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links, mark });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
-        diagram.connect(&Graph::of(component), marks);
+        diagram.connect(&machine, marks);
         diagram.frame();
         diagram
     }
 
-    fn connect(&mut self, graph: &Graph, marks: &Marks) {
+    fn connect(&mut self, machine: &Machine<&Function>, marks: &Marks) {
         let mut pairs: Vec<(Pair, Vec<Label>)> = Vec::new();
         let mut add = |pair, label: Label| match pairs.iter_mut().find(|(known, _)| *known == pair) {
             Some((_, labels)) if labels.contains(&label) => {}
             Some((_, labels)) => labels.push(label),
             None => pairs.push((pair, vec![label])),
         };
-        for edge in &graph.edges {
-            let from = if edge.from_any { "*" } else { &self.nodes[edge.from].name };
-            let label = Label::new(edge, marks.arrow(&edge.name, from, &self.nodes[edge.to].name));
-            add(((!edge.from_any).then_some(edge.from), edge.to), label);
+        for edge in &machine.edges {
+            let from = if edge.any { "*" } else { &self.nodes[edge.from].name };
+            let label = Label::new(edge, marks.arrow(&edge.condition.name.text, from, &self.nodes[edge.to].name));
+            add(((!edge.any).then_some(edge.from), edge.to), label);
         }
         self.edges = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();
         place_names(&mut self.edges, &self.nodes);
@@ -145,7 +104,7 @@ impl Diagram {
         Edge { label_at: points[points.len() / 2], labels, points }
     }
 
-    /// Moves all so that nothing lies outside, and measures it.
+    /// Moves everything inside the frame, and sets its size.
     fn frame(&mut self) {
         let corners = |node: &Node| {
             let ((x, y), (width, height)) = (node.centre, node.size);
@@ -168,44 +127,5 @@ impl Diagram {
             edge.label_at = (edge.label_at.0 + x, edge.label_at.1 + y);
         }
         (self.width, self.height) = (right - left + 2.0 * MARGIN, bottom - top + 2.0 * MARGIN);
-    }
-}
-
-/// Height of a state, points.
-pub(super) fn height(component: &Component, state: usize) -> f32 {
-    let name = &component.states[state].function.name.text;
-    HEIGHT + LINE * (hooks_of(component, name).len() + own_links(component, state).len()) as f32
-}
-
-/// The hooks of a state: `entry / greet`.
-fn hooks_of(component: &Component, state: &str) -> Vec<String> {
-    let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
-    hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
-}
-
-impl Label {
-    fn new(edge: &model::Edge, mark: Option<Change>) -> Self {
-        let timer = edge.after_ms.map_or_else(String::new, |ms| format!(" after {ms} ms"));
-        let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
-        Self { text: format!("{sign}{}{timer}", edge.name), mark }
-    }
-}
-
-impl Edge {
-    /// How it differs: as all its transitions do, else it is equal.
-    #[must_use]
-    pub fn mark(&self) -> Option<Change> {
-        let first = self.labels.first()?.mark;
-        first.filter(|_| self.labels.iter().all(|label| label.mark == first))
-    }
-}
-
-impl Node {
-    /// The lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.
-    #[must_use]
-    pub fn lines(&self) -> Vec<String> {
-        let mark = |kind| if kind == LinkKind::Requirement { '<' } else { '>' };
-        let links = self.links.iter().map(|link| format!("{} {}", mark(link.kind), link.child));
-        self.hooks.iter().cloned().chain(links).collect()
     }
 }

@@ -1,10 +1,12 @@
-//! Text formats of other programs.
+//! Formats of other programs.
 
 use std::fmt::Write;
 
-use crate::model::{Component, Graph};
+use bica_syntax::component::model::Edge;
 
-/// The machine in the language of Mermaid, a `stateDiagram-v2`.
+use crate::model::{Component, Function};
+
+/// Formats the machine for Mermaid, as a `stateDiagram-v2`.
 #[must_use]
 pub fn mermaid(component: &Component) -> String {
     let mut out = String::from("stateDiagram-v2\n");
@@ -23,7 +25,7 @@ pub fn mermaid(component: &Component) -> String {
     out
 }
 
-/// The machine in the language of Graphviz, a `digraph`.
+/// Formats the machine for Graphviz, as a `digraph`.
 #[must_use]
 pub fn dot(component: &Component) -> String {
     let mut out =
@@ -40,10 +42,10 @@ pub fn dot(component: &Component) -> String {
     out + "}\n"
 }
 
-/// From, to and label of each transition.
+/// Returns from, to and label of each transition.
 fn labels(component: &Component) -> Vec<(&str, &str, String)> {
     let name = |state: usize| component.states[state].function.name.text.as_str();
     let timer = |after: Option<u32>| after.map_or_else(String::new, |ms| format!(" after {ms} ms"));
-    let edges = Graph::of(component).edges;
-    edges.into_iter().map(|edge| (name(edge.from), name(edge.to), edge.name + &timer(edge.after_ms))).collect()
+    let label = |edge: &Edge<&Function>| edge.condition.name.text.clone() + &timer(edge.after_ms);
+    component.machine().edges.iter().map(|edge| (name(edge.from), name(edge.to), label(edge))).collect()
 }

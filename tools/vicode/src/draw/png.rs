@@ -14,7 +14,7 @@ const GREY: [u8; 3] = [125, 133, 144];
 /// Height of a line below the drawing, points.
 const NOTE: f32 = 16.0;
 
-/// A drawing as a picture.
+/// Draws a diagram as a picture.
 #[must_use]
 pub fn png(diagram: &Diagram) -> Canvas {
     let longest = diagram.notes.iter().map(|note| Font::Small.width(note) + 2.0 * NOTE).fold(diagram.width, f32::max);

@@ -1,6 +1,6 @@
-//! Courses of transitions and places of their names: apart from each other and from states, as far as possible.
+//! Curves between placed states, and places of their names: apart from each other and from states, as far as possible.
 
-use super::diagram::{Edge, Node};
+use super::parts::{Edge, Node};
 
 type Point = (f32, f32);
 
@@ -78,7 +78,7 @@ fn overlap(a: Area, b: Area) -> f32 {
 }
 
 impl Node {
-    /// Whether a point lies within a distance of the state.
+    /// Returns whether a point lies within a distance of the state.
     fn contains(&self, (x, y): Point, distance: f32) -> bool {
         (x - self.centre.0).abs() <= self.size.0 / 2.0 + distance
             && (y - self.centre.1).abs() <= self.size.1 / 2.0 + distance

@@ -16,7 +16,7 @@ const OUTLINED: &str = "font-size=\"10\" stroke=\"#ffffff\" stroke-width=\"3\" p
 /// Height of a line below the drawing, points.
 const NOTE: f32 = 16.0;
 
-/// How a part is drawn.
+/// Style of a part.
 #[derive(Clone, Copy)]
 struct Style {
     fill: &'static str,
@@ -47,7 +47,7 @@ const fn style(mark: Option<Change>, is_difference: bool) -> Style {
     }
 }
 
-/// A drawing as SVG.
+/// Formats a diagram as SVG.
 #[must_use]
 pub fn svg(diagram: &Diagram) -> String {
     let longest = diagram.notes.iter().map(|note| note.chars().count()).max().unwrap_or(0);
@@ -126,7 +126,7 @@ fn names(out: &mut String, edge: &Edge, style: &impl Fn(Option<Change>) -> Style
     }
 }
 
-/// What the marks mean.
+/// Draws the legend of the marks.
 fn legend(out: &mut String, diagram: &Diagram) {
     let words = [
         (Some(Change::Added), "+ added"),
@@ -140,7 +140,7 @@ fn legend(out: &mut String, diagram: &Diagram) {
     }
 }
 
-/// The lines below the drawing.
+/// Draws the lines below the diagram.
 fn below(out: &mut String, diagram: &Diagram) {
     for (index, note) in diagram.notes.iter().enumerate() {
         // Lines at the margin are headings.
@@ -158,7 +158,7 @@ fn below(out: &mut String, diagram: &Diagram) {
 }
 
 impl Edge {
-    /// The corners of the arrow head: its tip, and the two others.
+    /// Returns the corners of the arrow head: its tip, and the two others.
     #[must_use]
     pub fn head(&self) -> Option<[(f32, f32); 3]> {
         let [.., before, tip] = self.points[..] else { return None };

@@ -1,6 +1,6 @@
 //! Children of functions: arguments that are links.
 
-use super::plan::{Context, function, list};
+use super::context::{Context, function, list};
 use super::request::{Edit, Refusal};
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, snake};
@@ -72,7 +72,7 @@ fn find<'a>(function: &'a Function, child: &str) -> Result<&'a Argument, Refusal
     })
 }
 
-/// A free name for an argument: `ball_detector` of `BallDetector`.
+/// Returns an unused name for an argument: `ball_detector` for `BallDetector`.
 fn argument_name(function: &Function, child: &str) -> String {
     let last = child.split('<').next().unwrap_or(child).rsplit("::").next().unwrap_or(child);
     let mut name = snake(last.trim());
@@ -113,7 +113,7 @@ fn add(text: &str, style: &Style, function: &Function, argument: &str) -> Vec<Sp
     vec![Splice::new(function.inputs, broken(text, style, function, argument))]
 }
 
-/// All arguments and a new one, each on its line.
+/// Formats all arguments and a new one, one on each line.
 fn broken(text: &str, style: &Style, function: &Function, argument: &str) -> String {
     let outer = indentation(text, function.name.span.start);
     let first = function.arguments.first().map_or(function.inputs.end, |first| first.span.start);
@@ -129,7 +129,7 @@ fn broken(text: &str, style: &Style, function: &Function, argument: &str) -> Str
     result + style.newline + outer
 }
 
-/// The last token of a list that is neither white space nor a comment.
+/// Returns the last token of a list that is neither white space nor a comment.
 fn last_token(list: &str) -> Option<Span> {
     Some(lexed(list).iter().rfind(|token| !token.is_trivia())?.span)
 }
@@ -146,7 +146,7 @@ fn unused(text: &str, function: &Function, argument: &Argument) -> Result<(), Re
     Err(Refusal::at(Span::new(body.start + span.start, body.start + span.end), message))
 }
 
-/// Whether a string could be a format that shows a variable: `{name}`, `{name:?}`, `{:name$}`.
+/// Returns whether a string literal may be a format with a variable: `{name}`, `{name:?}`, `{:name$}`.
 fn formats(literal: &str, name: &str) -> bool {
     let is_word = |one: char| one.is_alphanumeric() || one == '_';
     literal.match_indices(name).any(|(at, _)| {
@@ -157,7 +157,7 @@ fn formats(literal: &str, name: &str) -> bool {
     })
 }
 
-/// An argument with one of the commas around it.
+/// Returns the span of an argument with one of the commas around it.
 fn with_comma(text: &str, function: &Function, argument: &Argument) -> Span {
     let place = function.arguments.iter().position(|one| one == argument).unwrap_or_default();
     let next = function.arguments.get(place + 1);

@@ -2,16 +2,15 @@
 
 use syn::{Item, ItemMod, ItemUse, Visibility};
 
-use super::plan::Context;
+use super::context::Context;
 use super::request::Refusal;
 use super::splice::Splice;
-use super::style::{Style, indentation, snake};
+use super::style::{DEFAULT_WIDTH, Style, indentation, snake};
 use super::{fragment, imports};
-use crate::DEFAULT_WIDTH;
 use crate::model::{Model, Span};
 use crate::read::{Outline, Token, lexed, parse};
 
-/// The name of the file and module of a component: `wall_finder` of `WallFinder`.
+/// Returns the name of the file and module of a component: `wall_finder` for `WallFinder`.
 ///
 /// # Errors
 /// If the name is not that of a type, or if the module would be named like a keyword.
@@ -28,7 +27,7 @@ pub fn module_of(name: &str) -> Result<String, Refusal> {
     Ok(module)
 }
 
-/// The file of a new component: a machine with one state.
+/// Returns the text of a new component's file: a machine with one state.
 #[must_use]
 pub fn blank(name: &str) -> String {
     format!(

@@ -1,14 +1,15 @@
 //! Deletion of functions.
 
+use super::context::{Context, function};
 use super::layout::{attribute_removal, removal};
-use super::plan::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{line_number, line_start};
-use super::uses::{Target, Use, of_each};
+use super::target::{Target, Use};
+use super::uses::of_each;
 use crate::model::{Component, Function, Hook, Name, Sources, Span, Transition};
 
-/// Deletes a function. A state takes with it its part of transitions and hooks.
+/// Deletes a function; with a state also its part of transitions and hooks.
 pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
     let mut gone = vec![function(component, name)?];
@@ -26,7 +27,7 @@ pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Resu
     Ok(splices)
 }
 
-/// Refuses to delete what other functions call.
+/// Refuses to delete functions that others call.
 fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> Result<(), Refusal> {
     let names: Vec<&str> = gone.iter().map(|function| &*function.name.text).collect();
     let target = Target::new(context.text, component, false);
@@ -40,7 +41,7 @@ fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> R
     Ok(())
 }
 
-/// Whether a place stands in a doc comment, which does not need the function.
+/// Returns whether a place is in a doc comment, which compiles without the function.
 fn in_comment(text: &str, place: Span) -> bool {
     text[line_start(text, place.start)..place.start].trim_start().starts_with("//")
 }
@@ -86,7 +87,7 @@ fn of_hook<'a>(text: &str, hook: &'a Hook, state: &str, gone: &mut Vec<&'a Funct
     }
 }
 
-/// Removes a name from `a | b | c`, of which another one stays.
+/// Removes a name, but not the only one, from `a | b | c`.
 fn without(text: &str, names: &[Name], state: &str) -> Vec<Splice> {
     let mut removed = Vec::new();
     for (index, name) in names.iter().enumerate().filter(|(_, name)| name.text == state) {

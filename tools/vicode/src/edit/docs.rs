@@ -1,6 +1,6 @@
 //! Doc comments.
 
-use super::plan::{Context, function};
+use super::context::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{indentation, line_end, starts_line};
@@ -45,7 +45,7 @@ pub(super) fn set(
     Ok(vec![Splice::new(span, lines)])
 }
 
-/// Refuses a doc comment that has something else in between, or another form than `///`.
+/// Refuses a doc comment that does not consist of consecutive `///` lines.
 fn simple(text: &str, docs: &Docs, span: Span) -> Result<(), Refusal> {
     let simple = docs.plain && span.of(text).lines().all(|line| line.trim_start().starts_with("///"));
     if simple {

@@ -1,4 +1,4 @@
-//! A walk through a text to the places that may use a function of a component.
+//! Search for the places in a text that may use a function of a component.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -11,11 +11,11 @@ use syn::{
     PatIdent, Path, Token, TraitItemFn, Type,
 };
 
+use super::target::Use;
 use super::types::Types;
-use super::uses::Use;
 use crate::model::Span;
 
-/// Uses of some functions.
+/// Finds the uses of some functions.
 pub(super) fn find<'a>(types: Types<'_>, names: &[&'a str]) -> Vec<(&'a str, Use)> {
     let source = types.outline.source;
     let mut finder = Finder { types, names, uses: Vec::new(), bindings: Vec::new() };
@@ -33,7 +33,7 @@ struct Finder<'t, 'a> {
     types: Types<'t>,
     names: &'t [&'a str],
     uses: Vec<(&'a str, Use)>,
-    /// The names that the function binds so far, and whether their values are the component.
+    /// Names that the current function has bound so far, and whether their values are the component.
     bindings: Vec<(String, Option<bool>)>,
 }
 
@@ -42,7 +42,7 @@ impl Finder<'_, '_> {
         self.types.outline.source.of(node)
     }
 
-    /// Adds a name if it is searched and may be the function.
+    /// Adds a place if its name is searched and may refer to the function.
     fn add(&mut self, name: &str, span: Span, is_use: impl FnOnce(&Self) -> Option<bool>) {
         let name = name.strip_prefix("r#").unwrap_or(name);
         let Some(name) = self.names.iter().find(|one| **one == name) else { return };
@@ -52,7 +52,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// The code in a macro or an attribute.
+    /// Searches the code in a macro or an attribute.
     fn tokens(&mut self, tokens: &TokenStream) {
         if let Ok(values) = Punctuated::<Expr, Token![,]>::parse_terminated.parse2(tokens.clone()) {
             for value in &values {
@@ -76,7 +76,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// Whether the name at the end of tokens that are no code is the function: by the value or the path before it.
+    /// Returns whether the name at the end of unparsable tokens refers to the function, by the value or the path before it.
     fn of_tokens(&self, tokens: &[TokenTree]) -> Option<bool> {
         let is = |back: usize, sign: char| {
             let token = tokens.len().checked_sub(back + 1).map(|at| &tokens[at]);
@@ -99,7 +99,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// Paths to a function in a doc comment: `Self::name`, `Player::name`.
+    /// Searches a doc comment for paths to a function: `Self::name`, `Player::name`.
     fn docs(&mut self, comment: Span) {
         let text = comment.of(self.types.outline.source.text);
         let is_word = |one: char| one.is_alphanumeric() || one == '_';
@@ -120,7 +120,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// Runs the walk through a function, whose variables are its own.
+    /// Searches a function in a scope of its own for variables.
     fn function(&mut self, walk: impl FnOnce(&mut Self)) {
         let outer = std::mem::take(&mut self.bindings);
         walk(self);
@@ -131,7 +131,7 @@ impl Finder<'_, '_> {
         self.bindings.push((name.ident.to_string(), is_component));
     }
 
-    /// Whether a value is the component.
+    /// Returns whether a value is the component.
     fn of(&self, value: &Expr) -> Option<bool> {
         match value {
             Expr::Reference(inner) => self.of(&inner.expr),
@@ -159,7 +159,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// Whether the type before the last word of a path is the component.
+    /// Returns whether the type before the last segment of a path is the component.
     fn of_owner(&self, path: &ExprPath) -> Option<bool> {
         match &path.qself {
             Some(of) if of.position == 0 && path.path.segments.len() == 1 => self.types.of(&of.ty),
@@ -170,7 +170,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// A variable: all that its function binds to the name before must agree.
+    /// Returns whether a variable is the component, if all bindings of the name so far agree.
     fn of_variable(&self, name: &Ident) -> Option<bool> {
         let mut answers = self.bindings.iter().filter(|(known, _)| name == known).map(|(_, answer)| *answer);
         let first = answers.next()??;
@@ -194,12 +194,12 @@ impl Finder<'_, '_> {
     }
 }
 
-/// The last word of a path.
+/// Returns the last segment of a path.
 fn last(path: &ExprPath) -> &Ident {
     &path.path.segments[path.path.segments.len() - 1].ident
 }
 
-/// Whether a name is written as that of a type, not as that of a constant.
+/// Returns whether a name has the case of a type, not of a constant.
 fn is_type(name: &Ident) -> bool {
     let name = name.to_string();
     name.starts_with(char::is_uppercase) && (name.len() == 1 || name.contains(char::is_lowercase))

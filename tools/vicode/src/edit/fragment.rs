@@ -1,4 +1,4 @@
-//! Checks of code and names that an edit brings: each must be what it claims to be, and no more.
+//! Validation of code and names in edits.
 
 use proc_macro2::Ident;
 use syn::{ImplItem, Item, Type};
@@ -21,7 +21,7 @@ pub(super) fn name(name: &str) -> Result<(), Refusal> {
 
 const BRACES: &str = "this code closes more braces than it opens";
 
-/// Refuses code that cannot stand in the braces of a function.
+/// Refuses code that is no function body.
 pub(super) fn body(code: &str) -> Result<(), Refusal> {
     only(&format!("fn body() {{\n{code}\n}}"), "this code", BRACES).map(drop)
 }
@@ -50,7 +50,7 @@ pub(super) fn path(path: &str) -> Result<(), Refusal> {
     if path.contains(['{', ',', ';', ' ']) { Err(Refusal::new(message)) } else { Ok(()) }
 }
 
-/// The names of functions in code for an impl block; refuses other items.
+/// Returns the names of the functions in code for an impl block; refuses other items.
 pub(super) fn functions(code: &str) -> Result<Vec<String>, Refusal> {
     let Item::Impl(block) = only(&format!("impl Block {{\n{code}\n}}"), "this code", BRACES)? else {
         return Err(Refusal::new(BRACES));
@@ -71,7 +71,7 @@ fn one_line(code: &str, what: &str) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The item of a text; refuses, with `message`, what is not this one item.
+/// Returns the only item of a text; refuses, with `message`, anything else.
 fn only(text: &str, what: &str, message: &str) -> Result<Item, Refusal> {
     let mut source = parse(text).ok_or_else(|| Refusal::new(format!("{what} is nested too deeply")))?;
     if let Some(problem) = source.problems.first() {

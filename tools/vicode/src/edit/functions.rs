@@ -1,6 +1,6 @@
-//! Functions as a whole: adding, copying, moving, and their bodies.
+//! Adding, copying and moving of functions, and their bodies.
 
-use super::plan::{Context, function, state};
+use super::context::{Context, function, state};
 use super::request::{Edit, Refusal};
 use super::splice::{Splice, applied};
 use super::style::Style;
@@ -80,8 +80,8 @@ fn new(
     Ok(vec![layout::insert(context.text, component, &style, after, &code)?])
 }
 
-/// The function after which a new one goes: the named one; else the last of its role (0 states, 1 transitions, 2 hooks) or of a
-/// role before it. `None` is the end of the block.
+/// Returns the function after which a new one is inserted: the named one; else the last of its role (0 states, 1 transitions,
+/// 2 hooks) or of a role before it. `None` is the end of the block.
 fn behind<'a>(component: &'a Component, after: Option<&str>, role: usize) -> Result<Option<&'a Function>, Refusal> {
     if let Some(after) = after {
         return function(component, after).map(Some);
@@ -97,7 +97,7 @@ fn behind<'a>(component: &'a Component, after: Option<&str>, role: usize) -> Res
     Ok(roles[role].or(roles[..role].iter().rev().find_map(|function| *function)))
 }
 
-/// Replaces what stands in the braces of a function.
+/// Replaces the body of a function.
 pub(super) fn body(context: &Context<'_>, component: &str, name: &str, code: &str) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
     let function = function(component, name)?;
@@ -110,7 +110,7 @@ pub(super) fn body(context: &Context<'_>, component: &str, name: &str, code: &st
     Ok(vec![Splice::new(braces, style.block(code, indent))])
 }
 
-/// Copies a function to the place after it.
+/// Copies a function; the copy follows it.
 pub(super) fn copy(context: &Context<'_>, component: &str, from: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
     let function = function(component, from)?;

@@ -2,39 +2,39 @@
 
 use syn::{Item, ItemUse, UseGroup, UseTree, Visibility};
 
+use super::context::Context;
 use super::fragment;
-use super::plan::Context;
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, starts_line};
 use crate::model::Span;
 use crate::read::{Outline, Source, parse};
 
-/// `Eye` of `Eye<320, 240>`; nothing of a path.
+/// Returns `Eye` for `Eye<320, 240>`; `None` for a path.
 fn name_of(child: &str) -> Option<&str> {
     let name = child.split('<').next().unwrap_or(child).trim();
     (!name.contains("::")).then_some(name)
 }
 
-/// The `use` items among others.
+/// Filters the `use` items.
 pub(super) fn uses<'a>(items: impl Iterator<Item = &'a Item>) -> impl Iterator<Item = &'a ItemUse> {
     items.filter_map(|item| if let Item::Use(item) = item { Some(item) } else { None })
 }
 
-/// The `use` items of a module.
+/// Returns the `use` items of a module.
 fn of_module<'a>(outline: &Outline<'a>, module: usize) -> Vec<&'a ItemUse> {
     uses(outline.items(module).unwrap_or_default().iter().copied()).collect()
 }
 
-/// A name that a `use` brings.
+/// An imported name.
 pub(super) struct Import {
-    /// The words that lead to it.
+    /// Segments of its path.
     pub(super) path: Vec<String>,
-    /// The name here; `None` for all names of the path.
+    /// Name in this scope; `None` for a glob.
     pub(super) name: Option<String>,
 }
 
-/// The names that a `use` brings; `path` is what stands before it.
+/// Returns the names that a tree of `use` imports below `path`.
 pub(super) fn imports(tree: &UseTree, mut path: Vec<String>) -> Vec<Import> {
     let name = match tree {
         UseTree::Path(tree) => {
@@ -55,7 +55,7 @@ pub(super) fn imports(tree: &UseTree, mut path: Vec<String>) -> Vec<Import> {
     vec![Import { path, name }]
 }
 
-/// The path of a module before the names, as `one::two`, and the rest.
+/// Splits a tree of `use` into the path of a module, as `one::two`, and its names.
 fn split(tree: &UseTree) -> (String, &UseTree) {
     let (mut path, mut rest) = (Vec::new(), tree);
     while let UseTree::Path(tree) = rest {
@@ -65,12 +65,12 @@ fn split(tree: &UseTree) -> (String, &UseTree) {
     (path.join("::"), rest)
 }
 
-/// Whether only this module sees what an item imports, and always: an item with `pub` or `cfg` is not.
+/// Returns whether an item imports for this module only, in every build: without `pub` and `cfg`.
 fn is_plain(item: &ItemUse) -> bool {
     matches!(item.vis, Visibility::Inherited) && !item.attrs.iter().any(|one| one.path().is_ident("cfg"))
 }
 
-/// Imports a child from a module, unless its name is known in the module of the file that contains the byte `at`.
+/// Imports a child, unless its name is in scope in the module around the offset `at`.
 pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> Vec<Splice> {
     let (Some(name), Some(source)) = (name_of(child), parse(context.text)) else { return Vec::new() };
     let outline = Outline::of(&source);
@@ -96,7 +96,7 @@ pub(super) fn add(context: &Context<'_>, at: usize, path: &str, child: &str) -> 
 /// Imports a name from a module.
 ///
 /// # Errors
-/// If path or name are none, or if the file knows the name.
+/// If path or name are invalid, or the name is in scope already.
 pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     fragment::path(path)?;
     fragment::name(name)?;
@@ -106,7 +106,7 @@ pub(super) fn name(context: &Context<'_>, path: &str, name: &str) -> Result<Vec<
     Ok(add(context, 0, path, name))
 }
 
-/// Whether a module has the name: by `use`, or by an item.
+/// Returns whether a name is in scope in a module, by `use` or by an item.
 fn is_known(outline: &Outline<'_>, module: usize, name: &str) -> bool {
     let all: Vec<Import> =
         of_module(outline, module).into_iter().flat_map(|item| imports(&item.tree, Vec::new())).collect();
@@ -124,7 +124,7 @@ fn is_known(outline: &Outline<'_>, module: usize, name: &str) -> bool {
         || takes_all && outer().is_some_and(|outer| is_known(outline, outer, name))
 }
 
-/// Adds a name at its place in `{a, b}`.
+/// Inserts a name in order into `{a, b}`.
 fn into_list(source: &Source<'_>, style: &Style, list: &UseGroup, name: &str) -> Vec<Splice> {
     let text = source.text;
     let places = list.items.iter().map(|tree| source.of(tree));
@@ -147,7 +147,7 @@ fn into_list(source: &Source<'_>, style: &Style, list: &UseGroup, name: &str) ->
     vec![Splice::new(whole, filled(style, &names))]
 }
 
-/// `{`, lines as long as they may be, `}`
+/// Formats a list of names in braces with filled lines.
 fn filled(style: &Style, names: &[String]) -> String {
     let mut result = String::from("{");
     let mut length = usize::MAX;
@@ -167,7 +167,7 @@ fn filled(style: &Style, names: &[String]) -> String {
     result + style.newline + "}"
 }
 
-/// Adds a `use` line where it belongs among the others of a module.
+/// Inserts a `use` line in order among the others of a module.
 pub(super) fn line(outline: &Outline<'_>, style: &Style, module: usize, new: &str) -> Splice {
     let (source, newline, all) = (outline.source, style.newline, of_module(outline, module));
     let text = source.text;
@@ -195,7 +195,7 @@ pub(super) fn line(outline: &Outline<'_>, style: &Style, module: usize, new: &st
     Splice::insert(at, format!("{new}{behind}{indent}"))
 }
 
-/// Kind of a `use` line by its first word. Each kind is a paragraph.
+/// Returns the kind of a `use` line by its first segment. Each kind is a paragraph.
 fn kind(first_word: &str) -> &'static str {
     match first_word {
         "std" | "core" | "alloc" => "library",
@@ -204,7 +204,7 @@ fn kind(first_word: &str) -> &'static str {
     }
 }
 
-/// Removes an import that only the link at `place` needed.
+/// Removes an import that only the link at `place` uses.
 pub(super) fn remove(context: &Context<'_>, child: &str, place: Span) -> Vec<Splice> {
     let (Some(name), Some(source)) = (name_of(child), parse(context.text)) else { return Vec::new() };
     let outline = Outline::of(&source);

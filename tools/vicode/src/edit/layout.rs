@@ -1,11 +1,11 @@
-//! Where new functions go, and what goes with one that is removed.
+//! Places of new functions, and spans of removed ones.
 
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::{Style, indentation, line_end, line_start, starts_line};
 use crate::model::{Component, Function, Span};
 
-/// Inserts functions, given as laid-out lines, after `after` or at the end of the block.
+/// Inserts formatted functions after `after`, or at the end of the block.
 pub(super) fn insert(
     text: &str,
     component: &Component,
@@ -34,7 +34,7 @@ pub(super) fn insert(
     Ok(Splice::insert(at, format!("{lines}{code}{tail}")))
 }
 
-/// Removes a function with its lines and one of the empty lines around it.
+/// Returns the span of a function with its lines and one of the empty lines around it.
 pub(super) fn removal(text: &str, function: &Function) -> Span {
     let Span { start, end } = function.span;
     if !starts_line(text, start) || !text[end..line_end(text, end)].trim().is_empty() {
@@ -54,12 +54,12 @@ pub(super) fn removal(text: &str, function: &Function) -> Span {
     }
 }
 
-/// Offset of the line after the line of a byte.
+/// Returns the offset of the next line.
 fn next_line(text: &str, at: usize) -> usize {
     text[at..].find('\n').map_or(text.len(), |newline| at + newline + 1)
 }
 
-/// Removes an attribute with its line, if it stands alone there.
+/// Returns the span of an attribute, with its line if it is alone there.
 pub(super) fn attribute_removal(text: &str, attribute: Span) -> Span {
     let end = line_end(text, attribute.end);
     if starts_line(text, attribute.start) && text[attribute.end..end].trim().is_empty() {
@@ -69,7 +69,7 @@ pub(super) fn attribute_removal(text: &str, attribute: Span) -> Span {
     Span::new(attribute.start, attribute.end + behind)
 }
 
-/// The code of a function with the lines as they stand, the first with its indentation.
+/// Returns the lines of a function, the first with its indentation.
 pub(super) fn lines<'a>(text: &'a str, function: &Function) -> &'a str {
     let Span { start, end } = function.span;
     if starts_line(text, start) { &text[start - indentation(text, start).len()..end] } else { &text[start..end] }

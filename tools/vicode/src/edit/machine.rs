@@ -1,7 +1,7 @@
 //! Attributes of states, transitions and hooks.
 
+use super::context::{Context, arrow as arrow_of, state, transition};
 use super::layout::attribute_removal;
-use super::plan::{Context, arrow as arrow_of, state, transition};
 use super::request::{Edit, Refusal};
 use super::splice::Splice;
 use super::style::indentation;
@@ -87,7 +87,7 @@ fn find<'a>(component: &'a Component, name: &str) -> Result<&'a State, Refusal> 
     component.state(name).ok_or_else(|| Refusal::new(format!("no state is called `{name}`")))
 }
 
-/// Takes the word `initial` off all states.
+/// Removes the word `initial` from all states.
 pub(super) fn no_longer_initial(text: &str, component: &Component) -> Vec<Splice> {
     let initial = component.states.iter().filter(|state| state.initial);
     initial.map(|state| words(text, state, false, state.last)).collect()
@@ -141,7 +141,7 @@ pub(super) fn names(states: &[String]) -> String {
     states.iter().map(|name| written(name)).collect::<Vec<_>>().join(" | ")
 }
 
-/// A name as it must be written: with `r#` if it is a keyword.
+/// Formats a name, with `r#` if it is a keyword.
 pub(super) fn written(name: &str) -> String {
     if is_keyword(name) { format!("r#{name}") } else { name.to_owned() }
 }

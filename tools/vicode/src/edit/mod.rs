@@ -1,6 +1,7 @@
-//! Edits of the text: each becomes a few splices, and all other bytes stay.
+//! Edits of the text: each becomes a few splices; all other bytes are kept.
 
 mod children;
+mod context;
 mod create;
 mod delete;
 mod docs;
@@ -18,6 +19,7 @@ mod request;
 mod splice;
 mod style;
 mod table;
+mod target;
 mod types;
 mod uses;
 
@@ -26,4 +28,6 @@ pub use self::plan::plan;
 pub use self::reads::reads;
 pub use self::request::{Edit, NewNumber, Refusal};
 pub use self::splice::{Splice, applied, inverse, ordered};
-pub use self::uses::{Target, Use, uses};
+pub use self::style::DEFAULT_WIDTH;
+pub use self::target::{Target, Use};
+pub use self::uses::uses;

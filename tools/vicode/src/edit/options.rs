@@ -1,7 +1,7 @@
-//! Options of components, defaults of parameters.
+//! Options of components and defaults of parameters.
 
+use super::context::{Context, list};
 use super::fragment;
-use super::plan::{Context, list};
 use super::request::Refusal;
 use super::splice::Splice;
 use crate::model::{Component, Options, Setting, Span};
@@ -48,7 +48,7 @@ fn added(text: &str, component: &Component, new: &str) -> Splice {
     }
 }
 
-/// An option with its comma; the parentheses with the last one.
+/// Returns the span of an option with its comma; for the only one, of the parentheses.
 fn removed(options: &Options, old: &Setting) -> Span {
     let index = options.settings.iter().position(|setting| setting == old).unwrap_or_default();
     let next = options.settings.get(index + 1);

@@ -1,4 +1,4 @@
-//! Places that read a parameter.
+//! Search for the places that read a parameter.
 
 use quote::ToTokens;
 use syn::parse::Parser;
@@ -12,8 +12,8 @@ use syn::{
 use crate::model::Span;
 use crate::read::{Source, parse};
 
-/// The places in a text that declare the parameter `name` of the struct `group`, or read it as a field of a value of that struct, in order.
-/// A value is known by the type of an argument, of a field, or of a `let`.
+/// Returns the places, in order, that declare the parameter `name` of the struct `group`, or read it as a field of a value of that
+/// struct. The type of a value follows from an argument, a field or a `let`.
 #[must_use]
 pub fn reads(text: &str, group: &str, name: &str) -> Vec<Span> {
     let Some(source) = parse(text) else { return Vec::new() };
@@ -36,22 +36,22 @@ struct Reads<'s, 't> {
     source: &'s Source<'t>,
     group: &'s str,
     name: &'s str,
-    /// Whether `self` is the struct.
+    /// Whether `self` has the struct's type.
     is_own: bool,
-    /// Variables of the struct's type in the function.
+    /// Variables of the current function with the struct's type.
     values: Vec<String>,
-    /// Fields of that type in the file.
+    /// Names of all fields with the struct's type.
     fields: Vec<String>,
     found: Vec<Span>,
 }
 
-/// Whether a type has the struct's name, alone or within another type.
+/// Returns whether a type contains the struct's name.
 fn mentions(ty: &Type, group: &str) -> bool {
     let text = ty.to_token_stream().to_string();
     text.split(|one: char| !one.is_alphanumeric() && one != '_').any(|word| word == group)
 }
 
-/// Fields of all structs whose type has the struct's name.
+/// Returns the names of all fields whose type contains the struct's name.
 fn fields_of(items: &[Item], group: &str) -> Vec<String> {
     let fields = items.iter().filter_map(|item| match item {
         Item::Struct(ItemStruct { fields: Fields::Named(fields), .. }) => Some(&fields.named),
@@ -80,7 +80,7 @@ impl Reads<'_, '_> {
         }
     }
 
-    /// Runs the walk through a function, whose variables are its own.
+    /// Searches a function in a scope of its own for variables.
     fn function(&mut self, walk: impl FnOnce(&mut Self)) {
         let outer = std::mem::take(&mut self.values);
         walk(self);

@@ -1,12 +1,13 @@
 //! Renaming of functions.
 
+use super::context::{Context, function};
 use super::fragment;
 use super::machine::written;
-use super::plan::{Context, function};
 use super::request::Refusal;
 use super::splice::Splice;
 use super::style::line_number;
-use super::uses::{Target, uses};
+use super::target::Target;
+use super::uses::uses;
 use crate::model::{Component, Name, Sources, Span};
 use crate::read::functions_of;
 
@@ -54,7 +55,7 @@ fn lines(text: &str, places: &[Span]) -> String {
     format!("{} {}", if lines.len() == 1 { "line" } else { "lines" }, lines.join(", "))
 }
 
-/// The names of states in attributes.
+/// Returns the names of states in attributes.
 pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> {
     let arrows = component.transitions.iter().flat_map(|transition| &transition.arrows);
     let of_arrows = arrows.flat_map(|arrow| {
@@ -64,7 +65,7 @@ pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> 
     of_arrows.chain(component.hooks.iter().flat_map(|hook| &hook.states))
 }
 
-/// Refuses a name that the component has already.
+/// Refuses a name that the component uses already.
 pub(super) fn free(context: &Context<'_>, component: &Component, name: &str) -> Result<(), Refusal> {
     let of_type = |other: &&Component| (&other.module, &other.name.text) == (&component.module, &component.name.text);
     let blocks = context.model.components.iter().filter(of_type);

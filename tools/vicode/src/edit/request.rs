@@ -1,4 +1,4 @@
-//! What can be asked for.
+//! Edits, and why they are refused.
 
 use serde::{Deserialize, Serialize};
 
@@ -146,22 +146,22 @@ pub struct NewNumber {
     pub value: Option<f64>,
 }
 
-/// Why an edit is not possible.
+/// Reason for which an edit is not possible.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Refusal {
-    /// What is wrong and how to mend it.
+    /// Message with the remedy.
     pub message: String,
-    /// The part of the text that stands in the way.
+    /// Part of the text that prevents the edit.
     pub span: Option<Span>,
 }
 
 impl Refusal {
-    /// A refusal that no part of the text causes.
+    /// Creates a refusal without a place.
     pub fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), span: None }
     }
 
-    /// A refusal that a part of the text causes.
+    /// Creates a refusal with the part of the text that prevents the edit.
     pub fn at(span: Span, message: impl Into<String>) -> Self {
         Self { message: message.into(), span: Some(span) }
     }

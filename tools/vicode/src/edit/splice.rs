@@ -5,27 +5,27 @@ use serde::{Deserialize, Serialize};
 use crate::model::Span;
 use crate::read::{Kind, lexed};
 
-/// The part `span` of a text is replaced by `text`; all other bytes stay.
+/// Replacement of the part `span` of a text by `text`; all other bytes are kept.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Splice {
-    /// The replaced part; empty for an insertion.
+    /// Replaced part; empty for an insertion.
     pub span: Span,
-    /// What stands there afterwards.
+    /// New text.
     pub text: String,
 }
 
 impl Splice {
-    /// Replaces a part.
+    /// Creates a replacement.
     pub fn new(span: Span, text: impl Into<String>) -> Self {
         Self { span, text: text.into() }
     }
 
-    /// Inserts a text before the byte `at`.
+    /// Creates an insertion before the byte `at`.
     pub fn insert(at: usize, text: impl Into<String>) -> Self {
         Self::new(Span::at(at), text)
     }
 
-    /// Replaces a part; its comments stay, after the new text.
+    /// Creates a replacement that keeps the comments of the part, after the new text.
     pub(super) fn keeping_comments(text: &str, span: Span, new: impl Into<String>) -> Self {
         let tokens = lexed(span.of(text));
         let mut new = new.into();
@@ -47,14 +47,14 @@ impl Splice {
         Self::new(span, new)
     }
 
-    /// Removes a part.
+    /// Creates a removal.
     #[must_use]
     pub const fn remove(span: Span) -> Self {
         Self { span, text: String::new() }
     }
 }
 
-/// Sorts splices of one text; those that remove overlapping parts become one. `None` if two contradict each other or do not fit
+/// Sorts splices of one text and joins overlapping removals. Returns `None` if two contradict each other or do not fit
 /// the text.
 #[must_use]
 pub fn ordered(text: &str, mut splices: Vec<Splice>) -> Option<Vec<Splice>> {
@@ -78,7 +78,7 @@ pub fn ordered(text: &str, mut splices: Vec<Splice>) -> Option<Vec<Splice>> {
     Some(ordered)
 }
 
-/// The text after splices that are in order.
+/// Applies splices, which are in order, to a text.
 #[must_use]
 pub fn applied(text: &str, splices: &[Splice]) -> String {
     let mut result = String::with_capacity(text.len());
@@ -92,7 +92,7 @@ pub fn applied(text: &str, splices: &[Splice]) -> String {
     result
 }
 
-/// The splices that lead back from the text that `splices` made of `text`.
+/// Returns the splices that undo `splices` of `text`.
 #[must_use]
 pub fn inverse(text: &str, splices: &[Splice]) -> Vec<Splice> {
     let mut inverse = Vec::with_capacity(splices.len());

@@ -1,9 +1,12 @@
-//! How new code is laid out: as `rustfmt` does, with the line ends and the indentation of the file.
+//! Format of new code: that of `rustfmt`, with the line ends and the indentation of the file.
 
 use crate::model::Component;
 use crate::read::{Kind, lexed};
 
-/// Layout of a file.
+/// The longest line that `rustfmt` writes without a configuration, characters.
+pub const DEFAULT_WIDTH: usize = 100;
+
+/// Format of a file.
 #[derive(Clone, Debug)]
 pub(super) struct Style {
     /// `\n` or `\r\n`.
@@ -17,7 +20,7 @@ pub(super) struct Style {
 }
 
 impl Style {
-    /// The layout of a file, of one of its blocks if given.
+    /// Derives the format from a file, and from one of its blocks if given.
     pub(super) fn of(text: &str, component: Option<&Component>, width: usize) -> Self {
         let lines = text.matches('\n').count();
         let newline = if text.matches("\r\n").count() * 2 > lines { "\r\n" } else { "\n" };
@@ -32,12 +35,12 @@ impl Style {
         Self { newline, width, indent, outer }
     }
 
-    /// Indentation of one level.
+    /// Returns the indentation of one level.
     pub(super) fn unit(&self) -> &str {
         if self.indent.starts_with('\t') { "\t" } else { "    " }
     }
 
-    /// Lines of code, each indented. Lines within a string or a comment of several lines stay as they are.
+    /// Indents lines of code, except those within a string or a comment of several lines.
     pub(super) fn lay(&self, code: &str, indent: &str) -> String {
         let code = code.replace("\r\n", "\n");
         let inside = continued(&code);
@@ -58,7 +61,7 @@ impl Style {
         result
     }
 
-    /// The lines of a doc comment, each with its indentation and line end.
+    /// Formats a doc comment, each line with its indentation and line end.
     pub(super) fn docs(&self, docs: &str, indent: &str) -> String {
         let docs = docs.trim_end().trim_start_matches(['\n', '\r']);
         if docs.is_empty() {
@@ -75,12 +78,12 @@ impl Style {
         result
     }
 
-    /// The braces of a function and what stands in them.
+    /// Formats the body of a function with its braces.
     pub(super) fn body(&self, body: &str, indent: &str) -> String {
         format!("{{{}}}", self.block(body, indent))
     }
 
-    /// What stands in the braces of a function.
+    /// Formats the body of a function without its braces.
     pub(super) fn block(&self, body: &str, indent: &str) -> String {
         let body = body.trim_matches(['\n', '\r']).trim_end();
         if body.trim().is_empty() {
@@ -91,7 +94,7 @@ impl Style {
     }
 }
 
-/// Whether each line begins within a string or a comment.
+/// Returns for each line whether it begins within a string or a comment.
 fn continued(code: &str) -> Vec<bool> {
     let mut inside = vec![false; code.split('\n').count()];
     let mut line = 0;
@@ -105,13 +108,13 @@ fn continued(code: &str) -> Vec<bool> {
     inside
 }
 
-/// White space that all lines have in common, bytes.
+/// Returns the common indentation of all lines, bytes.
 fn common_indent(lines: &[&str], inside: &[bool]) -> usize {
     let lines = lines.iter().zip(inside).filter(|(line, inside)| !**inside && !line.trim().is_empty());
     lines.map(|(line, _)| line.len() - line.trim_start_matches([' ', '\t']).len()).min().unwrap_or(0)
 }
 
-/// `ball_detector` of `BallDetector`.
+/// Converts `BallDetector` to `ball_detector`.
 pub(super) fn snake(name: &str) -> String {
     let mut snake = String::new();
     for character in name.chars() {
@@ -123,29 +126,29 @@ pub(super) fn snake(name: &str) -> String {
     snake
 }
 
-/// The white space at the beginning of the line of a byte.
+/// Returns the indentation of a line.
 pub(super) fn indentation(text: &str, at: usize) -> &str {
     let line = &text[line_start(text, at)..];
     &line[..line.len() - line.trim_start_matches([' ', '\t']).len()]
 }
 
-/// Offset of the beginning of the line of a byte.
+/// Returns the offset of the beginning of a line.
 pub(super) fn line_start(text: &str, at: usize) -> usize {
     text[..at].rfind('\n').map_or(0, |newline| newline + 1)
 }
 
-/// Number of the line of a byte, from 1.
+/// Returns the number of a line, from 1.
 pub(super) fn line_number(text: &str, at: usize) -> usize {
     1 + text[..at].matches('\n').count()
 }
 
-/// Offset of the next line end, before `\r\n` or `\n`.
+/// Returns the offset of the end of a line, before `\r\n` or `\n`.
 pub(super) fn line_end(text: &str, at: usize) -> usize {
     let end = text[at..].find('\n').map_or(text.len(), |newline| at + newline);
     if text[at..end].ends_with('\r') { end - 1 } else { end }
 }
 
-/// Whether only white space stands before a byte in its line.
+/// Returns whether only white space precedes a byte in its line.
 pub(super) fn starts_line(text: &str, at: usize) -> bool {
     text[line_start(text, at)..at].trim().is_empty()
 }

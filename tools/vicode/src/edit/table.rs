@@ -1,11 +1,11 @@
 //! Numbers and rows of tables of constants.
 
-use super::plan::{Context, list};
+use super::context::{Context, list};
 use super::request::{NewNumber, Refusal};
 use super::splice::Splice;
 use crate::model::{Row, Span, Table};
 
-/// Most decimals that are written.
+/// Largest number of written decimals.
 const DECIMALS: usize = 6;
 
 fn find<'a>(context: &Context<'a>, key: &str) -> Result<&'a Table, Refusal> {
@@ -65,7 +65,7 @@ pub(super) fn set(context: &Context<'_>, key: &str, numbers: &[NewNumber]) -> Re
     Ok(splices)
 }
 
-/// A number as it is written in the place of another one: whole if that is, and with at least as many decimals.
+/// Formats a number in the form of the one that it replaces: whole if that is, with at least as many decimals.
 fn number(old: &str, value: f64) -> String {
     let Some((_, fraction)) = old.split_once('.') else { return format!("{}", value.round() as i64) };
     let scale = 10_f64.powi(DECIMALS as i32);
@@ -83,7 +83,7 @@ fn number(old: &str, value: f64) -> String {
     format!("{whole}.{digits}")
 }
 
-/// Writes the pairs of a row: those that stay in their order, then the new ones.
+/// Rewrites the pairs of a row: kept ones in their order, then new ones.
 fn pairs(text: &str, row: &Row, numbers: &[&NewNumber]) -> Result<Splice, Refusal> {
     let of = |name: &str| numbers.iter().find(|one| one.cell == name).map(|one| one.value);
     let mut all = Vec::new();
@@ -113,7 +113,7 @@ fn infinite(row: &Row) -> Refusal {
     Refusal::at(row.span, "a number must be finite")
 }
 
-/// Begin of a pair: the last parenthesis before its number.
+/// Returns the offset of a pair: the last parenthesis before its number.
 fn begin(text: &str, row: &Row, index: usize) -> usize {
     let (start, end) = (row.pairs.unwrap_or(row.span).start, row.cells[index].span.start);
     text[start..end].rfind('(').map_or(end, |at| start + at)
@@ -195,7 +195,7 @@ pub(super) fn insert(
     Ok(splices)
 }
 
-/// Indentation of the line of an array on one line, if that would be too long with another row, and has no comment.
+/// Returns the indentation of an array on one line that would be too long with another row, unless it has a comment.
 fn too_long<'a>(context: &Context<'a>, array: Span, code: &str) -> Option<&'a str> {
     let (text, written) = (context.text, array.of(context.text));
     let begin = text[..array.start].rfind('\n').map_or(0, |at| at + 1);
@@ -236,7 +236,7 @@ fn array(table: &Table) -> Result<Span, Refusal> {
     table.array.ok_or_else(none)
 }
 
-/// The new length in the type of the constant.
+/// Updates the length in the type of the constant.
 fn length(context: &Context<'_>, table: &Table, rows: usize) -> Result<Vec<Splice>, Refusal> {
     let Some(span) = table.length else { return Ok(Vec::new()) };
     let written = span.of(context.text);
@@ -247,14 +247,14 @@ fn length(context: &Context<'_>, table: &Table, rows: usize) -> Result<Vec<Splic
     Ok(vec![Splice::new(span, rows.to_string())])
 }
 
-/// What separates a row from the one before: its line break and indentation, or a space.
+/// Returns the separator before a row: line break and indentation, or a space.
 fn above<'a>(text: &'a str, array: Span, row: &Row) -> &'a str {
     let before = Span::new(array.start, row.span.start).of(text);
     let gap = &before[before.trim_end().len()..];
     if gap.contains('\n') { gap } else { " " }
 }
 
-/// Whether a comma follows a row before a comment.
+/// Returns whether a comma follows a row, before any comment.
 fn has_comma(text: &str, after: Span) -> bool {
     after.of(text).trim_start().starts_with(',')
 }

@@ -1,13 +1,13 @@
-//! Which types in a text are a component: as far as the text of one file decides it.
+//! Resolution of types to a component, within one file.
 
 use bica_syntax::text::written;
 use syn::{GenericArgument, Item, Path, PathArguments, Type};
 
 use super::imports::{Import, imports, uses};
-use super::uses::Target;
+use super::target::Target;
 use crate::read::{Node, Outline};
 
-/// Answers are `None` if the text does not decide.
+/// Resolver of types; it returns `None` where the file does not decide.
 #[derive(Clone, Copy)]
 pub(super) struct Types<'a> {
     pub(super) target: &'a Target,
@@ -16,11 +16,11 @@ pub(super) struct Types<'a> {
     pub(super) outline: &'a Outline<'a>,
 }
 
-/// Pointers through which methods of their content are called.
+/// Smart pointers, which dereference to their content for method calls.
 const POINTERS: [&str; 9] = ["Box", "Rc", "Arc", "Ref", "RefMut", "Pin", "Cow", "MutexGuard", "ManuallyDrop"];
 
 impl<'a> Types<'a> {
-    /// Whether a type, references and pointers left out, is the component.
+    /// Returns whether a type, without references and smart pointers, is the component.
     pub(super) fn of(&self, ty: &Type) -> Option<bool> {
         match ty {
             Type::Reference(inner) => self.of(&inner.elem),
@@ -46,14 +46,14 @@ impl<'a> Types<'a> {
         }
     }
 
-    /// Whether a path is the component, its last `without` words left out.
+    /// Returns whether a path, without its last `without` segments, names the component.
     pub(super) fn of_syn_path(&self, path: &Path, without: usize) -> Option<bool> {
         let words: Vec<String> = path.segments.iter().map(|one| one.ident.to_string()).collect();
         let words: Vec<&str> = words[..words.len() - without].iter().map(String::as_str).collect();
         self.of_path(&words, self.outline.source.of(path).start)
     }
 
-    /// Whether a path that stands at a place is the component.
+    /// Returns whether the path at this offset names the component.
     pub(super) fn of_path(&self, path: &[&str], at: usize) -> Option<bool> {
         let scope = || self.outline.around(at).find(|region| self.outline.items(*region).is_some());
         if path != ["Self"] {
@@ -75,12 +75,12 @@ impl<'a> Types<'a> {
         self.outline.items(scope).unwrap_or_default()
     }
 
-    /// The module or block around another one.
+    /// Returns the module or block around a scope.
     fn outer(&self, scope: usize) -> Option<usize> {
         self.outline.outwards(Some(scope)).skip(1).find(|region| self.outline.items(*region).is_some())
     }
 
-    /// The module of that name among the items of a scope.
+    /// Returns the module with that name in a scope.
     fn inner(&self, name: &str, scope: usize) -> Option<usize> {
         self.outline.regions.iter().position(|region| {
             region.parent == Some(scope) && matches!(region.node, Node::Item(Item::Mod(item)) if item.ident == name)
@@ -107,7 +107,7 @@ impl<'a> Types<'a> {
         }
     }
 
-    /// What a name stands for among the items of a module or block.
+    /// Resolves a name in a module or block.
     fn of_name(&self, name: &str, scope: usize, depth: usize) -> Option<bool> {
         for item in self.items(scope) {
             match item {
@@ -135,7 +135,7 @@ impl<'a> Types<'a> {
         if self.is_target(name, scope) { Some(true) } else { self.by_name(name) }
     }
 
-    /// Whether the type that a scope defines is the component; undecided if its methods may be those of another one.
+    /// Returns whether a type defined in a scope is the component; undecided if it dereferences to another type.
     fn of_definition(&self, name: &str, scope: usize) -> Option<bool> {
         let is_deref = |item: &&Item| match item {
             Item::Impl(block) => {
@@ -151,7 +151,7 @@ impl<'a> Types<'a> {
         self.is_home && self.outline.path(scope) == self.target.module && self.target.names[0] == name
     }
 
-    /// Whether a `use ...::*` of a module of this file brings another type of that name.
+    /// Returns whether a glob import of a module of this file provides another type with that name.
     fn globs(&self, name: &str, scope: usize, depth: usize) -> bool {
         let uses = uses(self.items(scope).iter().copied());
         let mut globs = uses.flat_map(|item| imports(&item.tree, Vec::new())).filter(|one| one.name.is_none());
@@ -164,7 +164,7 @@ impl<'a> Types<'a> {
         })
     }
 
-    /// Whether a name that comes from elsewhere is the component's.
+    /// Returns whether a name from another file is that of the component.
     fn by_name(&self, name: &str) -> Option<bool> {
         let is_known = self.target.names.iter().any(|known| known == name);
         if is_known && self.target.has_namesakes { None } else { Some(is_known) }

@@ -1,32 +1,12 @@
-//! Uses of a function of a component.
+//! Uses of a component's functions.
 
-use serde::Serialize;
 use syn::Item;
 
 use super::finder::find;
+use super::target::{Target, Use};
 use super::types::Types;
-use crate::model::{Component, Span};
+use crate::model::Component;
 use crate::read::{Node, Outline, parse};
-
-/// A place that uses a function of a component, or may use it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Use {
-    /// The name.
-    pub span: Span,
-    /// Whether the type before the name is the component. If not, the text of the file does not decide it.
-    pub certain: bool,
-}
-
-/// The component whose functions are looked for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Target {
-    /// Names of its type: its own, and aliases in its file.
-    pub(super) names: Vec<String>,
-    /// Modules of its file that contain it.
-    pub(super) module: String,
-    /// Whether other files have a component of that name, so that a path to it decides nothing.
-    pub(super) has_namesakes: bool,
-}
 
 impl Target {
     /// A component of a file; `has_namesakes` if another file has a component of that name.
@@ -49,13 +29,13 @@ impl Target {
     }
 }
 
-/// Uses of the function `name` of a component in a text, its definition left out; `is_home` if the text has the component.
+/// Returns the uses of a component's function `name` in a text, without its definition; `is_home` if the text has the component.
 #[must_use]
 pub fn uses(text: &str, target: &Target, name: &str, is_home: bool) -> Vec<Use> {
     of_each(text, target, &[name], is_home).into_iter().map(|(_, one)| one).collect()
 }
 
-/// Uses of each of some functions, as [`uses`] finds them.
+/// Returns the uses of several functions, as [`uses`] does.
 pub(super) fn of_each<'a>(text: &str, target: &Target, names: &[&'a str], is_home: bool) -> Vec<(&'a str, Use)> {
     let Some(source) = parse(text) else { return Vec::new() };
     let outline = Outline::of(&source);

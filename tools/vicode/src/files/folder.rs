@@ -1,4 +1,4 @@
-//! One opened folder: names lead to files below it and to no others.
+//! An opened folder, which restricts access to the files below it.
 
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::save::save;
 
-/// Largest file that is read.
+/// Largest file that is read, bytes.
 const LARGEST: u64 = 16 * 1024 * 1024;
 
 /// A folder with sources.
@@ -15,7 +15,7 @@ pub struct Folder {
     root: PathBuf,
 }
 
-/// Why a file cannot be read or written. Nothing was changed then.
+/// Error of reading or writing a file. Nothing is changed then.
 #[derive(Debug)]
 pub enum FileError {
     /// The name is invalid, or leads out of the folder.
@@ -26,7 +26,7 @@ pub enum FileError {
     Missing(String),
     /// The file may not be changed.
     ReadOnly(String),
-    /// The file is not what it was when it was read; its text now.
+    /// The file was changed after it was read; its text now.
     Changed(String),
     /// The file exists already.
     Exists(String),
@@ -69,13 +69,13 @@ impl Folder {
         if root.is_dir() { Ok(Self { root }) } else { Err(FileError::Missing(name)) }
     }
 
-    /// The folder.
+    /// Returns the path of the folder.
     #[must_use]
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// The path of an existing source file, links followed.
+    /// Returns the path of an existing source file, with links resolved.
     ///
     /// # Errors
     /// If the name or a link leads out of the folder, or to no source file.
@@ -91,7 +91,7 @@ impl Folder {
         Ok(path)
     }
 
-    /// A name as a path below the folder, whose folder exists below it too.
+    /// Resolves a name to a path in an existing folder below this one.
     fn path(&self, name: &str) -> Result<PathBuf, FileError> {
         let outside = || FileError::Outside(name.to_owned());
         let relative = Path::new(name);
@@ -109,7 +109,7 @@ impl Folder {
         Ok(folder.join(last))
     }
 
-    /// The text of a source file.
+    /// Reads a source file.
     ///
     /// # Errors
     /// If it cannot be read as text.
@@ -125,10 +125,10 @@ impl Folder {
         })
     }
 
-    /// Writes a text that was made from `read`, the text of the file when it was read.
+    /// Writes a new text, made from `read`, the text of the file when it was read.
     ///
     /// # Errors
-    /// If the file is no longer `read`, or cannot be written. It is whole then, and as it was.
+    /// If the file differs from `read`, or cannot be written. It is unchanged then.
     pub fn save(&self, name: &str, read: &str, text: &str) -> Result<(), FileError> {
         let path = self.source(name)?;
         let now = self.read(name)?;

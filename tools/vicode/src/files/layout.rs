@@ -1,4 +1,4 @@
-//! Where the states of a machine are drawn, and notes on the drawing: a file beside the source, one line for each, sorted, so that it
+//! Layout files: positions of states, and notes on the drawing, beside the source. They have sorted lines, one for each, so that
 //! merges in version control.
 //!
 //! ```text
@@ -32,7 +32,7 @@ pub struct Note {
     pub text: String,
 }
 
-/// Positions of states that someone moved, and notes.
+/// Positions of states that a person has placed, and notes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Layout {
     positions: BTreeMap<(String, String), Position>,
@@ -62,16 +62,16 @@ impl fmt::Display for LayoutError {
 impl std::error::Error for LayoutError {}
 
 impl Layout {
-    /// The layout file of a source file: `player.vicode` beside `player.rs`.
+    /// Returns the path of a source's layout file: `player.vicode` beside `player.rs`.
     #[must_use]
     pub fn beside(source: &Path) -> PathBuf {
         source.with_extension("vicode")
     }
 
-    /// Reads a layout. A state that stands twice, as after a merge, has its last position.
+    /// Parses a layout. Of several positions of a state, as after a merge, the last one counts.
     ///
     /// # Errors
-    /// If a line is invalid: the layout must be corrected by hand before it is written again.
+    /// If a line is invalid. A person has to correct the file before it is written again.
     pub fn parse(text: &str) -> Result<Self, LayoutError> {
         let mut layout = Self::default();
         for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
@@ -91,7 +91,7 @@ impl Layout {
         Ok(layout)
     }
 
-    /// The notes of a component.
+    /// Returns the notes of a component.
     pub fn notes(&self, component: &str) -> impl Iterator<Item = &Note> {
         let key = key(component);
         self.notes.iter().filter(move |(component, _)| *component == key).map(|(_, note)| note)
@@ -107,13 +107,13 @@ impl Layout {
         self.notes.remove(&(key(component), note.clone()))
     }
 
-    /// Keeps the lines for which `is_kept` is true of the component and of the state, which is `None` for a note.
+    /// Keeps the lines for which `is_kept` returns true, called with component and state, or `None` for a note.
     pub fn retain(&mut self, is_kept: impl Fn(&str, Option<&str>) -> bool) {
         self.positions.retain(|(component, state), _| is_kept(component, Some(state)));
         self.notes.retain(|(component, _)| is_kept(component, None));
     }
 
-    /// The position of a state, if it has one.
+    /// Returns the position of a state, if it has one.
     #[must_use]
     pub fn get(&self, component: &str, state: &str) -> Option<Position> {
         self.positions.get(&(key(component), state.to_owned())).copied()
@@ -129,14 +129,14 @@ impl Layout {
         self.positions.remove(&(key(component), state.to_owned()));
     }
 
-    /// Whether a line of the file stands for a component.
+    /// Returns whether the first word of a line is that of a component.
     #[must_use]
     pub fn is_of(word: &str, component: &str) -> bool {
         word == key(component)
     }
 }
 
-/// `one::Eye#2` of `one::Eye<320, 240>#2`: a word of the file.
+/// Returns a component's word in the file: `one::Eye#2` for `one::Eye<320, 240>#2`.
 fn key(component: &str) -> String {
     let (before, rest) = component.split_once('<').unwrap_or((component, ""));
     let behind = rest.rsplit_once('>').map_or("", |(_, behind)| behind);

@@ -1,4 +1,4 @@
-//! Files that are whole at each instant: the old one, or the new one.
+//! Atomic saving.
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, Write};
@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Distinguishes the temporary files of this process.
+/// Counter for the names of temporary files of this process.
 static COUNT: AtomicU64 = AtomicU64::new(0);
 
-/// Replaces the content of a file by way of a temporary file beside it.
+/// Replaces the content of a file atomically, by renaming a temporary file beside it.
 ///
 /// # Errors
-/// If the disk is full, or the system does not allow it. The file is as it was then, and the temporary one is gone.
+/// If the disk is full, or the system does not allow it. The file is unchanged then, and the temporary one is removed.
 pub fn save(path: &Path, content: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
     let temporary = temporary(path);
     let written = write(&temporary, content, permissions).and_then(|()| fs::rename(&temporary, path));
@@ -28,7 +28,7 @@ pub fn save(path: &Path, content: &[u8], permissions: Option<Permissions>) -> io
     Ok(())
 }
 
-/// A name beside the file that does not end with `.rs`, so that no build reads it.
+/// Returns a temporary name beside the file, without the ending `.rs`, so that no build reads it.
 fn temporary(path: &Path) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());

@@ -1,14 +1,15 @@
 //! A component: an impl block with `#[component]`.
 
-use serde::{Deserialize, Serialize};
+use bica_syntax::component::model;
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::{Docs, Function, Name, Span};
 
 /// A component.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Component {
-    /// Address that no other component of the file has: `Eye<4>`, in a module of the file `module::Eye<4>`; a second one of the
-    /// same address is `Eye<4>#2`.
+    /// Unique key in the file: `Eye<4>`, within a module of the file `module::Eye<4>`; the second one of the
+    /// same key is `Eye<4>#2`.
     pub key: String,
     /// Modules of the file that contain it, as `one::two`; empty at the top.
     pub module: String,
@@ -41,7 +42,7 @@ pub struct Component {
 }
 
 impl Component {
-    /// All functions, in no particular order.
+    /// Returns all functions, in no particular order.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let states = self.states.iter().map(|state| &state.function);
         let transitions = self.transitions.iter().map(|transition| &transition.function);
@@ -52,25 +53,25 @@ impl Component {
         all.chain(info).chain(modulations).chain(&self.others)
     }
 
-    /// The function of that name.
+    /// Returns the function with that name.
     #[must_use]
     pub fn function(&self, name: &str) -> Option<&Function> {
         self.functions().find(|function| function.name.text == name)
     }
 
-    /// The state of that name.
+    /// Returns the state with that name.
     #[must_use]
     pub fn state(&self, name: &str) -> Option<&State> {
         self.states.iter().find(|state| state.function.name.text == name)
     }
 
-    /// The transition of that name.
+    /// Returns the transition with that name.
     #[must_use]
     pub fn transition(&self, name: &str) -> Option<&Transition> {
         self.transitions.iter().find(|transition| transition.function.name.text == name)
     }
 
-    /// Whether it is a state machine.
+    /// Returns whether it is a state machine.
     #[must_use]
     pub const fn is_machine(&self) -> bool {
         !self.states.is_empty()
@@ -89,7 +90,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// The option of that key.
+    /// Returns the option with that key.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Setting> {
         self.settings.iter().find(|setting| setting.key.text == key)
@@ -99,7 +100,7 @@ impl Options {
 /// An option.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Setting {
-    /// All of it, without a comma.
+    /// The whole, without a comma.
     pub span: Span,
     /// The word before `=`.
     pub key: Name,
@@ -120,7 +121,7 @@ pub struct State {
     pub last: bool,
 }
 
-/// A condition, and between which states it decides.
+/// A condition with its transitions.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Transition {
     /// Its function.
@@ -137,6 +138,7 @@ pub struct Arrow {
     /// Text between its parentheses.
     pub list: Span,
     /// States that it leaves.
+    #[serde(serialize_with = "sources")]
     pub from: Sources,
     /// The states before the arrow, as written.
     pub from_span: Span,
@@ -147,13 +149,14 @@ pub struct Arrow {
 }
 
 /// The states that a transition leaves.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Sources {
-    /// `*`: all but the one that it enters.
-    Any,
-    /// The named ones.
-    These(Vec<Name>),
+pub type Sources = model::Sources<Name>;
+
+/// Serialises the states as `"any"` or `{"these": [...]}`.
+fn sources<S: Serializer>(sources: &Sources, serializer: S) -> Result<S::Ok, S::Error> {
+    match sources {
+        Sources::Any => serializer.serialize_unit_variant("Sources", 0, "any"),
+        Sources::These(names) => serializer.serialize_newtype_variant("Sources", 1, "these", names),
+    }
 }
 
 /// A function that runs when a state is entered or left, or when the component becomes active or latent.
@@ -161,7 +164,7 @@ pub enum Sources {
 pub struct Hook {
     /// Its function.
     pub function: Function,
-    /// When it runs.
+    /// Event that calls it.
     pub role: HookRole,
     /// The attribute.
     pub attribute: Span,
@@ -171,7 +174,7 @@ pub struct Hook {
     pub list: Option<Span>,
 }
 
-/// When a hook runs.
+/// Event that calls a hook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum HookRole {

@@ -9,7 +9,7 @@ use super::{Name, Span};
 pub struct Function {
     /// Its name.
     pub name: Name,
-    /// All of it, with docs, attributes and the comments that stand before it without an empty line.
+    /// The whole with docs, attributes, and the comments directly above.
     pub span: Span,
     /// Its doc comment.
     pub docs: Docs,
@@ -22,7 +22,7 @@ pub struct Function {
 }
 
 impl Function {
-    /// The links, in the order of the text.
+    /// Returns the links, in the order of the text.
     pub fn links(&self) -> impl Iterator<Item = (&Argument, LinkKind, &str)> {
         self.arguments.iter().filter_map(|argument| match &argument.input {
             Input::Link { kind, child } => Some((argument, *kind, child.as_str())),
@@ -47,16 +47,16 @@ pub struct Docs {
 pub struct Argument {
     /// The pattern before the colon.
     pub name: Name,
-    /// All of it, without a comma.
+    /// The whole, without a comma.
     pub span: Span,
     /// Type as written.
     pub written: Name,
-    /// What it means.
+    /// Meaning.
     #[serde(flatten)]
     pub input: Input,
 }
 
-/// What an argument means.
+/// Meaning of an argument.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "input", rename_all = "snake_case")]
 pub enum Input {
@@ -64,7 +64,7 @@ pub enum Input {
     Link {
         /// Kind of the link.
         kind: LinkKind,
-        /// Type of the child as one writes it: `Eye<320, 240>`.
+        /// Type of the child: `Eye<320, 240>`.
         child: String,
     },
     /// `&mut Rate<Self>`

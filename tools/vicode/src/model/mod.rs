@@ -1,24 +1,25 @@
-//! What a source file holds, each part with its place in the text.
+//! Content of a source file, each part with its span.
 //!
-//! The model is a view: it is read from the text, and edits change the text. It serialises to JSON; `docs/vicode.md` has the
+//! The model is a view: it is derived from the text, and edits change the text. It serialises to JSON; `docs/vicode.md` has the
 //! schema.
 
 mod component;
 mod function;
-mod graph;
 mod params;
+mod resolved;
 mod span;
 mod table;
 
+use bica_syntax::code::Code;
 use serde::Serialize;
 
 pub use self::component::{
     Arrow, Component, Hook, HookRole, Info, Modulation, Options, Setting, Sources, State, Transition,
 };
 pub use self::function::{Argument, Docs, Function, Input, LinkKind};
-pub(crate) use self::graph::own_links;
-pub use self::graph::{Edge, Graph, Link};
 pub use self::params::{Key, Parameter, ParameterGroup};
+pub use self::resolved::Link;
+pub(crate) use self::resolved::links;
 pub use self::span::{Name, Span};
 pub use self::table::{Cell, Row, Table};
 
@@ -32,33 +33,43 @@ pub struct Model {
     /// Constants that are tables of numbers, in the order of the text.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tables: Vec<Table>,
-    /// What is wrong, in the order of the text.
+    /// Mistakes, in the order of the text.
     pub problems: Vec<Problem>,
 }
 
 /// A mistake.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Problem {
-    /// The wrong part of the text.
+    /// Wrong part of the text.
     pub span: Span,
-    /// What is wrong and how to mend it.
+    /// Message with the remedy.
     pub message: String,
-    /// Who reports it.
+    /// Reporter.
     pub from: Reporter,
+    /// Its code, if a fix is known.
+    #[serde(skip)]
+    pub code: Option<Code>,
 }
 
-/// Who reports a mistake.
+impl Problem {
+    /// Creates a syntax error.
+    pub(crate) const fn syntax(span: Span, message: String) -> Self {
+        Self { span, message, from: Reporter::Syntax, code: None }
+    }
+}
+
+/// Reporter of a mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Reporter {
-    /// The text is no Rust.
+    /// The parser of Rust.
     Syntax,
-    /// The macros of BICA would report the same.
+    /// The macros of BICA.
     Macro,
 }
 
 impl Model {
-    /// The component with that key, or the only one of that name.
+    /// Returns the component with that key, or the only one with that name.
     #[must_use]
     pub fn component(&self, key: &str) -> Option<&Component> {
         let mut named = self.components.iter().filter(|component| component.name.text == key);
@@ -66,7 +77,7 @@ impl Model {
         of_key.or_else(|| named.next().filter(|_| named.next().is_none()))
     }
 
-    /// The struct of parameters of that name.
+    /// Returns the struct of parameters with that name.
     #[must_use]
     pub fn group(&self, name: &str) -> Option<&ParameterGroup> {
         self.parameters.iter().find(|group| group.name.text == name)

@@ -33,7 +33,7 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// The value of a key as written.
+    /// Returns the value of a key as written.
     #[must_use]
     pub fn value(&self, key: &str) -> Option<&Name> {
         self.keys.iter().find(|one| one.key.text == key)?.value.as_ref()

@@ -1,4 +1,4 @@
-//! Places in the text.
+//! Spans of the text.
 
 use std::ops::Range;
 
@@ -15,31 +15,31 @@ pub struct Span {
 }
 
 impl Span {
-    /// The part from `start` to before `end`.
+    /// Creates the span from `start` to before `end`.
     #[must_use]
     pub const fn new(start: usize, end: usize) -> Self {
         Self { start, end }
     }
 
-    /// The empty part before the byte `at`.
+    /// Creates the empty span before the byte `at`.
     #[must_use]
     pub const fn at(at: usize) -> Self {
         Self { start: at, end: at }
     }
 
-    /// The offsets as a range.
+    /// Returns the offsets as a range.
     #[must_use]
     pub const fn range(self) -> Range<usize> {
         self.start..self.end
     }
 
-    /// The part of `text`; empty if it has no such part.
+    /// Returns this part of `text`; empty if it is out of range.
     #[must_use]
     pub fn of(self, text: &str) -> &str {
         text.get(self.range()).unwrap_or_default()
     }
 
-    /// Whether `other` lies within.
+    /// Returns whether `other` lies within.
     #[must_use]
     pub const fn contains(self, other: Self) -> bool {
         self.start <= other.start && other.end <= self.end
@@ -64,7 +64,7 @@ impl From<Span> for [usize; 2] {
     }
 }
 
-/// A name and its place.
+/// A name and its span.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Name {
     /// The name without the `r#` of a raw identifier.

@@ -33,7 +33,7 @@ pub struct Row {
     /// Place between the brackets of a row that is a list of pairs of a name and a number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pairs: Option<Span>,
-    /// What is written in it.
+    /// Its cells.
     pub cells: Vec<Cell>,
 }
 
@@ -50,7 +50,7 @@ pub struct Cell {
 }
 
 impl Row {
-    /// The cell of that name.
+    /// Returns the cell with that name.
     #[must_use]
     pub fn cell(&self, name: &str) -> Option<&Cell> {
         self.cells.iter().find(|cell| cell.name == name)

@@ -1,4 +1,4 @@
-//! The rules of the macros, by the macros' own code.
+//! Rules of the macros, checked by the macros' own code.
 
 use bica_syntax::component::{check as component_check, parse as component_parse};
 use bica_syntax::params::parse as params_parse;
@@ -12,7 +12,7 @@ use super::params::derives;
 use super::{Node, Outline};
 use crate::model::{Component, Problem, Reporter, Span};
 
-/// Adds what the macros would report about the components, the parameters and the trees of a file.
+/// Adds the mistakes that the macros would report for the components, parameters and trees of a file.
 pub(super) fn check(outline: &Outline<'_>, components: &[Component], problems: &mut Vec<Problem>) {
     let source = outline.source;
     // The macros do not read the bodies of functions.
@@ -28,10 +28,11 @@ pub(super) fn check(outline: &Outline<'_>, components: &[Component], problems: &
     let trees = outline.macros.iter().filter_map(|call| Some((source.of(&call.tokens), of_tree(call)?)));
     reports.extend(trees);
     for (place, report) in reports.iter().filter(|(place, _)| !omitted.iter().any(|part| place.contains(**part))) {
-        problems.extend(report.errors().map(|error| {
-            let found = source.of(&error.span());
+        problems.extend(report.mistakes().iter().map(|mistake| {
+            let found = source.of(&mistake.error.span());
             let span = if place.contains(found) && found.start < found.end { found } else { *place };
-            Problem { span, message: error.to_string(), from: Reporter::Macro }
+            let message = mistake.error.to_string();
+            Problem { span, message, from: Reporter::Macro, code: mistake.code.clone() }
         }));
     }
 }

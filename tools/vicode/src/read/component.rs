@@ -43,7 +43,7 @@ pub(super) fn component(source: &Source<'_>, block: &ItemImpl, module: String) -
     Some(component)
 }
 
-/// The attribute `#[component]` of a block.
+/// Returns the attribute `#[component]` of a block.
 pub(super) fn attribute(block: &ItemImpl) -> Option<&Attribute> {
     block.attrs.iter().find(|one| matches!(one.style, AttrStyle::Outer) && syntax::is_component(one))
 }
@@ -52,7 +52,7 @@ fn written(source: &Source<'_>, ty: &Type) -> Name {
     Name { text: plain(ty), span: source.of(ty) }
 }
 
-/// A type as one writes it, without the `r#` of raw identifiers.
+/// Formats a type, without the `r#` of raw identifiers.
 fn plain(ty: &Type) -> String {
     text::written(ty).replace("r#", "")
 }
@@ -134,7 +134,7 @@ fn argument(source: &Source<'_>, input: &PatType, own: &Type) -> Argument {
     }
 }
 
-/// The place between the parentheses of an attribute.
+/// Returns the span between the parentheses of an attribute.
 fn list(source: &Source<'_>, attribute: &Attribute) -> Option<Span> {
     let Meta::List(list) = &attribute.meta else { return None };
     let brackets = match &list.delimiter {
@@ -145,7 +145,7 @@ fn list(source: &Source<'_>, attribute: &Attribute) -> Option<Span> {
     source.within(&brackets)
 }
 
-/// What stands between the parentheses of an attribute.
+/// Returns the tokens between the parentheses of an attribute.
 fn tokens(attribute: &Attribute) -> Vec<TokenTree> {
     let list = attribute.meta.require_list();
     list.map(|list| list.tokens.clone()).unwrap_or_default().into_iter().collect()
@@ -155,7 +155,7 @@ fn is(token: &TokenTree, sign: char) -> bool {
     matches!(token, TokenTree::Punct(mark) if mark.as_char() == sign)
 }
 
-/// From the first to the last token.
+/// Returns the span from the first to the last token.
 fn around(source: &Source<'_>, tokens: &[TokenTree]) -> Option<Span> {
     Some(Span::new(source.of(tokens.first()?).start, source.of(tokens.last()?).end))
 }
@@ -173,7 +173,7 @@ pub(super) fn settings(source: &Source<'_>, attribute: &Attribute) -> Vec<Settin
 
 /// `a | b -> c, after_ms = N`
 fn arrow(source: &Source<'_>, attribute: &Attribute) -> Option<Arrow> {
-    let syntax::Arrow { from, to, after_ms } = syntax::transition(attribute).ok()?;
+    let model::Arrow { from, to, after_ms } = syntax::transition(attribute).ok()?;
     let tokens = tokens(attribute);
     let from_end = tokens.iter().position(|token| is(token, '-'))?;
     let comma = tokens.iter().position(|token| is(token, ','));
@@ -193,7 +193,7 @@ fn arrow(source: &Source<'_>, attribute: &Attribute) -> Option<Arrow> {
     })
 }
 
-/// The input of the macro: the options, and the block without the attribute.
+/// Returns the input of the macro: the options, and the block without the attribute.
 pub(super) fn input(block: &ItemImpl) -> Option<(TokenStream, ItemImpl)> {
     let own = attribute(block)?;
     let mut item = block.clone();

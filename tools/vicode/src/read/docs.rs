@@ -5,7 +5,7 @@ use syn::{AttrStyle, Attribute, Expr, ExprLit, Lit, Meta};
 use super::Source;
 use crate::model::{Docs, Span};
 
-/// The doc comment among the attributes of an item, its `#[doc = "..."]` included.
+/// Returns the doc comment of an item, including `#[doc = "..."]`.
 pub(super) fn docs(source: &Source<'_>, attributes: &[Attribute]) -> Docs {
     let mut lines: Vec<String> = Vec::new();
     let mut docs = Docs { plain: true, ..Docs::default() };
@@ -25,12 +25,12 @@ pub(super) fn docs(source: &Source<'_>, attributes: &[Attribute]) -> Docs {
     docs
 }
 
-/// White space before a line of docs, bytes.
+/// Returns the indentation of a line, bytes.
 fn indent(line: &str) -> usize {
     line.len() - line.trim_start_matches([' ', '\t']).len()
 }
 
-/// The text of `#[doc = "..."]`, which is also what a doc comment becomes.
+/// Returns the text of `#[doc = "..."]`, the form of each doc comment in the syntax tree.
 fn text(attribute: &Attribute) -> Option<String> {
     let Meta::NameValue(pair) = &attribute.meta else { return None };
     match &pair.value {

@@ -1,4 +1,4 @@
-//! The tokens of any text, white space and comments too.
+//! Tokens of any text, including white space and comments.
 
 use proc_macro2::Ident;
 use ra_ap_rustc_lexer::LiteralKind::{Byte, Char, Float, Int};
@@ -8,7 +8,7 @@ use syn::parse::Parser;
 
 use crate::model::Span;
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Space,
@@ -19,11 +19,11 @@ pub(crate) enum Kind {
     Text,
     /// A number or a character.
     Literal,
-    /// A sign, a bracket, or what is no Rust.
+    /// A sign, a bracket, or an unknown character.
     Mark,
 }
 
-/// A token and its place.
+/// A token and its span.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Token<'a> {
     pub(crate) kind: Kind,
@@ -36,18 +36,18 @@ impl Token<'_> {
         matches!(self.kind, Kind::Space | Kind::Comment)
     }
 
-    /// Whether it is a doc comment.
+    /// Returns whether it is a doc comment.
     pub(crate) fn is_doc(&self) -> bool {
         self.kind == Kind::Comment && ["///", "//!", "/**", "/*!"].iter().any(|mark| self.text.starts_with(mark))
     }
 
-    /// Whether it is a word that is used as a name.
+    /// Returns whether it is this name.
     pub(crate) fn is(&self, name: &str) -> bool {
         self.kind == Kind::Word && self.text.strip_prefix("r#").unwrap_or(self.text) == name
     }
 }
 
-/// The tokens of a text. Each byte belongs to one.
+/// Splits a text into tokens; each byte belongs to one.
 pub(crate) fn lexed(text: &str) -> Vec<Token<'_>> {
     let mut at = prefix(text);
     let first = (at > 0).then(|| Token { kind: Kind::Space, text: &text[..at], span: Span::new(0, at) });
@@ -59,7 +59,7 @@ pub(crate) fn lexed(text: &str) -> Vec<Token<'_>> {
     first.into_iter().chain(rest).collect()
 }
 
-/// Length of what is no Rust at the beginning: a byte order mark, the first line of a script.
+/// Returns the length of a byte order mark and of a shebang line at the beginning.
 pub(super) fn prefix(text: &str) -> usize {
     let mark = text.len() - text.trim_start_matches('\u{feff}').len();
     mark + strip_shebang(&text[mark..]).unwrap_or_default()
@@ -78,7 +78,7 @@ fn kind(kind: TokenKind) -> Kind {
     }
 }
 
-/// Whether a word is a keyword of the language.
+/// Returns whether a word is a keyword of Rust.
 pub(crate) fn is_keyword(word: &str) -> bool {
     word == "gen" || word != "_" && syn::parse_str::<Ident>(word).is_err() && Ident::parse_any.parse_str(word).is_ok()
 }

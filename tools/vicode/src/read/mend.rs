@@ -1,4 +1,4 @@
-//! What is no Rust in a text, and the rest of it: while someone types, all but the smallest part around a mistake is read.
+//! Error recovery of the parser: a text is read without the smallest parts around its syntax errors.
 
 use std::ops::Range;
 
@@ -6,12 +6,12 @@ use proc_macro2::TokenStream;
 use syn::File;
 
 use super::lexed::{Kind, Token, prefix};
-use crate::model::{Problem, Reporter, Span};
+use crate::model::{Problem, Span};
 
-/// The most parts that are left out; with more mistakes nothing is read.
+/// Largest number of omitted parts; of a text with more errors nothing is read.
 const MOST: usize = 40;
 
-/// Reads a text; also what is wrong, and the parts that were left out.
+/// Parses a text; returns its items, its syntax errors, and the omitted parts.
 pub(super) fn file(text: &str, tokens: &[Token<'_>]) -> (File, Vec<Problem>, Vec<Span>) {
     let tokens = tokens.iter().filter(|token| !token.is_trivia() || token.is_doc()).copied().collect();
     let plain = " ".repeat(prefix(text)) + &text[prefix(text)..];
@@ -32,9 +32,9 @@ pub(super) fn file(text: &str, tokens: &[Token<'_>]) -> (File, Vec<Problem>, Vec
 }
 
 struct Mender<'a> {
-    /// The tokens that are not left out, with those brackets.
+    /// Tokens that are not omitted, with those brackets.
     tokens: Vec<Token<'a>>,
-    /// The text with spaces instead of the parts that are left out, and with missing brackets after its end.
+    /// The text with spaces in place of omitted parts, and missing brackets after its end.
     plain: String,
     /// Length of the text.
     length: usize,
@@ -55,10 +55,10 @@ impl Mender<'_> {
     fn report(&mut self, span: Span, message: String) {
         let Span { start, end } = span;
         let span = Span::new(start.min(self.length), end.min(self.length));
-        self.problems.push(Problem { span, message, from: Reporter::Syntax });
+        self.problems.push(Problem::syntax(span, message));
     }
 
-    /// Leaves out brackets without a partner, and closes blocks that are open.
+    /// Omits brackets without a partner, and closes open blocks.
     fn brackets(&mut self) {
         let (mut open, mut wrong) = (Vec::new(), Vec::new());
         for (index, token) in self.tokens.iter().enumerate() {
@@ -90,7 +90,7 @@ impl Mender<'_> {
         }
     }
 
-    /// Leaves out the token at a place, which is none of the language.
+    /// Omits the invalid token at a place.
     fn unknown(&mut self, at: usize) {
         let token = self.tokens.partition_point(|token| token.span.end <= at);
         if let Some(Token { span, .. }) = self.tokens.get(token).copied() {
@@ -99,7 +99,7 @@ impl Mender<'_> {
         }
     }
 
-    /// Leaves out what stands between two separators around the place where the parser stopped, or all between the brackets
+    /// Omits the part between the separators around the place where the parser stopped, or all between the brackets
     /// around it. In braces a closing brace ends a part.
     fn unexpected(&mut self, error: &syn::Error) {
         let range = error.span().byte_range();
@@ -123,7 +123,7 @@ impl Mender<'_> {
         self.omit([part, within, brackets].into_iter().find(|tokens| !tokens.is_empty()).unwrap_or_default());
     }
 
-    /// The other bracket of each.
+    /// Returns the partner of each bracket.
     fn pairs(&self) -> Vec<Option<usize>> {
         let (mut pairs, mut open) = (vec![None; self.tokens.len()], Vec::new());
         for (index, token) in self.tokens.iter().enumerate() {
@@ -137,7 +137,7 @@ impl Mender<'_> {
     }
 }
 
-/// The bracket that closes one.
+/// Returns the closing partner of a bracket.
 fn closing(open: &Token<'_>) -> Option<&'static str> {
     [("(", ")"), ("[", "]"), ("{", "}")].iter().find(|(one, _)| *one == open.text).map(|(_, close)| *close)
 }

@@ -1,4 +1,4 @@
-//! From the text of a file to its model. Reads any text: what cannot be understood is left out.
+//! Reading of a file's text into its model. Any text is read: parts with syntax errors are omitted.
 
 mod check;
 mod component;
@@ -22,7 +22,7 @@ pub(crate) use self::lexed::{Kind, Token, is_keyword, lexed};
 pub(crate) use self::outline::{Node, Outline};
 pub(crate) use self::source::{Source, parse};
 pub use self::trees::{TreeSource, trees};
-use crate::model::{Component, Model, Name, Problem, Reporter, Span};
+use crate::model::{Component, Model, Name, Problem, Span};
 
 /// Reads a file.
 #[must_use]
@@ -30,7 +30,7 @@ pub fn read(text: &str) -> Model {
     let Some(source) = parse(text) else {
         let span = Span::new(0, text.len());
         let message = "this text is nested too deeply: VICODE does not read it".to_owned();
-        return Model { problems: vec![Problem { span, message, from: Reporter::Syntax }], ..Model::default() };
+        return Model { problems: vec![Problem::syntax(span, message)], ..Model::default() };
     };
     let outline = Outline::of(&source);
     let mut model = Model::default();
@@ -52,7 +52,7 @@ pub fn read(text: &str) -> Model {
     model
 }
 
-/// Gives each component the key that no other one has.
+/// Assigns each component a unique key.
 fn keyed(components: &mut [Component]) {
     let mut numbers: BTreeMap<String, u32> = BTreeMap::new();
     for Component { key, module, name, .. } in components {
@@ -65,7 +65,7 @@ fn keyed(components: &mut [Component]) {
     }
 }
 
-/// The functions of impl blocks with the names of their types, in the order of the text, those within another one left out.
+/// Returns the functions of impl blocks as `Type::name`, in the order of the text, without nested ones.
 pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
     let Some(source) = parse(text) else { return Vec::new() };
     let outline = Outline::of(&source);
@@ -79,7 +79,7 @@ pub(crate) fn landmarks(text: &str) -> Vec<(String, Span)> {
     found
 }
 
-/// The functions of all impl blocks of a component's type, whatever its arguments.
+/// Returns the functions of all impl blocks of a component's type, for any of its generic arguments.
 pub(crate) fn functions_of(text: &str, component: &Component) -> Vec<Name> {
     let Some(source) = parse(text) else { return Vec::new() };
     let outline = Outline::of(&source);

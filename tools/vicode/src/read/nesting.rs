@@ -1,15 +1,15 @@
-//! How deep a text is nested. Parsers recurse; a text that is nested without bound would overflow their stack.
+//! Limit of nesting. Parsers recurse: a text with unbounded nesting would overflow their stack.
 
 use super::lexed::{Kind, Token};
 
-/// The deepest nesting of brackets, prefix operators and types that is read. Code that people write stays below 50.
+/// Deepest nesting of brackets, prefix operators and types that is read. Real code stays below 50.
 const DEEPEST: usize = 128;
-/// Operators between two separators that weigh as much as one nesting: each makes the tree one level deeper.
+/// Number of operators between two separators that count as one nesting: each makes the syntax tree one level deeper.
 const OPERATORS: usize = 16;
-/// Tokens at which a parser recurses wherever they stand.
+/// Tokens at which a parser always recurses.
 const RECURSIVE: &str = "< = else return break move async unsafe const dyn impl for fn let if match while mut in";
 
-/// Whether a parser may recurse too deeply.
+/// Returns whether a parser may recurse too deeply.
 pub(super) fn is_too_deep(tokens: &[Token<'_>]) -> bool {
     let tokens: Vec<&Token<'_>> = tokens.iter().filter(|token| !token.is_trivia()).collect();
     // The weight of what stands since the last separator within each open bracket, the bracket included.
@@ -42,7 +42,7 @@ fn is_recursive(token: &Token<'_>) -> bool {
     RECURSIVE.split(' ').any(|word| word == token.text)
 }
 
-/// How much deeper a parser may recurse after a token.
+/// Returns the weight of a token: by how much deeper a parser may recurse after it.
 fn weight(token: &Token<'_>, before: Option<&Token<'_>>) -> usize {
     let ends_value = |before: &Token<'_>| match before.kind {
         Kind::Mark => matches!(before.text, ")" | "]" | "}" | ">"),

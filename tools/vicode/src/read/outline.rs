@@ -1,4 +1,4 @@
-//! Which items, blocks and functions contain a place.
+//! Nesting of items, blocks and functions.
 
 use syn::visit::{self, Visit};
 use syn::{Block, ImplItemFn, Item, ItemImpl, ItemMod, Macro, Signature, Stmt, TraitItemFn, TypeParam};
@@ -6,7 +6,7 @@ use syn::{Block, ImplItemFn, Item, ItemImpl, ItemMod, Macro, Signature, Stmt, Tr
 use super::Source;
 use crate::model::Span;
 
-/// The parts of a text that contain others, in the order of the text, each before what it contains.
+/// Regions of a text in its order, each before the regions within it.
 pub(crate) struct Outline<'a> {
     pub(crate) source: &'a Source<'a>,
     pub(crate) regions: Vec<Region<'a>>,
@@ -16,7 +16,7 @@ pub(crate) struct Outline<'a> {
     open: Option<usize>,
 }
 
-/// A part of a text.
+/// A part of a text that may contain others.
 pub(crate) struct Region<'a> {
     pub(crate) span: Span,
     pub(crate) node: Node<'a>,
@@ -24,7 +24,7 @@ pub(crate) struct Region<'a> {
     pub(crate) parent: Option<usize>,
 }
 
-/// What a region is.
+/// Kind of a region.
 #[derive(Clone)]
 pub(crate) enum Node<'a> {
     /// The items of the file or of a module.
@@ -53,23 +53,23 @@ impl<'a> Outline<'a> {
         self.open = outer;
     }
 
-    /// The regions around a place, the innermost first.
+    /// Returns the regions around a place, the innermost first.
     pub(crate) fn around(&self, at: usize) -> impl Iterator<Item = usize> + '_ {
         let innermost = self.regions.iter().rposition(|region| region.span.contains(Span::at(at)));
         self.outwards(innermost)
     }
 
-    /// A region and those around it.
+    /// Returns a region and those around it.
     pub(crate) fn outwards(&self, region: Option<usize>) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(region, |region| self.parent(*region))
     }
 
-    /// The region that contains one.
+    /// Returns the region around another one.
     pub(crate) fn parent(&self, region: usize) -> Option<usize> {
         self.regions.get(region)?.parent
     }
 
-    /// The items of a module or of a block; `None` if the region is none.
+    /// Returns the items of a module or of a block; `None` for other regions.
     pub(crate) fn items(&self, region: usize) -> Option<&[&'a Item]> {
         match &self.regions[region].node {
             Node::Module(items) | Node::Block(items) => Some(items),
@@ -77,12 +77,12 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// The innermost module at a place, else the file.
+    /// Returns the innermost module at a place, else the file.
     pub(crate) fn module(&self, at: usize) -> usize {
         self.around(at).find(|region| matches!(self.regions[*region].node, Node::Module(_))).unwrap_or_default()
     }
 
-    /// The modules and functions of the file that contain a region, as `one::two`.
+    /// Returns the path of the modules and functions around a region, as `one::two`.
     pub(crate) fn path(&self, region: usize) -> String {
         let name = |region: usize| match self.regions[region].node {
             Node::Item(Item::Mod(item)) => Some(item.ident.to_string()),
@@ -95,7 +95,7 @@ impl<'a> Outline<'a> {
         names.join("::")
     }
 
-    /// The functions of impl blocks, each with its region and the region of its block.
+    /// Returns the functions of impl blocks, each with its region and the region of its block.
     pub(crate) fn methods(&self) -> impl Iterator<Item = (&'a Signature, usize, usize)> + '_ {
         self.regions.iter().enumerate().filter_map(|(index, region)| match (&region.node, region.parent) {
             (Node::Method(signature), Some(block)) if self.block(block).is_some() => Some((*signature, index, block)),
@@ -103,7 +103,7 @@ impl<'a> Outline<'a> {
         })
     }
 
-    /// The impl block that is a region.
+    /// Returns the impl block of a region.
     pub(crate) fn block(&self, region: usize) -> Option<&'a ItemImpl> {
         if let Node::Item(Item::Impl(block)) = self.regions[region].node { Some(block) } else { None }
     }

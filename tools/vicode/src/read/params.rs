@@ -24,7 +24,7 @@ pub(super) fn group(source: &Source<'_>, item: &ItemStruct) -> Option<ParameterG
     })
 }
 
-/// Whether an item has `#[derive(..., name, ...)]`.
+/// Returns whether an item has `#[derive(..., name, ...)]`.
 pub(super) fn derives(attributes: &[Attribute], name: &str) -> bool {
     let is_named = |token: TokenTree| matches!(token, TokenTree::Ident(word) if word == name);
     attributes.iter().any(|one| match &one.meta {

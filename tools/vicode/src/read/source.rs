@@ -1,4 +1,4 @@
-//! A text as the parser sees it. All edits and the model are made from it.
+//! A parsed text: the basis of the model and of all edits.
 
 use proc_macro2::Ident;
 use proc_macro2::extra::DelimSpan;
@@ -15,22 +15,22 @@ pub(crate) struct Source<'a> {
     pub(crate) text: &'a str,
     /// All tokens.
     pub(crate) tokens: Vec<Token<'a>>,
-    /// Its items, without those that are no Rust.
+    /// Its items, without omitted parts.
     pub(crate) file: File,
-    /// Where the text is no Rust.
+    /// Its syntax errors.
     pub(crate) problems: Vec<Problem>,
-    /// The parts that were left out to read the rest.
+    /// Parts that were omitted to parse the rest.
     pub(crate) omitted: Vec<Span>,
 }
 
-/// The parser stores the texts of a thread for their places. So each thread has one source at a time.
+/// The parser keeps the texts of a thread to resolve spans, so a thread has one source at a time.
 impl Drop for Source<'_> {
     fn drop(&mut self) {
         proc_macro2::extra::invalidate_current_thread_spans();
     }
 }
 
-/// Parses a text; `None` if it is nested so deeply that the parser's stack could overflow.
+/// Parses a text; returns `None` if its nesting could overflow the parser's stack.
 pub(crate) fn parse(text: &str) -> Option<Source<'_>> {
     let tokens = lexed(text);
     if nesting::is_too_deep(&tokens) {
@@ -41,25 +41,25 @@ pub(crate) fn parse(text: &str) -> Option<Source<'_>> {
 }
 
 impl Source<'_> {
-    /// The place of a node.
+    /// Returns the span of a node.
     pub(crate) fn of(&self, node: &impl Spanned) -> Span {
         let range = node.span().byte_range();
         // Brackets that the text lacks stand after its end.
         Span::new(range.start.min(self.text.len()), range.end.min(self.text.len()))
     }
 
-    /// A name without the `r#` of a raw identifier.
+    /// Returns a name without the `r#` of a raw identifier.
     pub(crate) fn name(&self, ident: &Ident) -> Name {
         Name { text: ident.unraw().to_string(), span: self.of(ident) }
     }
 
-    /// The place between brackets; `None` if the text lacks the closing one.
+    /// Returns the span between brackets; `None` if the closing one is missing.
     pub(super) fn within(&self, brackets: &DelimSpan) -> Option<Span> {
         let (open, close) = (brackets.open().byte_range(), brackets.close().byte_range());
         (close.start < self.text.len()).then(|| Span::new(open.end, close.start))
     }
 
-    /// The place of an item with the comments on lines of their own directly above.
+    /// Returns the span of an item with the comments on lines of their own directly above.
     pub(crate) fn item(&self, node: &impl Spanned) -> Span {
         let Span { start, end } = self.of(node);
         let first = self.tokens.partition_point(|token| token.span.start < start);

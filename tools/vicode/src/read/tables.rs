@@ -11,7 +11,7 @@ use syn::{Arm, Attribute, Block, Expr, ImplItemConst, ItemConst, ItemFn, ItemSta
 use super::{Source, docs};
 use crate::model::{Cell, Name, Row, Span, Table};
 
-/// The tables of a file, in the order of the text.
+/// Returns the tables of a file, in the order of the text.
 pub(super) fn tables(source: &Source<'_>) -> Vec<Table> {
     let mut finder = Finder { source, found: Vec::new() };
     finder.visit_file(&source.file);
@@ -65,7 +65,7 @@ impl Finder<'_> {
         }
     }
 
-    /// A variant of a `match` whose value is a table.
+    /// Returns the table of a `match` arm.
     fn arm(&self, arm: &Arm, rows: &Rows<'_>) -> Option<Table> {
         let pattern = written(&arm.pat);
         let name = Name { text: pattern.rsplit("::").next()?.trim().to_owned(), span: self.source.of(&arm.pat) };
@@ -101,7 +101,7 @@ impl<'a> Visit<'a> for Finder<'_> {
     }
 }
 
-/// The value of a block.
+/// Returns the value of a block.
 fn tail(block: &Block) -> Option<&Expr> {
     if let Some(Stmt::Expr(value, None)) = block.stmts.last() { Some(value) } else { None }
 }

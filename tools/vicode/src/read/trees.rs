@@ -4,7 +4,7 @@ use bica_syntax::number::hertz;
 
 use super::{Kind, Token, lexed};
 
-/// A tree as its `activation_tree!` declares it. Any text is read, also a macro that declares a tree.
+/// A tree as its `activation_tree!` declares it, also within another macro.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeSource {
     /// Name of the struct.
@@ -15,7 +15,7 @@ pub struct TreeSource {
     pub components: Vec<String>,
 }
 
-/// The trees of a text.
+/// Returns the trees of a text.
 #[must_use]
 pub fn trees(text: &str) -> Vec<TreeSource> {
     let code: Vec<Token<'_>> = lexed(text).into_iter().filter(|token| !token.is_trivia()).collect();
@@ -36,7 +36,7 @@ fn tree(code: &[Token<'_>]) -> Option<TreeSource> {
     Some(TreeSource { name, cycle_hz: hz.map_or(100.0, f64::from), components: names.collect() })
 }
 
-/// The tokens before the bracket that closes.
+/// Returns the tokens before the closing bracket.
 fn within<'a>(code: &'a [Token<'a>]) -> &'a [Token<'a>] {
     let mut depth = 0_usize;
     let end = code.iter().position(|token| {

@@ -1,4 +1,4 @@
-//! A machine tried without its program: conditions are switches, timers run.
+//! Trial of a machine without its program: conditions are switches, timers run.
 //!
 //! A trial is a list of [`Step`]s; [`Trial::run`] evaluates it from the beginning, by the code that runs trees
 //! ([`bica_core::LoneMachine`]), for one component that is active from the first cycle on. Code of states, hooks and children does not run.
@@ -10,18 +10,19 @@ use std::collections::BTreeMap;
 
 use bica_core::rate::instant_of_cycle;
 use bica_core::{Instant, LoneMachine, graph};
+use bica_syntax::component::model::{self as syntax, Edge};
 use bica_syntax::number::hertz;
 use serde::{Deserialize, Serialize};
 
 pub use self::place::{Place, Tree};
-use crate::model::{Component, Edge, Function, Graph};
+use crate::model::{Component, Function};
 use crate::read::lexed;
 
-/// Longest trial, µs: an hour.
+/// Longest trial, µs.
 const LONGEST: u64 = 3_600_000_000;
-/// Most transitions of a trial.
+/// Largest number of transitions of a trial.
 const MOST_TRANSITIONS: usize = 10_000;
-/// Most steps of a trial.
+/// Largest number of steps of a trial.
 const MOST_STEPS: usize = 5_000;
 
 /// A step of a trial.
@@ -65,7 +66,7 @@ pub struct Visit {
     pub state: String,
     /// Time at which it was entered, µs.
     pub from_us: u64,
-    /// Time in it, µs.
+    /// Total time in it, µs.
     pub us: u64,
     /// Transition by which it was entered; `None` for the first one.
     pub by: Option<String>,
@@ -111,10 +112,10 @@ impl Trial {
     }
 }
 
-/// A machine as it is tried.
-struct Machine {
+/// State of a trial.
+struct Machine<'a> {
     names: Vec<String>,
-    edges: Vec<Edge>,
+    edges: Vec<Edge<&'a Function>>,
     /// The edges, for the machine.
     transitions: Vec<graph::Transition>,
     lone: LoneMachine,
@@ -127,10 +128,10 @@ struct Machine {
     visits: Vec<Visit>,
 }
 
-impl Machine {
-    fn new(component: &Component, text: &str, cycle_hz: f64) -> Result<Self, String> {
+impl<'a> Machine<'a> {
+    fn new(component: &'a Component, text: &str, cycle_hz: f64) -> Result<Self, String> {
         let names: Vec<String> = component.states.iter().map(|state| state.function.name.text.clone()).collect();
-        let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
+        let syntax::Machine { initial, edges, .. } = component.machine();
         let first =
             names.get(initial).ok_or_else(|| format!("`{}` has no states: there is nothing to try", component.key))?;
         let cycle_hz = cycle_hz as f32;
@@ -141,8 +142,7 @@ impl Machine {
         let is_always = |function: &Function| function.body.is_some_and(|body| on_one_line(body.of(text)) == "true");
         let conditions = component.transitions.iter().map(|one| &one.function);
         let switches = conditions.map(|one| (one.name.text.clone(), is_always(one))).collect();
-        let edges = Graph::of(component).edges;
-        let transition = |edge: &Edge| graph::Transition {
+        let transition = |edge: &Edge<&Function>| graph::Transition {
             name: "",
             doc: "",
             from: edge.from,
@@ -189,13 +189,13 @@ impl Machine {
     fn run_cycle(&mut self, step: usize) {
         let at = self.next();
         self.cycle += 1;
-        let holds = |index: usize| self.switches.get(&self.edges[index].name) == Some(&true);
+        let holds = |index: usize| self.switches.get(&self.edges[index].condition.name.text) == Some(&true);
         let Some(taken) = self.lone.tick(at, &self.transitions, holds).flatten() else { return };
         let from_us = at.as_micros();
         if let Some(last) = self.visits.last_mut() {
             last.us = from_us - last.from_us;
         }
-        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].name.clone()));
+        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].condition.name.text.clone()));
         self.visits.push(Visit { state, from_us, us: 0, by, step });
     }
 
@@ -206,9 +206,9 @@ impl Machine {
             last.us = self.now - last.from_us;
         }
         let ways = self.edges.iter().filter(|edge| edge.from == state).map(|edge| Way {
-            condition: edge.name.clone(),
+            condition: edge.condition.name.text.clone(),
             to: self.names[edge.to].clone(),
-            on: self.switches.get(&edge.name) == Some(&true),
+            on: self.switches.get(&edge.condition.name.text) == Some(&true),
             remaining_us: edge.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
         });
         let ways = ways.collect();
@@ -227,7 +227,7 @@ impl Machine {
     }
 }
 
-/// A body on one line, without comments.
+/// Formats a body on one line, without comments.
 fn on_one_line(code: &str) -> String {
     let tokens = lexed(code);
     let words: Vec<&str> = tokens

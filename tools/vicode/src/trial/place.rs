@@ -1,4 +1,4 @@
-//! Where a test finds a component and its tree: their public paths.
+//! Public paths of a component and its tree, for the imports of a test.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use crate::read::{TreeSource, lexed, trees};
 /// Deepest folder that is searched for a tree.
 const MAX_DEPTH: usize = 24;
 
-/// What a test of a component imports.
+/// Imports of a test of a component.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// Public path of the component.

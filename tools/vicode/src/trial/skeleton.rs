@@ -1,4 +1,4 @@
-//! What was tried, as a test in Rust.
+//! Tests in Rust that repeat a trial.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::place::base;
 use super::{Place, Step, Trial, on_one_line};
 use crate::model::{Component, LinkKind};
 
-/// Most states in the name of a test.
+/// Largest number of states in the name of a test.
 const NAMED: usize = 4;
 
 impl Trial {

@@ -137,7 +137,7 @@ fn drawing_of_a_difference_has_all_of_both_versions() {
 
 /// Reversing the order swaps additions and removals.
 #[test]
-fn difference_of_two_machines_is_that_of_the_reverse_order_with_the_signs_swapped() {
+fn difference_of_machines_is_antisymmetric() {
     let texts: Vec<String> =
         ["player", "examples"].into_iter().flat_map(sources::components).map(|(_, text)| text).collect();
     let signs = |comparison: &Comparison, swap: bool| {

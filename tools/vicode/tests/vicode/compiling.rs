@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use bica_vicode::Document;
-use bica_vicode::model::Graph;
 use serde_json::Value;
 
 use crate::agreement::agrees;
@@ -30,7 +29,7 @@ fn edited(seed: u64) -> Option<Document> {
 
 /// Children of the machine, without their arguments as they are imported.
 fn children(document: &Document) -> BTreeSet<String> {
-    Graph::of(&document.model().components[0]).links.into_iter().map(|link| link.child).collect()
+    document.model().components[0].links().into_iter().map(|link| link.child).collect()
 }
 
 fn write_package(folder: &Path, documents: &[Document]) {

@@ -13,7 +13,9 @@ use crate::sources;
 const MACHINE: &str = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one(&mut self) {}\n    \
     #[state]\n    fn two(&mut self) {}\n    #[state]\n    fn three(&mut self) {}\n    \
     #[transition(one -> two)]\n    fn go(&self) -> bool { true }\n    #[transition(one -> two)]\n    fn run(&self) -> bool { true }\n    \
-    #[transition(two -> one)]\n    fn back(&self) -> bool { true }\n    #[transition(* -> three)]\n    fn end(&self) -> bool { true }\n    #[transition(two -> two)]\n    fn stay(&self) -> bool { true }\n}\n";
+    #[transition(two -> one)]\n    fn back(&self) -> bool { true }\n    \
+    #[transition(* -> three)]\n    fn end(&self) -> bool { true }\n    \
+    #[transition(two -> two)]\n    fn stay(&self) -> bool { true }\n}\n";
 
 /// Changes of the state; the last one is the end.
 const COURSE: [(u64, Option<&str>); 7] = [

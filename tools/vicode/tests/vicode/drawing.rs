@@ -1,7 +1,7 @@
 //! Drawings that can be read.
 
 use bica_vicode::draw::{Diagram, Edge, Node, automatic};
-use bica_vicode::model::{Component, Graph};
+use bica_vicode::model::Component;
 use bica_vicode::{Layout, read};
 
 use crate::sources::{components, text};
@@ -58,13 +58,13 @@ fn curves_cross_no_state_and_names_cover_nothing() {
 
 /// Column by column: the distance from the initial state over the transitions that name the states they leave.
 #[test]
-fn column_of_a_state_is_its_distance_from_the_initial_state() {
+fn column_of_a_state_is_its_distance_from_the_start() {
     let texts = ["player", "examples"].into_iter().flat_map(components);
     let machines = texts.flat_map(|(_, text)| read(&text).components).filter(Component::is_machine);
     let (mut hooks, mut from_any) = (0, 0);
     for component in machines {
         let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
-        let (of_any, edges): (Vec<_>, Vec<_>) = Graph::of(&component).edges.into_iter().partition(|edge| edge.from_any);
+        let (of_any, edges): (Vec<_>, Vec<_>) = component.machine().edges.into_iter().partition(|edge| edge.any);
         let placed = automatic(&component, &Layout::default());
         let mut distance = vec![usize::MAX; placed.len()];
         distance[initial] = 0;
@@ -80,7 +80,7 @@ fn column_of_a_state_is_its_distance_from_the_initial_state() {
         // A state has the links of the graph without transitions.
         let nodes = Diagram::of(&component, &Layout::default()).nodes;
         let alone = Component { transitions: Vec::new(), ..component.clone() };
-        assert_eq!(nodes.into_iter().flat_map(|node| node.links).collect::<Vec<_>>(), Graph::of(&alone).links);
+        assert_eq!(nodes.into_iter().flat_map(|node| node.links).collect::<Vec<_>>(), alone.links());
         (hooks, from_any) = (hooks + component.hooks.len(), from_any + of_any.len());
     }
     assert!(hooks > 0 && from_any > 0, "{hooks} hooks, {from_any} transitions from all states");

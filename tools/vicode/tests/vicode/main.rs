@@ -20,5 +20,9 @@ mod reading;
 mod renaming;
 mod sources;
 mod tables;
+#[rustfmt::skip]
 mod tried;
 mod trying;
+#[expect(dead_code, reason = "only its graph is compared")]
+#[path = "../../../../examples/wall_follower/robot.rs"]
+mod wall_follower;

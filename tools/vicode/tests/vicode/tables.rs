@@ -36,7 +36,7 @@ fn next(written: &str, value: f64) -> f64 {
 }
 
 #[test]
-fn each_motion_of_the_repository_is_written_back_byte_for_byte() {
+fn each_motion_is_written_back_byte_for_byte() {
     let mut number = 0;
     for path in files(&root()) {
         let Ok(text) = fs::read_to_string(&path) else { continue };

@@ -2,8 +2,8 @@
 
 use bica::prelude::*;
 use bica::runner::harness::Harness;
-use bica_vicode::trial::{Place, Step, Trial};
-use bica_vicode::{model, read};
+use bica_vicode::read;
+use bica_vicode::trial::{Place, Step, Tree as TreePath, Trial};
 
 use crate::random::Random;
 use crate::sources;
@@ -164,7 +164,7 @@ fn rates_are_read_as_the_macros_read_them() {
 }
 
 #[test]
-fn ways_out_are_listed_in_their_order_with_the_rest_of_their_timers() {
+fn ways_out_are_listed_with_their_timers() {
     let text = &*source("hz = 40");
     let model = read(text);
     let on = |condition: &str| Step::Switch { condition: condition.to_owned(), on: true };
@@ -187,20 +187,14 @@ fn ways_out_are_listed_in_their_order_with_the_rest_of_their_timers() {
 /// The module `tried` is this test, so that it is compiled.
 #[test]
 fn what_was_tried_becomes_a_test_that_compiles() {
-    let file = sources::root().canonicalize().unwrap().join("player/src/behaviour/player.rs");
-    let text = std::fs::read_to_string(&file).unwrap();
+    let text = sources::text("examples/wall_follower/robot.rs");
     let model = read(&text);
-    let component: &model::Component = &model.components[0];
+    let component = model.component("Explorer").unwrap();
     let set = |condition: &str, on| Step::Switch { condition: condition.to_owned(), on };
-    let steps = [
-        Step::Run(2000),
-        set("ball_seen", true),
-        Step::Run(3500),
-        set("ball_seen", false),
-        set("ball_reached", true),
-        Step::Run(1400),
-    ];
-    let place = Place::of(&file, &component.name.text);
+    let steps = [Step::Run(2000), set("wall_ahead", true), Step::Run(3520), set("wall_ahead", false), Step::Run(1400)];
+    let path = |name: &str| format!("crate::wall_follower::{name}");
+    let tree = TreePath { path: path("WallFollower"), cycle_hz: 50.0 };
+    let place = Place { component: path("Explorer"), tree: Some(tree) };
     let trial = Trial::run(component, &text, place.cycle_hz(), &steps).unwrap();
     assert_eq!(trial.skeleton(component, &text, &place, &steps), include_str!("tried.rs"));
 }

@@ -116,7 +116,7 @@ fn stop_at_random(seeds: RangeInclusive<u64>, stops: u32, body: impl Fn(u64) -> 
 }
 
 #[test]
-fn stop_at_a_thousand_instants_ends_all_until_somebody_lets_it_go_on() {
+fn stop_at_any_instant_ends_all() {
     let seen = stop_at_random(1..=1, 1000, |_| Body::default());
     assert!(["exercising", "finished", "waiting", "walking"].iter().all(|state| seen.contains_key(state)), "{seen:?}");
 }
@@ -213,7 +213,7 @@ fn each_result_of_an_exercise_has_its_branch() {
 }
 
 #[test]
-fn troubles_pause_or_stop_and_only_a_person_lets_it_go_on() {
+fn only_a_person_ends_a_pause_after_trouble() {
     let mut test = start(LIVELY, Body::default());
     test.world_mut().heat(true);
     test.reaches::<Session>("paused", ms(50));

@@ -18,7 +18,7 @@ fn stop_slows_all_joints_within_half_a_second() {
 
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
-fn long_stops_end_the_motion_of_all_joints_within_half_a_second() {
+fn long_stops_end_all_motion_within_half_a_second() {
     stop_at_random(1..=20, 50, body);
 }
 

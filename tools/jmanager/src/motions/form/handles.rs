@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_way_of_a_handle_is_what_its_number_does_on_every_robot() {
+    fn each_handle_moves_as_its_number_on_every_robot() {
         for form in Form::all() {
             let mut row = form.rest();
             let handles = form.handles(&form.posture_of(&row));

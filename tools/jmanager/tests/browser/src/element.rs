@@ -5,7 +5,8 @@ use std::time::Instant;
 use fantoccini::error::CmdError;
 use serde_json::{Value, json};
 
-use crate::page::{LIMIT, Page, press};
+use crate::input::press;
+use crate::page::{LIMIT, Page};
 
 /// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press. `pressed` waits
 /// until the button is released, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a

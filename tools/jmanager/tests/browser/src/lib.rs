@@ -5,6 +5,7 @@
 mod driver;
 mod element;
 mod folder;
+mod input;
 mod page;
 mod robot;
 mod server;

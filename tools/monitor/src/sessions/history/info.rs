@@ -4,14 +4,14 @@ use std::collections::{BTreeMap, VecDeque};
 
 use serde_json::Value;
 
-/// Memory of a sample besides its text, bytes.
+/// Memory of a sample besides its value, bytes.
 const SAMPLE_BYTES: usize = 32;
 
 /// Samples of one information. A value that did not change is stored once.
 #[derive(Debug, Default)]
 struct Samples {
-    /// Time, µs, and value as JSON text.
-    changes: VecDeque<(u64, Box<str>)>,
+    /// Time, µs, and value in postcard's format; empty if it is too large.
+    changes: VecDeque<(u64, Box<[u8]>)>,
     /// Time of the newest sample, also of one that did not change.
     last_us: u64,
     /// Whether the next sample is stored even if it did not change.
@@ -25,20 +25,15 @@ pub(crate) struct InfoStore {
     bytes: usize,
 }
 
-fn parse(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or(Value::Null)
-}
-
 impl InfoStore {
     /// Adds a sample; times do not decrease.
-    pub(crate) fn push(&mut self, component: usize, info: usize, time_us: u64, value: &Value) {
+    pub(crate) fn push(&mut self, component: usize, info: usize, time_us: u64, value: &[u8]) {
         let samples = self.all.entry((component, info)).or_default();
         samples.last_us = time_us;
-        let text = value.to_string();
-        let is_new = samples.changes.back().is_none_or(|(_, last)| **last != *text);
+        let is_new = samples.changes.back().is_none_or(|(_, last)| **last != *value);
         if std::mem::take(&mut samples.interrupted) || is_new {
-            self.bytes += SAMPLE_BYTES + text.len();
-            samples.changes.push_back((time_us, text.into()));
+            self.bytes += SAMPLE_BYTES + value.len();
+            samples.changes.push_back((time_us, value.into()));
         }
     }
 
@@ -47,18 +42,18 @@ impl InfoStore {
         for samples in self.all.values_mut() {
             samples.interrupted = true;
             let last = samples.changes.back().filter(|(time, _)| *time < samples.last_us);
-            if let Some(text) = last.map(|(_, text)| text.clone()) {
-                self.bytes += SAMPLE_BYTES + text.len();
-                samples.changes.push_back((samples.last_us, text));
+            if let Some(value) = last.map(|(_, value)| value.clone()) {
+                self.bytes += SAMPLE_BYTES + value.len();
+                samples.changes.push_back((samples.last_us, value));
             }
         }
     }
 
     /// The last sample that is not later: its time and value.
-    pub(crate) fn at(&self, component: usize, info: usize, time_us: u64) -> Option<(u64, Value)> {
+    pub(crate) fn at(&self, component: usize, info: usize, time_us: u64) -> Option<(u64, &[u8])> {
         let changes = &self.all.get(&(component, info))?.changes;
         let end = changes.partition_point(|(time, _)| *time <= time_us);
-        changes.get(end.checked_sub(1)?).map(|(time, text)| (*time, parse(text)))
+        changes.get(end.checked_sub(1)?).map(|(time, value)| (*time, &**value))
     }
 
     /// Samples of an interval: the value at its beginning, the changes in it, the value at its end; thinned to at most `points`. Of numbers
@@ -70,13 +65,14 @@ impl InfoStore {
         from_us: u64,
         until_us: u64,
         points: usize,
+        decode: impl Fn(&[u8]) -> Value,
     ) -> Vec<(u64, Value)> {
         let Some(samples) = self.all.get(&(component, info)) else { return Vec::new() };
         let changes = &samples.changes;
         let begin = changes.partition_point(|(time, _)| *time < from_us);
         let end = changes.partition_point(|(time, _)| *time <= until_us).max(begin);
-        let before = begin.checked_sub(1).map(|index| (from_us, parse(&changes[index].1)));
-        let inside = changes.range(begin..end).map(|(time, text)| (*time, parse(text)));
+        let before = begin.checked_sub(1).map(|index| (from_us, decode(&changes[index].1)));
+        let inside = changes.range(begin..end).map(|(time, value)| (*time, decode(value)));
         let mut all: Vec<(u64, Value)> = before.into_iter().chain(inside).collect();
         let last = samples.last_us.min(until_us);
         if let Some((time, value)) = all.last().filter(|(time, _)| *time < last).cloned() {
@@ -94,18 +90,18 @@ impl InfoStore {
         after_us: Option<u64>,
         last_us: u64,
         until_us: u64,
-    ) -> Vec<(u64, usize, usize, Box<str>)> {
+    ) -> Vec<(u64, usize, usize, Box<[u8]>)> {
         let mut part = Vec::new();
         for (&(component, info), samples) in &self.all {
             let changes = &samples.changes;
             let begin = after_us.map_or(0, |after| changes.partition_point(|(time, _)| *time <= after));
             let inside = changes.range(begin..).take_while(|(time, _)| *time <= last_us);
-            part.extend(inside.map(|(time, text)| (*time, component, info, text.clone())));
+            part.extend(inside.map(|(time, value)| (*time, component, info, value.clone())));
             let end = samples.last_us.min(until_us);
             let index = changes.partition_point(|(time, _)| *time <= end).checked_sub(1);
             let newest = index.and_then(|index| changes.get(index)).filter(|(time, _)| *time < end);
-            if let Some((_, text)) = newest.filter(|_| end <= last_us && after_us.is_none_or(|after| end > after)) {
-                part.push((end, component, info, text.clone()));
+            if let Some((_, value)) = newest.filter(|_| end <= last_us && after_us.is_none_or(|after| end > after)) {
+                part.push((end, component, info, value.clone()));
             }
         }
         part.sort_by_key(|(time, ..)| *time);
@@ -116,8 +112,8 @@ impl InfoStore {
         for samples in self.all.values_mut() {
             // The last value before the horizon is the value at the horizon.
             while samples.changes.get(1).is_some_and(|(time, _)| *time <= horizon) {
-                if let Some((_, text)) = samples.changes.pop_front() {
-                    self.bytes -= SAMPLE_BYTES + text.len();
+                if let Some((_, value)) = samples.changes.pop_front() {
+                    self.bytes -= SAMPLE_BYTES + value.len();
                 }
             }
         }
@@ -157,10 +153,15 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn store(values: &[(u64, i32)]) -> InfoStore {
+    /// Values between two times.
+    fn series(store: &InfoStore, from_us: u64, until_us: u64, points: usize) -> Vec<(u64, Value)> {
+        store.series(1, 2, from_us, until_us, points, |value| json!(value[0]))
+    }
+
+    fn store(values: &[(u64, u8)]) -> InfoStore {
         let mut store = InfoStore::default();
         for &(time, value) in values {
-            store.push(1, 2, time, &json!(value));
+            store.push(1, 2, time, &[value]);
         }
         store
     }
@@ -169,32 +170,32 @@ mod tests {
     fn the_last_sample_that_is_not_later_is_found() {
         let store = store(&[(10, 1), (20, 1), (30, 2)]);
         assert_eq!(store.at(1, 2, 9), None);
-        assert_eq!(store.at(1, 2, 29), Some((10, json!(1))));
-        assert_eq!(store.at(1, 2, 30), Some((30, json!(2))));
+        assert_eq!(store.at(1, 2, 29), Some((10, &[1][..])));
+        assert_eq!(store.at(1, 2, 30), Some((30, &[2][..])));
         assert_eq!(store.at(1, 3, 30), None);
     }
 
     #[test]
-    fn a_series_has_the_values_at_both_ends_of_the_interval() {
+    fn series_has_the_values_at_both_ends() {
         let store = store(&[(10, 1), (20, 2), (30, 3), (40, 3)]);
-        assert_eq!(store.series(1, 2, 15, 25, 10), [(15, json!(1)), (20, json!(2)), (25, json!(2))]);
-        assert_eq!(store.series(1, 2, 0, 99, 10), [(10, json!(1)), (20, json!(2)), (30, json!(3)), (40, json!(3))]);
+        assert_eq!(series(&store, 15, 25, 10), [(15, json!(1)), (20, json!(2)), (25, json!(2))]);
+        assert_eq!(series(&store, 0, 99, 10), [(10, json!(1)), (20, json!(2)), (30, json!(3)), (40, json!(3))]);
     }
 
     #[test]
     fn a_peak_survives_thinning() {
-        let values: Vec<_> = (0..1000).map(|time| (time, if time == 777 { 50 } else { (time % 2) as i32 })).collect();
-        let series = store(&values).series(1, 2, 0, 999, 20);
+        let values: Vec<_> = (0..1000).map(|time| (time, if time == 777 { 50 } else { (time % 2) as u8 })).collect();
+        let series = series(&store(&values), 0, 999, 20);
         assert!(series.len() <= 20, "{}", series.len());
         assert!(series.contains(&(777, json!(50))));
     }
 
     #[test]
-    fn memory_is_given_back_and_the_value_at_the_horizon_stays() {
+    fn memory_is_freed_up_to_the_horizon() {
         let mut store = store(&[(10, 1), (20, 2), (30, 3)]);
         let before = store.bytes();
         store.evict(25);
-        assert_eq!(store.at(1, 2, 25), Some((20, json!(2))));
+        assert_eq!(store.at(1, 2, 25), Some((20, &[2][..])));
         assert_eq!(store.at(1, 2, 15), None);
         assert_eq!(store.bytes(), before - SAMPLE_BYTES - 1);
     }

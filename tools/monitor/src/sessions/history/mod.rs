@@ -6,9 +6,12 @@ mod part;
 mod states;
 mod timed;
 mod timeline;
+mod told;
 mod truths;
 
 use std::collections::BTreeMap;
+
+use bica_link::Description;
 
 use crate::protocol::{Costs, LogLine};
 
@@ -16,6 +19,7 @@ pub(super) use images::Images;
 pub(super) use info::InfoStore;
 pub(super) use states::{Change, States};
 pub(super) use timed::Timed;
+pub(super) use told::Told;
 pub(super) use truths::Truths;
 
 /// For each transition of a component whether its condition holds, and since when, µs.
@@ -39,7 +43,8 @@ pub(super) struct History {
     pub(super) states: States,
     pub(super) info: InfoStore,
     pub(super) images: Images,
-    pub(super) lines: Timed<LogLine>,
+    /// What a log tells.
+    pub(super) told: Timed<Told>,
     pub(super) truths: Truths,
     pub(super) costs: Timed<Costs>,
     /// Changes of the conditions of each component; none from when on they are not received.
@@ -73,14 +78,10 @@ impl History {
         self.info.bytes() + self.images.bytes()
     }
 
-    pub(super) fn add_line(&mut self, line: LogLine) {
-        self.lines.push(line.time_us, line);
-    }
-
-    /// Returns the last lines of an interval, oldest first.
-    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize) -> Vec<LogLine> {
-        let last = self.lines.between(from_us, until_us).rev().take(limit);
-        let mut lines: Vec<_> = last.map(|(_, line)| line.clone()).collect();
+    /// Returns the last lines of the log in an interval, oldest first, with the names of the tree.
+    pub(super) fn lines(&self, from_us: u64, until_us: u64, limit: usize, tree: &Description) -> Vec<LogLine> {
+        let last = self.told.between(from_us, until_us).rev().take(limit);
+        let mut lines: Vec<_> = last.map(|(time_us, told)| told.line(*time_us, tree)).collect();
         lines.reverse();
         lines
     }
@@ -106,7 +107,7 @@ impl History {
             self.states.evict(horizon);
             self.info.evict(horizon);
             self.images.evict(horizon);
-            self.lines.evict(horizon);
+            self.told.evict(horizon);
             self.truths.evict(horizon);
             self.costs.evict(horizon);
             self.overruns.evict(horizon);

@@ -1,8 +1,8 @@
 //! What is remembered, cycle by cycle.
 
-use super::History;
+use super::{History, Told};
 use crate::program::Image;
-use crate::protocol::{ComponentNow, LogLine};
+use crate::protocol::ComponentNow;
 
 /// What is remembered of a cycle, and of the time since the one before it.
 #[derive(Debug)]
@@ -13,10 +13,10 @@ pub(crate) struct CyclePart {
     pub(crate) cycle: u64,
     /// States of all components after it.
     pub(crate) states: Vec<ComponentNow>,
-    /// Component, index and value, as JSON text, of information that came or changed.
-    pub(crate) info: Vec<(usize, usize, Box<str>)>,
-    /// Log lines.
-    pub(crate) lines: Vec<LogLine>,
+    /// Component, index and value in postcard's format of outputs that came or changed.
+    pub(crate) info: Vec<(usize, usize, Box<[u8]>)>,
+    /// What a log tells.
+    pub(crate) told: Vec<Told>,
     /// Images.
     pub(crate) images: Vec<Image>,
 }
@@ -31,7 +31,7 @@ impl History {
         let changes = self.states.changes().skip_while(|change| change.time_us <= first);
         let mut changes = changes.take_while(|change| change.time_us <= last).peekable();
         let mut info = self.info.part(after_us, last, until_us).into_iter().peekable();
-        let mut lines = self.lines(after_us.map_or(0, |after| after + 1), last, usize::MAX).into_iter().peekable();
+        let mut told = self.told.between(after_us.map_or(0, |after| after + 1), last).peekable();
         let mut images = self.images.part(after_us, last).cloned().peekable();
         let cycle = |(time_us, cycle): (u64, u64)| {
             while let Some(change) = changes.next_if(|change| change.time_us <= time_us) {
@@ -43,7 +43,9 @@ impl History {
                 cycle,
                 states: states.clone(),
                 info: info.map(|(_, component, index, value)| (component, index, value)).collect(),
-                lines: std::iter::from_fn(|| lines.next_if(|line| line.time_us <= time_us)).collect(),
+                told: std::iter::from_fn(|| told.next_if(|(time, _)| *time <= time_us))
+                    .map(|(_, told)| told.clone())
+                    .collect(),
                 images: std::iter::from_fn(|| images.next_if(|image| image.time_us <= time_us)).collect(),
             }
         };
@@ -53,12 +55,10 @@ impl History {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::super::Limits;
     use super::*;
     use bica::Hold;
-    use bica_wire::message::LogSource;
+    use bica_recording::RunEvent;
 
     /// History of 20 cycles of one component, that is active in every fourth.
     fn history() -> History {
@@ -67,7 +67,7 @@ mod tests {
             let time_us = cycle * 1000;
             history.states.push(time_us, cycle, [(cycle % 4 == 0, Hold::Tree, None, None)].into_iter());
             // It changes in cycle 10.
-            history.info.push(0, 1, time_us, &json!(cycle / 10));
+            history.info.push(0, 1, time_us, &[cycle as u8 / 10]);
             if cycle % 5 == 2 {
                 let image = Image {
                     number: cycle as u32,
@@ -78,21 +78,15 @@ mod tests {
                     yuyv: [0; 4].into(),
                 };
                 history.images.push(image);
-                let text = format!("line {cycle}");
-                history.add_line(LogLine {
-                    time_us: time_us - 1,
-                    level: 2,
-                    source: LogSource::Robot,
-                    text,
-                    component: None,
-                });
+                let happened = RunEvent { at_ns: 0, kind: "goal".to_owned(), detail: String::new() };
+                history.told.push(time_us - 1, Told::Event(happened));
             }
         }
         history
     }
 
     #[test]
-    fn all_parts_together_are_everything_once_whatever_their_size() {
+    fn parts_of_any_size_are_everything_once() {
         let history = history();
         for size in [1, 3, 7, 100] {
             let (mut all, mut after) = (Vec::new(), None);
@@ -109,9 +103,13 @@ mod tests {
                 all.iter().filter(|one| is(one)).map(|one| one.cycle).collect()
             };
             assert_eq!(with(&|one| one.images.len() == 1), [2, 7, 12, 17], "{size}");
-            assert_eq!(with(&|one| one.lines.len() == 1), [2, 7, 12, 17], "{size}");
+            assert_eq!(with(&|one| one.told.len() == 1), [2, 7, 12, 17], "{size}");
             let values: Vec<_> = all.iter().flat_map(|one| one.info.iter().map(|info| (one.cycle, &*info.2))).collect();
-            assert_eq!(values, [(0, "0"), (10, "1"), (17, "1")], "the last value is there until the end, {size}");
+            assert_eq!(
+                values,
+                [(0, &[0][..]), (10, &[1]), (17, &[1])],
+                "the last value is there until the end, {size}"
+            );
         }
     }
 
@@ -122,6 +120,6 @@ mod tests {
         history.info.evict(5000);
         let part = history.part(None, u64::MAX, 1);
         assert_eq!((part[0].cycle, part[0].states[0].0), (5, false));
-        assert_eq!(part[0].info.iter().map(|info| &*info.2).collect::<Vec<_>>(), ["0"]);
+        assert_eq!(part[0].info.iter().map(|info| &*info.2).collect::<Vec<_>>(), [[0]]);
     }
 }

@@ -118,7 +118,7 @@ mod tests {
         [(false, 0), (true, 0), (true, 0), (true, 1), (true, 1), (false, 1), (true, 1), (true, 1)];
 
     #[test]
-    fn overruns_are_in_the_order_of_time_whatever_the_order_of_their_reports() {
+    fn overruns_are_in_the_order_of_time() {
         let mut history = history(&COURSE, None);
         for (time_us, component) in [(5000, 0), (1000, 0), (3000, 1), (2000, 0)] {
             history.overruns.push(time_us, component);
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn the_state_at_a_time_is_that_of_the_last_cycle_before_it() {
+    fn state_at_a_time_is_of_the_last_cycle_before() {
         let history = history(&COURSE, None);
         let (time, cycle, states) = history.states.at(3999).unwrap();
         assert_eq!((time, cycle, states[0].0, states[0].2, states[0].4), (3000, 3, true, Some(1), 3000));

@@ -5,18 +5,21 @@ use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
 use std::time::{Duration, Instant};
 
-use bica_link::{Client, Event, Snapshot};
+use bica_link::{Client, Description, Event, Snapshot};
+use bica_recording::{RequestRecord, RunEvent};
 use bica_wire::message::{ExtraKind, LogSource, Offers, WorldChange};
 use serde_json::Value;
 
 use super::inbox::{Exit, Inbox};
 use super::operation::Operation;
 use super::returned::is_same_run;
-use crate::protocol::{Capabilities, Connection, InfoSample, LogLine, Reached, Request, ToPage};
+use crate::protocol::{Capabilities, Connection, LogLine, Reached, Request, ToPage};
+use crate::sessions::breakpoint_target::{self, Activity};
 use crate::sessions::commands::Command;
-use crate::sessions::places::{self, Activity};
+use crate::sessions::history::Told;
+use crate::sessions::robot_recording::RobotRecorder;
 use crate::sessions::session::Session;
-use crate::sessions::watching::UPDATE;
+use crate::sessions::watching::{Sample, UPDATE};
 use crate::sessions::world::World;
 
 /// Longest wait for a message of the robot.
@@ -41,8 +44,8 @@ pub(super) struct Attached<'a> {
     /// How often each information is watched.
     watched: HashMap<(usize, usize), u16>,
     changes: Vec<(usize, u64, bool, Option<u16>)>,
-    /// Samples since the last update, with their cycles.
-    samples: Vec<(u64, InfoSample)>,
+    /// Samples since the last update.
+    samples: Vec<Sample>,
     /// What is watched besides states and outputs, with n for every n-th cycle or image.
     pub(super) watched_extras: HashMap<ExtraKind, u16>,
     updated: Instant,
@@ -60,7 +63,8 @@ impl<'a> Attached<'a> {
         let can = capabilities(client.offers(), session.options.read_only);
         let goes_on = world.is_none() && is_same_run(session, &client);
         session.begin(client.description().clone(), can, goes_on);
-        session.record_robot(|recorder| recorder.connected(&session.name, client.description()));
+        session.shared().offers = client.offers();
+        session.record_robot(RobotRecorder::connected);
         session.set_connection(Connection::Connected, "");
         session.announce();
         let is_paused = session.is_paused();
@@ -176,7 +180,7 @@ impl<'a> Attached<'a> {
         }
         for watch in self.session.shared().watching.watches().flat_map(|watch| &watch.info) {
             if let Some(every) = wanted.get_mut(&(watch.component, watch.info)) {
-                *every = common(*every, watch.every.max(1));
+                *every = gcd(*every, watch.every.max(1));
             }
         }
         for (&(component, info), &every) in &wanted {
@@ -209,6 +213,14 @@ impl<'a> Attached<'a> {
             Event::Log { time_us, level, source, text } => {
                 self.session.add_line(LogLine { time_us, level, source, text, component: None });
             }
+            Event::Requested { time_us, request } => {
+                let request = RequestRecord::new(request.borrow(), &self.client.description().actions);
+                self.session.tell(time_us, Told::Request(request));
+            }
+            Event::Happened { time_us, kind, detail } => {
+                let at_ns = time_us.saturating_mul(1000);
+                self.session.tell(time_us, Told::Event(RunEvent { at_ns, kind, detail }));
+            }
             Event::World(state) => self.session.shared().paused = state.paused,
             other => self.link_extra(other),
         }
@@ -216,7 +228,7 @@ impl<'a> Attached<'a> {
     }
 
     fn snapshot(&mut self, snapshot: &Snapshot) {
-        self.session.record_robot(|recorder| recorder.snapshot(snapshot));
+        self.session.record_robot(|recorder| recorder.snapshot(snapshot, &self.session.name, &self.client));
         let Snapshot { info, states } = snapshot;
         let states = states.iter().map(|state| (state.active, state.held, state.state, state.hz));
         let mut shared = self.session.shared();
@@ -226,8 +238,8 @@ impl<'a> Attached<'a> {
         let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
         // A program on a computer looks for stops itself.
-        let places = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
-        let reached = places::reached(places, &before, &changed);
+        let targets = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
+        let reached = breakpoint_target::reached(targets, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
         let brief = visible.map(|change| (usize::from(change.component), change.time_us, change.now.0, change.now.2));
         self.changes.extend(brief);
@@ -249,17 +261,23 @@ impl<'a> Attached<'a> {
         }
     }
 
-    fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Value>) {
+    fn info(&mut self, cycle: u64, component: usize, info: usize, value: Option<Vec<u8>>) {
         let mut shared = self.session.shared();
         let Some((time, last)) = shared.history.states.last() else { return };
         let period = 1e6 / f64::from(self.client.description().cycle_hz.max(1.0));
         let before = last.saturating_sub(cycle) as f64 * period;
         let time_us = time.saturating_sub(before as u64);
-        let value = value.unwrap_or(Value::Null);
-        shared.history.info.push(component, info, time_us, &value);
+        let output = |tree: &Description| Some(tree.components.get(component)?.info.get(info)?.schema.is_some());
+        let has_schema = |tree: &Description| output(tree) == Some(true);
+        // A microcontroller sends a schema before the first value.
+        if has_schema(self.client.description()) && !shared.description.as_deref().is_some_and(has_schema) {
+            shared.description = Some(Arc::new(self.client.description().clone()));
+        }
+        shared.history.info.push(component, info, time_us, value.as_deref().unwrap_or_default());
         drop(shared);
-        self.session.record_robot(|recorder| recorder.info(component, info, &value));
-        self.samples.push((cycle, InfoSample(component, info, time_us, value)));
+        self.session.record_robot(|recorder| recorder.output(component, info, value.as_deref()));
+        let value = value.unwrap_or_default();
+        self.samples.push(Sample { cycle, time_us, component, output: info, value });
         if self.samples.len() >= MAX_SAMPLES {
             self.session.show_samples(&std::mem::take(&mut self.samples));
         }
@@ -312,8 +330,8 @@ fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
     }
 }
 
-/// The largest rate of which both are parts.
-const fn common(a: u16, b: u16) -> u16 {
+/// Greatest common divisor: one interval in cycles that serves both.
+const fn gcd(a: u16, b: u16) -> u16 {
     let (mut a, mut b) = (a, b);
     while b > 0 {
         (a, b) = (b, a % b);

@@ -38,8 +38,8 @@ impl Attached<'_> {
             }
         }
         want(Offers::CONDITIONS, ExtraKind::Taken, 1);
-        for place in &shared.breakpoints {
-            want(Offers::CONDITIONS, ExtraKind::Stop(place.stop(shared.can.pause)), 1);
+        for target in &shared.breakpoints {
+            want(Offers::CONDITIONS, ExtraKind::Stop(target.stop(shared.can.pause)), 1);
         }
         drop(shared);
         for &kind in self.watched_extras.keys().filter(|kind| !wanted.contains_key(kind)) {

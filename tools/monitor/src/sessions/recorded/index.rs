@@ -6,16 +6,15 @@ use std::path::Path;
 
 use bica::Hold;
 use bica::runner::OwnedRequest;
-use bica_recording::{Ending, Error, Header, HoldsRecord, RecordedCycle, Recording, RequestRecord, RunEvent};
-use serde_json::Value;
+use bica_link::Description;
+use bica_recording::{Ending, Error, Header, HoldsRecord, Recording, RequestRecord};
 
-use super::tree;
 use crate::files;
 use crate::files::failed;
-use crate::protocol::{Capabilities, Connection, Failed, LogLine};
-use crate::sessions::robot_recording::holds_of;
+use crate::protocol::{Capabilities, Connection, Failed};
+use crate::sessions::history::Told;
+use crate::sessions::scenery::scenery;
 use crate::sessions::session::Session;
-use bica_wire::message::LogSource;
 
 /// What a page says of a recording that a monitor made.
 const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
@@ -25,6 +24,8 @@ const BATCH: usize = 256;
 const MAX_CHANGES: usize = 2_000_000;
 /// Largest number of cycles that are shown: more than a day.
 const MAX_CYCLES: usize = 10_000_000;
+/// Largest number of components of a recording that is shown.
+const MAX_COMPONENTS: usize = 1024;
 
 type FileRecording = Recording<BufReader<File>>;
 
@@ -33,8 +34,18 @@ pub(super) fn open(path: &Path) -> Result<FileRecording, Failed> {
     let file = files::open(path).map_err(|error| failed("open", path, &error, "choose a recording of the list"))?;
     let failed = |error: Error| failed("open", path, &error, error.help());
     let recording = FileRecording::new(BufReader::with_capacity(1 << 16, file)).map_err(failed)?.without_blobs();
-    tree::describe(recording.header())?;
+    describe(recording.header())?;
     Ok(recording)
+}
+
+/// Returns the description, if it is not too large and its indices are valid.
+fn describe(header: &Header) -> Result<Description, Failed> {
+    let count = header.tree.components.len();
+    if count == 0 || count > MAX_COMPONENTS {
+        let what = format!("the recording has {count} components");
+        return Err(Failed::new(what, format!("only trees of 1 to {MAX_COMPONENTS} components are shown")));
+    }
+    Ok(header.tree.clone())
 }
 
 /// Holds and rates, as requests changed them, and the times of the cycles.
@@ -66,7 +77,8 @@ impl Requested {
     /// Takes over the holds and rates of a recording that a monitor made.
     fn replace(&mut self, record: &HoldsRecord) {
         let all = self.holds.iter_mut().zip(&mut self.rates);
-        all.zip(holds_of(record)).for_each(|((held, rate), now)| (*held, *rate) = now);
+        let recorded = record.holds.iter().copied().zip(record.rates.iter().copied());
+        all.zip(recorded).for_each(|((held, rate), now)| (*held, *rate) = now);
     }
 
     fn apply(&mut self, request: &RequestRecord) {
@@ -89,7 +101,7 @@ impl Requested {
 /// Reads a recording into a session.
 pub(super) fn read(session: &Session, mut recording: FileRecording) {
     let header = recording.header().clone();
-    let description = match tree::describe(&header) {
+    let description = match describe(&header) {
         Ok(description) => description,
         Err(failed) => return session.set_connection(Connection::Ended, failed.text),
     };
@@ -101,7 +113,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
         times: Times::default(),
     };
     session.describe(description, can);
-    session.show_scenery(&tree::scenery(&header));
+    session.show_scenery(&scenery(&header));
     let length = fs::metadata(&session.shared().recorded.path).map_or(0, |file| file.len()).max(1);
     let note = loop {
         if session.is_closed() {
@@ -111,12 +123,14 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
             Ok(true) => {}
             Ok(false) => {
                 let time_us = session.shared().history.span().1;
-                for line in lines(recording.rest(), &header, time_us) {
-                    session.shared().history.add_line(line);
+                for told in Told::of_cycle(recording.rest().clone(), time_us) {
+                    session.shared().history.told.push(time_us, told);
                 }
                 let result = recording.ending().map(Ending::text);
                 session.shared().result = result.unwrap_or_default();
-                break header.monitor.as_ref().map_or_else(String::new, |_| OF_MONITOR.to_owned());
+                break header.monitor.as_ref().map_or_else(String::new, |monitor| {
+                    format!("{OF_MONITOR}; it lacks {}", monitor.lacks.join(", "))
+                });
             }
             Err(note) => break note,
         }
@@ -174,13 +188,12 @@ fn batch(
             let of_place = place.time.saturating_sub(requested.times.first.unwrap_or_default()) / 1000;
             shared.recorded.places.push((number, of_place, place));
         }
-        for line in lines(&cycle, header, time_us) {
-            shared.history.add_line(line);
-        }
         for value in cycle.information.iter().flat_map(|record| &record.values) {
             let (component, index) = (usize::from(value.component), usize::from(value.index));
-            let decoded = header.decode(value).unwrap_or(Value::Null);
-            shared.history.info.push(component, index, time_us, &decoded);
+            shared.history.info.push(component, index, time_us, &value.value);
+        }
+        for told in Told::of_cycle(cycle, time_us) {
+            shared.history.told.push(time_us, told);
         }
         let (all, changes) = shared.history.states.sizes();
         if changes > MAX_CHANGES || all > MAX_CYCLES || shared.recorded.places.len() > MAX_CHANGES {
@@ -189,17 +202,4 @@ fn batch(
     }
     shared.history.evict();
     ended
-}
-
-/// The lines of a cycle: requests, events of the referee, log.
-fn lines<'a>(cycle: &'a RecordedCycle, header: &'a Header, time_us: u64) -> impl Iterator<Item = LogLine> + 'a {
-    let line = move |level, source, text: String| LogLine { time_us, level, source, text, component: None };
-    let requests = cycle.requests.iter().map(move |one| line(2, LogSource::Operator, one.describe(&header.tree)));
-    let events = cycle.events.iter().map(move |event| {
-        let RunEvent { kind, detail, .. } = event;
-        let separator = if detail.is_empty() { "" } else { ", " };
-        line(2, LogSource::World, format!("{kind}{separator}{detail}"))
-    });
-    let log = cycle.log.iter().map(move |one| line(one.level, one.source, one.text.clone()));
-    requests.chain(events).chain(log)
 }

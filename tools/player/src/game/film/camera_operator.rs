@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_shows_robot_and_ball_and_mostly_the_goal() {
+    fn picture_shows_robot_and_ball() {
         let mut goals = 0;
         for subjects in situations() {
             let view = CameraOperator::new(Site::HALL).choose(&subjects);

@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_palette_leaves_an_index_for_transparency_and_holds_common_colours() {
+    fn palette_leaves_an_index_for_transparency() {
         let colours = Colours::new();
         assert!(colours.all.len() < 256, "{}", colours.all.len());
         for colour in [[43, 97, 51], [219, 107, 43], [199, 178, 25], [190, 190, 190]] {

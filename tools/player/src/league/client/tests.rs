@@ -30,7 +30,7 @@ fn stand(agent: &mut Agent<T1>, cycles: u32) -> Perception {
 
 #[test]
 #[ignore = "needs the league's server: cargo xtask ci --only league"]
-fn robot_stands_and_sees_the_ball_where_a_monitor_places_it() {
+fn robot_sees_the_ball_where_a_monitor_places_it() {
     let server = server();
     let (mut agent, _) = Agent::<T1>::join(server.address(), "Bica", 1).expect("the player is accepted");
     let mut monitor = Monitor::connect(server.address()).expect("the server accepts monitors");

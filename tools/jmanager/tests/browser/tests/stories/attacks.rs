@@ -47,7 +47,7 @@ async fn a_foreign_name_of_this_computer_shows_nothing() {
 
 /// Attacks 1, 3, 5 and 6: a page of another port of this computer.
 #[tokio::test]
-async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
+async fn page_of_another_port_is_powerless() {
     let server = Server::start("foreign", &[]);
     let url = server.url();
     let own = format!("http://127.0.0.1:{}", port(&url));
@@ -93,7 +93,7 @@ async fn a_page_of_another_port_gets_nothing_and_changes_nothing() {
 
 /// Attack 6: scripts in the page's own address are forbidden by the policy.
 #[tokio::test]
-async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
+async fn policy_allows_scripts_of_the_server_only() {
     let (_server, page) = game("policy").await;
     // A script of the driver itself may evaluate text; what it leaves behind may not.
     let script = r"
@@ -113,7 +113,7 @@ async fn the_policy_forbids_scripts_that_are_not_files_of_the_server() {
 
 /// Attack 5: the key leaves the address at once, and no other site learns of this page.
 #[tokio::test]
-async fn the_key_is_in_no_address_and_no_other_site_is_told_of_the_page() {
+async fn key_is_in_no_address_and_no_referrer() {
     let server = Server::start("referrer", &[]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "View", "").await;

@@ -36,7 +36,8 @@ async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
 /// Waits until the head's pan, which the component's tab shows, meets a condition.
 async fn pan(page: &Page, condition: &str) {
     let script = format!(
-        "const pan = Number.parseFloat(document.querySelector('[aria-label=Information] .v[aria-label=pan]')?.textContent.replace('−', '-')); \
+        "const pan = Number.parseFloat(document.querySelector('[aria-label=Information] .v[aria-label=pan]')?.textContent \
+        .replace('−', '-')); \
         return pan {condition}"
     );
     page.until(&format!("the head's pan is {condition}"), &script).await;

@@ -23,7 +23,7 @@ fn cells(name: &str) -> String {
 }
 
 #[tokio::test]
-async fn two_worlds_go_on_side_by_side_and_are_paused_at_one_moment() {
+async fn two_worlds_are_paused_at_one_moment() {
     let server = Server::start("beside", &[]);
     let page = open(&server).await;
     page.run(GOES_ON).await;

@@ -207,7 +207,7 @@ async fn an_undo_leaves_what_is_typed_after_it() {
 }
 
 #[tokio::test]
-async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
+async fn conflict_is_shown_and_nothing_overwritten() {
     let source = small_crate("conflict");
     let server = Server::with_sources("conflict", &source);
     let page = open_legs(&server).await;
@@ -231,7 +231,7 @@ async fn a_change_on_both_sides_is_shown_and_nothing_is_overwritten() {
 }
 
 #[tokio::test]
-async fn the_drawing_shows_what_runs_and_stops_at_a_breakpoint() {
+async fn drawing_shows_what_runs_and_breaks() {
     let server = Server::start("live-states", &["--source", &repository("player")]);
     let page = Page::open(&server, WIDE).await;
     page.click("button", "Player", "Activation tree").await;

@@ -55,7 +55,7 @@ async fn control_ends_when_the_browser_freezes() {
 
 /// Attack 9: what was asked for before the connection was lost is not in force after it.
 #[tokio::test]
-async fn a_robot_that_is_killed_and_started_again_is_shown_and_free() {
+async fn restarted_robot_is_shown_and_free() {
     let mut robot = Robot::start(&["--seconds", "600"]);
     let server = Server::start("robot", &[&format!("tcp://{}", robot.address)]);
     let page = Page::open(&server, WIDE).await;

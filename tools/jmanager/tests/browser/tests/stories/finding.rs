@@ -21,7 +21,7 @@ async fn finds(page: &Page, typed: &str, first: &str) {
 }
 
 #[tokio::test]
-async fn one_palette_finds_states_parameters_panels_times_and_commands() {
+async fn palette_finds_everything_with_a_name() {
     let (_server, page) = game("palette").await;
     finds(&page, "Player.kick", "Player.kick").await;
     page.is("[aria-label=\"Wanted state\"]", "one.value === 'kick'").await;
@@ -43,7 +43,7 @@ async fn one_palette_finds_states_parameters_panels_times_and_commands() {
 }
 
 #[tokio::test]
-async fn a_child_that_is_a_machine_is_opened_out_of_its_state_and_left_again() {
+async fn child_machine_opens_from_its_state() {
     let server = Server::start("trail", &["--source", &repository("player")]);
     let page = Page::open(&server, WIDE).await;
     page.click("button", "Player", "Activation tree").await;

@@ -190,7 +190,7 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
 }
 
 #[tokio::test]
-async fn names_of_a_chosen_state_cover_nothing_where_only_names_of_states_are_drawn() {
+async fn names_of_a_chosen_state_cover_nothing() {
     let source = small_crate("chosen");
     let text = large(60, 200).replace("(state_3 ->", "(* ->").replace("(state_5 -> state_6)", "(state_5 -> state_5)");
     source.write("src/large.rs", &text);

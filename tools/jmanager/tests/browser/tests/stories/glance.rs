@@ -18,7 +18,7 @@ pub(crate) async fn show_in(page: &Page, (width, height): (u32, u32)) {
 }
 
 #[tokio::test]
-async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
+async fn tree_fits_a_small_window_without_crossings() {
     let server = Server::start("glance", &[]);
     let page = open_in(&server, SMALL).await;
     page.press("1").await;
@@ -43,7 +43,7 @@ async fn the_tree_fits_a_small_window_and_no_link_crosses_a_box() {
 }
 
 #[tokio::test]
-async fn the_answer_names_what_blocks_and_the_way_to_a_wanted_state() {
+async fn answer_names_what_blocks_a_wanted_state() {
     let (_server, page) = game("answer").await;
     page.click("button", "Player", "Activation tree").await;
     page.find("combobox", "Wanted state", "").await.set("dribble").await;
@@ -63,7 +63,7 @@ async fn the_answer_names_what_blocks_and_the_way_to_a_wanted_state() {
 }
 
 #[tokio::test]
-async fn held_components_have_a_badge_and_are_released_together() {
+async fn held_components_are_released_together() {
     let (_server, page) = game("holds").await;
     for name in ["Kicker", "Turn"] {
         page.click("button", name, "Activation tree").await;

@@ -93,7 +93,12 @@ async fn tune(hour: &mut Hour<'_>) {
     hour.page.find("button", "Time: paused", "").await;
     hour.click("button", "Uses of gain", "Parameters").await;
     hour.page.find("button", "face_ball.rs:", "Parameters").await;
-    hour.page.run("[...document.querySelectorAll('[aria-label=Parameters] .uses button')].at(-1).setAttribute('aria-label', 'the last use')").await;
+    hour.page
+        .run(
+            "[...document.querySelectorAll('[aria-label=Parameters] .uses button')].at(-1) \
+        .setAttribute('aria-label', 'the last use')",
+        )
+        .await;
     hour.click("button", "the last use", "Parameters").await;
     hour.page.find("tab", "face_ball.rs", "").await;
     hour.page.is("[aria-label=\"Place in the code\"]", "Number.parseInt(one.textContent) > 10").await;
@@ -190,6 +195,7 @@ async fn compare(hour: &mut Hour<'_>) {
     hour.begin("See the robot in three dimensions");
     hour.click("switch", "3D", "Map").await;
     // Firefox without a graphics card says what it lacks.
-    let seen = "return document.querySelector('[aria-label=\"Scene in three dimensions\"]') !== null || document.body.innerText.includes('WebGL 2 is missing')";
+    let seen = "return document.querySelector('[aria-label=\"Scene in three dimensions\"]') !== null \
+        || document.body.innerText.includes('WebGL 2 is missing')";
     hour.page.until("the scene, or why there is none", seen).await;
 }

@@ -75,7 +75,7 @@ const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), im
 /// Pictures of all panels, to be looked at.
 #[tokio::test]
 #[ignore = "writes pictures of all panels"]
-async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
+async fn each_panel_looks_right() {
     let server = Server::start("panels", &["--source", &repository("examples/therapy")]);
     let page = open_in(&server, SMALL).await;
     page.run(GOES_ON).await;
@@ -108,7 +108,7 @@ async fn each_panel_looks_right_in_two_sizes_and_both_themes() {
 /// Pictures of the first layout of other programs, of two sessions and of a recording, to be looked at.
 #[tokio::test]
 #[ignore = "writes pictures of other programs"]
-async fn other_programs_and_sessions_look_right_in_two_sizes_and_both_themes() {
+async fn other_programs_look_right() {
     let pair = Server::start("pair", &[]);
     pair.record("one", &["--seconds", "6", "--size", "160x120", "--seed", "1"]);
     for (name, server) in [

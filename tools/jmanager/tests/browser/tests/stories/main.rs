@@ -40,8 +40,10 @@ const GOES_ON: &str = "setInterval(() => { const over = document.querySelector('
     if (over) [...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Continue')?.click(); }, 200)";
 
 /// Notes that the time of the page goes back. For a moment it shows no time.
-const BEGINS_AGAIN: &str = "const now = () => document.querySelector('.clock b').textContent.split(':').reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0); \
-    window.begins_again = false; let last = now(); setInterval(() => { const time = now(); window.begins_again ||= time < last; last = time >= 0 ? time : last; }, 20)";
+const BEGINS_AGAIN: &str = "const now = () => document.querySelector('.clock b').textContent.split(':') \
+    .reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0); \
+    window.begins_again = false; let last = now(); setInterval(() => { const time = now(); \
+    window.begins_again ||= time < last; last = time >= 0 ? time : last; }, 20)";
 
 /// Starts a server of the built-in world, and opens its page.
 async fn game(name: &str) -> (Server, Page) {

@@ -23,7 +23,7 @@ async fn stays(page: &Page, selector: &str) -> String {
 }
 
 #[tokio::test]
-async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
+async fn paused_view_has_its_conditions_and_costs() {
     let (_server, page) = game("moment").await;
     page.click("button", "Player", "Activation tree").await;
     tab(&page, "Latency").await;
@@ -47,7 +47,7 @@ async fn conditions_and_costs_of_a_paused_view_are_of_its_moment() {
 
 /// The first recording has no images; both have lines that the page has not received one by one.
 #[tokio::test]
-async fn a_recording_shows_its_own_log_and_goal_and_no_image_of_another_run() {
+async fn recording_shows_only_its_own_run() {
     let server = Server::start("own", &[]);
     server.record("blind", &["--seconds", "60", "--size", "160x120", "--images", "none"]);
     let page = open(&server).await;
@@ -80,7 +80,7 @@ fn colours(condition: &str) -> String {
 }
 
 #[tokio::test]
-async fn a_changed_layout_stays_and_a_link_leads_to_its_session() {
+async fn changed_layout_stays_and_links_to_its_session() {
     let server = Server::start("stay", &[]);
     let page = Page::open(&server, WIDE).await;
     page.find("button", "FaceBall", "Activation tree").await;

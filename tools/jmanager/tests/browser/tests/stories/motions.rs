@@ -9,7 +9,8 @@ use crate::access::{AXE, TARGETS, load_axe, set_theme};
 use crate::looks::FAULTS;
 
 const WIDE: (u32, u32) = (1600, 1000);
-const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n/// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
+const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\n\n\
+    /// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
 /// Sources with motions, in a folder of their own.
@@ -49,7 +50,7 @@ impl Sources {
 }
 
 #[tokio::test]
-async fn a_wave_is_made_from_nothing_tried_mirrored_and_undone() {
+async fn wave_is_made_tried_mirrored_and_undone() {
     let sources = Sources::new("wave");
     let (_server, page) = sources.open("motions-wave").await;
     page.click("button", "WAVE", "").await;
@@ -106,7 +107,7 @@ pub(crate) async fn handle(page: &Page, joint: &str) -> (f64, f64) {
 }
 
 #[tokio::test]
-async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
+async fn drag_of_a_limb_turns_its_joint() {
     let sources = Sources::new("handles");
     let (_server, page) = sources.open("motions-handles").await;
     page.click("button", "WAVE", "").await;
@@ -147,7 +148,7 @@ async fn a_joint_is_turned_by_a_drag_of_its_limb_in_the_motion_editor() {
 }
 
 #[tokio::test]
-async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() {
+async fn robot_gets_up_by_an_edited_motion() {
     let sources = Sources::new("session");
     let (_server, page) = sources.open("motions-session").await;
     page.click("button", "SIT_UP_FROM_FRONT", "").await;
@@ -179,7 +180,7 @@ async fn the_robot_of_the_session_gets_up_by_an_edited_motion_under_the_lease() 
 }
 
 #[tokio::test]
-async fn a_motion_of_the_repository_is_changed_beside_another_editor() {
+async fn motion_file_is_changed_beside_another_editor() {
     let sources = Sources::new("changed");
     let (_server, page) = sources.open("motions-changed").await;
     let before = sources.read("nao/kick_dynamic.rs");

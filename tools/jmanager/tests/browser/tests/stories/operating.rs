@@ -46,7 +46,7 @@ async fn a_parameter_is_set_undone_redone_and_reset() {
 }
 
 #[tokio::test]
-async fn half_typed_numbers_are_not_sent_and_wrong_ones_are_explained() {
+async fn half_typed_numbers_are_not_sent() {
     let (_server, page) = game("typed").await;
     page.click("button", "FaceBall", "Activation tree").await;
     page.fill("gain, value", "many").await;

@@ -114,7 +114,9 @@ async fn picture_of_a_comparison() {
     page.find("button", "Time: paused", "").await;
     page.click("button", "Sessions", "").await;
     page.click("button", "kick-off.mcap", "Sessions").await;
-    let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()].filter(({ info }) => info.value.kind === 'recording').every(({ info }) => info.value.connection !== 'connecting'))";
+    let read = "return import('/lib/store.js').then(({ sessions }) => [...sessions.value.values()] \
+        .filter(({ info }) => info.value.kind === 'recording') \
+        .every(({ info }) => info.value.connection !== 'connecting'))";
     page.until("both recordings are complete", read).await;
     // The panel rests.
     tokio::time::sleep(std::time::Duration::from_secs(1)).await;

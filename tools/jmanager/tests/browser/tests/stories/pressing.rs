@@ -21,7 +21,7 @@ async fn other_limits(page: &Page, before: &serde_json::Value) -> serde_json::Va
 }
 
 #[tokio::test]
-async fn colours_are_picked_with_a_press_a_region_and_paint_from_the_limits_of_the_robot() {
+async fn colours_are_picked_by_press_region_and_paint() {
     let (_server, page) = game("pick").await;
     page.press("3").await;
     page.click("radio", "orange", "Colours").await;

@@ -28,7 +28,7 @@ async fn a_recording_is_kept_opened_and_played() {
 
 /// What would have been with another gain: run again, and compared with what was.
 #[tokio::test]
-async fn a_recording_is_run_again_with_another_parameter_and_compared() {
+async fn recording_is_run_again_and_compared() {
     let server = Server::start("again", &[]);
     server.record("game", &["--seconds", "5", "--size", "160x120"]);
     let page = open(&server).await;

@@ -30,7 +30,7 @@ async fn goes_on(page: &Page, after: u64) -> Value {
 }
 
 #[tokio::test]
-async fn a_rolling_robot_is_seen_with_its_walls_and_driven_by_keys_while_the_map_goes_on() {
+async fn rolling_robot_is_shown_and_driven_by_keys() {
     let server = Server::start_example("wall_follower");
     let page = Page::open(&server, WIDE).await;
     page.find("button", "Explorer", "Activation tree").await;

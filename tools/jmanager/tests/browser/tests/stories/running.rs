@@ -77,7 +77,7 @@ async fn hold_active(page: &Page) {
 }
 
 #[tokio::test]
-async fn a_machine_is_drawn_built_run_stopped_and_changed_while_it_runs() {
+async fn machine_is_drawn_built_run_and_changed() {
     let workspace = copy();
     let keeper = workspace.join("examples/goalkeeper");
     let patrol = keeper.join("src/patrol.rs");

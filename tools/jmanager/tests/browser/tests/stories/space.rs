@@ -17,7 +17,14 @@ const SEEN: &str = "const canvas = document.querySelector('.field canvas[aria-hi
 const LOADED: &str = "return performance.getEntriesByType('resource').some(({ name }) => name.endsWith('three.js'))";
 
 async fn seen(page: &Page, condition: &str) {
-    page.until(condition, &format!("const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white, grey] = seen; return {condition}")).await;
+    page.until(
+        condition,
+        &format!(
+            "const seen = (() => {{ {SEEN} }})(); if (!seen) return false; const [green, white, grey] = seen; \
+        return {condition}"
+        ),
+    )
+    .await;
 }
 
 /// Opens a paused game in the dark theme.
@@ -31,7 +38,7 @@ async fn paused(server: &Server, arguments: &[&str]) -> Page {
 }
 
 #[tokio::test]
-async fn the_map_is_turned_and_follows_the_robot_in_three_dimensions() {
+async fn map_follows_the_robot_in_three_dimensions() {
     let server = Server::start("space", &[]);
     let page = paused(&server, &[]).await;
     assert_eq!(page.run(LOADED).await, json!(false), "the library is loaded with the page");

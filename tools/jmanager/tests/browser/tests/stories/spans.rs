@@ -21,7 +21,7 @@ async fn page_run(page: &Page, script: &str) -> Value {
 }
 
 #[tokio::test]
-async fn a_span_is_chosen_measured_played_again_and_exported() {
+async fn span_is_measured_played_and_exported() {
     let (_server, page) = game("span").await;
     page.run(CATCH).await;
     // From now on the page has subscribed to outputs, so the span has more than ten values a second.

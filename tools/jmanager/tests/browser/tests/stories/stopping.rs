@@ -24,7 +24,8 @@ async fn lies_above(page: &Page, what: &str) {
 }
 
 async fn notices(page: &Page) {
-    let all = "import('./lib/store.js').then(({ notify }) => { for (let at = 0; at < 5; at += 1) notify('error', `no ${at}`, 'x '.repeat(200)); })";
+    let all = "import('./lib/store.js').then(({ notify }) => { for (let at = 0; at < 5; at += 1) \
+        notify('error', `no ${at}`, 'x '.repeat(200)); })";
     page.run(all).await;
 }
 
@@ -112,7 +113,8 @@ async fn plain_page_has_own_keys_and_shows_the_present() {
     for size in SIZES {
         page.emulate(size).await;
         lies_above(&page, &format!("{size:?}")).await;
-        let visible = "return ['.mood b', ...(innerHeight > 395 && innerWidth > 300 ? ['.card h3'] : []), '.keys .main'].filter((one) => { const { x, y, width, height } = \
+        let visible = "return ['.mood b', ...(innerHeight > 395 && innerWidth > 300 ? ['.card h3'] : []), '.keys .main'] \
+        .filter((one) => { const { x, y, width, height } = \
             document.querySelector(one).getBoundingClientRect(); const at = document.elementFromPoint(x + width / 2, y + height / 2); \
             return !at || !at.closest(one.split(' ')[0]); })";
         assert_eq!(page.run(visible).await, json!([]), "{size:?}: what is hidden");

@@ -19,7 +19,7 @@ async fn watch(page: &Page, text: &str) {
 }
 
 #[tokio::test]
-async fn a_watch_pauses_the_world_marks_the_timeline_and_is_kept_with_the_layout() {
+async fn watch_pauses_marks_and_is_kept() {
     let (_server, page) = game("watch").await;
     tab(&page, "Watches").await;
     page.reads("No watch yet").await;

@@ -1,6 +1,0 @@
-use bica::prelude::*;
-
-#[component]
-struct Player;
-
-fn main() {}

@@ -1,5 +1,0 @@
-//! Tests of JManager in one program, which is linked once.
-
-mod attacks;
-mod sessions;
-mod sources;

@@ -1,0 +1,261 @@
+//! The recording that a monitor makes of a robot, beside that of the robot's own program.
+
+use std::collections::BTreeMap;
+use std::convert::Infallible;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use std::{env, fs, process, thread};
+
+use bica::prelude::*;
+use bica::runner::{Request, Robot, Runner, World};
+use bica::{Hold, Setting, Value};
+use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
+use bica_monitor::program::Program;
+use bica_monitor::protocol::Open;
+use bica_monitor::sessions::{Manager, Options};
+use bica_recording::{
+    Header, ImagePolicy, LogLine, LogSource, RecordedCycle, Recorder, RecorderOptions, Recording, RunEvent, SetUp,
+    create,
+};
+
+/// Longest wait of a test that fails.
+const LIMIT: Duration = Duration::from_mins(1);
+/// Longer than any test, in the robot's time.
+const LONG: Duration = Duration::from_secs(1_000_000);
+/// Time of a cycle, µs.
+const CYCLE_US: u64 = 10_000;
+/// Index of the lamp.
+const LAMP: ComponentId = ComponentId::new(1);
+
+/// How bright the lamp is.
+#[derive(Params)]
+struct Brightness {
+    /// Share of the full brightness.
+    #[param(default = 0.5, range = 0.0..=1.0)]
+    level: f32,
+}
+
+struct Lamp(f32);
+
+/// Shines.
+#[component]
+impl Lamp {
+    const fn new() -> Self {
+        Self(0.0)
+    }
+
+    fn step(&mut self, tuned: &Tuned<Brightness>) {
+        self.0 = tuned.level;
+    }
+
+    /// Brightness, and one that no JSON number is.
+    #[info]
+    fn light(&self) -> (f32, f32) {
+        (self.0, f32::NAN)
+    }
+}
+
+struct Switch(u32);
+
+/// Switches the lamp.
+#[component]
+impl Switch {
+    const fn new() -> Self {
+        Self(0)
+    }
+
+    /// The lamp shines.
+    #[state(initial)]
+    fn on(&mut self, _lamp: &mut Lamp) {
+        self.0 += 1;
+    }
+
+    /// It is dark.
+    #[state]
+    fn off(&mut self) {
+        self.0 += 1;
+    }
+
+    /// It is put out.
+    #[transition(on -> off)]
+    const fn is_put_out(&self) -> bool {
+        self.0 % 16 == 5
+    }
+
+    /// It is lit.
+    #[transition(off -> on)]
+    const fn is_lit(&self) -> bool {
+        self.0.is_multiple_of(16)
+    }
+
+    /// Number of runs.
+    #[info]
+    const fn runs(&self) -> u32 {
+        self.0
+    }
+}
+
+activation_tree! {
+    /// A lamp.
+    struct LampTree { root: Switch, cycle_hz: 100, tunable, components: [Switch, Lamp] }
+}
+
+impl Robot for LampTree {
+    type Sensors<'a> = f32;
+    type Command = f32;
+    type Error = Infallible;
+
+    fn sense(&mut self, _: &f32) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn act(&mut self) -> f32 {
+        self.get::<Lamp>().0
+    }
+}
+
+struct Room(u64);
+
+impl World<LampTree> for Room {
+    fn now(&self) -> bica::Instant {
+        bica::Instant::from_micros(self.0 * CYCLE_US)
+    }
+
+    fn sensors(&mut self) -> f32 {
+        self.0 as f32
+    }
+
+    fn act(&mut self, _: &f32) {
+        self.0 += 1;
+    }
+}
+
+/// A folder that is removed at the end.
+struct Folder(PathBuf);
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Runs the lamp with its own recorder, and a monitor and an operator behind a link. Returns both recordings.
+fn run(folder: &Path) -> [PathBuf; 2] {
+    let files = ["own.mcap", "monitor.mcap"].map(|name| folder.join(name));
+    let address = "127.0.0.1:0".parse().unwrap();
+    let options = ServerOptions { silence: LONG, ..ServerOptions::default() };
+    let (server, requests, link) = LinkServer::start::<LampTree>(&address, options).unwrap();
+    let address = server.address().to_owned();
+    let header = Header::new(&LampTree::GRAPH, SetUp::new(), ImagePolicy::All).of_robot(&LampTree::new());
+    let options = RecorderOptions { information_every: 1, ..RecorderOptions::default() };
+    let recorder = Recorder::start(create(&files[0], false).unwrap(), &header, options, |_| {}).unwrap();
+    let (ends, scores) = (AtomicBool::new(false), AtomicBool::new(false));
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            let runner = Runner::new(Box::new(LampTree::new()), Room(0)).with_requests(requests);
+            let mut runner = runner.with_observer((link, recorder));
+            while !ends.load(Ordering::Relaxed) {
+                let at_ns = 1000 * runner.now().as_micros();
+                runner.cycle().unwrap();
+                if scores.swap(false, Ordering::Relaxed) {
+                    server.event("goal", "own, by a lamp");
+                    let (kind, detail) = ("goal".to_owned(), "own, by a lamp".to_owned());
+                    runner.observer().1.event(RunEvent { at_ns, kind, detail });
+                }
+                thread::sleep(Duration::from_millis(1));
+            }
+            drop(server);
+            let _ = runner.into_parts().3.1.finish("");
+        });
+        let folders = Options { recordings: folder.into(), spool: folder.join("spool"), ..Options::default() };
+        let manager = Manager::new(folders, Program::default());
+        manager.open_recorded(Open::Robot { address: address.clone() }, &files[1]).unwrap();
+        let until = Instant::now() + LIMIT;
+        while fs::metadata(&files[1]).map_or(0, |file| file.len()) == 0 {
+            assert!(Instant::now() < until, "the monitor records nothing");
+            thread::sleep(Duration::from_millis(10));
+        }
+        operate(&address);
+        scores.store(true, Ordering::Relaxed);
+        thread::sleep(Duration::from_millis(300));
+        drop(manager);
+        ends.store(true, Ordering::Relaxed);
+    });
+    files
+}
+
+/// Tunes and holds the lamp, and leaves it to its tree.
+fn operate(address: &str) {
+    // The robot's time is faster than the clock, from which a client computes an expiry.
+    let options = ClientOptions { timeout: LIMIT, expiry: LONG };
+    let mut operator = Client::connect(&address.parse().unwrap(), options).unwrap();
+    operator.acquire(false).unwrap();
+    let level = |level| [Setting::new(LAMP, 0, Value::F32(level))];
+    for request in [
+        Request::Params(&level(0.25)),
+        Request::Rate { component: LAMP, hz: Some(50.0) },
+        Request::Hold { component: LAMP, hold: Hold::Active },
+    ] {
+        operator.request(request).unwrap();
+        thread::sleep(Duration::from_millis(50));
+    }
+    operator.request(Request::Params(&level(2.0))).unwrap_err();
+    operator.release().unwrap();
+}
+
+/// Returns all cycles by their numbers.
+fn read(file: &Path) -> (Header, BTreeMap<u64, RecordedCycle>) {
+    let mut recording = Recording::open(file).unwrap();
+    let mut cycles = BTreeMap::new();
+    while let Some(cycle) = recording.next_cycle().unwrap() {
+        cycles.insert(cycle.tick.cycle, cycle);
+    }
+    (recording.header().clone(), cycles)
+}
+
+#[test]
+fn kept_recording_equals_that_of_the_robot() {
+    let folder = Folder(env::temp_dir().join(format!("bica-kept-{}", process::id())));
+    fs::create_dir_all(&folder.0).unwrap();
+    let [(_, own), (header, kept)] = run(&folder.0).map(|file| read(&file));
+    assert_eq!(header.monitor.as_ref().unwrap().lacks, ["sensors", "command", "costs"]);
+    let mut values = 0;
+    for (number, cycle) in &kept {
+        let own = &own[number];
+        // A cycle that the link omitted has its outputs in the next one.
+        let is_complete = number.checked_sub(1).is_some_and(|before| kept.contains_key(&before));
+        assert_eq!((&cycle.tree, cycle.tick.instant), (&own.tree, number * CYCLE_US), "{number}");
+        for value in cycle.information.iter().flat_map(|record| &record.values).filter(|_| is_complete) {
+            let is_same =
+                |own: &&bica_recording::InformationValue| (own.component, own.index) == (value.component, value.index);
+            // The program itself records outputs of active components only.
+            if let Some(own) = own.information.as_ref().unwrap().values.iter().find(is_same) {
+                assert_eq!(value, own, "{number}");
+                values += 1;
+            }
+        }
+    }
+    assert!(values > 10, "{values} values of {} cycles", kept.len());
+    let requests = |cycles: &BTreeMap<u64, RecordedCycle>| -> Vec<_> {
+        cycles.iter().flat_map(|(number, cycle)| cycle.requests.iter().map(|one| (*number, one.clone()))).collect()
+    };
+    let (sent, applied) = (requests(&kept), requests(&own));
+    let changes =
+        |requests: &[(u64, _)]| requests.iter().map(|(_, request)| format!("{request:?}")).collect::<Vec<_>>();
+    assert_eq!(changes(&sent), changes(&applied));
+    assert_eq!(applied.len(), 5, "three of the operator, two at its end: {applied:?}");
+    for ((kept_in, _), (number, request)) in sent.iter().zip(&applied) {
+        // A cycle that the link omitted has its requests in the next one.
+        assert!(kept_in == number || (kept_in > number && !kept.contains_key(number)), "{request:?}");
+    }
+    let held = kept.values().filter_map(|cycle| cycle.holds.as_ref().map(|holds| holds.holds[1]));
+    assert_eq!(held.collect::<Vec<_>>(), [Hold::Tree, Hold::Tree, Hold::Active, Hold::Tree], "at each change");
+    let events = |cycles: &BTreeMap<u64, RecordedCycle>| -> Vec<RunEvent> {
+        cycles.values().flat_map(|cycle| cycle.events.clone()).collect()
+    };
+    assert_eq!(events(&kept), events(&own));
+    assert_eq!(events(&kept).len(), 1);
+    let is_refusal = |line: &&LogLine| line.source == LogSource::Operator && line.text.contains("refused");
+    assert_eq!(kept.values().flat_map(|cycle| cycle.log.iter().filter(is_refusal)).count(), 1);
+}

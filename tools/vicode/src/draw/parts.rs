@@ -1,0 +1,91 @@
+//! States and transitions of a drawing, in points.
+
+use bica_syntax::component::model;
+
+use crate::compare::Change;
+use crate::model::{Component, Function, Link, LinkKind};
+
+/// Width and least height of a state, points.
+pub(super) const WIDTH: f32 = 160.0;
+pub(super) const HEIGHT: f32 = 40.0;
+/// Height of a line of text, points.
+pub(super) const LINE: f32 = 14.0;
+
+/// A state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// Its name.
+    pub name: String,
+    /// Whether the machine starts in it.
+    pub initial: bool,
+    /// Whether no transition leaves it.
+    pub last: bool,
+    /// Centre and size, points.
+    pub centre: (f32, f32),
+    /// Width and height, points.
+    pub size: (f32, f32),
+    /// Its hooks.
+    pub hooks: Vec<String>,
+    /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
+    pub links: Vec<Link>,
+    /// How it differs, in a difference.
+    pub mark: Option<Change>,
+}
+
+/// Transitions from one state to another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// Names and timers, one line each.
+    pub labels: Vec<Label>,
+    /// The curve, points.
+    pub points: Vec<(f32, f32)>,
+    /// Middle of the labels, points.
+    pub label_at: (f32, f32),
+}
+
+/// Name and timer of a transition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Text; with a mark it begins with the sign of the mark.
+    pub text: String,
+    /// How it differs, in a difference.
+    pub mark: Option<Change>,
+}
+
+/// Returns the height of a state with some lines below its name, points.
+pub(super) fn height(lines: usize) -> f32 {
+    HEIGHT + LINE * lines as f32
+}
+
+/// Returns the hooks of a state: `entry / greet`.
+pub(super) fn hooks_of(component: &Component, state: &str) -> Vec<String> {
+    let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
+    hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
+}
+
+impl Label {
+    pub(super) fn new(edge: &model::Edge<&Function>, mark: Option<Change>) -> Self {
+        let timer = edge.after_ms.map_or_else(String::new, |ms| format!(" after {ms} ms"));
+        let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
+        Self { text: format!("{sign}{}{timer}", edge.condition.name.text), mark }
+    }
+}
+
+impl Edge {
+    /// How it differs: as all its transitions do, else it is equal.
+    #[must_use]
+    pub fn mark(&self) -> Option<Change> {
+        let first = self.labels.first()?.mark;
+        first.filter(|_| self.labels.iter().all(|label| label.mark == first))
+    }
+}
+
+impl Node {
+    /// Returns the lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.
+    #[must_use]
+    pub fn lines(&self) -> Vec<String> {
+        let mark = |kind| if kind == LinkKind::Requirement { '<' } else { '>' };
+        let links = self.links.iter().map(|link| format!("{} {}", mark(link.kind), link.child));
+        self.hooks.iter().cloned().chain(links).collect()
+    }
+}
