@@ -18,7 +18,6 @@ use crate::robot::CartTree;
 
 /// Longest wait of a test that fails.
 pub(crate) const LIMIT: Duration = Duration::from_mins(1);
-
 /// Longer than any test.
 pub(crate) const LONG: Duration = Duration::from_secs(1_000_000);
 

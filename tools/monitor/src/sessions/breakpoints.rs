@@ -2,7 +2,8 @@
 
 use super::breakpoint_target::{BreakpointTarget, moved, next};
 use super::commands::Command;
-use super::session::{Session, Shared};
+use super::session::Session;
+use super::shared::Shared;
 use crate::protocol::{Breakpoint, Failed, Hit, LogLine, Reached, ToPage};
 use bica_wire::message::LogSource;
 

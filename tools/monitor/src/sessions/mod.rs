@@ -22,6 +22,7 @@ mod registry;
 mod robot_recording;
 mod scenery;
 mod session;
+mod shared;
 mod storage;
 mod tune;
 mod value;

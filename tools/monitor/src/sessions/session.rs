@@ -1,21 +1,21 @@
 //! A session: what the manager and the session's thread share.
 
-use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-use bica_drawing::layout::{Kind, kinds};
-use bica_link::{Description, Shown, decode_output};
-use serde_json::Value;
+use bica_drawing::layout::kinds;
+use bica_link::{Description, Shown};
+use bica_wire::message::LogSource;
 
-use super::breakpoint_target::{self, BreakpointTarget};
+use super::breakpoint_target;
 use super::commands;
 use super::common::Common;
 use super::history::{History, Limits, Told};
-use super::recorded_images::{Recorded, read_image};
+use super::recorded_images::read_image;
 use super::robot_recording::RobotRecorder;
+use super::shared::{Operator, Shared};
 use super::watches::Watching;
 use crate::options::Options;
 use crate::pages::{DataKind, Frame, Key};
@@ -23,66 +23,11 @@ use crate::pages::{PageId, Pages, lock};
 use crate::program::{Image, Program, Remembered};
 use crate::protocol::binary::{ImageHead, PixelKind};
 use crate::protocol::{
-    Capabilities, Connection, Control, Failed, LogLine, RecordingState, SessionId, SessionInfo, SessionKind, ToPage,
+    Capabilities, Connection, Control, Failed, LogLine, SessionId, SessionInfo, SessionKind, ToPage,
 };
-use bica_wire::message::{LogSource, Offers};
 
 /// Time between two looks whether a session has ended.
 const POLL: Duration = Duration::from_millis(5);
-
-/// Who operates a session.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Operator {
-    /// Nobody.
-    #[default]
-    Nobody,
-    /// A page.
-    Page(PageId),
-    /// Another monitor of the robot.
-    Other,
-}
-
-/// Part of a session that its thread and the manager change.
-#[derive(Default)]
-pub(super) struct Shared {
-    pub(super) connection: Connection,
-    pub(super) note: String,
-    /// How the run ended; empty before.
-    pub(super) result: String,
-    pub(super) seed: Option<u64>,
-    pub(super) can: Capabilities,
-    /// What the robot's program sends, of a connected session.
-    pub(super) offers: Offers,
-    pub(super) recording: RecordingState,
-    /// File with the run of a world.
-    pub(super) recording_file: PathBuf,
-    /// Number of times that everything remembered was forgotten.
-    pub(super) epoch: u64,
-    pub(super) operator: Operator,
-    /// Whether a simulated world is paused.
-    pub(super) paused: bool,
-    /// Whether the rules of a world of this process have ended its run.
-    pub(super) is_over: bool,
-    pub(super) description: Option<Arc<Description>>,
-    /// The description with the parameters at the beginning of the run.
-    begun: Option<Arc<Description>>,
-    pub(super) kinds: Vec<Kind>,
-    /// What does not move in the world.
-    pub(super) scenery: Vec<Shown>,
-    pub(super) history: History,
-    /// File and images of a recording.
-    pub(super) recorded: Recorded,
-    pub(super) watching: Watching,
-    pub(super) breakpoints: Vec<BreakpointTarget>,
-    /// Breakpoints of the session before this one, and its tree.
-    pub(super) inherited: Option<(Arc<Description>, Vec<BreakpointTarget>)>,
-    /// Pages that know the tree.
-    described: BTreeSet<PageId>,
-    pub(super) images_taken: u64,
-    pub(super) overruns: u64,
-    /// When the last cycle was received.
-    pub(super) received: Option<Instant>,
-}
 
 /// A session.
 pub(super) struct Session {
@@ -103,14 +48,6 @@ pub(super) struct Session {
     ended: AtomicBool,
     commands: commands::Commands,
     shared: Mutex<Shared>,
-}
-
-impl Shared {
-    /// Returns a value of an output as JSON; null if it is too large, or its schema is not known.
-    pub(super) fn decode(&self, component: usize, output: usize, value: &[u8]) -> Value {
-        let tree = self.description.as_ref();
-        tree.and_then(|tree| decode_output(tree, component, output, value)).unwrap_or_default()
-    }
 }
 
 impl Session {

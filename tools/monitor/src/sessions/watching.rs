@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 use bica_link::{Transition, Truth};
 
 use super::history;
-use super::session::{Session, Shared};
+use super::session::Session;
+use super::shared::Shared;
 use super::watches::Watching;
 use crate::pages::PageId;
 use crate::pages::{DataKind, Frame};

@@ -58,6 +58,12 @@ impl Lamp {
         self.brightness
     }
 
+    /// Brightness, and one that no JSON number is.
+    #[info]
+    fn unmeasured(&self) -> (f32, f32) {
+        (self.brightness, f32::NAN)
+    }
+
     /// Is on.
     #[state(initial)]
     fn on(&mut self, tuned: &Tuned<Shining>, eye: &Eye) {

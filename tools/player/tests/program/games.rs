@@ -48,6 +48,7 @@ fn options_set_up_the_start_and_faults_that_are_told() {
 #[ignore = "slow: `cargo xtask ci` runs it"]
 fn slow_each_fault_has_its_line_entry_and_message() {
     let folder = Folder::new("faults");
+    // The fault of the gyroscope is found in a walk, in up to 6 s.
     for (option, fault) in [
         ("image=freeze", "the camera repeats the same image"),
         ("image=dark", "the camera's images are black"),
@@ -58,7 +59,7 @@ fn slow_each_fault_has_its_line_entry_and_message() {
         ("hot=LKneePitch", "LKneePitch is too hot"),
     ] {
         let file = folder.file("fault.mcap");
-        let faulty = ["--option", option, "--option", "from=1", "--option", "until=5", "--seconds", "7"];
+        let faulty = ["--option", option, "--option", "from=1", "--option", "until=9", "--seconds", "11"];
         let kept = ["--size", "160x120", "--json", "--record", &file, "--force", "--images", "none"];
         let ran = run(&[faulty, kept].concat());
         assert!(ran.stderr.contains(&format!("* fault: {fault}")), "{option}: {}", ran.stderr);

@@ -13,7 +13,7 @@ use super::operation::{Pending, Waiting, not_connected};
 use super::pace::world_change;
 use crate::pages::PageId;
 use crate::protocol::{Failed, Request};
-use crate::sessions::session::Operator;
+use crate::sessions::shared::Operator;
 
 /// Silence of the operating page after which its control ends.
 const SILENCE: Duration = Duration::from_secs(3);

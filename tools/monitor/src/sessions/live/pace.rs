@@ -9,7 +9,7 @@ use serde_json::Value;
 use super::attached::Attached;
 use crate::pages::PageId;
 use crate::protocol::{Failed, Request};
-use crate::sessions::session::Operator;
+use crate::sessions::shared::Operator;
 
 /// Returns the change of the world that a request asks for.
 pub(super) const fn world_change(request: &Request) -> Option<WorldChange> {

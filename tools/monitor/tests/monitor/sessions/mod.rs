@@ -2,6 +2,7 @@
 
 mod breakpoints;
 mod coming;
+mod kept_beside;
 mod kept_robot;
 mod kept_world;
 mod operated;

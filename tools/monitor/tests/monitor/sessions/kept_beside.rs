@@ -1,150 +1,36 @@
 //! The recording that a monitor makes of a robot, beside that of the robot's own program.
 
 use std::collections::BTreeMap;
-use std::convert::Infallible;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
-use std::{env, fs, process, thread};
 
 use bica::prelude::*;
-use bica::runner::{Request, Robot, Runner, World};
+use bica::runner::{Request, Runner};
 use bica::{Hold, Setting, Value};
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
-use bica_monitor::program::Program;
 use bica_monitor::protocol::Open;
-use bica_monitor::sessions::{Manager, Options};
 use bica_recording::{
-    Header, ImagePolicy, LogLine, LogSource, RecordedCycle, Recorder, RecorderOptions, Recording, RunEvent, SetUp,
-    create,
+    Header, ImagePolicy, InformationValue, LogLine, LogSource, RecordedCycle, Recorder, RecorderOptions, Recording,
+    RunEvent, SetUp, create,
 };
 
-/// Longest wait of a test that fails.
-const LIMIT: Duration = Duration::from_mins(1);
+use crate::lamp::{CYCLE_US, LampTree, Room};
+use crate::page::{Bench, Folder, LONG};
+
 /// Longer than any test, in the robot's time.
-const LONG: Duration = Duration::from_secs(1_000_000);
-/// Time of a cycle, µs.
-const CYCLE_US: u64 = 10_000;
-/// Index of the lamp.
-const LAMP: ComponentId = ComponentId::new(1);
-
-/// How bright the lamp is.
-#[derive(Params)]
-struct Brightness {
-    /// Share of the full brightness.
-    #[param(default = 0.5, range = 0.0..=1.0)]
-    level: f32,
-}
-
-struct Lamp(f32);
-
-/// Shines.
-#[component]
-impl Lamp {
-    const fn new() -> Self {
-        Self(0.0)
-    }
-
-    fn step(&mut self, tuned: &Tuned<Brightness>) {
-        self.0 = tuned.level;
-    }
-
-    /// Brightness, and one that no JSON number is.
-    #[info]
-    fn light(&self) -> (f32, f32) {
-        (self.0, f32::NAN)
-    }
-}
-
-struct Switch(u32);
-
-/// Switches the lamp.
-#[component]
-impl Switch {
-    const fn new() -> Self {
-        Self(0)
-    }
-
-    /// The lamp shines.
-    #[state(initial)]
-    fn on(&mut self, _lamp: &mut Lamp) {
-        self.0 += 1;
-    }
-
-    /// It is dark.
-    #[state]
-    fn off(&mut self) {
-        self.0 += 1;
-    }
-
-    /// It is put out.
-    #[transition(on -> off)]
-    const fn is_put_out(&self) -> bool {
-        self.0 % 16 == 5
-    }
-
-    /// It is lit.
-    #[transition(off -> on)]
-    const fn is_lit(&self) -> bool {
-        self.0.is_multiple_of(16)
-    }
-
-    /// Number of runs.
-    #[info]
-    const fn runs(&self) -> u32 {
-        self.0
-    }
-}
-
-activation_tree! {
-    /// A lamp.
-    struct LampTree { root: Switch, cycle_hz: 100, tunable, components: [Switch, Lamp] }
-}
-
-impl Robot for LampTree {
-    type Sensors<'a> = f32;
-    type Command = f32;
-    type Error = Infallible;
-
-    fn sense(&mut self, _: &f32) -> Result<(), Infallible> {
-        Ok(())
-    }
-
-    fn act(&mut self) -> f32 {
-        self.get::<Lamp>().0
-    }
-}
-
-struct Room(u64);
-
-impl World<LampTree> for Room {
-    fn now(&self) -> bica::Instant {
-        bica::Instant::from_micros(self.0 * CYCLE_US)
-    }
-
-    fn sensors(&mut self) -> f32 {
-        self.0 as f32
-    }
-
-    fn act(&mut self, _: &f32) {
-        self.0 += 1;
-    }
-}
-
-/// A folder that is removed at the end.
-struct Folder(PathBuf);
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
+const FOREVER: Duration = Duration::from_secs(1_000_000);
+/// Index of the lamp, and of the camera that looks at it.
+const LAMP: ComponentId = ComponentId::new(0);
+const EYE: ComponentId = ComponentId::new(1);
 
 /// Runs the lamp with its own recorder, and a monitor and an operator behind a link. Returns both recordings.
 fn run(folder: &Path) -> [PathBuf; 2] {
     let files = ["own.mcap", "monitor.mcap"].map(|name| folder.join(name));
     let address = "127.0.0.1:0".parse().unwrap();
-    let options = ServerOptions { silence: LONG, ..ServerOptions::default() };
+    let options = ServerOptions { silence: FOREVER, ..ServerOptions::default() };
     let (server, requests, link) = LinkServer::start::<LampTree>(&address, options).unwrap();
     let address = server.address().to_owned();
     let header = Header::new(&LampTree::GRAPH, SetUp::new(), ImagePolicy::All).of_robot(&LampTree::new());
@@ -153,7 +39,7 @@ fn run(folder: &Path) -> [PathBuf; 2] {
     let (ends, scores) = (AtomicBool::new(false), AtomicBool::new(false));
     thread::scope(|scope| {
         scope.spawn(|| {
-            let runner = Runner::new(Box::new(LampTree::new()), Room(0)).with_requests(requests);
+            let runner = Runner::new(Box::new(LampTree::new()), Room::at(0)).with_requests(requests);
             let mut runner = runner.with_observer((link, recorder));
             while !ends.load(Ordering::Relaxed) {
                 let at_ns = 1000 * runner.now().as_micros();
@@ -168,10 +54,9 @@ fn run(folder: &Path) -> [PathBuf; 2] {
             drop(server);
             let _ = runner.into_parts().3.1.finish("");
         });
-        let folders = Options { recordings: folder.into(), spool: folder.join("spool"), ..Options::default() };
-        let manager = Manager::new(folders, Program::default());
-        manager.open_recorded(Open::Robot { address: address.clone() }, &files[1]).unwrap();
-        let until = Instant::now() + LIMIT;
+        let bench = Bench::new();
+        bench.manager.open_recorded(Open::Robot { address: address.clone() }, &files[1]).unwrap();
+        let until = Instant::now() + LONG;
         while fs::metadata(&files[1]).map_or(0, |file| file.len()) == 0 {
             assert!(Instant::now() < until, "the monitor records nothing");
             thread::sleep(Duration::from_millis(10));
@@ -179,7 +64,7 @@ fn run(folder: &Path) -> [PathBuf; 2] {
         operate(&address);
         scores.store(true, Ordering::Relaxed);
         thread::sleep(Duration::from_millis(300));
-        drop(manager);
+        drop(bench);
         ends.store(true, Ordering::Relaxed);
     });
     files
@@ -188,14 +73,14 @@ fn run(folder: &Path) -> [PathBuf; 2] {
 /// Tunes and holds the lamp, and leaves it to its tree.
 fn operate(address: &str) {
     // The robot's time is faster than the clock, from which a client computes an expiry.
-    let options = ClientOptions { timeout: LIMIT, expiry: LONG };
+    let options = ClientOptions { timeout: LONG, expiry: FOREVER };
     let mut operator = Client::connect(&address.parse().unwrap(), options).unwrap();
     operator.acquire(false).unwrap();
     let level = |level| [Setting::new(LAMP, 0, Value::F32(level))];
     for request in [
         Request::Params(&level(0.25)),
-        Request::Rate { component: LAMP, hz: Some(50.0) },
-        Request::Hold { component: LAMP, hold: Hold::Active },
+        Request::Rate { component: EYE, hz: Some(100.0) },
+        Request::Hold { component: EYE, hold: Hold::Active },
     ] {
         operator.request(request).unwrap();
         thread::sleep(Duration::from_millis(50));
@@ -216,9 +101,8 @@ fn read(file: &Path) -> (Header, BTreeMap<u64, RecordedCycle>) {
 
 #[test]
 fn kept_recording_equals_that_of_the_robot() {
-    let folder = Folder(env::temp_dir().join(format!("bica-kept-{}", process::id())));
-    fs::create_dir_all(&folder.0).unwrap();
-    let [(_, own), (header, kept)] = run(&folder.0).map(|file| read(&file));
+    let folder = Folder::new("kept");
+    let [(_, own), (header, kept)] = run(folder.path()).map(|file| read(&file));
     assert_eq!(header.monitor.as_ref().unwrap().lacks, ["sensors", "command", "costs"]);
     let mut values = 0;
     for (number, cycle) in &kept {
@@ -227,8 +111,7 @@ fn kept_recording_equals_that_of_the_robot() {
         let is_complete = number.checked_sub(1).is_some_and(|before| kept.contains_key(&before));
         assert_eq!((&cycle.tree, cycle.tick.instant), (&own.tree, number * CYCLE_US), "{number}");
         for value in cycle.information.iter().flat_map(|record| &record.values).filter(|_| is_complete) {
-            let is_same =
-                |own: &&bica_recording::InformationValue| (own.component, own.index) == (value.component, value.index);
+            let is_same = |own: &&InformationValue| (own.component, own.index) == (value.component, value.index);
             // The program itself records outputs of active components only.
             if let Some(own) = own.information.as_ref().unwrap().values.iter().find(is_same) {
                 assert_eq!(value, own, "{number}");
