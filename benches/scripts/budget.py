@@ -113,7 +113,7 @@ def compiler():
 
 def executable(bench, variables=None):
     """Builds a benchmark program, and returns its path."""
-    command = ["cargo", "bench", "--package", "bica-benches", "--bench", bench, "--no-run", "--message-format=json-render-diagnostics"]
+    command = ["cargo", "bench", "--profile", "dist", "--package", "bica-benches", "--bench", bench, "--no-run", "--message-format=json-render-diagnostics"]
     lines = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, cwd=ROOT, env=os.environ | (variables or {})).stdout
     paths = [message["executable"] for message in map(json.loads, lines.splitlines()) if message.get("executable")]
     return paths[-1]

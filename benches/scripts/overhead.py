@@ -12,7 +12,7 @@ import tempfile
 
 from budget import ROOT
 
-BUILD = "cargo build --profile bench --package bica-benches --example overhead --message-format=json-render-diagnostics".split()
+BUILD = "cargo build --profile dist --package bica-benches --example overhead --message-format=json-render-diagnostics".split()
 VALGRIND = [
     "valgrind", "--quiet", "--tool=callgrind", "--combine-dumps=yes", "--collect-atstart=no", "--toggle-collect=*counted_*",
     "--dump-before=*section_begins*", "--dump-before=*section_ends*",
