@@ -68,7 +68,7 @@ fn recorded(images: ImagePolicy) -> Vec<u8> {
         firmware: None,
         settings: &[],
     };
-    let options = RecordOptions { path: &path, images, topics: Topics::Standard, force: true };
+    let options = RecordOptions { path: &path, images, topics: Topics::Standard, split: None, force: true };
     with_stack(|| play_recorded(&rules, &mut (), Some(options), None).map(|_| ())).expect("a game");
     let bytes = fs::read(&path).expect("a recording");
     fs::remove_file(path).expect("a file");

@@ -102,8 +102,13 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
         header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
     };
     // Sensor values are not stored: the same world is made again from its set-up.
-    let record =
-        RecordArgs { record: Some(run.recording().to_owned()), images: Images::None, topics: None, force: true };
+    let record = RecordArgs {
+        record: Some(run.recording().to_owned()),
+        images: Images::None,
+        topics: None,
+        split: None,
+        force: true,
+    };
     let started = record.start(header, true).unwrap_or_else(|failure| {
         run.not_recorded(&Invalid::from(failure).what);
         None

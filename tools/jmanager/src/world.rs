@@ -97,7 +97,13 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
     let address = run.address();
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
     // Images are not stored: the same world is made again from its rules.
-    let record = RecordOptions { path: run.recording(), images: ImagePolicy::None, topics: Topics::None, force: true };
+    let record = RecordOptions {
+        path: run.recording(),
+        images: ImagePolicy::None,
+        topics: Topics::None,
+        split: None,
+        force: true,
+    };
     let result = play_controlled(rules, &mut (), &mut Control(run), Some(record), Some(serve));
     result.map(drop).or_else(|failure| {
         if has_begun.get() {

@@ -53,9 +53,9 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let pictures = args.pictures.as_deref();
     match args.games {
         None => {
-            let RecordArgs { record, images, force, .. } = &args.record;
-            let (images, topics, force) = ((*images).into(), args.record.topics(), *force);
-            let record = record.as_deref().map(|path| RecordOptions { path, images, topics, force });
+            let RecordArgs { record, images, split, force, .. } = &args.record;
+            let (images, topics, split, force) = ((*images).into(), args.record.topics(), *split, *force);
+            let record = record.as_deref().map(|path| RecordOptions { path, images, topics, split, force });
             let address = args.link.address();
             let node = OnceCell::new();
             let started = |bound: &str| {

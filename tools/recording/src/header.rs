@@ -4,13 +4,16 @@ use std::collections::BTreeMap;
 
 use bica::Graph;
 use bica::action::Action;
+use bica::runner::Change;
 use bica::visual::Scene;
 use bica_wire::Recordable;
 use bica_wire::model::{Description, Messages};
 use serde::{Deserialize, Serialize};
 
 use crate::figure::Figure;
+use crate::part::RunPart;
 use crate::program::{Program, Start};
+use crate::request::RequestRecord;
 use crate::scenery::Scenery;
 
 /// Version of the format. Version 6 has all schemas in the description of the tree, and sources of log lines; earlier ones cannot be
@@ -45,6 +48,9 @@ pub struct Header {
     /// The monitor, of a recording that a monitor made: it has no sensor values and commands, and some images.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub monitor: Option<MonitorInfo>,
+    /// Which part of its run it is, of a recording that was split. Its parameters have the values at the beginning of the part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<RunPart>,
 }
 
 /// The monitor that made a recording.
@@ -137,6 +143,7 @@ impl Header {
             scenery: Vec::new(),
             topics: images.into(),
             monitor: None,
+            part: None,
         }
     }
 
@@ -170,6 +177,17 @@ impl Header {
             let values = component.params.iter().filter_map(|param| Some((param, param.value?)));
             values.map(|(param, value)| format!("{}.{}={}", component.name, param.name, param.kind.text(value)))
         })
+    }
+
+    /// Sets parameters to the values of a request.
+    pub(crate) fn apply(&mut self, request: &RequestRecord) {
+        let RequestRecord::Tree(Change::Params(settings)) = request else { return };
+        for setting in settings {
+            let component = self.tree.components.get_mut(setting.component.index());
+            if let Some(param) = component.and_then(|one| one.params.get_mut(usize::from(setting.index))) {
+                param.value = Some(setting.value);
+            }
+        }
     }
 
     /// Returns the schemas of the recorded sensor values and commands; a monitor records none.

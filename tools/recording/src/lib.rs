@@ -9,7 +9,7 @@
 //! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
-//! - [`repair`] mends and cuts files.
+//! - [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run.
 //! - [`Topics`] are those of standard schemas in the same file, for viewers.
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
@@ -25,11 +25,13 @@ mod header;
 pub mod image_codec;
 mod info;
 mod information;
+mod join;
 pub mod mcap;
 mod message;
 mod metadata;
 mod monitor;
 mod names;
+mod part;
 mod program;
 mod recorder;
 mod recording;
@@ -50,10 +52,12 @@ pub use figure::Figure;
 pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInfo, SetUp, Topics};
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
+pub use join::RunParts;
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use metadata::checksum;
 pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use names::NameTable;
+pub use part::{RunPart, Split};
 pub use program::{Program, Start, processor};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};

@@ -142,10 +142,11 @@ fn first_time(source: &mut impl Read) -> Result<u64, Error> {
     }
 }
 
-struct Copy<W> {
+/// A new file with the cycles of others.
+pub(crate) struct Copy<W> {
     writer: RecordingWriter<W>,
-    copied: Copied,
-    ending: Option<Ending>,
+    pub(crate) copied: Copied,
+    pub(crate) ending: Option<Ending>,
     /// Channels of a damaged file, by their numbers.
     channels: HashMap<u16, Channel>,
     /// The newest message of each channel that holds only changes, as long as it was not copied.
@@ -154,7 +155,7 @@ struct Copy<W> {
 
 impl<W: Write> Copy<W> {
     /// Begins a copy; `topics` replaces what its header requests.
-    fn new(target: W, header: Header, topics: Option<Topics>) -> Result<Self, Error> {
+    pub(crate) fn new(target: W, header: Header, topics: Option<Topics>) -> Result<Self, Error> {
         let header = Header { topics: topics.unwrap_or(header.topics), ..header };
         let (writer, copied) = (RecordingWriter::new(target, &header)?, Copied::default());
         Ok(Self { writer, copied, ending: None, channels: HashMap::new(), last: Vec::new() })
@@ -189,12 +190,19 @@ impl<W: Write> Copy<W> {
         }
     }
 
-    fn chunk(&mut self) -> Result<(), Error> {
+    /// Ends a chunk.
+    pub(crate) fn chunk(&mut self) -> Result<(), Error> {
         self.copied.chunks += 1;
         Ok(self.writer.flush()?)
     }
 
-    fn message(&mut self, channel: Channel, message: Message, keeps: impl Fn(u64) -> bool) -> Result<(), Error> {
+    /// Takes over a message whose time is to be kept.
+    pub(crate) fn message(
+        &mut self,
+        channel: Channel,
+        message: Message,
+        keeps: impl Fn(u64) -> bool,
+    ) -> Result<(), Error> {
         let is_change = matches!(channel, Channel::Tree | Channel::Holds);
         if is_change {
             self.last.retain(|(of, _)| *of != channel);
@@ -225,7 +233,8 @@ impl<W: Write> Copy<W> {
         self.writer.message(channel, compression, time, data);
     }
 
-    fn finish(mut self) -> Result<Copied, Error> {
+    /// Closes the file.
+    pub(crate) fn finish(mut self) -> Result<Copied, Error> {
         self.writer.flush()?;
         let before = self.ending.unwrap_or_default();
         let reason = if self.copied.damage.is_empty() { before.reason } else { self.copied.damage.join("; ") };

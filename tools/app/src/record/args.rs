@@ -20,6 +20,8 @@ pub(super) enum RecordAction {
     Recover(Recover),
     /// Write a span of time of a recording to a new file
     Trim(Trim),
+    /// Join all parts of a run that was recorded with --split to one recording
+    Merge(Merge),
     /// Write a recording as a bag of ROS 2: an MCAP file that `ros2 bag` reads
     #[cfg(feature = "ros")]
     Bag(Files),
@@ -40,9 +42,27 @@ pub(super) struct Files {
     /// The recording
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
+    #[command(flatten)]
+    pub(super) out: Out,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct Merge {
+    #[command(flatten)]
+    pub(super) out: Out,
+    /// The parts, in any order
+    #[arg(value_name = "PART", required = true)]
+    pub(super) files: Vec<PathBuf>,
+    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the parts]
+    #[arg(long, value_name = "WHICH")]
+    pub(super) topics: Option<TopicsArg>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct Out {
     /// The new file
     #[arg(value_name = "OUT")]
-    pub(super) out: PathBuf,
+    pub(super) path: PathBuf,
     /// Replace OUT if it exists
     #[arg(long)]
     pub(super) force: bool,

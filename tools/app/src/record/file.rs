@@ -4,7 +4,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 
-use bica_recording::{Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, Topics, create};
+use bica_recording::{
+    Backpressure, Header, ImagePolicy, Recorder, RecorderOptions, Report, RunPart, Split, Topics, create,
+};
+use bica_wire::model::Invalid;
 use clap::{Args, ValueEnum};
 
 use crate::console::Failure;
@@ -21,9 +24,16 @@ pub struct RecordArgs {
     /// Topics for Foxglove, Lichtblick and Rerun in the same file [default: standard; without images none]
     #[arg(long, value_name = "WHICH", requires = "record")]
     pub topics: Option<TopicsArg>,
-    /// Replace the file of --record if it exists
+    /// Go on in another file when one has reached a time or a size, as 10min or 2GB: FILE-001.mcap, FILE-002.mcap, …
+    #[arg(long, value_name = "LIMIT", requires = "record", value_parser = limit, allow_hyphen_values = true)]
+    pub split: Option<Split>,
+    /// Replace the file of --record if it exists; with --split each part
     #[arg(long, requires = "record")]
     pub force: bool,
+}
+
+fn limit(text: &str) -> Result<Split, String> {
+    text.parse().map_err(|Invalid { what, help, .. }| format!("{what}: {help}"))
 }
 
 /// What a recording stores of each cycle.
@@ -88,7 +98,7 @@ impl RecordArgs {
     ) -> Result<Option<(RecordedFile, Recorder)>, Failure> {
         let Some(path) = &self.record else { return Ok(None) };
         let header = Header { topics: self.topics(), ..header(self.images.into()) };
-        RecordedFile::start(path, self.force, &header, is_paced).map(Some)
+        RecordedFile::start(path, self.force, self.split, &header, is_paced).map(Some)
     }
 }
 
@@ -101,17 +111,18 @@ fn begin_help(error: &io::Error) -> &'static str {
 }
 
 impl RecordedFile {
-    /// Makes the file, replaces an old one by `force`, and writes its header. `is_paced` is whether the run cannot wait for the disk.
+    /// Makes the file, replaces an old one by `force`, and writes its header. With `split` it is the first part. `is_paced` is whether the
+    /// run cannot wait for the disk.
     ///
     /// # Errors
-    /// If the file exists, or cannot be written.
-    pub fn start(path: &Path, force: bool, header: &Header, is_paced: bool) -> Result<(Self, Recorder), Failure> {
-        let help = if path.exists() && !force {
-            "--force replaces an existing file"
-        } else {
-            "name a file that can be made, or written to, with --record"
-        };
-        let file = create(path, force).map_err(|error| Failure::of_path("write", path, &error, help))?;
+    /// If the file, or a part of the same name, exists, or cannot be written.
+    pub fn start(
+        path: &Path,
+        force: bool,
+        split: Option<Split>,
+        header: &Header,
+        is_paced: bool,
+    ) -> Result<(Self, Recorder), Failure> {
         let backpressure = if is_paced { Backpressure::Drop } else { Backpressure::Wait };
         let options = RecorderOptions { backpressure, ..RecorderOptions::default() };
         let (sender, ended) = channel();
@@ -119,12 +130,31 @@ impl RecordedFile {
             // The receiver is gone only when the run has ended.
             let _ = sender.send(reason.to_owned());
         };
-        let recorder = Recorder::start(file, header, options, on_end)
-            .map_err(|error| Failure::of_path("write", path, &error, begin_help(&error)))?;
-        Ok((Self { path: path.to_owned(), ended }, recorder))
+        let first = split.map_or_else(|| path.to_owned(), |_| RunPart::path(path, 1));
+        let existing = if split.is_some() { RunPart::existing(path) } else { path.exists().then(|| path.to_owned()) };
+        if let Some(existing) = existing.filter(|_| !force) {
+            let what = "it exists already";
+            return Err(Failure::of_path("write", &existing, &what, "--force replaces an existing file"));
+        }
+        let unwritable = |error: io::Error, help| Failure::of_path("write", &first, &error, help);
+        let file = create(&first, force)
+            .map_err(|error| unwritable(error, "name a file that can be made, or written to, with --record"))?;
+        let recorder = match split {
+            None => Recorder::start(file, header, options, on_end),
+            Some(split) => {
+                let (path, mut file) = (path.to_owned(), Some(file));
+                let next = move |number| file.take().map_or_else(|| create(&RunPart::path(&path, number), force), Ok);
+                Recorder::start_split(next, split, header, options, on_end)
+            }
+        };
+        let recorder = recorder.map_err(|error| {
+            let help = begin_help(&error);
+            unwritable(error, help)
+        })?;
+        Ok((Self { path: first, ended }, recorder))
     }
 
-    /// The path of the file.
+    /// The path of the file, or of the first part.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
@@ -138,13 +168,17 @@ impl RecordedFile {
 
     /// Returns a line for people about the closed file.
     #[must_use]
-    pub fn describe(&self, Report { cycles, bytes, dropped_images, reason }: &Report) -> String {
+    pub fn describe(&self, Report { cycles, bytes, dropped_images, reason, parts }: &Report) -> String {
         let dropped = match dropped_images {
             0 => String::new(),
             count => format!("; {count} images dropped, the disk was too slow"),
         };
         let ended = reason.as_ref().map_or_else(String::new, |reason| format!("; it ended before the run: {reason}"));
         let (megabytes, file) = (*bytes as f64 * 1e-6, self.path.display());
-        format!("{cycles} cycles, {megabytes:.2} MB in {file}{dropped}{ended}")
+        let parts = match parts {
+            Some(count) if *count > 1 => format!(" and {} more parts", count - 1),
+            _ => String::new(),
+        };
+        format!("{cycles} cycles, {megabytes:.2} MB in {file}{parts}{dropped}{ended}")
     }
 }

@@ -5,13 +5,13 @@ mod file;
 
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, Topics, create};
+use bica_recording::{Error, Info, RunParts, Topics, create};
 use serde::Serialize;
 
-use args::{Files, InfoArgs, RecordAction, Recover, Trim};
+use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
 
 use crate::console::{Console, Failure, Outcome, Style};
 pub(crate) use args::{Record, time};
@@ -22,7 +22,7 @@ pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
     match &args.action {
         RecordAction::Info(args) => info(args),
         RecordAction::Recover(Recover { files, topics }) => {
-            write(files, "recovered", |source, target| repair::recover(source, target, topics.map(Topics::from)))
+            rewrite(files, "recovered", |source, target| repair::recover(source, target, topics.map(Topics::from)))
         }
         RecordAction::Trim(Trim { written: Recover { files, topics }, from, until }) => {
             let nanoseconds = |seconds: f64| (seconds * 1e9) as u64;
@@ -32,10 +32,14 @@ pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
                 return Err(Failure::new("--until is before --from", "give a later time with --until"));
             }
             let topics = topics.map(Topics::from);
-            write(files, "trimmed", |source, target| repair::trim(source, target, from, until, topics))
+            rewrite(files, "trimmed", |source, target| repair::trim(source, target, from, until, topics))
+        }
+        RecordAction::Merge(Merge { out, files, topics }) => {
+            let parts = RunParts::open(files)?;
+            write(out, files, "joined", |target| Ok(parts.join(target, topics.map(Topics::from))?))
         }
         #[cfg(feature = "ros")]
-        RecordAction::Bag(files) => write(files, "converted", |source, target| bica_ros::bag(source, target)),
+        RecordAction::Bag(files) => rewrite(files, "converted", |source, target| bica_ros::bag(source, target)),
     }
 }
 
@@ -74,6 +78,9 @@ fn print(console: Console, info: &Info) -> Result<(), Failure> {
     let count = tree.components.len();
     console
         .print_row("tree", &format!("{}, {count} components, {} Hz, hash {}", tree.name, tree.cycle_hz, tree.hash))?;
+    if let Some(part) = &header.part {
+        console.print_row("part", &format!("{} of the run {}", part.number, part.run))?;
+    }
     if let Some(monitor) = &header.monitor {
         let (address, lacks) = (&monitor.address, monitor.lacks.join(", "));
         let text = format!("what {address} sent, without {lacks}: not for a replay");
@@ -146,36 +153,47 @@ struct Written<'a> {
 }
 
 /// Writes a new file from a recording.
-fn write(
+fn rewrite(
     args: &Files,
     done: &str,
     copy: impl FnOnce(BufReader<File>, &mut BufWriter<File>) -> Result<Copied, Error>,
 ) -> Result<Outcome, Failure> {
     let source = open(&args.file)?;
-    if is_same_file(&args.file, &args.out) {
-        return Err(Failure::new("FILE and OUT are the same file", "name another OUT"));
+    let copy = |target: &mut _| copy(source, target).map_err(|error| failure(&args.file, &error));
+    write(&args.out, std::slice::from_ref(&args.file), done, copy)
+}
+
+/// Writes a new file from others.
+fn write(
+    args: &Out,
+    sources: &[PathBuf],
+    done: &str,
+    copy: impl FnOnce(&mut BufWriter<File>) -> Result<Copied, Failure>,
+) -> Result<Outcome, Failure> {
+    if let Some(source) = sources.iter().find(|source| is_same_file(source, &args.path)) {
+        let what = format!("`{}` and OUT are the same file", source.display());
+        return Err(Failure::new(what, "name another OUT"));
     }
     let console = Console::new(args.json);
-    let help = if args.out.exists() && !args.force {
+    let help = if args.path.exists() && !args.force {
         "--force replaces an existing file"
     } else {
         "name a file that can be written"
     };
-    let target = create(&args.out, args.force).map_err(|error| Failure::of_path("write", &args.out, &error, help))?;
+    let target = create(&args.path, args.force).map_err(|error| Failure::of_path("write", &args.path, &error, help))?;
     let mut target = BufWriter::with_capacity(1 << 16, target);
-    let copied = copy(source, &mut target).map_err(|error| {
+    let copied = copy(&mut target).inspect_err(|_| {
         // Nobody needs the begin of a file; the error is what the user has to know.
-        let _ = fs::remove_file(&args.out);
-        failure(&args.file, &error)
+        let _ = fs::remove_file(&args.path);
     })?;
-    target.flush().map_err(|error| Failure::of_path("write", &args.out, &error, "is the disk full?"))?;
-    let text = format!("{} cycles, {:.2} MB in {}", copied.cycles, copied.bytes as f64 * 1e-6, args.out.display());
+    target.flush().map_err(|error| Failure::of_path("write", &args.path, &error, "is the disk full?"))?;
+    let text = format!("{} cycles, {:.2} MB in {}", copied.cycles, copied.bytes as f64 * 1e-6, args.path.display());
     console.print_row(done, &text)?;
     for damage in &copied.damage {
         console.print_row("lost", &console.styled(Style::Bad, damage))?;
     }
     let Copied { cycles, bytes, chunks, damage } = &copied;
-    let file = args.out.display().to_string();
+    let file = args.path.display().to_string();
     let schema = "bica/written/1";
     console.print_json(&Written { schema, file, cycles: *cycles, bytes: *bytes, chunks: *chunks, damages: damage })?;
     Ok(Outcome::Success)

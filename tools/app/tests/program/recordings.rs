@@ -1,5 +1,7 @@
 //! Recordings of a robot, and their replay.
 
+use std::path::Path;
+
 use crate::process::{Folder, refused, run};
 
 #[test]
@@ -55,4 +57,34 @@ fn recording_names_its_world_and_replaces_no_file() {
     refused(&["replay", &file, "--set", "Explorer.gian=3"], &["did you mean `gain`?"]);
     refused(&["replay", &file, "--set", "Explorer.gain=3", "--against", &file], &["--set", "--against"]);
     refused(&["replay", &folder.file("none.mcap")], &["none.mcap", "help: "]);
+}
+
+#[test]
+fn split_run_is_joined_and_replayed() {
+    let folder = Folder::new("split");
+    let [file, first, second, third, fourth, whole] =
+        ["run", "run-001", "run-002", "run-003", "run-004", "whole"].map(|name| folder.file(&format!("{name}.mcap")));
+    let split = ["--seconds", "5", "--record", &file, "--split", "2s", "--images", "none"];
+    let ran = run(&split);
+    assert!(ran.stdout.contains(&format!("{first} and 2 more parts")), "{}{}", ran.stdout, ran.stderr);
+    assert!(!Path::new(&file).exists() && !Path::new(&fourth).exists());
+    let part = &run(&["record", "info", &second, "--json"]).json()["header"]["part"];
+    assert_eq!((&part["number"], part["run"].as_str().map(str::len)), (&2.into(), Some(16)), "{part}");
+    refused(&["replay", &second], &["run-002.mcap` is part 2 of a run", "run-001.mcap", "record merge"]);
+    refused(&["record", "merge", &whole, &first, &third], &["part 2 of the run", "is missing"]);
+    assert!(!Path::new(&whole).exists(), "nothing is written");
+    refused(&["record", "merge", &first, &first, &second, &third, "--force"], &["the same file"]);
+    let merged = run(&["record", "merge", &whole, &first, &second, &third, "--json"]).json();
+    assert_eq!(merged["cycles"], 250);
+    let replayed = run(&["replay", &whole, "--json"]);
+    assert_eq!((replayed.code, &replayed.json()["cycles"]), (Some(0), &250.into()), "{}", replayed.stderr);
+    std::fs::remove_file(&first).expect("a part");
+    refused(&split, &["run-00", "exists already", "--force"]);
+    assert!(!Path::new(&first).exists(), "nothing is written");
+    let forced = run(&[&split[..], &["--force"]].concat());
+    assert!(forced.stdout.contains("and 2 more parts"), "{}", forced.stderr);
+    for (limit, words) in [("5", "`5` has no unit"), ("10m", "no unit of time or size"), ("1KB", "10min")] {
+        refused(&["--record", &file, "--split", limit], &[words]);
+    }
+    refused(&["--split", "10min"], &["--record"]);
 }

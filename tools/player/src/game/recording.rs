@@ -10,7 +10,7 @@ use bica_app::{Failure, RecordedFile};
 use bica_field::GoalColour;
 use bica_motion::robot::Sensors;
 use bica_player::tunable::Forward;
-use bica_recording::{Header, ImagePolicy, LogLine, LogSource, Program, Recorder, Report, SetUp, Topics};
+use bica_recording::{Header, ImagePolicy, LogLine, LogSource, Program, Recorder, Report, SetUp, Split, Topics};
 use bica_sim::SharedImage;
 use bica_sim::referee::TimedEvent;
 use serde::Serialize;
@@ -34,6 +34,8 @@ pub struct RecordOptions<'a> {
     pub images: ImagePolicy,
     /// Topics for other programs.
     pub topics: Topics,
+    /// When the recording goes on in another file.
+    pub split: Option<Split>,
     /// Whether an existing file is replaced.
     pub force: bool,
 }
@@ -43,6 +45,9 @@ pub struct RecordOptions<'a> {
 pub struct RecordingSummary {
     /// The file.
     pub file: String,
+    /// Number of parts, if it is split: `file` is the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts: Option<u32>,
     /// Number of recorded cycles.
     pub recorded_cycles: u64,
     /// Number of images that were dropped because the disk was slow.
@@ -60,9 +65,9 @@ pub struct RecordingSummary {
 impl RecordingSummary {
     fn new(file: &RecordedFile, report: Report) -> Self {
         let text = file.describe(&report);
-        let Report { cycles, bytes, dropped_images, reason } = report;
+        let Report { cycles, bytes, dropped_images, reason, parts } = report;
         let file = file.path().display().to_string();
-        Self { file, recorded_cycles: cycles, dropped_images, reason, wall_bytes: bytes, text }
+        Self { file, parts, recorded_cycles: cycles, dropped_images, reason, wall_bytes: bytes, text }
     }
 }
 
@@ -82,10 +87,10 @@ impl GameRecorder {
         image: SharedImage,
         scenery: impl FnOnce(&mut dyn Scene),
     ) -> Result<Self, Failure> {
-        let start = |RecordOptions { path, images, topics, force }: RecordOptions<'_>| {
+        let start = |RecordOptions { path, images, topics, split, force }: RecordOptions<'_>| {
             let header = recording_header(rules, attacks, images).with_actions(actions).with_scenery(scenery);
             let header = Header { topics, ..header }.of_robot(robot);
-            let (file, recorder) = RecordedFile::start(path, force, &header, rules.realtime)?;
+            let (file, recorder) = RecordedFile::start(path, force, split, &header, rules.realtime)?;
             Ok::<_, Failure>((file, recorder.sharing_blobs(move |pixels| image.owner_of(pixels))))
         };
         let (file, recorder) = options.map(start).transpose()?.unzip();

@@ -61,7 +61,7 @@ pub(crate) fn rules(seed: u64, seconds: f32) -> Rules {
 
 /// Plays and records a game.
 pub(crate) fn record(path: &Path, rules: &Rules, images: ImagePolicy) {
-    let options = RecordOptions { path, images, topics: Topics::None, force: true };
+    let options = RecordOptions { path, images, topics: Topics::None, split: None, force: true };
     let (summary, recording) = play_recorded(rules, &mut (), Some(options), None).expect("a game");
     let recording = recording.expect("requested");
     assert_eq!((recording.recorded_cycles, recording.dropped_images, recording.reason), (summary.cycles, 0, None));

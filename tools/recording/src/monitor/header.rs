@@ -31,6 +31,7 @@ impl Header {
                 address: address.to_owned(),
                 lacks: lacks.map(|channel| channel.topic().to_owned()).collect(),
             }),
+            part: None,
         }
     }
 }

@@ -152,6 +152,6 @@ impl<S: Sink> MonitorRecorder<S> {
     #[must_use]
     pub fn finish(mut self, reason: Option<String>, dropped_images: u64) -> Report {
         let reason = self.output.finish(reason, Ending::default(), dropped_images);
-        Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason }
+        Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason, parts: None }
     }
 }

@@ -2,10 +2,13 @@
 
 mod measured;
 mod output;
+mod parts;
 mod queue;
+mod report;
 mod sink;
 mod syncer;
 mod thread;
+mod tree;
 
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -13,7 +16,7 @@ use std::{fmt, io};
 
 use bica::refusal::Refusal;
 use bica::runner::{ClockStep, Cycle, Observer, Request};
-use bica::{ComponentId, Graph, Instant, Probe, Tree};
+use bica::{ComponentId, Graph, Instant, Probe};
 use bica_link::CostMeter;
 use bica_wire::Recordable;
 use bica_wire::message::LogSource;
@@ -24,11 +27,16 @@ use crate::figure::Figure;
 use crate::header::{Ending, Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
+use crate::part::Split;
 use crate::request::RequestRecord;
 use measured::Measured;
 pub(crate) use output::Output;
+use parts::Parts;
 use queue::{BlobValues, CycleValues, Data, Entry, KeptBlob, Queue};
+pub use report::Report;
 pub use sink::{Sink, Syncing, create};
+use tree::read_tree;
+pub use tree::tree_record;
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,19 +69,6 @@ impl Default for RecorderOptions {
     fn default() -> Self {
         Self { backpressure: Backpressure::Drop, cycles: 6000, images: 32, chunk_bytes: 1 << 20, information_every: 10 }
     }
-}
-
-/// Result of a recording.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Report {
-    /// Number of cycles in the file.
-    pub cycles: u64,
-    /// Length of the file, bytes.
-    pub bytes: u64,
-    /// Number of images that were dropped because the disk was slow.
-    pub dropped_images: u64,
-    /// Why the recording ended before the run; none if it did not.
-    pub reason: Option<String>,
 }
 
 /// Observer of a loop that records it.
@@ -144,8 +139,35 @@ impl Recorder {
         options: RecorderOptions,
         on_end: impl Fn(&str) + Send + 'static,
     ) -> io::Result<Self> {
-        let queue = Arc::new(Queue::new(options));
         let writing = thread::Writing::new(sink, header, options.chunk_bytes)?;
+        Self::spawn(writing, header, options, on_end)
+    }
+
+    /// Starts as [`start`](Self::start) a recording that goes on in another file when a part has reached a limit. `file` makes the file of a
+    /// part with a number, from 1.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub fn start_split<S: Sink + 'static>(
+        mut file: impl FnMut(u32) -> io::Result<S> + Send + 'static,
+        split: Split,
+        header: &Header,
+        options: RecorderOptions,
+        on_end: impl Fn(&str) + Send + 'static,
+    ) -> io::Result<Self> {
+        let (first, header) = (file(1)?, parts::first(header));
+        let parts = Parts::new(split, Box::new(file));
+        let writing = thread::Writing::new(first, &header, options.chunk_bytes)?.in_parts(parts);
+        Self::spawn(writing, &header, options, on_end)
+    }
+
+    fn spawn<S: Sink + 'static>(
+        writing: thread::Writing<S>,
+        header: &Header,
+        options: RecorderOptions,
+        on_end: impl Fn(&str) + Send + 'static,
+    ) -> io::Result<Self> {
+        let queue = Arc::new(Queue::new(options));
         let shared = Arc::clone(&queue);
         let work = move || {
             let _end = EndAtPanic { queue: &shared, on_end: &on_end };
@@ -373,25 +395,5 @@ impl<R: Recordable> Observer<R> for Recorder {
             self.measured(&meter);
             self.meter = Some(meter);
         }
-    }
-}
-
-/// Returns active components and states of a tree.
-#[must_use]
-pub fn tree_record<T: Tree>(tree: &T) -> TreeRecord {
-    let mut record = TreeRecord::default();
-    read_tree(tree, &mut record);
-    record
-}
-
-/// Reads active components and states of a tree into a record whose memory is used again.
-fn read_tree<T: Tree>(tree: &T, record: &mut TreeRecord) {
-    record.active.clear();
-    record.active.resize(T::COUNT.div_ceil(8), 0);
-    record.states.clear();
-    for index in 0..T::COUNT {
-        let id = ComponentId::new(index);
-        record.active[index / 8] |= u8::from(tree.is_active_at(id)) << (index % 8);
-        record.states.push(tree.state(id).map_or(u8::MAX, |state| state as u8));
     }
 }

@@ -30,9 +30,11 @@ pub(crate) struct Output<S> {
     chunk_bytes: usize,
     /// Number and bytes of the large data that wait in memory.
     blobs: (usize, usize),
-    /// Number of cycles so far.
+    /// Number of the first cycle of the file.
+    first_cycle: u64,
+    /// Number of cycles of the run so far.
     pub(crate) cycles: u64,
-    /// Number of cycles in the file.
+    /// Number of those that are written.
     pub(crate) written_cycles: u64,
     flushed: Instant,
     synced: Instant,
@@ -41,10 +43,40 @@ pub(crate) struct Output<S> {
 impl<S: Sink> Output<S> {
     /// Begins a file with a header.
     pub(crate) fn new(sink: S, header: &Header, chunk_bytes: usize) -> io::Result<Self> {
+        Self::from_cycle(sink, header, chunk_bytes, 0)
+    }
+
+    /// Begins the file with the next part of the run.
+    pub(super) fn next(&self, sink: S, header: &Header) -> io::Result<Self> {
+        Self::from_cycle(sink, header, self.chunk_bytes, self.cycles)
+    }
+
+    fn from_cycle(sink: S, header: &Header, chunk_bytes: usize, first_cycle: u64) -> io::Result<Self> {
         let syncer = Syncer::start(sink.syncing()?)?;
         let (writer, now) = (RecordingWriter::new(sink, header)?, Instant::now());
-        let (message, blobs, cycles, written_cycles) = (Vec::new(), (0, 0), 0, 0);
-        Ok(Self { writer, message, syncer, chunk_bytes, blobs, cycles, written_cycles, flushed: now, synced: now })
+        let (message, blobs, cycles, written_cycles) = (Vec::new(), (0, 0), first_cycle, first_cycle);
+        Ok(Self {
+            writer,
+            message,
+            syncer,
+            chunk_bytes,
+            blobs,
+            first_cycle,
+            cycles,
+            written_cycles,
+            flushed: now,
+            synced: now,
+        })
+    }
+
+    /// Whether the file has no cycle.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.cycles == self.first_cycle
+    }
+
+    /// Number of bytes that wait in memory.
+    pub(super) fn pending(&self) -> usize {
+        self.writer.pending()
     }
 
     /// Length of the file, bytes.
@@ -126,27 +158,46 @@ impl<S: Sink> Output<S> {
         Ok(())
     }
 
-    /// Closes the file with the result in `ending`; returns why the recording ended early. A file that cannot be closed keeps its complete
-    /// chunks.
+    /// Closes the file with the result in `ending` and waits until it is on the disk; returns why the recording ended early. A file that
+    /// cannot be closed keeps its complete chunks.
     pub(crate) fn finish(&mut self, reason: Option<String>, ending: Ending, dropped_images: u64) -> Option<String> {
+        let failed = self.close(reason, ending, dropped_images);
+        let synced = self.sync().err();
+        failed.or_else(|| synced.as_ref().map(end_failed))
+    }
+
+    /// Closes the file as [`finish`](Self::finish) does, without waiting for the disk.
+    pub(super) fn close(&mut self, reason: Option<String>, ending: Ending, dropped_images: u64) -> Option<String> {
         let mut failed = reason;
         if failed.is_none() {
             failed = self.flush().err().map(|error| format!("cannot write: {error}"));
         }
         if failed.is_some() {
             self.writer.discard();
-            // What an incomplete write left behind would make the rest unreadable.
-            let length = self.writer.length();
-            let _ = self.writer.target_mut().truncate(length);
+            self.truncate();
         }
-        let reason = failed.clone().unwrap_or_default();
-        let ending = Ending { cycles: self.written_cycles, dropped_images, reason, ..ending };
-        let closed = self.writer.close(&ending).and_then(|()| self.syncer.finish());
+        let (cycles, reason) = (self.written_cycles - self.first_cycle, failed.clone().unwrap_or_default());
+        let closed = self.writer.close(&Ending { cycles, dropped_images, reason, ..ending });
+        let closed = closed.and_then(|()| self.syncer.request());
         if let Err(error) = closed {
-            let length = self.writer.length();
-            let _ = self.writer.target_mut().truncate(length);
-            failed = failed.or_else(|| Some(format!("cannot write the end of the file: {error}")));
+            self.truncate();
+            failed = failed.or_else(|| Some(end_failed(&error)));
         }
         failed
     }
+
+    /// Waits until everything written is on the disk.
+    pub(super) fn sync(&mut self) -> io::Result<()> {
+        self.syncer.finish()
+    }
+
+    /// Removes what an incomplete write has left behind: it would make the rest unreadable.
+    fn truncate(&mut self) {
+        let length = self.writer.length();
+        let _ = self.writer.target_mut().truncate(length);
+    }
+}
+
+fn end_failed(error: &io::Error) -> String {
+    format!("cannot write the end of the file: {error}")
 }

@@ -5,26 +5,32 @@ use std::io;
 use bica::Blob;
 
 use super::output::Output;
+use super::parts::Parts;
 use super::queue::{BlobValues, CycleValues, Entry, KeptBlob, Queue};
 use super::{Report, Sink};
 use crate::blob::{BlobIndex, code};
 use crate::digest::{RunningFingerprint, blobs_digest};
 use crate::header::{Ending, Header, ImagePolicy};
 use crate::image_codec::ImageCoder;
-use crate::message::{Channel, Tick};
+use crate::message::{Channel, Tick, TreeRecord};
 use bica_wire::blobs::described;
 
 /// A file that is being written.
 pub(super) struct Writing<S> {
     output: Output<S>,
     header: Header,
-    tree_digest: u32,
+    /// Active components and states after the last cycle, and their digest.
+    tree: (TreeRecord, u32),
     /// Time of the last cycle, ns.
     last_time: u64,
     fingerprint: RunningFingerprint,
     coder: ImageCoder,
     /// Number of the last large data.
     last_blob: u32,
+    /// Number of images that were dropped so far.
+    dropped_images: u64,
+    /// If the recording is split.
+    parts: Option<Parts<S>>,
 }
 
 impl<S: Sink> Writing<S> {
@@ -32,20 +38,26 @@ impl<S: Sink> Writing<S> {
         Ok(Self {
             output: Output::new(sink, header, chunk_bytes)?,
             header: header.clone(),
-            tree_digest: 0,
+            tree: Default::default(),
             last_time: 0,
             fingerprint: RunningFingerprint::default(),
             coder: ImageCoder::default(),
             last_blob: 0,
+            dropped_images: 0,
+            parts: None,
         })
+    }
+
+    /// Goes on in another file whenever a part has reached its limit.
+    pub(super) fn in_parts(self, parts: Parts<S>) -> Self {
+        Self { parts: Some(parts), ..self }
     }
 
     /// Writes until the run is over or writing fails.
     pub(super) fn run(mut self, queue: &Queue, on_end: &dyn Fn(&str)) -> Report {
-        let mut dropped_images;
         let (reason, ending) = loop {
             let batch = queue.take();
-            dropped_images = batch.dropped_images;
+            self.dropped_images = batch.dropped_images;
             if let Err(error) = batch.entries.into_iter().try_for_each(|entry| self.entry(entry, queue)) {
                 break (Some(format!("cannot write: {error}")), Ending::default());
             }
@@ -63,12 +75,26 @@ impl<S: Sink> Writing<S> {
                 break (Some(format!("cannot write: {error}")), Ending::default());
             }
         };
-        let reason = self.output.finish(reason, ending, dropped_images);
-        if let Some(reason) = &reason {
+        let report = self.finish(reason, ending);
+        if let Some(reason) = &report.reason {
             queue.end();
             on_end(reason);
         }
-        Report { cycles: self.output.written_cycles, bytes: self.output.length(), dropped_images, reason }
+        report
+    }
+
+    fn finish(&mut self, reason: Option<String>, ending: Ending) -> Report {
+        let (dropped_images, parts) = (self.dropped_images, self.parts.as_mut());
+        let (bytes, dropped_before) = parts.as_ref().map_or((0, 0), |parts| (parts.bytes, parts.dropped_images));
+        let reason = self.output.finish(reason, ending, dropped_images - dropped_before);
+        let synced = parts.map_or(Ok(()), Parts::sync);
+        Report {
+            cycles: self.output.written_cycles,
+            bytes: bytes + self.output.length(),
+            dropped_images,
+            reason: reason.or_else(|| synced.err().map(|error| format!("cannot write: {error}"))),
+            parts: self.header.part.as_ref().map(|part| part.number),
+        }
     }
 
     fn entry(&mut self, entry: Entry, queue: &Queue) -> io::Result<()> {
@@ -87,6 +113,13 @@ impl<S: Sink> Writing<S> {
         let (sensors, command) = message.split_at(sensor_bytes);
         let time = self.header.nanoseconds(instant);
         self.last_time = time;
+        if let Some(parts) = &mut self.parts {
+            parts.advance(time, &mut self.output, &mut self.header, self.dropped_images)?;
+            // The next part begins with the values that are in force there.
+            for request in &requests {
+                self.header.apply(request);
+            }
+        }
         for request in &requests {
             self.fingerprint.add_request(request);
             self.output.message(Channel::Requests, time, request);
@@ -112,9 +145,13 @@ impl<S: Sink> Writing<S> {
         if let Some(information) = &information {
             self.output.encoded(Channel::Information, time, information);
         }
-        if let Some(tree) = &tree {
-            self.tree_digest = tree.digest();
-            self.output.message(Channel::Tree, time, tree);
+        let is_changed = tree.is_some();
+        if let Some(tree) = tree {
+            let digest = tree.digest();
+            self.tree = (tree, digest);
+        }
+        if is_changed || self.output.is_empty() {
+            self.output.message(Channel::Tree, time, &self.tree.0);
         }
         let mut tick = Tick {
             cycle: self.output.cycles,
@@ -122,7 +159,7 @@ impl<S: Sink> Writing<S> {
             sensors: crc32fast::hash(sensors),
             blobs: blobs_digest,
             command: crc32fast::hash(command),
-            tree: self.tree_digest,
+            tree: self.tree.1,
             fingerprint: 0,
         };
         tick.fingerprint = self.fingerprint.add_tick(&tick);

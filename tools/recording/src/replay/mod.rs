@@ -124,6 +124,7 @@ where
         let mut other = Other::open(path, recording.header())?;
         return report(options, recording, &mut other, ("recording", None), &mut progress);
     }
+    check_start(options.path, recording.header())?;
     let is_stored = recording.header().images == ImagePolicy::All && !options.closed_loop;
     let subject = subject::checked(recording.header(), !is_stored, subject)?;
     let source = if is_stored { ("stored", Some("open")) } else { ("rules", Some("closed")) };
@@ -192,6 +193,11 @@ fn open(path: &Path) -> Result<FileRecording, Invalid> {
          not run again or compared"
     );
     Err(Invalid::new(what, "record where the robot runs, with `--serve ADDR --record FILE`"))
+}
+
+/// Refuses to run again a part that does not begin with its run.
+fn check_start(path: &Path, header: &Header) -> Result<(), Invalid> {
+    header.part.as_ref().map_or(Ok(()), |part| part.check_first(path))
 }
 
 /// The failure to read a file.

@@ -8,7 +8,7 @@ use bica_wire::Recordable;
 use bica_wire::message::LogSource;
 
 use super::run::Again;
-use super::{Subject, of_file, open, subject};
+use super::{Subject, check_start, of_file, open, subject};
 use crate::error::Error;
 use crate::header::{Header, ImagePolicy};
 use crate::message::LogLine;
@@ -38,10 +38,16 @@ where
 {
     let mut recording = open(path)?;
     let header = recording.header().clone();
+    check_start(path, &header)?;
     let subject = subject::checked(&header, header.images == ImagePolicy::None, subject)?;
-    let new =
-        Header { program: Program::of(&R::GRAPH), start: Start::now(), images: ImagePolicy::All, ..header.clone() }
-            .of_robot(&*subject.robot);
+    let new = Header {
+        program: Program::of(&R::GRAPH),
+        start: Start::now(),
+        images: ImagePolicy::All,
+        part: None,
+        ..header.clone()
+    }
+    .of_robot(&*subject.robot);
     let (mut again, mut first) = (Again::new(subject, start(out, &new)?), None);
     loop {
         let recorded = match recording.next_cycle() {

@@ -165,14 +165,10 @@ impl Deriver {
         let Ok(request) = postcard::from_bytes::<RequestRecord>(data) else { return };
         let text = request.describe(&self.header.tree);
         self.log(time, 2, "operator", &text);
-        let RequestRecord::Tree(Change::Params(settings)) = request else { return };
-        for setting in settings {
-            let component = self.header.tree.components.get_mut(setting.component.index());
-            if let Some(param) = component.and_then(|one| one.params.get_mut(usize::from(setting.index))) {
-                param.value = Some(setting.value);
-            }
+        self.header.apply(&request);
+        if matches!(request, RequestRecord::Tree(Change::Params(_))) {
+            self.parameters();
         }
-        self.parameters();
     }
 
     fn parameters(&mut self) {

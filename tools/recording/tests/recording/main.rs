@@ -4,6 +4,7 @@ mod damage;
 mod disk;
 mod monitor;
 mod overruns;
+mod parts;
 mod replay;
 mod support;
 mod topics;

@@ -56,7 +56,9 @@ impl World<Cart> for Room {
 impl RepeatedWorld<Cart> for Room {}
 
 /// Returns the cart at its start with another gain, and the room.
-fn subject(gain: Option<f32>) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, bica_wire::model::Invalid> {
+pub(crate) fn subject(
+    gain: Option<f32>,
+) -> impl FnOnce(&Header, bool) -> Result<Subject<Cart>, bica_wire::model::Invalid> {
     move |header, runs_world| {
         assert_eq!(header.set_up["seed"], 7);
         let mut robot = Box::new(Cart::new());

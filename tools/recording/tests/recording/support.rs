@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use bica::prelude::*;
 use bica::runner::{Request, Robot, Runner};
-use bica::{Hold, Instant};
+use bica::{Hold, Instant, Setting};
 use bica_recording::{
     Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, Report, RunEvent, SetUp, Sink, Syncing,
     Topics,
@@ -278,7 +278,12 @@ pub(crate) fn record_sharing(
 }
 
 /// Runs the robot from a time on, ms, for a number of cycles, recorded.
-fn run(recorder: Recorder, start: u64, cycles: u64) -> Report {
+pub(crate) fn run(recorder: Recorder, start: u64, cycles: u64) -> Report {
+    run_with(recorder, start, cycles, &[])
+}
+
+/// As [`run`], with other parameters from cycle 7 on.
+pub(crate) fn run_with(recorder: Recorder, start: u64, cycles: u64, settings: &[Setting]) -> Report {
     let mut cart = Cart::new();
     let mut runner = Runner::new(&mut cart, ()).with_observer(recorder);
     for cycle in 0..cycles {
@@ -288,6 +293,9 @@ fn run(recorder: Recorder, start: u64, cycles: u64) -> Report {
                 .request(now, Request::Hold { component: Cart::id::<Counter>(), hold: Hold::Active })
                 .expect("listed");
             runner.request(now, Request::Rate { component: Cart::id::<Counter>(), hz: None }).expect("listed");
+            if !settings.is_empty() {
+                runner.request(now, Request::Params(settings)).expect("in range");
+            }
         }
         let yuyv = pixels(cycle);
         runner.sense(now, &sensors(cycle, &yuyv)).expect("never refused");
