@@ -19,7 +19,7 @@ pub(crate) enum Tool<L: Layer> {
     Graph(GraphArgs),
     /// List the parameters of the components and their values; write a tune file
     Params(Params<L>),
-    /// Print what a recording contains; mend or cut it
+    /// Print what a recording contains; mend, cut, join or play it
     Record(Record),
     /// Run the code again on a recording and compare, bit for bit; or compare two recordings
     Replay(ReplayArgs),
@@ -36,7 +36,7 @@ impl<L: Layer> Tool<L> {
         match self {
             Self::Graph(args) => graph::run::<R>(args),
             Self::Params(args) => params::run::<R, L>(args, kind),
-            Self::Record(args) => record::run(args),
+            Self::Record(args) => record::run::<R>(args),
             Self::Replay(args) => replay::run(args, replay),
             Self::Link(args) => link::run(args),
             #[cfg(feature = "ros")]

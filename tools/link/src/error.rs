@@ -54,7 +54,7 @@ impl Error {
             Self::Timeout(_) => "is the robot's program stopped, or does another program answer at this address?",
             Self::OtherRobot { .. } => "attach again",
             Self::NotOffered(_) => {
-                "a simulated world that a program serves with `--serve ADDR` offers it; a microcontroller does not"
+                "a simulated world that a program serves with `--serve ADDR` offers it; a microcontroller and a recording do not"
             }
             Self::Lease => "wait until the operator gives it back, or take it with --take",
             Self::Refused { code: RefusalCode::World, .. } => {

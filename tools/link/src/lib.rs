@@ -39,7 +39,7 @@ pub use error::Error;
 pub use memory::Memory;
 pub use pending::Pending;
 pub use schema::{decode, decode_exactly, decode_message, decode_output};
-pub use server::{LinkObserver, LinkRequests, LinkServer, LinkStats, MAX_MONITORS, ServerOptions};
+pub use server::{LinkObserver, LinkRequests, LinkServer, LinkShow, LinkStats, MAX_MONITORS, ServerOptions};
 pub use waker::{Waker, Wakeups, waker};
 
 #[cfg(doctest)]

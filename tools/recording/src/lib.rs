@@ -10,6 +10,7 @@
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
 //! - [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run.
+//! - [`play()`] shows a recording to monitors as if its robot ran.
 //! - [`Topics`] are those of standard schemas in the same file, for viewers.
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
@@ -32,6 +33,7 @@ mod metadata;
 mod monitor;
 mod names;
 mod part;
+mod play;
 mod program;
 mod recorder;
 mod recording;
@@ -58,6 +60,7 @@ pub use metadata::checksum;
 pub use monitor::{MonitorRecorder, ReceivedImage};
 pub use names::NameTable;
 pub use part::{RunPart, Split};
+pub use play::{PlayOptions, Played, play};
 pub use program::{Program, Start, processor};
 pub use recorder::{Backpressure, Recorder, RecorderOptions, Report, Sink, Syncing, create, tree_record};
 pub use recording::{BlobPlace, RecordedCycle, Recording, open};

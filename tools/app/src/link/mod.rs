@@ -21,7 +21,6 @@ pub(crate) use args::Link;
 use args::LinkAction;
 
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
-#[cfg(feature = "ros")]
 pub(crate) use args::address;
 pub use serve::{RosNode, ServeArgs};
 

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use bica_link::Address;
 use clap::{Args, Subcommand};
 
 use super::file::TopicsArg;
+use crate::link::address;
 
 #[derive(Clone, Debug, Args)]
 pub(crate) struct Record {
@@ -22,6 +24,8 @@ pub(super) enum RecordAction {
     Trim(Trim),
     /// Join all parts of a run that was recorded with --split to one recording
     Merge(Merge),
+    /// Play a recording to monitors, as if its robot ran
+    Play(PlayArgs),
     /// Write a recording as a bag of ROS 2: an MCAP file that `ros2 bag` reads
     #[cfg(feature = "ros")]
     Bag(Files),
@@ -90,6 +94,40 @@ pub(super) struct Trim {
     /// End of the span, s [default: the end of the recording]
     #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
     pub(super) until: Option<f64>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub(super) struct PlayArgs {
+    /// The recording
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+    /// Where monitors attach: HOST:PORT (port 0: any), or a serial line as /dev/ttyUSB0@921600
+    #[arg(long, value_name = "ADDR", value_parser = address)]
+    pub(super) serve: Address,
+    /// Allow an address of --serve that other computers reach; there is no password
+    #[arg(long)]
+    pub(super) listen_anywhere: bool,
+    /// Speed of time: 2 is twice as fast as recorded, 0.1 a tenth
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = speed, allow_negative_numbers = true)]
+    pub(super) speed: f64,
+    /// Begin here, s since the first cycle
+    #[arg(long, value_name = "S", default_value_t = 0.0, value_parser = time, allow_negative_numbers = true)]
+    pub(super) from: f64,
+    /// End here, s [default: the end of the recording]
+    #[arg(long, value_name = "S", value_parser = time, allow_negative_numbers = true)]
+    pub(super) until: Option<f64>,
+    /// Begin again after the end, until Ctrl-C
+    #[arg(long = "loop")]
+    pub(super) repeats: bool,
+    /// Print the result as JSON on stdout; all other output goes to stderr
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
+/// Parses a speed of time.
+fn speed(text: &str) -> Result<f64, String> {
+    let fits = text.parse().ok().filter(|speed: &f64| (0.01..=100.0).contains(speed));
+    fits.ok_or_else(|| "give a speed from 0.01 to 100".to_owned())
 }
 
 /// Parses a time in a recording, s since its first cycle.

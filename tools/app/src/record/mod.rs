@@ -1,14 +1,15 @@
-//! `record`: what a recording contains; mended and cut files.
+//! `record`: what a recording contains; mended, cut, joined and played files.
 
 mod args;
 mod file;
+mod play;
 
 use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, RunParts, Topics, create};
+use bica_recording::{Error, Info, Recordable, RunParts, Topics, create};
 use serde::Serialize;
 
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
@@ -18,7 +19,7 @@ pub(crate) use args::{Record, time};
 pub use file::{Images, RecordArgs, RecordedFile, TopicsArg};
 
 /// Runs the subcommand.
-pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
+pub(crate) fn run<R: Recordable + Default>(args: &Record) -> Result<Outcome, Failure> {
     match &args.action {
         RecordAction::Info(args) => info(args),
         RecordAction::Recover(Recover { files, topics }) => {
@@ -38,6 +39,7 @@ pub(crate) fn run(args: &Record) -> Result<Outcome, Failure> {
             let parts = RunParts::open(files)?;
             write(out, files, "joined", |target| Ok(parts.join(target, topics.map(Topics::from))?))
         }
+        RecordAction::Play(args) => play::play::<R>(args),
         #[cfg(feature = "ros")]
         RecordAction::Bag(files) => rewrite(files, "converted", |source, target| bica_ros::bag(source, target)),
     }

@@ -9,9 +9,9 @@ use serde::Serialize;
 use crate::console::{Console, Failure, Outcome, Style, interrupt};
 
 pub(crate) use args::ReplayArgs;
-pub(crate) use subject::replay;
 #[cfg(feature = "monitor")]
 pub(crate) use subject::rerun;
+pub(crate) use subject::{recorded_robot, replay};
 
 /// Number of decisions that are printed.
 const SHOWN: usize = 20;

@@ -51,12 +51,13 @@ fn subject<R: Robot + 'static>(
     set: &[String],
     runs_world: bool,
 ) -> Result<Subject<R>, Invalid> {
-    let robot = robot(robots, header, set)?;
+    let robot = recorded_robot(robots, header, set)?;
     let world = runs_world.then(|| world(worlds, header)).transpose()?;
     Ok(Subject { robot, world })
 }
 
-fn robot<R: Robot>(robots: Robots<R>, header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
+/// Returns the robot with the parameters of a recording, and others over them.
+pub(crate) fn recorded_robot<R: Robot>(robots: Robots<R>, header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
     let mut layers = Layers::new(const { &R::GRAPH });
     // The parameters of other trees are constants.
     if R::GRAPH.tunable {

@@ -1,8 +1,9 @@
 //! Recordings of a robot, and their replay.
 
 use std::path::Path;
+use std::process::Command;
 
-use crate::process::{Folder, refused, run};
+use crate::process::{Folder, Served, example, link, refused, run};
 
 #[test]
 fn recording_replays_with_other_parameters() {
@@ -87,4 +88,35 @@ fn split_run_is_joined_and_replayed() {
         refused(&["--record", &file, "--split", limit], &[words]);
     }
     refused(&["--split", "10min"], &["--record"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn played_recording_is_watched_until_ctrl_c() {
+    let folder = Folder::new("played");
+    let file = folder.file("run.mcap");
+    run(&["--seconds", "4", "--set", "Explorer.speed=0.3", "--record", &file]);
+    let mut program = example("wall_follower");
+    program.args(["record", "play", &file, "--serve", "127.0.0.1:0", "--loop", "--speed", "2"]);
+    let mut served = Served::start(program);
+    let watched = link(&served, &["watch", "WallDetector.distance", "--count", "150"]);
+    let of = |schema: &'static str| watched.iter().filter(move |line| line["schema"] == schema);
+    let [snapshots, distances] = ["bica/link-snapshot/1", "bica/link-info/1"].map(|schema| of(schema).count());
+    assert!(snapshots > 1 && distances > 10, "{snapshots} snapshots, {distances} distances");
+    let explorer = &link(&served, &["describe", "Explorer"])[0]["components"][0];
+    let speed = explorer["params"].as_array().and_then(|list| list.iter().find(|one| one["name"] == "speed"));
+    assert_eq!(speed.map(|one| &one["value"]), Some(&0.3.into()), "the recorded one");
+    refused(&["link", &served.address, "set", "Explorer.speed=0.5"], &["does not offer to be operated"]);
+    let id = served.child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().expect("kill runs").success());
+    assert_eq!(served.child.wait().expect("it ends").code(), Some(130));
+    for (args, words) in [
+        (&["--speed", "0"][..], "from 0.01 to 100"),
+        (&["--from", "2", "--until", "1"], "--until is before --from"),
+        (&["--from", "9"], "has no cycle in the span"),
+    ] {
+        run(&[&["record", "play", &file, "--serve", "127.0.0.1:0"], args].concat()).refused(&[words]);
+    }
+    refused(&["record", "play", &file], &["--serve"]);
+    refused(&["record", "play", &file, "--serve", "0.0.0.0:0"], &["--listen-anywhere"]);
 }

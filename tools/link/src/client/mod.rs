@@ -181,8 +181,12 @@ impl Client {
     /// Acquires the lease. `take` takes it also from its owner; only a person may decide that.
     ///
     /// # Errors
-    /// [`Error::Lease`] if somebody else owns it; [`Error::Timeout`], [`Error::Disconnected`].
+    /// [`Error::Lease`] if somebody else owns it; [`Error::NotOffered`] if monitors may only watch; [`Error::Timeout`],
+    /// [`Error::Disconnected`].
     pub fn acquire(&mut self, take: bool) -> Result<(), Error> {
+        if !self.offers().contains(Offers::OPERATE) {
+            return Err(Error::NotOffered("to be operated: monitors may only watch"));
+        }
         // The end of another one's lease may be on its way; it is not the answer.
         let is_answer = |lease: &LeaseState| lease.yours || (lease.owned && !take);
         let began = Instant::now();

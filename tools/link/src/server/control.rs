@@ -21,6 +21,10 @@ use super::stops::Stops;
 use super::watcher::Watcher;
 use super::watchers::Watchers;
 
+/// Why all requests to a recorded robot are refused.
+const RECORDED: &str =
+    "this is a recording that is played, in which nothing can be changed: attach to the robot itself";
+
 /// A request that was applied; the answer follows at the end of its cycle.
 #[derive(Debug)]
 pub(super) struct Applied {
@@ -223,7 +227,8 @@ impl Control {
         };
         let Request { number, change, .. } = request;
         let Err(code) = admitted else { return Some(Applied { connection: from.id, number, arrived, change }) };
-        self.refuse(from.id, number, arrived, code, 0, code.text().to_owned());
+        let text = if self.hub.is_recorded { RECORDED } else { code.text() };
+        self.refuse(from.id, number, arrived, code, 0, text.to_owned());
         None
     }
 
@@ -236,8 +241,8 @@ impl Control {
         let time = self.lease_time(now);
         let WorldRequest { number, lease, expires_us, change } = request;
         if !self.can_pause() {
-            let text = "time can be stopped only in a simulated world".to_owned();
-            self.refuse(connection, number, arrived, RefusalCode::World, 0, text);
+            let text = if self.hub.is_recorded { RECORDED } else { "time can be stopped only in a simulated world" };
+            self.refuse(connection, number, arrived, RefusalCode::World, 0, text.to_owned());
             return;
         }
         let admitted = if self.watch_only {

@@ -4,14 +4,13 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use bica::info::{InfoSink, Information};
-use bica::{ComponentId, Tree};
 use bica_wire::message::{InfoValue, MAX_INFO_BYTES};
 use bica_wire::{ToMonitor, TooLarge};
 
 use super::extras::Extra;
 use super::key::Key;
 use super::snapshot::Snapshot;
+use super::view::View;
 use crate::frame::Packets;
 
 /// What is watched, with n for every n-th cycle.
@@ -57,31 +56,16 @@ impl CycleData {
     }
 
     /// Reads an output.
-    pub(super) fn read<T: Tree>(&mut self, tree: &T, component: u16, info: u16) {
+    pub(super) fn read(&mut self, tree: &impl View, component: u16, info: u16) {
         // The room bounds the time that a large value takes.
         if self.bytes.len() < self.used + MAX_INFO_BYTES {
             self.bytes.resize(2 * (self.used + MAX_INFO_BYTES), 0);
         }
-        let mut sink = Bytes { room: &mut self.bytes[self.used..self.used + MAX_INFO_BYTES], length: None };
-        if !tree.read_info(ComponentId::new(component.into()), usize::from(info), &mut sink) {
-            return;
-        }
-        let place = sink.length.map(|length| self.used..self.used + length);
+        let room = &mut self.bytes[self.used..self.used + MAX_INFO_BYTES];
+        let Some(length) = tree.output(component, info, room) else { return };
+        let place = length.ok().map(|length| self.used..self.used + length);
         self.used = place.as_ref().map_or(self.used, |place| place.end);
         self.readings.push(Reading { component, info, place });
-    }
-}
-
-/// Puts a value in postcard's format into the room.
-struct Bytes<'a> {
-    room: &'a mut [u8],
-    /// Length of the value; none if it has no room.
-    length: Option<usize>,
-}
-
-impl InfoSink for Bytes<'_> {
-    fn take<V: Information>(&mut self, value: &V) {
-        self.length = postcard::to_slice(value, self.room).ok().map(|bytes| bytes.len());
     }
 }
 

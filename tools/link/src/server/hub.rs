@@ -63,6 +63,8 @@ pub(super) struct Hub {
     tree_hash: u64,
     pub(super) messages: MessageSchemas,
     pub(super) options: ServerOptions,
+    /// Whether the robot does not run: it is shown as it was recorded.
+    pub(super) is_recorded: bool,
     /// For messages that only watch, for stops, and for the others.
     watches: SyncSender<Inbound>,
     stops: SyncSender<Inbound>,
@@ -87,6 +89,7 @@ impl Hub {
         tree_hash: u64,
         messages: MessageSchemas,
         options: &ServerOptions,
+        is_recorded: bool,
     ) -> (Self, [Receiver<Inbound>; 3]) {
         let (inbox, receiver) = sync_channel((MAX_PENDING + UNCOUNTED) * MAX_MONITORS);
         let (watches, watch_receiver) = sync_channel(MAX_PENDING * MAX_MONITORS);
@@ -97,6 +100,7 @@ impl Hub {
             tree_hash,
             messages,
             options: *options,
+            is_recorded,
             watches,
             stops,
             inbox,
@@ -127,7 +131,8 @@ impl Hub {
     pub(super) fn offers(&self) -> Offers {
         let operate = if self.options.watch_only { Offers::default() } else { Offers::OPERATE };
         let images = if has_blobs(self.messages[0]) { Offers::IMAGES } else { Offers::default() };
-        self.options.offers.with(operate).with(images).with(Offers::CONDITIONS).with(Offers::COSTS)
+        let costs = if self.is_recorded { Offers::default() } else { Offers::COSTS };
+        self.options.offers.with(operate).with(images).with(Offers::CONDITIONS).with(costs)
     }
 
     /// How the run has ended.

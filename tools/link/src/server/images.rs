@@ -94,7 +94,7 @@ impl Extend<u8> for Nowhere {
 }
 
 /// Width and height of an image, px.
-const fn size(format: Format<'_>) -> Option<(u16, u16)> {
+pub(super) const fn size(format: Format<'_>) -> Option<(u16, u16)> {
     match format {
         Format::Yuyv { width, height } | Format::Gray8 { width, height } | Format::Rgb8 { width, height } => {
             // Two pixels share their colour.
@@ -105,7 +105,7 @@ const fn size(format: Format<'_>) -> Option<(u16, u16)> {
 }
 
 /// Appends an image in YUYV (JFIF); of an odd width without its last column.
-fn yuyv(format: Format<'_>, bytes: &[u8], out: &mut Vec<u8>) {
+pub(super) fn yuyv(format: Format<'_>, bytes: &[u8], out: &mut Vec<u8>) {
     match format {
         Format::Gray8 { width, .. } => {
             let rows = bytes.chunks_exact(usize::from(width).max(1));

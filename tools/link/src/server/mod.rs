@@ -18,8 +18,10 @@ mod picture;
 mod requests;
 mod scene;
 mod session;
+mod show;
 mod snapshot;
 mod stops;
+mod view;
 mod watcher;
 mod watchers;
 
@@ -42,6 +44,7 @@ pub use counters::LinkStats;
 pub use observer::LinkObserver;
 pub use options::{MAX_MONITORS, ServerOptions};
 pub use requests::LinkRequests;
+pub use show::LinkShow;
 
 /// Longest wait for the last messages when a server ends.
 const LAST_MESSAGES: Duration = Duration::from_millis(500);
@@ -85,12 +88,38 @@ impl LinkServer {
         Self::start_with(address, ServerOptions { offers, ..options }, shown)
     }
 
+    /// Starts a server that shows a recorded robot, which has the values of the parameters at the start of its recording. Monitors may only
+    /// watch.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub fn start_show<R: Recordable>(
+        address: &Address,
+        options: ServerOptions,
+        robot: Box<R>,
+    ) -> Result<(Self, LinkShow<R>), Error> {
+        let options = ServerOptions { watch_only: true, ..options };
+        let (server, requests, control) = Self::begin::<R>(address, options, WorldScenes::default(), true)?;
+        Ok((server, LinkShow::new(requests, control, robot)))
+    }
+
     fn start_with<R: Recordable>(
         address: &Address,
         options: ServerOptions,
         shown: WorldScenes,
     ) -> Result<(Self, LinkRequests, LinkObserver<R>), Error> {
-        let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, [R::SENSORS, R::COMMAND], &options);
+        let (server, requests, control) = Self::begin::<R>(address, options, shown, false)?;
+        Ok((server, requests, LinkObserver::new(control)))
+    }
+
+    fn begin<R: Recordable>(
+        address: &Address,
+        options: ServerOptions,
+        shown: WorldScenes,
+        is_recorded: bool,
+    ) -> Result<(Self, LinkRequests, Arc<Mutex<Control>>), Error> {
+        let messages = [R::SENSORS, R::COMMAND];
+        let (hub, inboxes) = Hub::new(const { &R::GRAPH }, R::HASH, messages, &options, is_recorded);
         let hub = Arc::new(hub);
         let (bound, listener) = listener::start(&hub, address, options.anywhere)?;
         let mut control = Control::new(Arc::clone(&hub), options, shown);
@@ -99,8 +128,7 @@ impl LinkServer {
         }
         let control = Arc::new(Mutex::new(control));
         let requests = LinkRequests::new(inboxes, Arc::clone(&control));
-        let observer = LinkObserver::new(control);
-        Ok((Self { hub, address: bound, listener: Some(listener) }, requests, observer))
+        Ok((Self { hub, address: bound, listener: Some(listener) }, requests, control))
     }
 
     /// Returns the address, with the port that the operating system chose for port 0.

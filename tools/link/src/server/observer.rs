@@ -20,6 +20,7 @@ use super::outbox::{AnswerKind, Message, OutputSchema};
 use super::picture::Picture;
 use super::requests::lock;
 use super::scene::EncodedScene;
+use super::view::View;
 use crate::cost_meter::CostMeter;
 
 /// Observer in the loop: sends answers, snapshots and information. It never waits.
@@ -177,7 +178,7 @@ impl Control {
     }
 
     /// Sends parameters that changed to all, and all parameters to those who asked.
-    fn send_params<T: Tree>(&mut self, tree: &T) {
+    pub(super) fn send_params(&mut self, tree: &impl View) {
         let cycle = self.next.cycle;
         self.changed.sort_unstable();
         self.changed.dedup();
@@ -188,13 +189,14 @@ impl Control {
         for connection in std::mem::take(&mut self.readers) {
             let schemas = Arc::clone(self.schemas.get_or_insert_with(|| schemas(tree)));
             self.tell(connection, Message::Schemas(schemas));
-            let values = (0..T::COUNT as u16).flat_map(|component| params(tree, cycle, component)).collect();
+            let values =
+                (0..tree.graph().nodes.len() as u16).flat_map(|component| params(tree, cycle, component)).collect();
             self.tell(connection, Message::Params(values));
         }
     }
 
     /// Reads what is watched in this cycle, once for all monitors.
-    fn send_data<T: Tree>(&mut self, tree: &T, conditions: &ConditionTable, costs: &mut CostMeter) {
+    pub(super) fn send_data(&mut self, tree: &impl View, conditions: &ConditionTable, costs: &mut CostMeter) {
         let info = self.next;
         let Self { watchers, pool, due, .. } = self;
         watchers.find_due(info.cycle, due);
@@ -215,7 +217,7 @@ impl Control {
     }
 
     /// Reads after the last cycle what monitors have not got since they watch it.
-    fn send_owed<T: Tree>(&mut self, tree: &T, conditions: &ConditionTable) {
+    fn send_owed(&mut self, tree: &impl View, conditions: &ConditionTable) {
         let Some(info) = self.last else { return };
         if !std::mem::replace(&mut self.stands, true) {
             self.watchers.owe_rest(info.cycle);
@@ -239,7 +241,7 @@ impl Control {
     }
 
     /// Reports transitions and stops of this cycle to the monitors that watch them, and pauses the world at a stop.
-    fn look_at_stops<T: Tree>(&mut self, now: Instant, tree: &T, conditions: &ConditionTable) {
+    pub(super) fn look_at_stops(&mut self, now: Instant, tree: &impl View, conditions: &ConditionTable) {
         self.stops.read(tree);
         let time_us = now.as_micros();
         let can_pause = self.can_pause() && !self.watch_only;
@@ -265,7 +267,7 @@ impl Control {
         self.hub.time_us.store(self.next.time_us, Ordering::Relaxed);
     }
 
-    fn next_cycle(&mut self) {
+    pub(super) fn next_cycle(&mut self) {
         self.next.cycle += 1;
         self.hub.next_cycle.store(self.next.cycle, Ordering::Relaxed);
     }
@@ -273,7 +275,7 @@ impl Control {
 
 impl CycleData {
     /// Reads outputs and conditions. Costs are those of a window, and the true state is not known before the world has advanced.
-    fn read_keys<T: Tree>(&mut self, keys: &[Key], tree: &T, conditions: &ConditionTable, time_us: u64) {
+    fn read_keys(&mut self, keys: &[Key], tree: &impl View, conditions: &ConditionTable, time_us: u64) {
         for &key in keys {
             match key {
                 Key::Info(component, index) => self.read(tree, component, index),
@@ -285,15 +287,15 @@ impl CycleData {
 }
 
 /// Reads all parameters of a component.
-fn params<T: Tree>(tree: &T, cycle: u64, component: u16) -> Vec<ParamValues> {
+fn params(tree: &impl View, cycle: u64, component: u16) -> Vec<ParamValues> {
     let firsts = (0..u16::MAX).step_by(MAX_VALUES);
-    firsts.map_while(|first| read::params(tree, cycle, component, first)).collect()
+    firsts.map_while(|first| tree.param_values(cycle, component, first)).collect()
 }
 
 /// Returns the schemas of all outputs.
-fn schemas<T: Tree>(tree: &T) -> Arc<[OutputSchema]> {
-    let outputs = T::GRAPH.nodes.iter().enumerate().flat_map(|(component, node)| {
-        let schema = move |info| Some((component, info, read::schema(tree, component, info)?));
+fn schemas(tree: &impl View) -> Arc<[OutputSchema]> {
+    let outputs = tree.graph().nodes.iter().enumerate().flat_map(|(component, node)| {
+        let schema = move |info| Some((component, info, tree.schema(component, info)?));
         (0..node.info.len()).filter_map(schema)
     });
     let schema = |(component, info, schema)| OutputSchema { component: component as u16, info: info as u16, schema };

@@ -1,8 +1,9 @@
 //! State of a tree after a cycle.
 
-use bica::{ComponentId, Tree};
 use bica_wire::message::{ComponentState, ComponentStates, CycleInfo, MAX_STATES};
 use bica_wire::{ToMonitor, TooLarge};
+
+use super::view::View;
 
 /// State of a tree after a cycle, or nothing.
 #[derive(Clone, Debug, Default)]
@@ -23,15 +24,9 @@ impl Snapshot {
     }
 
     /// Reads a tree.
-    pub(super) fn read<T: Tree>(&mut self, info: CycleInfo, tree: &T) {
+    pub(super) fn read(&mut self, info: CycleInfo, tree: &impl View) {
         self.info = info;
-        let status = |index| tree.status(ComponentId::new(index));
-        self.states.extend((0..T::COUNT).filter_map(status).map(|status| ComponentState {
-            active: status.active,
-            held: status.held,
-            state: status.state.map(|state| state as u16),
-            hz: status.hz,
-        }));
+        self.states.extend((0..tree.graph().nodes.len()).filter_map(|index| tree.component_state(index)));
     }
 
     /// Passes the messages of this snapshot on.

@@ -1,10 +1,10 @@
 //! Stops of monitors, and the transitions that they watch.
 
-use bica::{ComponentId, Tree};
 use bica_wire::message::{Reached, Stop, StopAt, Taken};
 
 use super::conditions::ConditionTable;
 use super::outbox::Message;
+use super::view::View;
 use super::watcher::MAX_WATCHED;
 
 /// Whether a component is active, and its state.
@@ -50,12 +50,11 @@ impl Stops {
     }
 
     /// Takes in the states after a cycle.
-    pub(super) fn read<T: Tree>(&mut self, tree: &T) {
+    pub(super) fn read(&mut self, tree: &impl View) {
         std::mem::swap(&mut self.now, &mut self.before);
-        let status = |index| tree.status(ComponentId::new(index));
-        let activity = |index| status(index).map(|now| (now.active, now.state.map(|state| state as u16)));
+        let activity = |index| tree.component_state(index).map(|now| (now.active, now.state));
         self.now.clear();
-        self.now.extend((0..T::COUNT).map(|index| activity(index).unwrap_or_default()));
+        self.now.extend((0..tree.graph().nodes.len()).map(|index| activity(index).unwrap_or_default()));
     }
 
     /// Returns the transitions of the last cycle for the connections that watch them.

@@ -23,6 +23,7 @@ use crate::recording::Recording;
 use compared::Compared;
 pub use rerun::rerun;
 use run::{Other, Repeated, Run};
+pub(crate) use subject::check_tree;
 pub use subject::{RepeatedWorld, Subject};
 
 /// What is replayed.

@@ -40,7 +40,7 @@ pub(super) fn checked<R: Recordable>(
     runs_world: bool,
     subject: impl FnOnce(&Header, bool) -> Result<Subject<R>, Invalid>,
 ) -> Result<Subject<R>, Invalid> {
-    check_tree::<R>(header)?;
+    check::<R>(header)?;
     if runs_world && !header.is_simulated() {
         let what = "the recording is of a world that cannot run again";
         return Err(Invalid::new(what, "replay it without --closed-loop, if it was recorded with sensor values"));
@@ -48,16 +48,24 @@ pub(super) fn checked<R: Recordable>(
     subject(header, runs_world)
 }
 
-/// Checks that the recording is of this program's tree and messages.
-fn check_tree<R: Recordable>(header: &Header) -> Result<(), Invalid> {
-    let help = "the header of the recording names the commit that recorded it; build that to replay it";
+/// Remedy if a program cannot use a recording.
+const OTHER_HELP: &str = "the header of the recording names the commit that recorded it; build that to replay it";
+
+/// Checks that the recording is of the tree and the messages of this program.
+fn check<R: Recordable>(header: &Header) -> Result<(), Invalid> {
+    check_tree::<R>(header, "it is not run again")?;
+    if header.messages() == Some(&Messages::of::<R>()) && tick_hz() == header.tick_hz {
+        return Ok(());
+    }
+    let what = "the recording has sensor values or commands of another form, so it is not run again";
+    Err(Invalid::new(what, OTHER_HELP))
+}
+
+/// Checks that a recording is of this program's tree; `so` is what follows if it is not.
+pub(crate) fn check_tree<R: Recordable>(header: &Header, so: &str) -> Result<(), Invalid> {
     let own = Description::of(&R::GRAPH);
-    if own.hash == header.tree.hash && tick_hz() == header.tick_hz {
-        if header.messages() == Some(&Messages::of::<R>()) {
-            return Ok(());
-        }
-        let what = "the recording has sensor values or commands of another form, so it is not run again";
-        return Err(Invalid::new(what, help));
+    if own.hash == header.tree.hash {
+        return Ok(());
     }
     let names = |tree: &Description| tree.components.iter().map(|one| one.name.clone()).collect::<Vec<_>>();
     let (recorded, present) = (names(&header.tree), names(&own));
@@ -69,5 +77,5 @@ fn check_tree<R: Recordable>(header: &Header) -> Result<(), Invalid> {
         ("", "") => "rates, links, states or transitions differ".to_owned(),
         (gone, new) => format!("components only in the recording: [{gone}], only in this program: [{new}]"),
     };
-    Err(Invalid::new(format!("the recording is of another activation tree, so it is not run again: {what}"), help))
+    Err(Invalid::new(format!("the recording is of another activation tree, so {so}: {what}"), OTHER_HELP))
 }

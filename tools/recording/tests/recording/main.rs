@@ -5,6 +5,7 @@ mod disk;
 mod monitor;
 mod overruns;
 mod parts;
+mod play;
 mod replay;
 mod support;
 mod topics;

@@ -16,10 +16,10 @@ use bica_recording::{
 use crate::support::{Cart, Command, Counter, Disk, Sensors, header, pixels, record, recorded, sensors, small_chunks};
 
 /// File that is removed at the end of a test.
-struct Temporary(PathBuf);
+pub(crate) struct Temporary(pub(crate) PathBuf);
 
 impl Temporary {
-    fn new(name: &str, content: &[u8]) -> Self {
+    pub(crate) fn new(name: &str, content: &[u8]) -> Self {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         fs::write(&path, content).expect("room");
         Self(path)
