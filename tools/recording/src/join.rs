@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::header::{Header, Topics};
 use crate::mcap::Message;
 use crate::message::{Channel, Tick};
+use crate::part::RunPart;
 use crate::recording::{decode, open};
 use crate::repair::{Copied, Copy};
 
@@ -56,6 +57,22 @@ impl Source<'_> {
 
 fn failed(path: &Path, error: &Error) -> Invalid {
     Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
+}
+
+impl RunPart {
+    /// Whether all files are parts of runs.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn are_all(paths: &[PathBuf]) -> Result<bool, Invalid> {
+        for path in paths {
+            let contents = open(path).and_then(Contents::new).map_err(|error| failed(path, &error))?;
+            if contents.header.part.is_none() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
 }
 
 /// All parts of a run, opened.

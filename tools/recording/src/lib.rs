@@ -9,7 +9,7 @@
 //! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
-//! - [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run.
+//! - [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run, [`Robots`] the topics of several robots.
 //! - [`play()`] shows a recording to monitors as if its robot ran.
 //! - [`Topics`] are those of standard schemas in the same file, for viewers.
 //!
@@ -28,6 +28,7 @@ mod info;
 mod information;
 mod join;
 pub mod mcap;
+mod merge;
 mod message;
 mod metadata;
 mod monitor;
@@ -55,6 +56,7 @@ pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInf
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use join::RunParts;
+pub use merge::Robots;
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use metadata::checksum;
 pub use monitor::{MonitorRecorder, ReceivedImage};

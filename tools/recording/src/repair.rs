@@ -131,7 +131,7 @@ pub fn trim(
 }
 
 /// Returns the time of the first cycle, ns since the start of the run's clock: large data of later cycles may precede it.
-fn first_time(source: &mut impl Read) -> Result<u64, Error> {
+pub(crate) fn first_time(source: &mut impl Read) -> Result<u64, Error> {
     let mut contents = Contents::new(source)?;
     loop {
         match contents.next()? {

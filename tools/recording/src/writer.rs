@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::io::{self, Write};
 
+use bica_wire::model::Description;
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use crate::error::Error;
@@ -21,11 +22,46 @@ pub(crate) struct RecordingWriter<W> {
     writer: Writer<W>,
     header: Header,
     deriver: Option<Deriver>,
-    /// Numbers of the channels and of the schemas of the topics so far.
+    topics: TopicTable,
+}
+
+/// Numbers of the channels and of the schemas of topics.
+#[derive(Debug, Default)]
+pub(crate) struct TopicTable {
     channels: HashMap<String, u16>,
-    schemas: HashMap<Schema, u16>,
+    /// Of each robot, by its number.
+    schemas: HashMap<(usize, Schema), u16>,
     /// What is declared before the next chunk.
     undeclared: (Vec<SchemaRecord>, Vec<ChannelRecord>),
+}
+
+impl TopicTable {
+    /// Returns the channel of a topic; its schema is that of a robot with a number and a tree.
+    pub(crate) fn channel(&mut self, topic: String, schema: (usize, Schema), tree: &Description) -> u16 {
+        if let Some(id) = self.channels.get(&topic) {
+            return *id;
+        }
+        let next = FIRST_TOPIC + self.schemas.len() as u16;
+        let schema_id = *self.schemas.entry(schema).or_insert_with(|| {
+            let (name, encoding, data) = schema.1.describe(tree);
+            self.undeclared.0.push(SchemaRecord { id: next, name, encoding: encoding.to_owned(), data });
+            next
+        });
+        let id = FIRST_TOPIC + self.channels.len() as u16;
+        let (encoding, metadata) = (schema.1.encoding().to_owned(), BTreeMap::new());
+        self.undeclared.1.push(ChannelRecord { id, schema: schema_id, topic: topic.clone(), encoding, metadata });
+        self.channels.insert(topic, id);
+        id
+    }
+
+    /// Declares new topics, and writes the messages so far.
+    pub(crate) fn flush<W: Write>(&mut self, writer: &mut Writer<W>) -> io::Result<()> {
+        let (schemas, channels) = std::mem::take(&mut self.undeclared);
+        if !channels.is_empty() {
+            writer.declare(schemas, channels)?;
+        }
+        writer.flush()
+    }
 }
 
 /// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
@@ -61,14 +97,7 @@ impl<W: Write> RecordingWriter<W> {
         writer.metadata(HEADER_NAME, &fields)?;
         writer.declare(schemas, channels)?;
         writer.compressed_metadata(HEADER_NAME, &fields)?;
-        Ok(Self {
-            writer,
-            header: header.clone(),
-            deriver,
-            channels: HashMap::new(),
-            schemas: HashMap::new(),
-            undeclared: Default::default(),
-        })
+        Ok(Self { writer, header: header.clone(), deriver, topics: TopicTable::default() })
     }
 
     /// Adds a message, and what follows from it for the topics.
@@ -76,47 +105,19 @@ impl<W: Write> RecordingWriter<W> {
         self.writer.message(compression, channel.id(), time, |out| out.extend_from_slice(data));
         let derived = self.deriver.as_mut().map(|deriver| deriver.derive(channel, time, data));
         for Derived { topic, schema, compression, data } in derived.into_iter().flatten() {
-            let id = self.topic(topic, schema);
+            let id = self.topics.channel(topic, (0, schema), &self.header.tree);
             self.writer.message(compression, id, time, |out| out.extend_from_slice(&data));
         }
     }
 
-    /// Returns the channel of a topic.
-    fn topic(&mut self, topic: String, schema: Schema) -> u16 {
-        if let Some(id) = self.channels.get(&topic) {
-            return *id;
-        }
-        let next = FIRST_TOPIC + self.schemas.len() as u16;
-        let schema_id = *self.schemas.entry(schema).or_insert_with(|| {
-            let (name, encoding, data) = schema.describe(&self.header.tree);
-            self.undeclared.0.push(SchemaRecord { id: next, name, encoding: encoding.to_owned(), data });
-            next
-        });
-        let id = FIRST_TOPIC + self.channels.len() as u16;
-        let encoding = schema.encoding().to_owned();
-        self.undeclared.1.push(ChannelRecord {
-            id,
-            schema: schema_id,
-            topic: topic.clone(),
-            encoding,
-            metadata: BTreeMap::new(),
-        });
-        self.channels.insert(topic, id);
-        id
-    }
-
     /// Writes the messages so far.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
-        let (schemas, channels) = std::mem::take(&mut self.undeclared);
-        if !channels.is_empty() {
-            self.writer.declare(schemas, channels)?;
-        }
-        self.writer.flush()
+        self.topics.flush(&mut self.writer)
     }
 
     /// Forgets the messages that are not written yet.
     pub(crate) fn discard(&mut self) {
-        self.undeclared = Default::default();
+        self.topics.undeclared = Default::default();
         self.writer.discard();
     }
 

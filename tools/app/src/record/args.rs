@@ -22,7 +22,7 @@ pub(super) enum RecordAction {
     Recover(Recover),
     /// Write a span of time of a recording to a new file
     Trim(Trim),
-    /// Join all parts of a run that was recorded with --split to one recording
+    /// Join all parts of a run that was recorded with --split; or merge recordings of several robots, by time, to a file for viewers
     Merge(Merge),
     /// Play a recording to monitors, as if its robot ran
     Play(PlayArgs),
@@ -54,10 +54,10 @@ pub(super) struct Files {
 pub(super) struct Merge {
     #[command(flatten)]
     pub(super) out: Out,
-    /// The parts, in any order
-    #[arg(value_name = "PART", required = true)]
+    /// All parts of one run, in any order; or recordings of robots, which have the names of their files
+    #[arg(value_name = "FILE", required = true)]
     pub(super) files: Vec<PathBuf>,
-    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the parts]
+    /// Topics for Foxglove, Lichtblick and Rerun in the new file [default: those of the recordings]
     #[arg(long, value_name = "WHICH")]
     pub(super) topics: Option<TopicsArg>,
 }

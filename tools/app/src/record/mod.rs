@@ -9,7 +9,7 @@ use std::io::{BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, Recordable, RunParts, Topics, create};
+use bica_recording::{Error, Info, Recordable, Robots, RunPart, RunParts, Topics, create};
 use serde::Serialize;
 
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
@@ -35,13 +35,22 @@ pub(crate) fn run<R: Recordable + Default>(args: &Record) -> Result<Outcome, Fai
             let topics = topics.map(Topics::from);
             rewrite(files, "trimmed", |source, target| repair::trim(source, target, from, until, topics))
         }
-        RecordAction::Merge(Merge { out, files, topics }) => {
-            let parts = RunParts::open(files)?;
-            write(out, files, "joined", |target| Ok(parts.join(target, topics.map(Topics::from))?))
-        }
+        RecordAction::Merge(args) => merge(args),
         RecordAction::Play(args) => play::play::<R>(args),
         #[cfg(feature = "ros")]
         RecordAction::Bag(files) => rewrite(files, "converted", |source, target| bica_ros::bag(source, target)),
+    }
+}
+
+/// Joins files if all are parts of runs, else merges them as those of several robots.
+fn merge(Merge { out, files, topics }: &Merge) -> Result<Outcome, Failure> {
+    let topics = topics.map(Topics::from);
+    if RunPart::are_all(files)? {
+        let parts = RunParts::open(files)?;
+        write(out, files, "joined", |target| Ok(parts.join(target, topics)?))
+    } else {
+        let robots = Robots::open(files, topics)?;
+        write(out, files, "merged", |target| Ok(robots.merge(target)?))
     }
 }
 

@@ -90,6 +90,22 @@ fn split_run_is_joined_and_replayed() {
     refused(&["--split", "10min"], &["--record"]);
 }
 
+#[test]
+fn robots_are_merged_for_viewers() {
+    let folder = Folder::new("merged");
+    let [alice, bob, out] = ["alice.mcap", "bob.mcap", "match.mcap"].map(|name| folder.file(name));
+    run(&["--seconds", "1", "--record", &alice]);
+    run(&["--seconds", "1", "--seed", "2", "--record", &bob]);
+    refused(&["record", "merge", &out, &alice, &alice], &["is given twice"]);
+    let other = folder.file("other/alice.mcap");
+    std::fs::create_dir(folder.file("other")).and_then(|()| std::fs::copy(&bob, &other)).expect("room");
+    refused(&["record", "merge", &out, &alice, &other], &[&alice, &other, "rename one of the two"]);
+    assert!(!Path::new(&out).exists(), "nothing is written");
+    let merged = run(&["record", "merge", &out, &alice, &bob, "--json"]);
+    assert_eq!((merged.code, &merged.json()["cycles"]), (Some(0), &100.into()), "{}", merged.stderr);
+    refused(&["record", "info", &out], &["not a recording of a robot"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn played_recording_is_watched_until_ctrl_c() {

@@ -54,7 +54,7 @@ pub(crate) struct Derived {
 }
 
 /// Returns a name as a part of a topic: viewers read a space as the end of a path.
-fn path(name: &str) -> String {
+pub(crate) fn path(name: &str) -> String {
     name.replace(char::is_whitespace, "_")
 }
 

@@ -2,6 +2,7 @@
 
 mod damage;
 mod disk;
+mod merge;
 mod monitor;
 mod overruns;
 mod parts;

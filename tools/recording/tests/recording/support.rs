@@ -10,9 +10,10 @@ use bica::prelude::*;
 use bica::runner::{Request, Robot, Runner};
 use bica::{Hold, Instant, Setting};
 use bica_recording::{
-    Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, Report, RunEvent, SetUp, Sink, Syncing,
-    Topics,
+    Header, ImagePolicy, RecordedCycle, Recorder, RecorderOptions, Recording, Report, RunEvent, Scenery, SetUp, Sink,
+    Syncing, Topics,
 };
+use serde_json::json;
 
 /// Sensor values of the cart.
 #[message]
@@ -307,6 +308,18 @@ pub(crate) fn run_with(recorder: Recorder, start: u64, cycles: u64, settings: &[
     }
     let (_, (), (), recorder) = runner.into_parts();
     recorder.finish("lit")
+}
+
+/// Returns a point that does not move.
+pub(crate) fn scenery(name: &str, frame: &str) -> Scenery {
+    Scenery {
+        name: name.to_owned(),
+        shape: "Point2".to_owned(),
+        frame: frame.to_owned(),
+        colour: None,
+        line_width: None,
+        value: json!({ "x": 1.0, "y": 2.0 }),
+    }
 }
 
 /// Options with chunks of few cycles.

@@ -11,7 +11,7 @@ use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
     Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle, Recorder,
-    RecorderOptions, Scenery, Tick, Topics, TreeRecord,
+    RecorderOptions, Tick, Topics, TreeRecord,
 };
 use bica_wire::message::Offers;
 use postcard_schema::Schema;
@@ -19,7 +19,7 @@ use postcard_schema::schema::NamedType;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::support::{Cart, Disk, Sensors, cycles, header, record_topics, recorded, sensors};
+use crate::support::{Cart, Disk, Sensors, cycles, header, record_topics, recorded, scenery, sensors};
 
 /// Messages of the topics of other programs, with their times, ns.
 fn topics(file: &[u8]) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
@@ -268,15 +268,8 @@ fn each_camera_has_its_own_topic() {
 
 #[test]
 fn equal_topics_are_refused_before_the_run() {
-    let item = |name: &str| Scenery {
-        name: name.to_owned(),
-        shape: "Point2".to_owned(),
-        frame: "room".to_owned(),
-        colour: None,
-        line_width: None,
-        value: json!({ "x": 1.0, "y": 2.0 }),
-    };
-    let header = Header { scenery: vec![item("far wall"), item("far_wall")], ..header(ImagePolicy::All) };
+    let header =
+        Header { scenery: vec![scenery("far wall", "room"), scenery("far_wall", "room")], ..header(ImagePolicy::All) };
     let refused = Recorder::start(Disk::default(), &header, RecorderOptions::default(), |_| {}).expect_err("one topic");
     let text = refused.to_string();
     assert!(text.contains("`far wall`") && text.contains("`far_wall`") && text.contains("/scene/far_wall"), "{text}");

@@ -1,0 +1,203 @@
+//! Recordings of several robots in one file for viewers.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufReader, Seek as _, Write};
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use bica_wire::model::Invalid;
+
+use crate::blob::BlobRecord;
+use crate::contents::{Contents, Part};
+use crate::encode::encode;
+use crate::error::Error;
+use crate::header::{Header, Topics};
+use crate::mcap::{Message, Writer};
+use crate::message::Channel;
+use crate::names::NameTable;
+use crate::recording::{decode, open};
+use crate::repair::{Copied, first_time};
+use crate::topics::{Derived, Deriver, path as topic_part};
+use crate::writer::TopicTable;
+
+/// Bytes of messages after which a chunk is written.
+const CHUNK_BYTES: usize = 1 << 20;
+
+/// Recordings of several robots, opened.
+pub struct Robots<'a>(Vec<Robot<'a>>);
+
+impl fmt::Debug for Robots<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.0.iter().map(|robot| robot.path)).finish()
+    }
+}
+
+/// The recording of a robot.
+struct Robot<'a> {
+    path: &'a Path,
+    /// The name of its file, as a part of topics and frames.
+    name: String,
+    contents: Contents<BufReader<File>>,
+    /// The header with its frames in the merged file.
+    header: Header,
+    deriver: Option<Deriver>,
+    /// Frames of the world, which all robots have in common.
+    common: Vec<String>,
+    /// Time from the run's clock to that of the computer, ns since 1970.
+    offset: i128,
+    next: Option<(Channel, Message)>,
+}
+
+fn failed(path: &Path, error: &Error) -> Invalid {
+    Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
+}
+
+impl<'a> Robots<'a> {
+    /// Opens recordings of several robots. The name of a file, without its folder and extension, is the name of its robot. Without
+    /// `topics` each has those of its header, or the standard ones.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or two have one name.
+    pub fn open(paths: &'a [PathBuf], topics: Option<Topics>) -> Result<Self, Invalid> {
+        let mut names = NameTable::new("name in the merged file");
+        for (index, path) in paths.iter().enumerate() {
+            if paths[..index].contains(path) {
+                return Err(Invalid::new(format!("`{}` is given twice", path.display()), "give each recording once"));
+            }
+            names.add(name_of(path), format!("`{}`", path.display()))?;
+        }
+        if paths.len() < 2 {
+            return Err(Invalid::new("one recording is nothing to merge", "give the recordings of several robots"));
+        }
+        paths.iter().map(|path| Robot::open(path, topics)).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// Writes the topics of all robots, by time.
+    ///
+    /// # Errors
+    /// If a recording is damaged, or the target cannot be written.
+    pub fn merge(mut self, target: impl Write) -> Result<Copied, Invalid> {
+        let written =
+            |error: io::Error| Invalid::new(format!("cannot write the new file: {error}"), "is the disk full?");
+        let (mut writer, mut topics) = (Writer::new(target, "").map_err(written)?, TopicTable::default());
+        let mut copied = Copied::default();
+        self.0.iter_mut().try_for_each(|robot| robot.advance(&mut copied))?;
+        while let Some((index, robot)) =
+            self.0.iter_mut().enumerate().filter(|(_, one)| one.next.is_some()).min_by_key(|(_, one)| one.time())
+        {
+            let time = robot.time();
+            for Derived { topic, schema, compression, data } in robot.derive(time)? {
+                let id = topics.channel(robot.topic(topic), (index, schema), &robot.header.tree);
+                writer.message(compression, id, time, |out| out.extend_from_slice(&data));
+            }
+            robot.advance(&mut copied)?;
+            if writer.pending() >= CHUNK_BYTES {
+                topics.flush(&mut writer).map_err(written)?;
+            }
+        }
+        topics.flush(&mut writer).and_then(|()| writer.close()).map_err(written)?;
+        Ok(Copied { bytes: writer.length(), ..copied })
+    }
+}
+
+/// Returns the name of a file as a part of topics.
+fn name_of(path: &Path) -> String {
+    topic_part(&path.file_stem().unwrap_or_default().to_string_lossy())
+}
+
+impl<'a> Robot<'a> {
+    fn open(path: &'a Path, topics: Option<Topics>) -> Result<Self, Invalid> {
+        let failed = |error| failed(path, &error);
+        let mut source = open(path).map_err(failed)?;
+        let first = first_time(&mut source).map_err(failed)?;
+        source.rewind().map_err(|error| failed(error.into()))?;
+        let contents = Contents::new(source).map_err(failed)?;
+        let started = &contents.header.start.time;
+        let started =
+            humantime::parse_rfc3339(started).ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
+        let started = started.ok_or_else(|| failed(Error::damaged(0, "the time of its start cannot be read")))?;
+        let name = name_of(path);
+        let common = contents.header.scenery.iter().map(|item| item.frame.clone()).collect();
+        let header = contents.header.clone();
+        let mut robot = Self {
+            path,
+            name,
+            contents,
+            header,
+            deriver: None,
+            common,
+            offset: started.as_nanos() as i128 - i128::from(first),
+            next: None,
+        };
+        robot.rename(topics);
+        robot.deriver = Deriver::new(&robot.header).map_err(|invalid| invalid.within(&path.display().to_string()))?;
+        Ok(robot)
+    }
+
+    /// Puts the name of the robot before the frames of its own.
+    fn rename(&mut self, topics: Option<Topics>) {
+        let recorded = self.header.topics;
+        self.header.topics = topics.unwrap_or(if recorded == Topics::None { Topics::Standard } else { recorded });
+        let mut components = std::mem::take(&mut self.header.tree.components);
+        for placement in components.iter_mut().flat_map(|one| &mut one.info).filter_map(|info| info.placement.as_mut())
+        {
+            placement.frame = self.frame(&placement.frame);
+            placement.child = placement.child.take().map(|child| self.frame(&child));
+        }
+        self.header.tree.components = components;
+    }
+
+    /// Returns the name of a frame in the merged file.
+    fn frame(&self, frame: &str) -> String {
+        let is_common = self.common.iter().any(|common| common == frame);
+        if is_common { frame.to_owned() } else { format!("{}/{frame}", self.name) }
+    }
+
+    /// Returns a topic in the merged file. Those of frames have the name already.
+    fn topic(&self, topic: String) -> String {
+        let prefix = format!("/{}", self.name);
+        let has_name = topic.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/'));
+        if has_name { topic } else { format!("{prefix}{topic}") }
+    }
+
+    /// Time of the next message, ns since 1970.
+    fn time(&self) -> u64 {
+        let time = self.next.as_ref().map_or(0, |(_, message)| message.time);
+        (i128::from(time) + self.offset).try_into().unwrap_or_default()
+    }
+
+    /// Returns the messages of topics that follow from the next message.
+    fn derive(&mut self, time: u64) -> Result<Vec<Derived>, Invalid> {
+        let Some((channel, message)) = self.next.take() else { return Ok(Vec::new()) };
+        let data = match channel {
+            Channel::Blobs => self.renamed(&message).map_err(|error| failed(self.path, &error))?,
+            _ => message.data,
+        };
+        Ok(self.deriver.as_mut().map(|deriver| deriver.derive(channel, time, &data)).unwrap_or_default())
+    }
+
+    /// Returns large data with the frame in the merged file.
+    fn renamed(&self, message: &Message) -> Result<Vec<u8>, Error> {
+        let record: BlobRecord<'_> = decode(message)?;
+        let frame = self.frame(record.frame);
+        let mut out = Vec::with_capacity(message.data.len() + self.name.len() + 1);
+        encode(&mut out, &BlobRecord { frame: &frame, ..record });
+        Ok(out)
+    }
+
+    /// Reads the next message.
+    fn advance(&mut self, copied: &mut Copied) -> Result<(), Invalid> {
+        self.next = loop {
+            match self.contents.next().map_err(|error| failed(self.path, &error))? {
+                Part::Message(channel, message) => {
+                    copied.cycles += u64::from(channel == Channel::Tick);
+                    break Some((channel, message));
+                }
+                Part::Chunk => copied.chunks += 1,
+                Part::End => break None,
+            }
+        };
+        Ok(())
+    }
+}

@@ -1,0 +1,110 @@
+//! Recordings of several robots in one file.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use bica_recording::mcap::{Item, Reader};
+use bica_recording::{Error, Header, ImagePolicy, Info, Recorder, Robots, Start};
+
+use crate::support::{Disk, header, run, scenery, small_chunks};
+
+/// Folder that is removed at the end of a test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let _ = fs::remove_dir_all(&folder);
+        fs::create_dir_all(folder.join("other")).expect("room");
+        Self(folder)
+    }
+
+    /// Records a cart that starts at a second of the year, in a clock that begins at another time, ms.
+    fn record(&self, name: &str, second: u32, clock: u64) -> PathBuf {
+        let start = Start { time: format!("2026-01-01T00:00:{second:02}.500Z"), host: String::new() };
+        let header = Header { start, scenery: vec![scenery("wall", "room")], ..header(ImagePolicy::All) };
+        let disk = Disk::default();
+        let recorder = Recorder::start(disk.clone(), &header, small_chunks(), |_| {}).expect("memory");
+        assert_eq!(run(recorder, clock, 60).cycles, 60);
+        let path = self.0.join(name);
+        fs::write(&path, disk.contents()).expect("room");
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Messages of each topic of other programs: times and contents.
+type Messages = BTreeMap<String, Vec<(u64, Vec<u8>)>>;
+
+fn messages(file: &[u8]) -> Messages {
+    let (mut reader, mut topics, mut messages) = (Reader::new(file).expect("MCAP"), BTreeMap::new(), Messages::new());
+    loop {
+        match reader.next_item().expect("intact") {
+            Item::Channel(channel) if channel.encoding != "postcard" => drop(topics.insert(channel.id, channel.topic)),
+            Item::Message(message) => {
+                if let Some(topic) = topics.get(&message.channel) {
+                    messages.entry(topic.clone()).or_default().push((message.time, message.data));
+                }
+            }
+            Item::End => return messages,
+            _ => {}
+        }
+    }
+}
+
+/// 2026-01-01, ns since 1970.
+const YEAR: u64 = 1_767_225_600_000_000_000;
+
+#[test]
+fn robots_have_their_own_topics_on_one_time() {
+    let folder = Folder::new("merged");
+    let paths = [folder.record("alice.mcap", 3, 0), folder.record("bob.mcap", 1, 70_000)];
+    let mut file = Vec::new();
+    let copied = Robots::open(&paths, None).and_then(|robots| robots.merge(&mut file)).expect("two robots");
+    assert_eq!((copied.cycles, copied.bytes), (120, file.len() as u64));
+    let merged = messages(&file);
+    assert_eq!(merged.keys().filter(|topic| !topic.starts_with("/alice/") && !topic.starts_with("/bob/")).count(), 0);
+    for (path, name, start) in [(&paths[0], "alice", YEAR + 3_500_000_000), (&paths[1], "bob", YEAR + 1_500_000_000)] {
+        let own = messages(&fs::read(path).expect("a file"));
+        let of_robot = merged.iter().filter(|(topic, _)| topic.starts_with(&format!("/{name}/")));
+        let counts = |messages: &Vec<(u64, Vec<u8>)>| messages.len();
+        let found: BTreeMap<_, _> =
+            of_robot.map(|(topic, all)| (topic[name.len() + 1..].to_owned(), counts(all))).collect();
+        assert_eq!(found, own.iter().map(|(topic, all)| (topic.clone(), counts(all))).collect(), "{name}");
+        let image = &merged[&format!("/{name}/camera/image")][0];
+        let frame = format!("{name}/camera");
+        assert!(image.1.windows(frame.len()).any(|part| part == frame.as_bytes()), "its frame is its own");
+        let wall = &merged[&format!("/{name}/scene/wall")][0];
+        assert!(!wall.1.windows(name.len()).any(|part| part == name.as_bytes()), "the room is common");
+        assert_eq!(merged[&format!("/{name}/states")][0].0, start);
+    }
+    let times: Vec<u64> = merged.values().flatten().map(|(time, _)| *time).collect();
+    let (first, last) = (times.iter().min().copied(), times.iter().max().copied());
+    assert_eq!((first, last.is_some_and(|last| last <= YEAR + 4_100_000_000)), (Some(YEAR + 1_500_000_000), true));
+    assert!(matches!(Info::read(&file[..]), Err(Error::NotARecording)), "it is for viewers");
+}
+
+#[test]
+fn equal_names_and_a_single_recording_are_refused() {
+    let folder = Folder::new("merged-refused");
+    let paths = [folder.record("alice.mcap", 0, 0), folder.record("other/alice.mcap", 0, 0)];
+    let refused = |paths: &[PathBuf]| Robots::open(paths, None).expect_err("refused").to_string();
+    let names = refused(&paths);
+    assert!(names.contains("refused/alice.mcap") && names.contains("other/alice.mcap"), "{names}");
+    assert!(refused(&paths[..1]).contains("nothing to merge"));
+    assert!(refused(&[paths[0].clone(), paths[0].clone()]).contains("alice.mcap` is given twice"));
+    let missing = [paths[0].clone(), folder.0.join("missing.mcap")];
+    assert!(refused(&missing).contains("missing.mcap"));
+    let whole = fs::read(&paths[0]).expect("a file");
+    let cut = folder.0.join("cut.mcap");
+    fs::write(&cut, &whole[..whole.len() / 2]).expect("room");
+    let paths = [paths[0].clone(), cut];
+    let failed = Robots::open(&paths, None).and_then(|robots| robots.merge(std::io::sink())).expect_err("cut");
+    assert!(failed.what.contains("cut.mcap") && failed.help.contains("record recover"), "{failed}");
+}
