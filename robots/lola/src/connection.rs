@@ -1,0 +1,117 @@
+//! The connection with LoLA's socket.
+
+use std::io::{self, ErrorKind, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
+
+use crate::buffer::{Found, MapBuffer};
+use crate::mistake::Mistake;
+use crate::sensor_map::SensorMap;
+
+/// Time between two attempts to connect.
+const RETRY: Duration = Duration::from_millis(100);
+/// Longest wait for bytes, after which the caller can ask whether the program ends.
+const WAIT: Duration = Duration::from_millis(50);
+/// Longest time in which an answer is sent. A robot that takes none for so long has closed its side in all but name.
+const SEND: Duration = Duration::from_millis(500);
+
+/// What happened on the connection.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Event {
+    /// The socket was opened: the robot may have been moved.
+    Opened,
+    /// The socket was closed, or failed.
+    Closed,
+    /// A valid map.
+    Map(Box<SensorMap>),
+    /// Bytes that are no valid map were dropped.
+    Rejected(Mistake),
+    /// Nothing for a while.
+    Silence,
+}
+
+/// Client of LoLA's socket that opens it again whenever it was closed.
+#[derive(Debug)]
+pub(crate) struct Connection {
+    path: PathBuf,
+    stream: Option<UnixStream>,
+    buffer: MapBuffer,
+}
+
+impl Connection {
+    /// A connection that is not open yet.
+    pub(crate) fn new(path: PathBuf) -> Self {
+        Self { path, stream: None, buffer: MapBuffer::default() }
+    }
+
+    /// The path of the socket.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Waits for the next event, 100 ms at most.
+    pub(crate) fn wait(&mut self) -> Event {
+        let Some(stream) = &mut self.stream else { return self.open() };
+        if let Some(found) = self.buffer.next_map() {
+            return event(found);
+        }
+        let mut bytes = [0; 8192];
+        match stream.read(&mut bytes) {
+            Ok(count) if count > 0 => self.buffer.push(&bytes[..count]),
+            Err(error) if is_idle(&error) => return Event::Silence,
+            Ok(_) | Err(_) => return self.close(),
+        }
+        self.buffer.next_map().map_or(Event::Silence, event)
+    }
+
+    /// Whether a further valid map was received already: the program is late.
+    pub(crate) fn is_late(&self) -> bool {
+        self.buffer.has_map()
+    }
+
+    /// Sends an answer. If that fails, the next event says so.
+    pub(crate) fn send(&mut self, bytes: &[u8]) {
+        if let Some(stream) = &mut self.stream
+            && stream.write_all(bytes).is_err()
+        {
+            // The next read fails or ends.
+            _ = stream.shutdown(std::net::Shutdown::Both);
+        }
+    }
+
+    /// Closes the socket.
+    pub(crate) fn close(&mut self) -> Event {
+        self.stream = None;
+        self.buffer.clear();
+        Event::Closed
+    }
+
+    fn open(&mut self) -> Event {
+        let open = || -> io::Result<UnixStream> {
+            let stream = UnixStream::connect(&self.path)?;
+            stream.set_read_timeout(Some(WAIT))?;
+            stream.set_write_timeout(Some(SEND))?;
+            Ok(stream)
+        };
+        if let Ok(stream) = open() {
+            self.stream = Some(stream);
+            return Event::Opened;
+        }
+        thread::sleep(RETRY);
+        Event::Silence
+    }
+}
+
+fn event(found: Found) -> Event {
+    match found {
+        Found::Map(map) => Event::Map(map),
+        Found::Rejected(mistake) => Event::Rejected(mistake),
+    }
+}
+
+/// Whether a read ended without an error: in time, or by a signal.
+fn is_idle(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
+}
