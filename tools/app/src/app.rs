@@ -18,7 +18,7 @@ use crate::replay;
 use crate::run::{self, RunArgs};
 use crate::start::start;
 use crate::tool::{Replay, Tool};
-use crate::world::{RegisteredWorld, Robots, WorldOptions};
+use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 
 /// Program of the robot `R`: its worlds and commands. `L` is the program's own layer of parameters.
 pub struct App<R: Robot, L: Layer = ()> {
@@ -90,7 +90,7 @@ where
         name: &'static str,
         open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
-        self.worlds.push(RegisteredWorld::new(name, false, open));
+        self.worlds.push(RegisteredWorld::new(name, Pace::Program, open));
         self
     }
 
@@ -101,7 +101,19 @@ where
         name: &'static str,
         open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
-        self.worlds.push(RegisteredWorld::new(name, true, open));
+        self.worlds.push(RegisteredWorld::new(name, Pace::Clock, open));
+        self
+    }
+
+    /// Adds a real robot that determines when a cycle begins: its world waits for it, and cannot be paused. The world also ends the run
+    /// on request ([`interrupt::requested`](crate::interrupt::requested)), since it may have to bring the robot to rest before.
+    #[must_use]
+    pub fn pacing_device<W: World<R> + 'static>(
+        mut self,
+        name: &'static str,
+        open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
+    ) -> Self {
+        self.worlds.push(RegisteredWorld::new(name, Pace::World, open));
         self
     }
 

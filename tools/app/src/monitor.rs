@@ -18,7 +18,7 @@ use crate::console::{Failure, Outcome, interrupt};
 use crate::record::{Images, RecordArgs, RecordedFile};
 use crate::replay::rerun;
 use crate::run::Running;
-use crate::world::{RegisteredWorld, Robots, WorldOptions};
+use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 
 /// Level of a note in the log of a recording: information.
 const NOTE_LEVEL: u8 = 2;
@@ -44,7 +44,7 @@ pub(crate) fn program<R: Recordable<Error: fmt::Display> + 'static>(
     extensions: Vec<Box<dyn Extension>>,
 ) -> Program {
     let worlds = Arc::new(worlds);
-    let simulated = (0..worlds.len()).filter(|&index| !worlds[index].is_device);
+    let simulated = (0..worlds.len()).filter(|&index| worlds[index].pace == Pace::Program);
     let local = |index| Box::new(Simulated { worlds: Arc::clone(&worlds), index, robots }) as Box<dyn LocalWorld>;
     Program {
         graph: Some(const { &R::GRAPH }),

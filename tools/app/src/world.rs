@@ -117,21 +117,31 @@ impl<R: Robot> Copy for Robots<R> {}
 /// Function that makes a world.
 type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send + Sync>;
 
+/// What determines when the next cycle of a world begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pace {
+    /// The program: as fast as possible, or by its clock.
+    Program,
+    /// A clock, as of a real robot: the world can neither run faster nor be paused.
+    Clock,
+    /// The world, which waits for its robot in each cycle: it cannot be paused either.
+    World,
+}
+
 /// World of a program.
 pub(crate) struct RegisteredWorld<R: Robot> {
     pub(crate) name: &'static str,
-    /// Whether its time is that of a clock, as of a real robot: it can neither run faster nor be paused.
-    pub(crate) is_device: bool,
+    pub(crate) pace: Pace,
     open: Open<R>,
 }
 
 impl<R: Robot> RegisteredWorld<R> {
     pub(crate) fn new<W: World<R> + 'static>(
         name: &'static str,
-        is_device: bool,
+        pace: Pace,
         open: impl Fn(&WorldOptions) -> Result<W, Failure> + Send + Sync + 'static,
     ) -> Self {
-        Self { name, is_device, open: Box::new(move |options| Ok(Box::new(open(options)?))) }
+        Self { name, pace, open: Box::new(move |options| Ok(Box::new(open(options)?))) }
     }
 
     pub(crate) fn open(&self, options: &WorldOptions) -> Result<Box<dyn World<R>>, Failure> {

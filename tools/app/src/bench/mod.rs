@@ -17,7 +17,7 @@ use clap::Args;
 
 use crate::console::{Console, Failure, Outcome, Style};
 use crate::run::seconds;
-use crate::world::{RegisteredWorld, Robots, WorldOptions};
+use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 use figures::Figures;
 use measure::Times;
 
@@ -59,7 +59,7 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
 ) -> Result<Outcome, Failure> {
     let is_wanted = |world: &&RegisteredWorld<R>| match &args.world {
         Some(name) => world.name == name,
-        None => !world.is_device,
+        None => world.pace == Pace::Program,
     };
     let worlds: Vec<_> = worlds.iter().filter(is_wanted).collect();
     if worlds.is_empty() {

@@ -18,7 +18,7 @@ use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::RosNode;
 use crate::params::{self, Layer};
 use crate::record::RecordedFile;
-use crate::world::{RegisteredWorld, Robots, WorldOptions};
+use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 pub use args::{RunArgs, seconds};
 use report::{End, Report};
 pub(crate) use running::Running;
@@ -50,13 +50,15 @@ where
     layers.apply(&mut *robot)?;
     let (console, layers) = (Console::new(args.json), params::in_force(&layers));
     params::print_in_force(console, &layers)?;
-    let is_paced = args.realtime || registered.is_device || args.link.is_paced();
-    let (served, requests, view) = serve::<R>(args, &*world, registered.is_device, actions, is_paced, console)?;
+    let is_realtime = args.realtime || registered.pace != Pace::Program || args.link.is_paced();
+    let is_paced = is_realtime && registered.pace != Pace::World;
+    let can_pause = registered.pace == Pace::Program;
+    let (served, requests, view) = serve::<R>(args, &*world, can_pause, actions, is_realtime, console)?;
     let header = |images| {
         let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);
         header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
     };
-    let (file, recorder) = args.record.start(header, is_paced)?.unzip();
+    let (file, recorder) = args.record.start(header, is_realtime)?.unzip();
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, is_paced);
@@ -65,7 +67,8 @@ where
     let aim = is_done.filter(|_| served.is_none());
     let limit = args.seconds.map(|seconds| bica::Duration::from_micros((seconds * 1e6) as u64));
     let end = loop {
-        let interrupted = || interrupt::requested().then_some(End::Interrupted);
+        // A world that paces has a robot to bring to rest before its run ends.
+        let interrupted = || (registered.pace != Pace::World && interrupt::requested()).then_some(End::Interrupted);
         if let Some(end) = running.end(aim, limit).or_else(interrupted) {
             break end;
         }
@@ -106,13 +109,13 @@ type Served<R> = (Option<(LinkServer, Option<RosNode>)>, Option<LinkRequests>, O
 fn serve<R: Recordable>(
     args: &RunArgs<impl Layer>,
     world: &dyn World<R>,
-    is_device: bool,
+    can_pause: bool,
     actions: &'static [Action],
     realtime: bool,
     console: Console,
 ) -> Result<Served<R>, Failure> {
     let Some(address) = args.link.address() else { return Ok((None, None, None)) };
-    let offers = if is_device { Offers::default() } else { Offers::PAUSE };
+    let offers = if can_pause { Offers::PAUSE } else { Offers::default() };
     let options =
         ServerOptions { anywhere: args.link.listen_anywhere, realtime, offers, actions, ..ServerOptions::default() };
     let (server, requests, observer) = LinkServer::start_in_world::<R>(&address, options, world)?;
