@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
 use bica_app::{RecordArgs, ServeArgs, TuningArgs, seconds};
@@ -10,7 +11,8 @@ use bica_evaluation::{
     trial_options::TrialOptions,
 };
 use bica_sim::setup::{Frame, MAX_ROBOTS};
-use clap::{Args, Subcommand, ValueEnum};
+use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
+use clap::{Arg, Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
 
@@ -75,9 +77,13 @@ pub(crate) enum Command {
 pub(crate) struct Play {
     /// World of the game: `built-in` (kinematic), `mujoco` (rigid-body dynamics; needs the feature `mujoco`), `firmware`
     /// (the built-in world, with the forward on an emulated microcontroller), or `league` (the simulation league's server, which
-    /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`)
-    #[arg(long, value_name = "WORLD", default_value = "built-in")]
-    pub(crate) world: World,
+    /// `cargo xtask league` installs; needs `--robot t1` or `--robot k1`), or `lola` (a real NAO V6 through its socket, `lola:SOCKET` or
+    /// `/tmp/robocup`; needs the feature `lola`)
+    #[arg(long, value_name = "WORLD", default_value = "built-in", value_parser = WorldParser)]
+    pub(crate) world: WorldArg,
+    /// With `--world lola`, socket with the camera images
+    #[arg(long, value_name = "SOCKET")]
+    pub(crate) frames: Option<PathBuf>,
     /// Firmware image for `--world firmware`; `cargo xtask firmware --build` builds the default ones: one for each size, and for
     /// 160x120 one with the server for monitors, which is used with --serve
     #[arg(long, value_name = "FILE")]
@@ -96,9 +102,9 @@ pub(crate) struct Play {
     pub(crate) size: Frame,
     #[arg(long, value_name = "NAME=VALUE", help = crate::game::OPTIONS)]
     pub(crate) option: Vec<String>,
-    /// Longest duration of a game, in simulated seconds
-    #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds, allow_negative_numbers = true)]
-    pub(crate) seconds: f64,
+    /// Longest duration of a game, in seconds of the world [default: 120; with `--world lola` until the end is requested]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
     /// Write a picture (PNG) of every change of the tree; each game of a series has its own folder
     #[arg(long, value_name = "DIR")]
     pub(crate) pictures: Option<PathBuf>,
@@ -150,6 +156,43 @@ pub(crate) enum World {
     Mujoco,
     Firmware,
     League,
+    Lola,
+}
+
+/// World with the socket of a real robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct WorldArg {
+    pub(crate) kind: World,
+    /// Path after `lola:`.
+    pub(crate) socket: Option<PathBuf>,
+}
+
+/// Parser of the name of a world, which may end with a socket.
+#[derive(Clone)]
+struct WorldParser;
+
+impl TypedValueParser for WorldParser {
+    type Value = WorldArg;
+
+    fn parse_ref(&self, command: &clap::Command, arg: Option<&Arg>, value: &OsStr) -> Result<WorldArg, clap::Error> {
+        if let Some(path) = value.to_str().and_then(|text| text.strip_prefix("lola:")) {
+            return Ok(WorldArg { kind: World::Lola, socket: Some(path.into()) });
+        }
+        let kind = EnumValueParser::<World>::new().parse_ref(command, arg, value)?;
+        Ok(WorldArg { kind, socket: None })
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let values = World::value_variants().iter().filter_map(ValueEnum::to_possible_value);
+        Some(Box::new(values))
+    }
+}
+
+impl Play {
+    /// Longest duration of a simulated game, s.
+    pub(crate) fn game_seconds(&self) -> f64 {
+        self.seconds.unwrap_or(120.0)
+    }
 }
 
 fn robots(text: &str) -> Result<usize, String> {

@@ -9,6 +9,8 @@ pub mod emulator;
 pub mod game;
 #[cfg(feature = "league")]
 mod league;
+#[cfg(all(feature = "lola", unix))]
+mod lola;
 mod play;
 
 use std::process::ExitCode;

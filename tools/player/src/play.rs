@@ -17,7 +17,19 @@ use crate::cli::{Play, World};
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
-    if args.world == World::League {
+    if args.world.kind == World::Lola {
+        #[cfg(all(feature = "lola", unix))]
+        return crate::lola::run(args);
+        #[cfg(all(feature = "lola", not(unix)))]
+        return Err(Failure::new("LoLA's socket is a Unix socket", "run this program on the robot, or on Linux"));
+        #[cfg(not(feature = "lola"))]
+        return Err(built_without("lola", "the driver of a real NAO"));
+    }
+    if args.frames.is_some() {
+        let what = "--frames belongs to a real robot, and this game is played in another world";
+        return Err(Failure::new(what, "give --world lola, too, or leave out --frames"));
+    }
+    if args.world.kind == World::League {
         #[cfg(feature = "league")]
         return crate::league::run(args);
         #[cfg(not(feature = "league"))]
@@ -27,22 +39,22 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         let what = "--server and --against belong to the league's server, and this game is played in another world";
         return Err(Failure::new(what, "give --world league --robot t1, too"));
     }
-    if args.image.is_some() && args.world != World::Firmware {
+    if args.image.is_some() && args.world.kind != World::Firmware {
         let what = "--image names a firmware image, and this game is played without firmware";
         return Err(Failure::new(what, "give --world firmware, too"));
     }
     let built = FirmwareImage::built(args.size, args.link.address().is_some());
     let image = || args.image.clone().unwrap_or_else(|| built.into());
-    let firmware = (args.world == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
+    let firmware = (args.world.kind == World::Firmware).then(|| FirmwareImage::new(image(), args.size)).transpose()?;
     let console = Console::new(args.json);
-    let kind = args.world.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
+    let kind = args.world.kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
     let layers = args.tuning.layers(&GRAPH, &kind)?;
     let rules = Rules {
-        world: world(args.world)?,
+        world: world(args.world.kind)?,
         seed: args.seed,
         size: args.size,
         robots: args.robots,
-        limit: Duration::from_secs_f64(args.seconds),
+        limit: Duration::from_secs_f64(args.game_seconds()),
         realtime: args.realtime || args.link.is_paced(),
         firmware,
         settings: settings(args, &layers)?,
@@ -83,11 +95,15 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
     if let Some(report) = crate::league::replay(options) {
         return report;
     }
+    #[cfg(all(feature = "lola", unix))]
+    if let Some(report) = crate::lola::replay(options) {
+        return report;
+    }
     crate::game::replay(options)
 }
 
 /// Returns the error of what needs a feature of Cargo.
-#[cfg(not(all(feature = "evaluation", feature = "league")))]
+#[cfg(not(all(feature = "evaluation", feature = "league", feature = "lola")))]
 pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
     let help = format!("give Cargo the feature, too: `cargo run --release --features {feature} -- …`");
     Failure::new(format!("this program was built without {what}"), help)
@@ -96,7 +112,7 @@ pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
 /// Returns the parameters of the command line and of the tune files of the world.
 fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure> {
     let settings = crate::game::settings(layers)?;
-    if args.world == World::Firmware && !settings.is_empty() {
+    if args.world.kind == World::Firmware && !settings.is_empty() {
         let help = "leave out --set and tune files, or play in another world";
         return Err(Failure::new("the parameters of a firmware image are constants", help));
     }
@@ -107,7 +123,7 @@ fn settings(args: &Play, layers: &Layers) -> Result<&'static [Setting], Failure>
 #[cfg_attr(feature = "mujoco", expect(clippy::unnecessary_wraps, reason = "without MuJoCo it is refused"))]
 fn world(world: World) -> Result<WorldKind, Failure> {
     match world {
-        World::BuiltIn | World::Firmware | World::League => Ok(WorldKind::BuiltIn),
+        World::BuiltIn | World::Firmware | World::League | World::Lola => Ok(WorldKind::BuiltIn),
         #[cfg(feature = "mujoco")]
         World::Mujoco => Ok(WorldKind::Mujoco),
         #[cfg(not(feature = "mujoco"))]

@@ -52,7 +52,7 @@ fn filmed<F: Footballer>(args: &Play, entry: &Entry, film: &Path) -> Result<Outc
     let layers = args.tuning.of_known_robot().layers(const { &F::Forward::GRAPH }, WORLD)?;
     layers.apply(&mut *forward::<F>())?;
     let console = Console::new(args.json);
-    let game = super::film::play::<F>(entry, &layers.settings(), args.seconds, film, console)?;
+    let game = super::film::play::<F>(entry, &layers.settings(), args.game_seconds(), film, console)?;
     console.print_json(&game)?;
     Ok(match game.goal_s {
         _ if interrupt::requested() => Outcome::Interrupted,
@@ -96,7 +96,7 @@ fn game<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
         seed: args.seed,
         option: vec![option::<F>()],
         realtime: args.realtime,
-        seconds: Some(args.seconds),
+        seconds: Some(args.game_seconds()),
         record: args.record.clone(),
         link: args.link.clone(),
         tuning: args.tuning.of_known_robot(),
@@ -125,7 +125,7 @@ fn series<F: Footballer>(args: &Play, entry: &Entry) -> Result<Outcome, Failure>
         let world = LeagueWorld::<F>::open(&Entry { seed, ..entry.clone() }, Arc::clone(&standing));
         let mut runner = Runner::new(forward::<F>(), world.map_err(|error| failure(&error))?);
         _ = runner.robot_mut().set_params(&layers.settings());
-        let limit = runner.world().now() + bica::Duration::from_micros((args.seconds * 1e6) as u64);
+        let limit = runner.world().now() + bica::Duration::from_micros((args.game_seconds() * 1e6) as u64);
         while !interrupt::requested() && !runner.world().is_over() && runner.world().now() < limit {
             // Infallible.
             _ = runner.cycle();

@@ -46,6 +46,8 @@ fn errors_name_the_feature_that_the_program_lacks() {
     }
     #[cfg(not(feature = "league"))]
     refused(&["play", "--world", "league"], &["built without", "--features league"]);
+    #[cfg(not(feature = "lola"))]
+    refused(&["play", "--world", "lola"], &["built without", "--features lola"]);
 }
 
 #[cfg(feature = "evaluation")]

@@ -8,6 +8,8 @@ mod firmware;
 mod games;
 mod graph;
 mod link;
+#[cfg(all(feature = "lola", unix))]
+mod lola;
 mod mujoco;
 mod params;
 #[cfg(feature = "evaluation")]

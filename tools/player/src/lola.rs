@@ -1,0 +1,180 @@
+//! `play --world lola`: a real NAO V6.
+
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use bica::Tree;
+use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions, interrupt};
+use bica_field::GoalColour;
+use bica_lola::{LolaWorld, Options, Standing};
+use bica_motion::model::RobotModel;
+use bica_motion::robot::{Buttons, Command, Light};
+use bica_player::Model;
+use bica_player::input::RobotProfile;
+use bica_player::perception::GoalDetector;
+use bica_player::tunable::Forward;
+use bica_recording::{Recording, ReplayOptions, ReplayReport};
+
+use crate::cli::Play;
+use crate::colour_profile::ColourProfile;
+
+/// Name of the world.
+const WORLD: &str = "lola";
+/// LoLA's socket on the robot.
+const SOCKET: &str = "/tmp/robocup";
+/// Option that says which goal is attacked.
+const ATTACKS: &str = "attacks";
+const SKY_BLUE: &str = "sky-blue";
+const YELLOW: &str = "yellow";
+
+/// Plays on a real robot as the command line requests.
+pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    refuse(args)?;
+    interrupt::end_in_order();
+    let attacks = attacked(&args.option)?;
+    let standing = Arc::<Mutex<Standing>>::default();
+    let (limit, shared) = (args.seconds, Arc::clone(&standing));
+    let socket = args.world.socket.clone().unwrap_or_else(|| SOCKET.into());
+    let frames = args.frames.clone();
+    let open = move |options: &WorldOptions| {
+        options.value(ATTACKS, String::new())?;
+        let options = Options {
+            socket: socket.clone(),
+            frames: frames.clone(),
+            limit,
+            stop: Box::new(interrupt::requested),
+            say: |text| eprintln!("lola: {text}"),
+            halt: end_motion,
+            standing: Arc::clone(&shared),
+        };
+        LolaWorld::open(options).map_err(|error| Failure::new(error.to_string(), "is there memory left?"))
+    };
+    let app = App::<Forward, ColourProfile>::new("player").robot(maker(attacks)).pacing_device(WORLD, open);
+    let run = RunArgs {
+        world: WORLD.to_owned(),
+        seed: args.seed,
+        option: args.option.clone(),
+        realtime: false,
+        // The robot must sit down before the run ends: its world keeps the time.
+        seconds: None,
+        record: args.record.clone(),
+        link: args.link.clone(),
+        tuning: args.tuning.clone(),
+        json: args.json,
+    };
+    app.play(&run)?;
+    let Standing { opened, is_low, .. } = *standing.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(if is_low || opened == 0 { Outcome::Success } else { Outcome::Unsuccessful })
+}
+
+/// Runs the code again on the recording of a game; `None` if it is not one of this world.
+pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
+    // The reader of the other games reports a file that cannot be read.
+    let recording = Recording::open(options.path).ok()?;
+    let set_up = &recording.header().set_up;
+    let attacks_sky_blue =
+        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
+    (set_up.get("world")?.as_str()? == WORLD).then(|| {
+        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
+        App::<Forward, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
+    })
+}
+
+/// Refuses what a real robot does not have, and a socket that can never be one.
+fn refuse(args: &Play) -> Result<(), Failure> {
+    let simulated = args.pictures.is_some() || args.film.is_some() || args.games.is_some() || args.robots > 0;
+    if simulated || args.image.is_some() || args.league.server.is_some() || args.league.against {
+        let what = "a real robot has no pictures, films, series, other robots, firmware images and servers";
+        return Err(Failure::new(
+            what,
+            "leave out --pictures, --film, --games, --robots, --image, --server and --against",
+        ));
+    }
+    let sockets = args.world.socket.iter().chain(&args.frames);
+    for path in sockets {
+        if path.as_os_str().is_empty() {
+            return Err(Failure::new(
+                "no path follows `lola:`, or --frames is empty",
+                "write --world lola:/tmp/robocup",
+            ));
+        }
+        if path.is_file() || path.is_dir() {
+            let what = format!("`{}` is no socket", path.display());
+            return Err(Failure::new(what, "give the path of LoLA's socket, as in --world lola:/tmp/robocup"));
+        }
+    }
+    let folder = args.world.socket.as_deref().and_then(Path::parent).filter(|folder| !folder.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => {
+            let what = format!("there is no folder `{}` for the socket", folder.display());
+            Err(Failure::new(what, "give the path of LoLA's socket, which is /tmp/robocup on the robot"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Goal that `--option attacks=COLOUR` names.
+fn attacked(options: &[String]) -> Result<GoalColour, Failure> {
+    let colour = options.iter().filter_map(|option| option.split_once('=')).find(|(name, _)| name.trim() == ATTACKS);
+    match colour.map(|(_, colour)| colour.trim()) {
+        None | Some(YELLOW) => Ok(GoalColour::Yellow),
+        Some(SKY_BLUE) => Ok(GoalColour::SkyBlue),
+        Some(other) => {
+            let what = format!("--option {ATTACKS}={other}: no goal has this colour");
+            Err(Failure::new(what, format!("give {YELLOW} or {SKY_BLUE}")))
+        }
+    }
+}
+
+fn maker(attacks: GoalColour) -> fn() -> Box<Forward> {
+    match attacks {
+        GoalColour::Yellow => || forward(GoalColour::Yellow),
+        GoalColour::SkyBlue => || forward(GoalColour::SkyBlue),
+    }
+}
+
+/// The forward with the motions for a body with dynamics.
+fn forward(attacks: GoalColour) -> Box<Forward> {
+    let mut forward = Box::new(Forward::new());
+    forward.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+    forward.get_mut::<GoalDetector>().attack(attacks);
+    forward
+}
+
+/// Presses the chest button, as a referee does, while the light in it shows that the robot plays: it ends its step and stands.
+const fn end_motion(cycle: u32, buttons: &mut Buttons, command: &Command) {
+    let Light(red, green, _) = command.lights.chest;
+    // A press begins where the button was released before.
+    buttons.chest = green > red && cycle % 2 == 1;
+}
+
+#[cfg(test)]
+mod tests {
+    use bica_motion::joints::Joints;
+
+    use super::*;
+
+    #[test]
+    fn attacked_goal_is_an_option() {
+        let attacked = |options: &[&str]| attacked(&options.iter().map(ToString::to_string).collect::<Vec<_>>());
+        assert_eq!(attacked(&[]).ok(), Some(GoalColour::Yellow));
+        assert_eq!(attacked(&["attacks=sky-blue"]).ok(), Some(GoalColour::SkyBlue));
+        assert!(attacked(&["attacks=red"]).is_err());
+    }
+
+    #[test]
+    fn playing_robot_is_sent_off_once() {
+        let mut command = Command::new(Joints::all(0.0), 0.0);
+        let mut pressed = |cycle, light| {
+            let mut buttons = Buttons { chest: true, ..Buttons::default() };
+            command.lights.chest = light;
+            end_motion(cycle, &mut buttons, &command);
+            buttons.chest
+        };
+        let (red, green) = (Light(1.0, 0.0, 0.0), Light(0.0, 1.0, 0.0));
+        assert_eq!(
+            [pressed(0, green), pressed(1, green), pressed(2, red), pressed(3, red)],
+            [false, true, false, false]
+        );
+    }
+}
