@@ -138,8 +138,10 @@ def broken(kind, data):
 
 
 def frame(link, number):
+    pixels = bytearray(b"\x80") * 153600
+    pixels[::2] = random.Random(number).randbytes(76800)  # grey noise: a camera without noise is broken
     for camera in (0, 1):
-        link.sendall(struct.pack("<4sBBHHHIQII", b"FRM1", camera, 0, 0, 320, 240, number, 12000 * number, 153600, 0) + b"\x60\x80" * 76800)
+        link.sendall(struct.pack("<4sBBHHHIQII", b"FRM1", camera, 0, 0, 320, 240, number, 12000 * number, 153600, 0) + pixels)
 
 
 def run(robot, args, frames):
