@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use bica_lola::{LolaWorld, hip_height};
+use bica_lola::{LolaWorld, Reason, hip_height};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::model::{Nao, RobotModel};
 use bica_motion::robot::Command;
@@ -84,4 +84,7 @@ fn measurements_have_our_units_and_signs() {
     robot.map.temperature[24] = 38.0;
     robot.map.touch[5] = 1.0;
     robot.cycles(RISE + 20);
+    // A failed assertion of the program would be the reason.
+    robot.stop();
+    assert_eq!(robot.run_to_end().1.reason, Some(Reason::Signal));
 }

@@ -45,6 +45,8 @@ fn long_maps_are_not_answered() {
 fn damaged_maps_are_not_answered() {
     survives(|map| vec![0xc1; map.len()]);
     survives(|map| vec![0x8d; map.len()]);
+    // The start of a map with a long text, which the next map does not complete.
+    survives(|_| b"\x8e\xa1x\xda\x0f\xff".to_vec());
     survives(|map| replace(map, b"\xa5Touch\x9e\xca", b"\xa5Touch\x9e\xcb"));
     survives(|map| replace(map, b"\xa6Angles\x92", b"\xa6Angles\x91"));
     survives(|map| replace(map, b"\xa6Status\xdc\x00\x19\x00", b"\xa6Status\xdc\x00\x19\xff"));
