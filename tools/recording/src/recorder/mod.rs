@@ -143,8 +143,8 @@ impl Recorder {
         Self::spawn(writing, header, options, on_end)
     }
 
-    /// Starts as [`start`](Self::start) a recording that goes on in another file when a part has reached a limit. `file` makes the file of a
-    /// part with a number, from 1.
+    /// Starts as [`start`](Self::start) a recording that goes on in another file when a part has reached a limit. `file` makes the file
+    /// of a part with a number, from 1.
     ///
     /// # Errors
     /// As [`start`](Self::start).
