@@ -3,10 +3,12 @@
 use std::io::{self, ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
+use std::process::{Child, Command};
 use std::thread;
 use std::time::Duration;
 
 use crate::buffer::{Found, MapBuffer};
+use crate::guard;
 use crate::mistake::Mistake;
 use crate::sensor_map::SensorMap;
 
@@ -20,8 +22,8 @@ const SEND: Duration = Duration::from_millis(500);
 /// What happened on the connection.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
-    /// The socket was opened: the robot may have been moved.
-    Opened,
+    /// The socket was opened: the robot may have been moved. With the reason if there should be a guard, and there is none.
+    Opened(Option<String>),
     /// The socket was closed, or failed.
     Closed,
     /// A valid map.
@@ -36,14 +38,23 @@ pub(crate) enum Event {
 #[derive(Debug)]
 pub(crate) struct Connection {
     path: PathBuf,
+    /// Makes the command of a guard.
+    guard: Option<fn(&Path) -> Command>,
     stream: Option<UnixStream>,
+    /// The guard of the open socket.
+    child: Option<Child>,
     buffer: MapBuffer,
 }
 
 impl Connection {
     /// A connection that is not open yet.
-    pub(crate) fn new(path: PathBuf) -> Self {
-        Self { path, stream: None, buffer: MapBuffer::default() }
+    pub(crate) fn new(path: PathBuf, guard: Option<fn(&Path) -> Command>) -> Self {
+        Self { path, guard, stream: None, child: None, buffer: MapBuffer::default() }
+    }
+
+    /// The open connection of another process, with the bytes that were not yet used.
+    pub(crate) fn taken_over(path: PathBuf, stream: UnixStream, buffer: MapBuffer) -> Self {
+        Self { path, guard: None, stream: Some(stream), child: None, buffer }
     }
 
     /// The path of the socket.
@@ -81,26 +92,45 @@ impl Connection {
         }
     }
 
-    /// Closes the socket.
+    /// Closes the socket, and waits for the guard, which does the same.
     pub(crate) fn close(&mut self) -> Event {
         self.stream = None;
+        if let Some(mut child) = self.child.take() {
+            // A guard that cannot be waited for has ended.
+            _ = child.wait();
+        }
         self.buffer.clear();
         Event::Closed
     }
 
-    fn open(&mut self) -> Event {
-        let open = || -> io::Result<UnixStream> {
-            let stream = UnixStream::connect(&self.path)?;
-            stream.set_read_timeout(Some(WAIT))?;
-            stream.set_write_timeout(Some(SEND))?;
-            Ok(stream)
-        };
-        if let Ok(stream) = open() {
-            self.stream = Some(stream);
-            return Event::Opened;
+    /// Ends the guard, so that it does not go on with what this program has given up.
+    pub(crate) fn dismiss(&mut self) {
+        if let Some(child) = &mut self.child {
+            // A guard that cannot be ended has ended.
+            _ = child.kill();
         }
-        thread::sleep(RETRY);
-        Event::Silence
+    }
+
+    fn open(&mut self) -> Event {
+        let Ok(robot) = UnixStream::connect(&self.path) else {
+            thread::sleep(RETRY);
+            return Event::Silence;
+        };
+        let guarded = self.guard.map(|command| guard::start(&robot, command(&self.path)));
+        let (stream, child, reason) = match guarded {
+            None => (robot, None, None),
+            Some(Ok((stream, child))) => (stream, Some(child), None),
+            Some(Err(error)) => (robot, None, Some(error.to_string())),
+        };
+        let limit = || -> io::Result<()> {
+            stream.set_read_timeout(Some(WAIT))?;
+            stream.set_write_timeout(Some(SEND))
+        };
+        if limit().is_err() {
+            return Event::Silence;
+        }
+        (self.stream, self.child) = (Some(stream), child);
+        Event::Opened(reason)
     }
 }
 
@@ -112,6 +142,6 @@ fn event(found: Found) -> Event {
 }
 
 /// Whether a read ended without an error: in time, or by a signal.
-fn is_idle(error: &io::Error) -> bool {
+pub(crate) fn is_idle(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut | ErrorKind::Interrupted)
 }

@@ -7,8 +7,12 @@ mod connection;
 mod ending;
 #[cfg(unix)]
 mod frames;
+#[cfg(unix)]
+mod guard;
 mod limiter;
 mod mistake;
+#[cfg(unix)]
+mod options;
 mod phase;
 mod posture;
 mod reader;
@@ -22,12 +26,16 @@ pub use buffer::{Found, MapBuffer};
 pub use ending::{Reason, Watch};
 #[cfg(unix)]
 pub use frames::{Frame, Header};
+#[cfg(unix)]
+pub use guard::guard;
 pub use limiter::Limiter;
 pub use mistake::{Mistake, Undecoded};
+#[cfg(unix)]
+pub use options::{Options, Standing};
 pub use posture::{SITTING_HEIGHT, hip_height};
 pub use sensor_map::{SENSOR_MAP_BYTES, SensorMap};
 #[cfg(unix)]
-pub use world::{LolaWorld, Options, Standing};
+pub use world::LolaWorld;
 
 /// Time from one sensor map to the next, µs: 83.3 Hz. Source: B-Human 2023 `motionCycleTime`.
 pub const CYCLE_MICROS: u64 = 12_000;

@@ -28,6 +28,11 @@ impl Limiter {
         self.last = None;
     }
 
+    /// A limiter whose last map had these targets (rad) and this stiffness (0 to 1).
+    pub(crate) const fn after(targets: Joints, stiffness: Joints) -> Self {
+        Self { last: Some((targets, stiffness)) }
+    }
+
     /// Targets of the last map, rad; the measured angles before the first one.
     #[must_use]
     pub fn targets(&self, measured: &Joints) -> Joints {

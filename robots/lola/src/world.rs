@@ -1,15 +1,14 @@
 //! The real robot as a world.
 
 use std::io;
-use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant as Clock};
 
 use bica::Instant;
 use bica::runner::{Robot, World};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::robot::{Buttons, CameraId, Command, Lights, Sensors};
+use bica_motion::robot::{CameraId, Command, Lights, Sensors};
 
 use crate::CYCLE_MICROS;
 use crate::actuator_map::ActuatorMap;
@@ -18,6 +17,7 @@ use crate::ending::{Reason, Watch};
 use crate::frames::{Frame, Mailbox, Receiver};
 use crate::limiter::Limiter;
 use crate::mistake::Mistake;
+use crate::options::{Options, Standing};
 use crate::phase::{Halt, LIMP, Phase, Rise, SitDown, Sitting, holding};
 use crate::posture::{is_in_leg, is_low};
 use crate::sensor_map::SensorMap;
@@ -28,42 +28,6 @@ const LONGEST_END: Duration = Duration::from_secs(11);
 const LONGEST_SILENCE: Duration = Duration::from_secs(5);
 /// Least time between two lines about maps that were not used.
 const BETWEEN_REJECTIONS: Duration = Duration::from_secs(1);
-
-/// Where the robot is, and how it is ended.
-pub struct Options {
-    /// LoLA's socket.
-    pub socket: PathBuf,
-    /// Socket with camera images; `None`: the robot program gets no images.
-    pub frames: Option<PathBuf>,
-    /// Longest duration of the run, s of the robot's time.
-    pub limit: Option<f64>,
-    /// Whether the program was asked to end.
-    pub stop: Box<dyn Fn() -> bool + Send>,
-    /// Says something to people.
-    pub say: fn(&str),
-    /// Asks the robot program to end its motion before the robot sits down, by buttons: gets the number of the cycle since the request, and
-    /// the last command.
-    pub halt: fn(u32, &mut Buttons, &Command),
-    /// How the run went, for the one who has started it.
-    pub standing: Arc<Mutex<Standing>>,
-}
-
-/// How a run stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Standing {
-    /// Number of valid maps.
-    pub maps: u64,
-    /// Number of times that bytes were dropped which are no valid map.
-    pub rejected: u64,
-    /// Number of times that the socket was opened.
-    pub opened: u64,
-    /// Number of maps that were answered with the last targets because the robot program was late.
-    pub late: u64,
-    /// Why the run ended.
-    pub reason: Option<Reason>,
-    /// Whether the robot sat or lay when its joints became limp.
-    pub is_low: bool,
-}
 
 /// A NAO V6 behind its socket.
 ///
@@ -101,8 +65,42 @@ impl LolaWorld {
         let mailbox = Arc::<Mailbox>::default();
         let start = |path| Receiver::start(path, Arc::clone(&mailbox), options.say);
         let receiver = options.frames.clone().map(start).transpose()?;
-        let mut world = Self {
-            connection: Connection::new(options.socket.clone()),
+        let connection = Connection::new(options.socket.clone(), options.guard);
+        let mut world = Self::with(options, connection, mailbox, receiver);
+        world.say(&format!("waits for the robot at {}", world.connection.path().display()));
+        world.advance();
+        Ok(world)
+    }
+
+    /// A robot whose program was killed, after its last map, of which this number was not answered: it sits down when this value is
+    /// dropped.
+    pub(crate) fn taken_over(
+        connection: Connection,
+        limiter: Limiter,
+        map: &SensorMap,
+        unanswered: u64,
+        say: fn(&str),
+    ) -> Self {
+        let options = Options {
+            socket: connection.path().to_owned(),
+            frames: None,
+            guard: None,
+            limit: None,
+            stop: Box::new(|| false),
+            say,
+            halt: |_, _, _| (),
+            standing: Arc::default(),
+        };
+        let standing = Standing { maps: 1, opened: 1, ..Standing::default() };
+        let mut world = Self::with(options, connection, Arc::default(), None);
+        (world.limiter, world.map, world.standing, world.phase) = (limiter, *map, standing, Phase::Follow);
+        (0..unanswered).for_each(|_| world.repeat());
+        world
+    }
+
+    fn with(options: Options, connection: Connection, mailbox: Arc<Mailbox>, receiver: Option<Receiver>) -> Self {
+        Self {
+            connection,
             options,
             limiter: Limiter::default(),
             watch: Watch::default(),
@@ -117,10 +115,7 @@ impl LolaWorld {
             rejected: None,
             deadline: None,
             _receiver: receiver,
-        };
-        world.say(&format!("waits for the robot at {}", world.connection.path().display()));
-        world.advance();
-        Ok(world)
+        }
     }
 
     /// Measurements of this cycle, with a new image if there is one.
@@ -160,7 +155,7 @@ impl LolaWorld {
                 break;
             }
             match self.connection.wait() {
-                Event::Opened => self.opened(),
+                Event::Opened(unguarded) => self.opened(unguarded),
                 Event::Closed => self.say("the socket was closed, and is opened again"),
                 Event::Rejected(mistake) => self.reject(&mistake),
                 Event::Map(map) if self.take(&map) => break,
@@ -170,7 +165,10 @@ impl LolaWorld {
         *self.options.standing.lock().unwrap_or_else(PoisonError::into_inner) = self.standing;
     }
 
-    fn opened(&mut self) {
+    fn opened(&mut self, unguarded: Option<String>) {
+        if let Some(reason) = unguarded {
+            self.say(&format!("the guard cannot be started, so a killed program leaves the robot standing: {reason}"));
+        }
         self.standing.opened += 1;
         self.limiter.reset();
         self.is_pending = false;
@@ -299,6 +297,9 @@ impl LolaWorld {
     fn finish(&mut self, text: &str) {
         self.say(text);
         self.phase = Phase::Over;
+        if !self.standing.is_low {
+            self.connection.dismiss();
+        }
         self.connection.close();
     }
 

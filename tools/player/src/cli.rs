@@ -64,6 +64,12 @@ pub(crate) enum Command {
     #[cfg(feature = "evaluation")]
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(CalibrationOptions),
+    #[cfg(all(feature = "lola", unix))]
+    #[command(name = crate::lola::GUARD, hide = true)]
+    Guard {
+        #[arg(value_name = "SOCKET")]
+        socket: PathBuf,
+    },
     /// Detections in recorded images, calibration, trials in MuJoCo: with the feature `evaluation` of Cargo
     #[cfg(not(feature = "evaluation"))]
     #[command(name = "watch", visible_aliases = ["see", "calibrate", "trial"], disable_help_flag = true)]

@@ -47,6 +47,8 @@ pub fn app() -> App<Forward, ColourProfile> {
             Command::Calibrate(args) => calibrate::run(&args),
             #[cfg(feature = "evaluation")]
             Command::Trial(args) => trial_options::run(&args),
+            #[cfg(all(feature = "lola", unix))]
+            Command::Guard { socket } => lola::guard(&socket),
             #[cfg(not(feature = "evaluation"))]
             Command::Evaluation { .. } => {
                 Err(play::built_without("evaluation", "recorded images, calibration and trials"))

@@ -1,6 +1,7 @@
 //! `play --world lola`: a real NAO V6.
 
 use std::path::Path;
+use std::process;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use bica::Tree;
@@ -22,6 +23,8 @@ use crate::colour_profile::ColourProfile;
 const WORLD: &str = "lola";
 /// LoLA's socket on the robot.
 const SOCKET: &str = "/tmp/robocup";
+/// Command that runs the guard.
+pub(crate) const GUARD: &str = "lola-guard";
 /// Option that says which goal is attacked.
 const ATTACKS: &str = "attacks";
 const SKY_BLUE: &str = "sky-blue";
@@ -41,9 +44,10 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
         let options = Options {
             socket: socket.clone(),
             frames: frames.clone(),
+            guard: Some(guard_command),
             limit,
             stop: Box::new(interrupt::requested),
-            say: |text| eprintln!("lola: {text}"),
+            say,
             halt: end_motion,
             standing: Arc::clone(&shared),
         };
@@ -65,6 +69,27 @@ pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     app.play(&run)?;
     let Standing { opened, is_low, .. } = *standing.lock().unwrap_or_else(PoisonError::into_inner);
     Ok(if is_low || opened == 0 { Outcome::Success } else { Outcome::Unsuccessful })
+}
+
+/// Runs the guard of a run with a socket: `player lola-guard SOCKET`, which a run itself starts.
+pub(crate) fn guard(socket: &Path) -> Result<Outcome, Failure> {
+    interrupt::end_in_order();
+    let ended = bica_lola::guard(socket.to_owned(), say);
+    ended.map(|()| Outcome::Success).map_err(|error| {
+        let what = format!("the guard of a real robot cannot relay: {error}");
+        Failure::new(what, "leave its start to `player play --world lola`")
+    })
+}
+
+fn guard_command(socket: &Path) -> process::Command {
+    let program = std::env::current_exe().unwrap_or_else(|_| "player".into());
+    let mut command = process::Command::new(program);
+    command.arg(GUARD).arg(socket);
+    command
+}
+
+fn say(text: &str) {
+    eprintln!("lola: {text}");
 }
 
 /// Runs the code again on the recording of a game; `None` if it is not one of this world.

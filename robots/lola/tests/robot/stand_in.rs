@@ -59,6 +59,7 @@ impl StandIn {
         let mut options = Options {
             socket: folder.join("robocup"),
             frames: None,
+            guard: None,
             limit: None,
             stop: Box::new(|| stop.load(Ordering::Relaxed)),
             say: |_| (),

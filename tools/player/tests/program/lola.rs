@@ -2,7 +2,7 @@
 
 use std::io::{Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 
 use bica_lola::{ActuatorMap, SITTING_HEIGHT, SensorMap, hip_height};
 use bica_motion::joints::{Joint, Joints};
@@ -28,38 +28,74 @@ fn cycle(stream: &mut UnixStream, map: &mut SensorMap, number: u32) -> Option<f3
     }
 }
 
+/// A program on a robot that stands.
+struct Standing {
+    stream: UnixStream,
+    map: SensorMap,
+    cycles: u32,
+    program: Child,
+    _folder: Folder,
+}
+
+impl Standing {
+    fn start() -> Self {
+        let folder = Folder::new("lola");
+        let socket = folder.file("robocup");
+        let listener = UnixListener::bind(&socket).expect("a socket");
+        let mut command = player(&["play", "--world", &format!("lola:{socket}")]);
+        let program = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program");
+        let (stream, _) = listener.accept().expect("it connects");
+        let map = SensorMap {
+            accelerometer: [0.0, 0.0, -9.81],
+            battery: [0.8, 0.0, 0.0, 30.0],
+            fsr: [0.7; 8],
+            position: Nao::SIT.0,
+            ..SensorMap::default()
+        };
+        let mut robot = Self { stream, map, cycles: 0, program, _folder: folder };
+        let mut stiff = 0.0;
+        for _ in 0..400 {
+            stiff = robot.cycle().expect("an answer");
+        }
+        assert!(robot.height() > 0.2 && stiff > 0.7, "it stands");
+        robot
+    }
+
+    fn cycle(&mut self) -> Option<f32> {
+        self.cycles += 1;
+        cycle(&mut self.stream, &mut self.map, self.cycles)
+    }
+
+    fn height(&self) -> f32 {
+        hip_height(&Joints(self.map.position))
+    }
+
+    /// Sends a signal to the program, and runs until it closes the socket: the robot sits before its joints become limp.
+    fn sits_after(&mut self, signal: &str) {
+        let status = Command::new("kill").args([signal, &self.program.id().to_string()]).status();
+        assert!(status.is_ok_and(|status| status.success()));
+        let mut stiff = 1.0;
+        while let Some(stiffness) = self.cycle() {
+            stiff = stiffness;
+            assert!(stiff > 0.0 || self.height() <= SITTING_HEIGHT, "limp while it stands");
+            assert!(self.cycles < 1600, "it does not end");
+        }
+        assert!(stiff <= 0.0, "it stays stiff");
+    }
+}
+
 #[test]
 fn sigterm_lets_the_robot_sit_down_first() {
-    let folder = Folder::new("lola");
-    let socket = folder.file("robocup");
-    let listener = UnixListener::bind(&socket).expect("a socket");
-    let mut command = player(&["play", "--world", &format!("lola:{socket}")]);
-    let mut program = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program");
-    let (mut stream, _) = listener.accept().expect("it connects");
-    let mut map = SensorMap {
-        accelerometer: [0.0, 0.0, -9.81],
-        battery: [0.8, 0.0, 0.0, 30.0],
-        fsr: [0.7; 8],
-        position: Nao::SIT.0,
-        ..SensorMap::default()
-    };
-    let mut number = 0;
-    let mut stiff = 0.0;
-    while number < 400 {
-        stiff = cycle(&mut stream, &mut map, number).expect("an answer");
-        number += 1;
-    }
-    assert!(hip_height(&Joints(map.position)) > 0.2 && stiff > 0.7, "it stands");
-    let signal = Command::new("kill").args(["-TERM", &program.id().to_string()]).status();
-    assert!(signal.is_ok_and(|status| status.success()));
-    while let Some(stiffness) = cycle(&mut stream, &mut map, number) {
-        stiff = stiffness;
-        assert!(stiff > 0.0 || hip_height(&Joints(map.position)) <= SITTING_HEIGHT, "limp while it stands");
-        number += 1;
-        assert!(number < 1200, "it does not end");
-    }
-    assert!(stiff <= 0.0, "it stays stiff");
-    assert_eq!(program.wait().expect("it ends").code(), Some(0));
+    let mut robot = Standing::start();
+    robot.sits_after("-TERM");
+    assert_eq!(robot.program.wait().expect("it ends").code(), Some(0));
+}
+
+#[test]
+fn killed_program_leaves_a_robot_that_sits() {
+    let mut robot = Standing::start();
+    robot.sits_after("-KILL");
+    assert_eq!(robot.program.wait().expect("it ends").code(), None);
 }
 
 #[test]

@@ -1,0 +1,48 @@
+//! What a run is given, and how it stands.
+
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Arc, Mutex};
+
+use bica_motion::robot::{Buttons, Command};
+
+use crate::ending::Reason;
+
+/// Where the robot is, and how it is ended.
+pub struct Options {
+    /// LoLA's socket.
+    pub socket: PathBuf,
+    /// Socket with camera images; `None`: the robot program gets no images.
+    pub frames: Option<PathBuf>,
+    /// Makes the command of a process that runs [`guard()`](crate::guard()), from the path of the socket: it owns the socket, and lets the
+    /// robot sit down if this process is killed. `None`: a killed process leaves the robot as it is.
+    pub guard: Option<fn(&Path) -> process::Command>,
+    /// Longest duration of the run, s of the robot's time.
+    pub limit: Option<f64>,
+    /// Whether the program was asked to end.
+    pub stop: Box<dyn Fn() -> bool + Send>,
+    /// Says something to people.
+    pub say: fn(&str),
+    /// Asks the robot program to end its motion before the robot sits down, by buttons: gets the number of the cycle since the request, and
+    /// the last command.
+    pub halt: fn(u32, &mut Buttons, &Command),
+    /// How the run went, for the one who has started it.
+    pub standing: Arc<Mutex<Standing>>,
+}
+
+/// How a run stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Standing {
+    /// Number of valid maps.
+    pub maps: u64,
+    /// Number of times that bytes were dropped which are no valid map.
+    pub rejected: u64,
+    /// Number of times that the socket was opened.
+    pub opened: u64,
+    /// Number of maps that were answered with the last targets because the robot program was late.
+    pub late: u64,
+    /// Why the run ended.
+    pub reason: Option<Reason>,
+    /// Whether the robot sat or lay when its joints became limp.
+    pub is_low: bool,
+}
