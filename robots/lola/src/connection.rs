@@ -17,7 +17,7 @@ const RETRY: Duration = Duration::from_millis(100);
 /// Longest wait for bytes, after which the caller can ask whether the program ends.
 const WAIT: Duration = Duration::from_millis(50);
 /// Longest time in which an answer is sent. A robot that takes none for so long has closed its side in all but name.
-const SEND: Duration = Duration::from_millis(500);
+pub(crate) const SEND: Duration = Duration::from_millis(500);
 
 /// What happened on the connection.
 #[derive(Clone, Debug, PartialEq)]

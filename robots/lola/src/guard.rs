@@ -1,6 +1,7 @@
 //! A process between the robot and the program, which outlives the program: a robot whose program was killed sits down.
 
 use std::io::{self, Read, Write};
+use std::net::Shutdown;
 use std::os::fd::{AsFd, OwnedFd};
 use std::os::unix::net::UnixStream;
 use std::os::unix::process::CommandExt;
@@ -14,7 +15,7 @@ use bica_motion::joints::{Joint, Joints};
 
 use crate::actuator_map::ActuatorMap;
 use crate::buffer::{Found, MapBuffer};
-use crate::connection::{Connection, is_idle};
+use crate::connection::{Connection, SEND, is_idle};
 use crate::limiter::Limiter;
 use crate::posture::is_in_leg;
 use crate::sensor_map::SensorMap;
@@ -57,6 +58,7 @@ pub fn guard(socket: PathBuf, say: fn(&str)) -> io::Result<()> {
     let robot = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
     let program = UnixStream::from(io::stdout().as_fd().try_clone_to_owned()?);
     robot.set_read_timeout(Some(WAIT))?;
+    robot.set_write_timeout(Some(SEND))?;
     let answers = Shared::default();
     let (from, to, shared) = (program.try_clone()?, robot.try_clone()?, Arc::clone(&answers));
     thread::spawn(move || relay_answers(from, to, &shared));
@@ -89,8 +91,10 @@ fn relay_answers(mut program: UnixStream, mut robot: UnixStream, answers: &Mutex
         bytes.extend_from_slice(&more[..count]);
         while let Ok((targets, stiffness, size)) = ActuatorMap::decode(&bytes) {
             let mut answers = lock(answers);
-            // A robot that takes no answer has closed its side, which the other direction notices.
-            _ = robot.write_all(&bytes[..size]);
+            if robot.write_all(&bytes[..size]).is_err() {
+                // The other direction reads the end, and the program opens the socket again.
+                _ = robot.shutdown(Shutdown::Both);
+            }
             (answers.count, answers.last) = (answers.count + 1, targets.zip(stiffness));
             bytes.drain(..size);
         }

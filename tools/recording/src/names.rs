@@ -19,7 +19,7 @@ impl NameTable {
         Self { kind, sources: BTreeMap::new() }
     }
 
-    /// Adds a name, and what has it, such as ``the output `Eye.ball` ``.
+    /// Adds a name, and what has it, such as ``the output `Lamp.brightness` ``.
     ///
     /// # Errors
     /// If something else has the name.
