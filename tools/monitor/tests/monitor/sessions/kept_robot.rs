@@ -52,6 +52,9 @@ fn kept_recording_equals_received() {
     let session = page.session.get().unwrap();
     let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), ..Watch::default() };
     page.ask(Request::Watch { watch }).unwrap();
+    page.wait("the first image", |got| matches!(got, Got::Binary(_)).then_some(()));
+    // All moments that are compared have an image.
+    let with_images = page.message("update", |update| update["time_us"].as_u64());
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "Lamp", "params", "gain");
     page.ask(set_gain(Plain::Number(0.9))).unwrap();
@@ -59,7 +62,7 @@ fn kept_recording_equals_received() {
     page.ask(Request::Note { text: "before the end".to_owned() }).unwrap();
     let until = page.message("update", |update| {
         let held = update["components"][component][1] == "active";
-        (held && update["cycle"].as_u64()? > 150).then(|| update["time_us"].as_u64()).flatten()
+        (held && update["time_us"].as_u64()? > with_images + 750_000).then(|| update["time_us"].as_u64()).flatten()
     });
     page.message("update", |update| (update["time_us"].as_u64()? > until + 200_000).then_some(()));
     let kept = keep(&page, "mine");
