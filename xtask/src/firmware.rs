@@ -54,6 +54,7 @@ pub(crate) fn check(options: &Firmware) -> Result<(), String> {
     IMAGES.into_iter().try_for_each(|(image, figures)| self_test(image, figures, &[]))?;
     self_test(MONITOR_IMAGE, FIGURES, &["--monitors"])?;
     test_program()?;
+    run_new_firmware()?;
     // Larger camera images take longer: `--games` plays ten with them too.
     play(IMAGE, "160x120", 10).and_then(|()| play(MEDIUM_IMAGE, "320x240", 3))
 }
@@ -86,6 +87,19 @@ fn test_program() -> Result<(), String> {
     let image = root().join(IMAGE);
     let image = image.to_str().ok_or("the path of the workspace is not UTF-8")?;
     build::cargo("test", &["--quiet", "--test", "program", "firmware"], &[("BICA_IMAGE", image)])
+}
+
+/// Runs the firmware that `bica new --embassy` writes; it ends by itself, with an error if the robot has not halted before the wall.
+fn run_new_firmware() -> Result<(), String> {
+    const CRATE: &str = "target/tmp/new-firmware";
+    let old = root().join(CRATE);
+    if old.exists() {
+        fs::remove_dir_all(&old).map_err(|error| format!("{CRATE}: {error}"))?;
+    }
+    fs::create_dir_all(root().join("target/tmp")).map_err(|error| format!("target/tmp: {error}"))?;
+    run("cargo", &["run", "--quiet", "-p", "bica-app", "--bin", "bica", "--", "new", "--embassy", CRATE], &[])?;
+    let (config, manifest) = (format!("{CRATE}/.cargo/config.toml"), format!("{CRATE}/Cargo.toml"));
+    run("cargo", &["--config", &config, "run", "--quiet", "--release", "--manifest-path", &manifest], &[])
 }
 
 /// Plays games with camera images of a size; each must be won.

@@ -13,6 +13,7 @@ use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
 
 use crate::bench::{self, BenchArgs};
 use crate::console::{Failure, Outcome};
+use crate::names;
 use crate::params::Layer;
 use crate::replay;
 use crate::run::{self, RunArgs};
@@ -206,7 +207,8 @@ where
         RunArgs::<L>::augment_args(command).mut_arg("world", |world| world.value_parser(parser).default_value(first))
     }
 
-    /// Runs the command of the command line; returns the exit code.
+    /// Runs the command of the command line; returns the exit code. It is 2 if two worlds or commands have one name, or an output and a
+    /// parameter of a component.
     #[must_use]
     pub fn run(self) -> ExitCode
     where
@@ -221,7 +223,12 @@ where
     where
         R: Recordable<Error: fmt::Display>,
     {
-        let matches = self.command().get_matches_from(arguments);
+        let command = self.command();
+        let worlds: Vec<_> = self.worlds.iter().map(|world| world.name).collect();
+        if let Err(failure) = names::check(const { &R::GRAPH }, &worlds, &command) {
+            return failure.into();
+        }
+        let matches = command.get_matches_from(arguments);
         start(move || self.dispatch(&matches))
     }
 

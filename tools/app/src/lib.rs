@@ -7,6 +7,7 @@ mod graph;
 mod link;
 #[cfg(feature = "monitor")]
 mod monitor;
+mod names;
 mod params;
 mod record;
 mod replay;

@@ -21,6 +21,9 @@ use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 use figures::Figures;
 use measure::Times;
 
+/// Most repetitions of a run while a budget is exceeded, if not more are wanted: each can only lower the minima.
+const MOST_REPEATS: u32 = 15;
+
 /// Arguments of `cargo bench`.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct BenchArgs {
@@ -39,8 +42,8 @@ pub(crate) struct BenchArgs {
     /// Longest duration of a run, in seconds of the world
     #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = seconds, allow_negative_numbers = true)]
     seconds: f64,
-    /// Repetitions of each run; up to three times as many while a budget is exceeded
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Repetitions of each run; up to 15 while a budget is exceeded
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=1000))]
     repeats: u32,
     /// Print a line of JSON for each world on stdout; all other output goes to stderr
     #[arg(long)]
@@ -92,13 +95,13 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
     Ok(if exceeded.is_empty() { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-/// Measures a world until nothing exceeds a budget, or the repetitions are used up: more of them can only lower the minima.
+/// Measures a world until nothing exceeds a budget, or the repetitions are used up.
 fn figures<R: Robot<Error: fmt::Display>>(
     world: &RegisteredWorld<R>,
     robots: Robots<R>,
     args: &BenchArgs,
 ) -> Result<Figures, Failure> {
-    let (seeds, most) = if args.bench { (args.seeds, 3 * args.repeats) } else { (1, 1) };
+    let (seeds, most) = if args.bench { (args.seeds, args.repeats.max(MOST_REPEATS)) } else { (1, 1) };
     let seeds: Vec<u64> = (0..seeds).map(|place| args.seed.wrapping_add(place)).collect();
     let mut times: Vec<Times> = Vec::new();
     for repetition in 1.. {
