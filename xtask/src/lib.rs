@@ -7,6 +7,7 @@ mod build;
 mod ci;
 pub mod cli;
 mod deny;
+mod deploy;
 mod figures;
 mod firmware;
 mod fuzz;
@@ -50,6 +51,7 @@ pub fn run() -> ExitCode {
 fn perform(task: &Task) -> Result<(), String> {
     match task {
         Task::Firmware(options) => firmware::check(options),
+        Task::Deploy(options) => deploy::deploy(options),
         Task::Mujoco => mujoco::install(),
         Task::League => league::install(),
         Task::Fuzz(options) => fuzz::check(options.seconds),

@@ -1,5 +1,7 @@
 //! The command line.
 
+use std::path::PathBuf;
+
 use clap::{Args, Parser, Subcommand};
 
 use crate::ci::Step;
@@ -31,6 +33,11 @@ pub(crate) enum Task {
     /// Every cycle of the games is computed on the host too, and both results must be equal. Size, stack and instructions
     /// are compared with firmware/figures.txt and firmware/figures-medium.txt. First installs the target and QEMU.
     Firmware(Firmware),
+    /// Put the program on a real NAO V6, as a service that is started by hand
+    ///
+    /// Builds the program, copies it with profiles and parameters to HOST:bica (with rsync over ssh), and installs a service of systemd.
+    /// `docs/nao-v6.md` says what can hurt the robot. Installs Rust's target, and ssh and rsync (with apt).
+    Deploy(Deploy),
     /// Install what `play --world mujoco` needs
     ///
     /// Puts MuJoCo's library into target/mujoco (from PyPI, with pip), for the feature `mujoco`, and installs EGL with Mesa's
@@ -100,6 +107,31 @@ pub(crate) struct Firmware {
     /// Only build the image, and play ten games with each size of camera images
     #[arg(long)]
     pub(crate) games: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Deploy {
+    /// The robot: NAME, USER@NAME, or its address, as ssh knows it; with a key, since no password is asked for
+    #[arg(value_name = "HOST")]
+    pub(crate) host: String,
+    /// Print the commands, and run none
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Processor and system of the robot
+    #[arg(long, value_name = "TARGET", default_value = "x86_64-unknown-linux-musl")]
+    pub(crate) target: String,
+    /// Folder with tune files, which replace those of the robot
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) tune: Option<PathBuf>,
+    /// Then start the service: the robot stands up
+    #[arg(long)]
+    pub(crate) start: bool,
+    /// Only stop the service: the robot sits down
+    #[arg(long, conflicts_with_all = ["start", "tune", "pull"])]
+    pub(crate) stop: bool,
+    /// Only copy the robot's recordings into this folder
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["start", "tune"])]
+    pub(crate) pull: Option<PathBuf>,
 }
 
 #[derive(Debug, Default, Args)]
