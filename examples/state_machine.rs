@@ -1,4 +1,5 @@
-//! A component whose behaviour depends on the situation: states, transitions, a timer, hooks.
+//! A component whose behaviour depends on the situation: states, transitions, a timer, hooks, and a transition that hands over what it
+//! found.
 //!
 //! `cargo run --example state_machine`
 
@@ -19,8 +20,16 @@ struct Legs {
 #[component(hz = 50)]
 impl Legs {}
 
+/// A planned kick.
+struct Kick {
+    /// From the body to the ball, metres.
+    reach: f32,
+}
+
 struct Player {
     kicks: u32,
+    /// Of the last kick, metres.
+    reach: f32,
 }
 
 #[component(hz = 10)]
@@ -43,9 +52,10 @@ impl Player {
         ball.distance.is_some()
     }
 
+    /// It is taken if it finds a kick; the entry hook of the state gets it.
     #[transition(walk -> kick)]
-    fn near(&self, ball: &Ball) -> bool {
-        ball.distance.is_some_and(|metres| metres < 0.1)
+    fn near(&self, ball: &Ball) -> Option<Kick> {
+        ball.distance.filter(|metres| *metres < 0.1).map(|reach| Kick { reach })
     }
 
     /// The timer and the condition must both hold.
@@ -60,8 +70,9 @@ impl Player {
     }
 
     #[entry(kick)]
-    fn swing(&mut self) {
+    fn swing(&mut self, Found(kick): Found<Kick>) {
         self.kicks += 1;
+        self.reach = kick.reach;
     }
 }
 
@@ -69,7 +80,7 @@ activation_tree! {
     struct Robot {
         root: Player,
         cycle_hz: 50,
-        components: [Player = Player { kicks: 0 }, Ball = Ball { distance: None }, Legs = Legs { speed: 0.0 }],
+        components: [Player = Player { kicks: 0, reach: 0.0 }, Ball = Ball { distance: None }, Legs = Legs { speed: 0.0 }],
     }
 }
 
@@ -84,5 +95,6 @@ fn main() {
             println!("{ms:4} ms: {state} with the ball at {metres:.2} m");
         }
     }
-    println!("{} kicks", robot.get::<Player>().kicks);
+    let Player { kicks, reach } = robot.get::<Player>();
+    println!("{kicks} kicks, the last one at {reach:.2} m");
 }

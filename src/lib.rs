@@ -61,9 +61,9 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Axis, Blob, Component, ComponentId, Duration, Format, Graph, Has, Hint, Hold, Instant, Key, ParamEnum, Params,
-    ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, action, graph, info,
-    modulation, params, probe, rate, refusal, stopwatch, visual,
+    Axis, Blob, Component, ComponentId, Duration, Format, Found, Graph, Has, Hint, Hold, Instant, Key, ParamEnum,
+    Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, action, graph,
+    info, modulation, params, probe, rate, refusal, stopwatch, visual,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};
@@ -75,8 +75,8 @@ pub use bica_runner as runner;
 pub mod prelude {
     pub use bica_core::action::Actions;
     pub use bica_core::{
-        Blob, Component, ComponentId, Duration, Format, Has, Hold, Instant, ParamEnum, Params, Probe, Rate, Refusal,
-        Time, Tree, Tuned, Value,
+        Blob, Component, ComponentId, Duration, Format, Found, Has, Hold, Instant, ParamEnum, Params, Probe, Rate,
+        Refusal, Time, Tree, Tuned, Value,
     };
     pub use bica_macros::{
         ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, world_actions,

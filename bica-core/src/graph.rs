@@ -98,6 +98,12 @@ impl Node {
         }
     }
 
+    /// Returns the type of what a state takes from the transitions that enter it, as in the source text; `None` if it takes nothing.
+    #[must_use]
+    pub fn takes(&self, state: usize) -> Option<&'static str> {
+        self.transitions.iter().filter(|transition| transition.to == state).find_map(|transition| transition.carries)
+    }
+
     /// Returns the parameter with this key, and its index counted through all groups.
     #[must_use]
     pub fn find_param(&self, parameter: impl Key) -> Option<(usize, &'static Param)> {
@@ -164,6 +170,8 @@ pub struct State {
     pub initial: bool,
     /// Whether the state is marked to have no transition out of it.
     pub last: bool,
+    /// Name of the function that runs before the transitions out of it are evaluated; `None` if there is none.
+    pub before: Option<&'static str>,
 }
 
 /// A transition from one state to another.
@@ -179,4 +187,6 @@ pub struct Transition {
     pub to: usize,
     /// Shortest time in `from` before the transition is evaluated, ms.
     pub after_ms: Option<u32>,
+    /// Type of what it carries to the entry hook of `to`, as in the source text; `None` if its condition is a `bool`.
+    pub carries: Option<&'static str>,
 }

@@ -32,7 +32,7 @@
 //!    children. A component that is not due passes the visit on all the same, so a child may run faster.
 //! 3. Siblings are visited in the order of the text: the required children in the order in which the signature names
 //!    them, and so the modulated ones. In a state the links of its function come first, then those of its entry hooks, its
-//!    exit hooks, and the transitions that leave it, each in the order of the text.
+//!    exit hooks, its `#[before]`, and the transitions that leave it, each in the order of the text.
 //! 4. A component is due at its rate, on a fixed grid that begins with its first run, and in every cycle without a rate.
 //!    [`rate`] states exactly how early and late ticks are treated: no run is lost or added by jitter below half a cycle,
 //!    and a run that is later than a period starts the grid anew, never a burst.
@@ -41,7 +41,8 @@
 //!    not visited any more is stopped at the end of the cycle, an activator before what it activated. A latent component
 //!    costs nothing.
 //! 7. A state machine that was latent begins in its initial state, unless it has the option `resume`.
-//! 8. A state machine evaluates its transitions before the function of its state, and takes at most one in a run. The
+//! 8. A state machine evaluates its transitions before the function of its state, and takes at most one in a run. In a run that
+//!    begins in a state, the state's `#[before]` runs before that; what a transition found goes to the entry hook. The
 //!    required children of the new state are visited and its function runs in the same run. Timers compare the instants that
 //!    the tree is given, exact to a clock tick. If the clock was set back to before the state was entered, the time in the
 //!    state counts from there.
@@ -59,6 +60,7 @@ pub mod action;
 pub mod blob;
 pub mod check;
 mod component;
+mod found;
 pub mod graph;
 mod hold;
 mod id;
@@ -82,6 +84,7 @@ pub mod __private;
 pub use blob::{Blob, Format};
 pub use component::{Component, Time};
 pub use embassy_time::{Duration, Instant};
+pub use found::Found;
 pub use graph::Graph;
 pub use hold::Hold;
 pub use id::ComponentId;

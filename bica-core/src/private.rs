@@ -6,6 +6,7 @@ pub use crate::__visit_functions as visit_functions;
 pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
+pub use crate::found::Found;
 pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
 pub use crate::info::{Info, InfoSink};
 pub use crate::modulation::{Modulation, assert_arguments};

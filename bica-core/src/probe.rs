@@ -48,8 +48,8 @@ pub trait Probe {
     fn end(&mut self, component: ComponentId) {}
 
     /// The condition of a transition was evaluated: its index in [`Node::transitions`](crate::graph::Node::transitions), and
-    /// whether it holds. A condition is not evaluated while its timer runs, or if an earlier one holds. Called
-    /// within a section.
+    /// whether it holds: one that returns an `Option` holds if it found something. A condition is not evaluated while its timer
+    /// runs, or if an earlier one holds. Called within a section.
     #[inline]
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {}
 

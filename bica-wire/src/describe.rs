@@ -6,7 +6,7 @@ use core::iter::FusedIterator;
 use bica_core::Place;
 #[cfg(feature = "std")]
 use bica_core::action::Action;
-use bica_core::graph::{Graph, LinkKind, Node};
+use bica_core::graph::{self, Graph, LinkKind, Node};
 use bica_core::params::{Kind, Param, Variant};
 
 use crate::message::{GraphItem, Value};
@@ -214,14 +214,16 @@ impl GraphItems<'_> {
             List::States => {
                 let state = node.states.get(self.index)?;
                 self.doc = state.doc;
-                GraphItem::State { component, index, name: state.name, initial: state.initial, last: state.last }
+                let graph::State { name, initial, last, before, .. } = *state;
+                GraphItem::State { component, index, name, initial, last, before }
             }
             List::Transitions => {
                 let transition = node.transitions.get(self.index)?;
                 self.doc = transition.doc;
                 let (from, to) = (transition.from as u16, transition.to as u16);
                 let (name, after_ms) = (transition.name, transition.after_ms);
-                GraphItem::Transition { component, from, to, name, after_ms }
+                let carries = transition.carries.map(|of| truncate(of, TYPE_BYTES));
+                GraphItem::Transition { component, from, to, name, after_ms, carries }
             }
             List::Params => {
                 let (_, param) = node.find_param(self.index)?;

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use bica::prelude::*;
 
 use crate::semantics::rules;
+use crate::semantics::unit::Carried;
 
 /// Component that was read: name and value.
 pub(crate) type Read = (&'static str, u64);
@@ -32,10 +33,11 @@ pub(crate) enum Event {
         transition: &'static str,
         reads: Vec<Read>,
     },
-    /// Call of an entry or exit hook.
+    /// Call of a hook of a state, with what an entry hook takes.
     Hook {
         of: &'static str,
         hook: &'static str,
+        found: Option<Carried>,
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },

@@ -7,7 +7,7 @@ use bica::graph::{Graph, Transition};
 use super::event::{Event, Read, Times};
 use super::rules::{self, Memory};
 use super::test_tree::Hook;
-use super::unit::{bit, mix};
+use super::unit::{Carried, HOOK, bit, mix};
 
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;
@@ -33,6 +33,8 @@ pub(crate) struct Data {
     pub(crate) flags: u32,
     value: u64,
     received: u64,
+    /// What the transition of this run found.
+    found: Option<Carried>,
 }
 
 /// Model of a tree.
@@ -83,8 +85,11 @@ impl Model {
         self.events.next().map_or(Ok(()), |event| Err(format!("{event:?} after the expected end")))
     }
 
-    /// Returns the first transition that is taken.
+    /// Compares the call of the function that runs before the transitions, and returns the first transition that is taken.
     fn transition(&mut self, index: usize, state: usize) -> Result<Option<Transition>, String> {
+        if let Some(before) = self.graph.nodes[index].states[state].before {
+            self.hook(index, before, None)?;
+        }
         let transitions = self.graph.nodes[index].transitions.iter().enumerate();
         for (number, &transition) in transitions.filter(|(_, transition)| transition.from == state) {
             let stayed = transition.after_ms.is_none_or(|ms| self.in_state(index) >= u64::from(ms) * 1000);
@@ -94,6 +99,8 @@ impl Model {
             let holds = transition.name.starts_with("timer") || self.evaluate(index, transition.name)?;
             self.expect(&Event::Condition(index, number, holds))?;
             if holds {
+                let value = self.components[index].value;
+                self.components[index].found = transition.carries.map(|_| (transition.name, value));
                 return Ok(Some(transition));
             }
         }
@@ -111,19 +118,30 @@ impl Model {
         }
     }
 
+    /// Compares the hooks of a state. Of the entry hooks the first takes what the transition found.
     fn hooks(&mut self, index: usize, state: usize, entry: bool) -> Comparison {
         let node = &self.graph.nodes[index];
         let (name, state) = (node.name, node.states[state].name);
+        let mut found = if entry { self.components[index].found.take() } else { None };
         for expected in self.hooks.iter().filter(|hook| hook.of == name && hook.state == state && hook.entry == entry) {
-            match self.next()? {
-                Event::Hook { of, hook, reads, writes } if of == name && hook == expected.name => {
-                    self.read(&reads)?;
-                    self.write(index, &writes);
-                }
-                other => return Err(format!("{other:?} instead of {expected:?}")),
-            }
+            self.hook(index, expected.name, found.take())?;
         }
         Ok(())
+    }
+
+    /// Compares the call of a hook with what it takes.
+    fn hook(&mut self, index: usize, name: &'static str, taken: Option<Carried>) -> Comparison {
+        match self.next()? {
+            Event::Hook { of, hook, found, reads, writes }
+                if of == self.graph.nodes[index].name && hook == name && found == taken =>
+            {
+                self.read(&reads)?;
+                self.components[index].value = mix(self.components[index].value, HOOK);
+                self.write(index, &writes);
+                Ok(())
+            }
+            other => Err(format!("{other:?} instead of hook {name} with {taken:?}")),
+        }
     }
 
     /// Compares a step, or the body of the current state.

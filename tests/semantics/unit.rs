@@ -14,6 +14,12 @@ pub(crate) fn bit(transition: &str) -> u32 {
     1 << (transition.bytes().map(u32::from).sum::<u32>() % 32)
 }
 
+/// What a hook mixes into the value of its component.
+pub(crate) const HOOK: u64 = 77;
+
+/// What a transition of a test component carries: its name, and the component's value.
+pub(crate) type Carried = (&'static str, u64);
+
 /// State of a test component: its value changes in each run, and depends on the values written to it.
 pub(crate) struct Unit {
     name: &'static str,
@@ -60,15 +66,32 @@ impl Unit {
         record(Event::Body { of: self.name, state, time, reads: reads.into(), writes });
     }
 
-    /// Runs an entry or exit hook: writes to other components.
+    /// Runs a hook of a state: changes its value, and writes to other components.
     pub(crate) fn hook<const R: usize, const W: usize>(
         &mut self,
         hook: &'static str,
         reads: [Read; R],
         writes: [&mut Self; W],
     ) {
+        self.take(hook, None, reads, writes);
+    }
+
+    /// The same, of an entry hook that takes what a transition found.
+    pub(crate) fn take<const R: usize, const W: usize>(
+        &mut self,
+        hook: &'static str,
+        found: Option<Carried>,
+        reads: [Read; R],
+        writes: [&mut Self; W],
+    ) {
+        self.value = mix(self.value, HOOK);
         let writes = self.write(writes);
-        record(Event::Hook { of: self.name, hook, reads: reads.into(), writes });
+        record(Event::Hook { of: self.name, hook, found, reads: reads.into(), writes });
+    }
+
+    /// Evaluates a transition that carries its name and the value of the component.
+    pub(crate) fn find<const R: usize>(&self, transition: &'static str, reads: [Read; R]) -> Option<Carried> {
+        self.evaluate(transition, reads).then_some((transition, self.value))
     }
 
     /// Evaluates a transition.

@@ -6,8 +6,8 @@ use crate::params::{Kind, Param};
 /// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, outputs, modulations, and
 /// parameters with their units and kinds.
 ///
-/// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, and whether a
-/// modulation is a stop. So
+/// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
+/// carry, which states have a `#[before]`, and whether a modulation is a stop. So
 /// programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {

@@ -2,7 +2,7 @@
 
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
-use super::label::{Escaped, figures, states, transition};
+use super::label::{self, Escaped, figures, states, transition};
 use super::{Arrow, arrows};
 use crate::graph::{Graph, LinkKind, Node};
 
@@ -43,7 +43,7 @@ pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
     writeln!(f, "  tooltip={};", quoted(&node.doc))?;
     f.write_str(STYLE)?;
     for (index, state) in node.states.iter().enumerate() {
-        write!(f, "  s{index} [label={}, tooltip={}", quoted(&state.name), quoted(&state.doc))?;
+        write!(f, "  s{index} [label={}, tooltip={}", quoted(&label::state(node, index)), quoted(&state.doc))?;
         f.write_str(if state.last { ", peripheries=2];\n" } else { "];\n" })?;
         if state.initial {
             writeln!(f, "  start [shape=point];\n  start -> s{index};")?;

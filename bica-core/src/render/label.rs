@@ -26,6 +26,16 @@ pub(super) fn states(arrow: Arrow<'_>) -> impl Display {
     })
 }
 
+/// A state's name, what it takes from transitions, and what runs before its own: `kick ← Kick (before: plan)`.
+pub(super) fn state(node: &Node, index: usize) -> impl Display {
+    from_fn(move |f| {
+        let Some(state) = node.states.get(index) else { return Ok(()) };
+        f.write_str(state.name)?;
+        node.takes(index).map_or(Ok(()), |of| write!(f, " ← {of}"))?;
+        state.before.map_or(Ok(()), |before| write!(f, " (before: {before})"))
+    })
+}
+
 /// A transition's name and timer: `ball_lost, after 1500 ms`.
 pub(super) fn transition(edge: &Transition) -> impl Display {
     from_fn(|f| {

@@ -2,7 +2,7 @@
 
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
-use super::label::{Escaped, figures, states, transition};
+use super::label::{self, Escaped, figures, states, transition};
 use super::{Arrow, arrows};
 use crate::graph::{Graph, LinkKind, Node};
 
@@ -38,7 +38,7 @@ fn arrow(f: &mut Formatter<'_>, from: usize, arrow: Arrow<'_>) -> Result {
 pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
     f.write_str("stateDiagram-v2\n")?;
     for (index, state) in node.states.iter().enumerate() {
-        writeln!(f, "  state \"{}\" as s{index}", escaped(&state.name))?;
+        writeln!(f, "  state \"{}\" as s{index}", escaped(&label::state(node, index)))?;
         if state.initial {
             writeln!(f, "  [*] --> s{index}")?;
         }

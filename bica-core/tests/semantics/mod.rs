@@ -3,6 +3,7 @@
 mod activity;
 mod batches;
 mod borrows;
+mod carried;
 mod description;
 mod jitter;
 mod machine;

@@ -7,6 +7,7 @@ use syn::{
     TypeReference, parse_quote,
 };
 
+use super::found;
 use super::model::Argument;
 use crate::report::Report;
 use crate::types::{is_unsized, plain, unsized_argument};
@@ -29,6 +30,8 @@ const WRAPPERS: [&str; 9] = ["Vec", "Box", "Option", "Result", "Rc", "Arc", "Ref
 pub(crate) enum Form {
     /// Links of both kinds.
     Step,
+    /// The same, and what a transition found.
+    Entry,
     /// Links that read, and a `bool`.
     Condition,
     /// No links.
@@ -42,14 +45,19 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
     for input in &signature.inputs {
         let FnArg::Typed(input) = input else { continue };
         unconditional(&input.attrs, report);
-        if form == Form::Plain && !is_tuned(&input.ty) {
+        if form == Form::Plain && !is_tuned(&input.ty) && !found::is_found(&input.ty) {
             report.add(input, wording::HOOK_LINKS);
             continue;
         }
         let Some(argument) = argument(&input.ty, own, form, signature, report) else { continue };
         let place = key(&argument);
         if seen.contains(&place) {
-            report.add(&input.ty, wording::two_links(&place));
+            let problem = if let Argument::Found(_) = argument {
+                wording::FOUND_TWICE.to_owned()
+            } else {
+                wording::two_links(&place)
+            };
+            report.add(&input.ty, problem);
         } else {
             seen.push(place);
             arguments.push(argument);
@@ -66,6 +74,7 @@ fn key(argument: &Argument) -> String {
         Argument::OwnRate => "Rate<Self>".to_owned(),
         Argument::Time(_) => "Time".to_owned(),
         Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
+        Argument::Found(_) => "Found".to_owned(),
     }
 }
 
@@ -87,10 +96,13 @@ pub(crate) fn no_lifetime(lifetime: &Lifetime, report: &mut Report) {
 /// What an argument of a type means in a step of the component `own`; `None` if it is no input.
 #[must_use]
 pub fn meaning(kind: &Type, own: &Type) -> Option<Argument> {
-    argument(kind, own, Form::Step, &parse_quote!(fn step()), &mut Report::default())
+    argument(kind, own, Form::Entry, &parse_quote!(fn step()), &mut Report::default())
 }
 
 fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: &mut Report) -> Option<Argument> {
+    if found::is_found(kind) {
+        return found::argument(kind, form, report).map(|found| Argument::Found(Box::new(found)));
+    }
     let reference = match plain(kind) {
         Type::Reference(reference) => reference,
         Type::Path(path) => return owned(path, form, report),
@@ -213,8 +225,14 @@ fn is_named(of: &Type, report: &mut Report) -> bool {
     true
 }
 
+/// `T` of a type that is written as `Name<T>`, by any path.
+pub(super) fn only_type_of<'a>(kind: &'a Type, name: &str) -> Option<&'a Type> {
+    let Type::Path(path) = plain(kind) else { return None };
+    path.path.segments.last().filter(|last| last.ident == name).and_then(only_type)
+}
+
 /// The type in angle brackets.
-fn only_type(segment: &PathSegment) -> Option<&Type> {
+pub(super) fn only_type(segment: &PathSegment) -> Option<&Type> {
     let PathArguments::AngleBracketed(list) = &segment.arguments else { return None };
     match list.args.first() {
         Some(GenericArgument::Type(of)) => Some(of),
@@ -264,18 +282,21 @@ fn link(reference: &TypeReference, own: &Type, form: Form, report: &mut Report) 
     }
 }
 
-/// Completes a `Rate` or `Tuned` without a type, and replaces one without a size, which are reported, so that the compiler does not
-/// report it again.
+/// Completes a `Rate`, `Tuned` or `Found` without a type, and replaces one without a size, which are reported, so that the compiler does
+/// not report it again.
 pub(crate) fn complete_rates(signature: &mut Signature) {
     for input in &mut signature.inputs {
         let FnArg::Typed(input) = input else { continue };
-        let Type::Reference(reference) = &mut *input.ty else { continue };
-        let Type::Path(path) = &mut *reference.elem else { continue };
+        let kind = match &mut *input.ty {
+            Type::Reference(reference) => &mut *reference.elem,
+            kind => kind,
+        };
+        let Type::Path(path) = kind else { continue };
         let Some(last) = path.path.segments.last_mut() else { continue };
         if let PathArguments::AngleBracketed(list) = &mut last.arguments {
             list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
         }
-        if (last.ident == "Rate" || last.ident == "Tuned") && last.arguments.is_none() {
+        if ["Rate", "Tuned", "Found"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
         }
     }

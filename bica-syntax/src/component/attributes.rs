@@ -1,4 +1,4 @@
-//! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[start]`, `#[stop]`, `#[modulation]`
+//! `#[state]`, `#[transition]`, `#[entry]`, `#[exit]`, `#[before]`, `#[start]`, `#[stop]`, `#[modulation]`
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;

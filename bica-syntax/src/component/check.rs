@@ -1,7 +1,7 @@
 //! The rules that one impl block can break.
 
 use super::model::{Behaviour, Component, Machine};
-use super::{near_miss, resolve};
+use super::{carried, near_miss, resolve};
 use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
@@ -23,6 +23,8 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     let machine = resolve::machine(component, report)?;
     reachable(&machine, report);
     ends(component, &machine, report);
+    befores(component, &machine, report);
+    carried::check(component, &machine, report);
     Some(Behaviour::Machine(machine))
 }
 
@@ -33,11 +35,9 @@ fn no_machine(component: &Component, report: &mut Report) {
     for transition in &component.transitions {
         report.add(&transition.attribute, wording::without_states("transition"));
     }
-    for hook in &component.entries {
-        report.add(&hook.attribute, wording::without_states("entry"));
-    }
-    for hook in &component.exits {
-        report.add(&hook.attribute, wording::without_states("exit"));
+    let hooks = [("entry", &component.entries), ("exit", &component.exits), ("before", &component.befores)];
+    for (role, hook) in hooks.iter().flat_map(|(role, hooks)| hooks.iter().map(move |hook| (role, hook))) {
+        report.add(&hook.attribute, wording::without_states(role));
     }
 }
 
@@ -67,6 +67,16 @@ fn ends(component: &Component, machine: &Machine, report: &mut Report) {
                 report.add_code(transition.map(|one| &one.attribute), Code::LastButLeft { state: name() });
             }
             _ => {}
+        }
+    }
+}
+
+/// Reports functions that would run before transitions of a state that none leaves.
+fn befores(component: &Component, machine: &Machine, report: &mut Report) {
+    for name in component.befores.iter().flat_map(|hook| &hook.states) {
+        let index = machine.states.iter().position(|state| text::name(&state.body.name) == text::name(name));
+        if index.is_some_and(|index| machine.states[index].last && machine.edges_from(index).next().is_none()) {
+            report.add(name, wording::before_of_last(&text::name(name)));
         }
     }
 }

@@ -24,6 +24,8 @@ pub struct Component {
     pub entries: Vec<Hook>,
     /// Functions with `#[exit]`.
     pub exits: Vec<Hook>,
+    /// Functions with `#[before]`.
+    pub befores: Vec<Hook>,
     /// Functions with `#[start]`.
     pub starts: Vec<Function>,
     /// Functions with `#[stop]`.
@@ -41,7 +43,7 @@ impl Component {
     pub fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
         let states = self.states.iter().map(|state| &state.function);
         let transitions = self.transitions.iter().map(|transition| &transition.function);
-        let hooks = self.entries.iter().chain(&self.exits).map(|hook| &hook.function);
+        let hooks = self.entries.iter().chain(&self.exits).chain(&self.befores).map(|hook| &hook.function);
         let activity = self.starts.iter().chain(&self.stops);
         self.step.iter().chain(states).chain(transitions).chain(hooks).chain(activity)
     }
@@ -108,6 +110,29 @@ pub struct Function {
     pub doc: String,
     /// Arguments beside `self`.
     pub arguments: Vec<Argument>,
+    /// `T` of a condition that returns `Option<T>`: what its transitions carry to the states that they enter.
+    pub carries: Option<Box<Type>>,
+}
+
+impl Function {
+    /// What the function takes from the transition by which its state was entered.
+    #[must_use]
+    pub fn found(&self) -> Option<&Found> {
+        self.arguments
+            .iter()
+            .find_map(|argument| if let Argument::Found(found) = argument { Some(&**found) } else { None })
+    }
+}
+
+/// `Found<T>` or `Option<Found<T>>`
+#[derive(Clone)]
+pub struct Found {
+    /// The argument's type as written.
+    pub written: Type,
+    /// `T`
+    pub of: Type,
+    /// Whether it is an `Option`: the state may be entered without a transition.
+    pub optional: bool,
 }
 
 /// An argument beside `self`.
@@ -125,6 +150,8 @@ pub enum Argument {
     OwnRate,
     /// `&Tuned<P>`: the struct `P`
     Tuned(Type),
+    /// `Found<T>`, in an entry hook
+    Found(Box<Found>),
 }
 
 /// `#[state]`
@@ -166,7 +193,7 @@ pub enum Sources<N = Ident> {
     These(Vec<N>),
 }
 
-/// `#[entry]` or `#[exit]`
+/// `#[entry]`, `#[exit]` or `#[before]`
 pub struct Hook {
     /// Function of the hook.
     pub function: Function,
@@ -204,6 +231,8 @@ pub struct MachineState<F = Function> {
     pub entries: Vec<F>,
     /// Functions that run when it is left.
     pub exits: Vec<F>,
+    /// Function that runs before the transitions that leave it are tried.
+    pub before: Option<F>,
 }
 
 /// A transition from one state to one other.
@@ -231,6 +260,14 @@ impl<F> Machine<F> {
 impl<F> MachineState<F> {
     /// Functions of the state and of its hooks.
     pub fn functions(&self) -> impl Iterator<Item = &F> {
-        [&self.body].into_iter().chain(&self.entries).chain(&self.exits)
+        [&self.body].into_iter().chain(&self.entries).chain(&self.exits).chain(&self.before)
+    }
+}
+
+impl MachineState {
+    /// What the state takes from the transition by which it is entered.
+    #[must_use]
+    pub fn found(&self) -> Option<&Found> {
+        self.entries.iter().find_map(Function::found)
     }
 }

@@ -11,7 +11,7 @@ use syn::{
 use super::arguments::{self, Form};
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
-use super::{attributes, operator, options, roles, signature};
+use super::{attributes, found, operator, options, roles, signature};
 use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
@@ -43,7 +43,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     let misplaced = match (&block.header.trait_, &name) {
         (Some((path, _)), _) => Some((path.to_token_stream(), wording::TRAIT_IMPL.to_owned())),
         (None, None) => Some((own.to_token_stream(), wording::NOT_A_NAME.to_owned())),
-        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Tuned") => {
+        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Tuned" | "Found") => {
             Some((own.to_token_stream(), wording::reserved(name)))
         }
         _ => None,
@@ -59,6 +59,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
         transitions: Vec::new(),
         entries: Vec::new(),
         exits: Vec::new(),
+        befores: Vec::new(),
         starts: Vec::new(),
         stops: Vec::new(),
         infos: Vec::new(),
@@ -287,7 +288,10 @@ fn state(component: &mut Component, function: &mut block::Function, attribute: &
 }
 
 fn transitions(component: &mut Component, function: &mut block::Function, all: Vec<Attribute>, report: &mut Report) {
+    let is_readable = signature::is_condition(&function.signature);
     let function = called(component, function, Form::Condition, report);
+    // What it carries is then not known.
+    component.incomplete |= !is_readable;
     for attribute in all.into_iter().filter(|attribute| roles::role(attribute) == Some("transition")) {
         let Some(arrow) = report.take(attributes::transition(&attribute)) else {
             component.incomplete = true;
@@ -299,12 +303,19 @@ fn transitions(component: &mut Component, function: &mut block::Function, all: V
 
 fn hook(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
     let role = roles::role(attribute).unwrap_or_default();
-    let function = called(component, function, Form::Step, report);
+    let form = if role == "entry" { Form::Entry } else { Form::Step };
+    let takes = found::is_taken(&function.signature);
+    let function = called(component, function, form, report);
+    component.incomplete |= takes && function.found().is_none();
     let Some(states) = report.take(attributes::hook(attribute, role)) else {
         component.incomplete = true;
         return;
     };
-    let hooks = if role == "entry" { &mut component.entries } else { &mut component.exits };
+    let hooks = match role {
+        "entry" => &mut component.entries,
+        "exit" => &mut component.exits,
+        _ => &mut component.befores,
+    };
     hooks.push(Hook { function, states, attribute: attribute.clone() });
 }
 
@@ -313,7 +324,7 @@ fn hook(component: &mut Component, function: &mut block::Function, attribute: &A
 /// On bare metal the function stays a call of its own: inlined into the visit, its variables would lie on the stack
 /// while the children are visited, and a tree as deep as its longest chain would need the stack of all of them at once.
 fn called(component: &Component, function: &mut block::Function, form: Form, report: &mut Report) -> Function {
-    let arguments = signature::read(&function.signature, component.own(), form, report);
+    let (arguments, carries) = signature::read(&function.signature, component.own(), form, report);
     for argument in &arguments {
         arguments::concrete(argument, &component.block.header.generics, report);
     }
@@ -331,8 +342,14 @@ fn called(component: &Component, function: &mut block::Function, form: Form, rep
         clippy::unused_self,
         reason = "an argument is a link, whether the function reads it or not"
     )]));
-    if form == Form::Step && !attributes.iter().any(|attribute| attribute.path().is_ident("inline")) {
+    if carries.is_some() {
+        let reason = "the state that it enters takes a value, also if a timer is the whole condition";
+        attributes.push(parse_quote!(#[allow(clippy::unnecessary_wraps, reason = #reason)]));
+    }
+    if matches!(form, Form::Step | Form::Entry)
+        && !attributes.iter().any(|attribute| attribute.path().is_ident("inline"))
+    {
         attributes.push(parse_quote!(#[cfg_attr(target_os = "none", inline(never))]));
     }
-    Function { name: function.signature.ident.clone(), doc, arguments }
+    Function { name: function.signature.ident.clone(), doc, arguments, carries: carries.map(Box::new) }
 }

@@ -39,6 +39,8 @@ pub struct Written<'a, F, N> {
     pub entries: Vec<(F, &'a [N])>,
     /// Exit hooks with the states that they name.
     pub exits: Vec<(F, &'a [N])>,
+    /// Functions before the transitions, with the states that they name.
+    pub befores: Vec<(F, &'a [N])>,
     /// Transitions.
     pub arrows: Vec<Arrow<'a, F, N>>,
 }
@@ -52,6 +54,8 @@ pub enum Omitted<'a, N> {
     Unknown(&'a N),
     /// The second mention of a state.
     Twice(&'a N),
+    /// The mention of a state that has a function before its transitions already.
+    SecondBefore(&'a N),
     /// The transition of this index, from all other states to the only one.
     FromNowhere(usize),
 }
@@ -62,10 +66,20 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
         let (names, mut states): (Vec<String>, Vec<MachineState<F>>) =
             self.states.iter().map(MachineState::named).unzip();
         for (hook, named) in &self.entries {
-            each(&names, named, &mut omitted, |state| states[state].entries.push(hook.clone()));
+            each(&names, named, &mut omitted, |state, _| states[state].entries.push(hook.clone()));
         }
         for (hook, named) in &self.exits {
-            each(&names, named, &mut omitted, |state| states[state].exits.push(hook.clone()));
+            each(&names, named, &mut omitted, |state, _| states[state].exits.push(hook.clone()));
+        }
+        let mut seconds = Vec::new();
+        for (hook, named) in &self.befores {
+            each(&names, named, &mut omitted, |state, name| match &mut states[state].before {
+                Some(_) => seconds.push(name),
+                free => *free = Some(hook.clone()),
+            });
+        }
+        for name in seconds {
+            omitted(Omitted::SecondBefore(name));
         }
         let mut edges = Vec::new();
         for index in 0..self.arrows.len() {
@@ -108,7 +122,8 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
 impl<F: Clone + Named> MachineState<F> {
     /// A state without hooks, and its name.
     fn named((body, last): &(F, bool)) -> (String, Self) {
-        (body.text(), Self { body: body.clone(), last: *last, entries: Vec::new(), exits: Vec::new() })
+        let state = Self { body: body.clone(), last: *last, entries: Vec::new(), exits: Vec::new(), before: None };
+        (body.text(), state)
     }
 }
 
@@ -121,12 +136,12 @@ fn find<'a, N: Named>(names: &[String], name: &'a N, omitted: &mut impl FnMut(Om
     found
 }
 
-/// Calls `put` with each state that a hook names.
+/// Calls `put` with each state that a hook names, and its name there.
 fn each<'a, N: Named>(
     names: &[String],
     named: &'a [N],
     omitted: &mut impl FnMut(Omitted<'a, N>),
-    mut put: impl FnMut(usize),
+    mut put: impl FnMut(usize, &'a N),
 ) {
     let mut seen = Vec::new();
     for name in named {
@@ -134,7 +149,7 @@ fn each<'a, N: Named>(
             Some(state) if seen.contains(&state) => omitted(Omitted::Twice(name)),
             Some(state) => {
                 seen.push(state);
-                put(state);
+                put(state, name);
             }
             None => {}
         }
@@ -147,15 +162,17 @@ pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Mach
         states: component.states.iter().map(|state| (state.function.clone(), state.last)).collect(),
         entries: component.entries.iter().map(Hook::written).collect(),
         exits: component.exits.iter().map(Hook::written).collect(),
+        befores: component.befores.iter().map(Hook::written).collect(),
         arrows: component.transitions.iter().map(Transition::written).collect(),
     };
     let initial = initial(component, report);
     let mut is_known = true;
     let (states, edges) = written.resolve(|omitted| {
-        is_known &= matches!(omitted, Omitted::Twice(_));
+        is_known &= matches!(omitted, Omitted::Twice(_) | Omitted::SecondBefore(_));
         match omitted {
             Omitted::Unknown(name) => report.add_code(name, unknown(component, name)),
             Omitted::Twice(name) => report.add(name, wording::TWICE),
+            Omitted::SecondBefore(name) => report.add(name, wording::second_before(&text::name(name))),
             Omitted::FromNowhere(index) => {
                 let transition = &component.transitions[index];
                 report.add(&transition.attribute, wording::from_nowhere(&text::name(&transition.arrow.to)));

@@ -4,7 +4,8 @@ use proc_macro2::{Group, TokenTree};
 use syn::Attribute;
 
 /// The attributes that assign a function its role.
-pub(super) const ROLES: [&str; 8] = ["state", "transition", "entry", "exit", "start", "stop", "info", "modulation"];
+pub(super) const ROLES: [&str; 9] =
+    ["state", "transition", "entry", "exit", "before", "start", "stop", "info", "modulation"];
 
 /// The role that an attribute assigns, if it is one of ours.
 #[must_use]

@@ -5,18 +5,37 @@ use quote::ToTokens;
 use syn::{FnArg, GenericParam, Lifetime, Receiver, ReceiverKind, ReturnType, Safety, Signature, Type};
 
 use super::arguments::{self, Form};
+use super::found;
 use super::model::Argument;
 use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
 
-/// Reads the arguments and reports what a function of that form may not have.
-pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut Report) -> Vec<Argument> {
+/// Reads the arguments, and `T` of a condition that returns `Option<T>`; reports what a function of that form may not have.
+pub(crate) fn read(
+    signature: &Signature,
+    own: &Type,
+    form: Form,
+    report: &mut Report,
+) -> (Vec<Argument>, Option<Type>) {
     no_modifiers(signature, report);
     generics(signature, report);
     receiver(signature, own, form, report);
-    output(signature, form, report);
-    arguments::read(signature, own, form, report)
+    let carries = output(signature, form, report);
+    (arguments::read(signature, own, form, report), carries)
+}
+
+/// `T` of a condition that returns `Option<T>`.
+#[must_use]
+pub fn carries(signature: &Signature) -> Option<&Type> {
+    let ReturnType::Type(_, kind) = &signature.output else { return None };
+    arguments::only_type_of(kind, "Option")
+}
+
+/// Whether a function returns what a condition may return.
+pub(super) fn is_condition(signature: &Signature) -> bool {
+    output(signature, Form::Condition, &mut Report::default()).is_some()
+        || matches!(&signature.output, ReturnType::Type(_, kind) if is_bool(kind))
 }
 
 /// How a function that an operator calls takes its component or world.
@@ -128,10 +147,14 @@ fn lifetime(receiver: &Receiver) -> Option<&Lifetime> {
     }
 }
 
-fn output(signature: &Signature, form: Form, report: &mut Report) {
+/// Checks what a function returns; `T` of a condition that returns `Option<T>`.
+fn output(signature: &Signature, form: Form, report: &mut Report) -> Option<Type> {
     let name = text::name(&signature.ident);
     match (&signature.output, form) {
         (ReturnType::Type(_, kind), Form::Condition) if is_bool(kind) => {}
+        (_, Form::Condition) if let Some(of) = carries(signature) => {
+            return found::value(of, report).then(|| plain(of).clone());
+        }
         (ReturnType::Type(_, kind), Form::Condition) => report.add(kind, wording::returns_bool(&name)),
         (ReturnType::Default, Form::Condition) => report.add(&signature.ident, wording::returns_bool(&name)),
         (ReturnType::Type(_, kind), _) if text::written(kind) != "()" => {
@@ -139,6 +162,7 @@ fn output(signature: &Signature, form: Form, report: &mut Report) {
         }
         _ => {}
     }
+    None
 }
 
 /// Whether a type is `bool`, by any path.

@@ -18,6 +18,7 @@ pub(crate) fn reserved(name: &str) -> String {
     let used = match name {
         "Time" => "an argument `&Time` is the time of the cycle",
         "Rate" => "`Rate<C>` is the rate of C",
+        "Found" => "`Found<T>` is what a transition found",
         _ => "`Tuned<P>` is a struct of parameters",
     };
     format!("a component cannot be called `{name}`: {used}; choose another name")
@@ -35,7 +36,7 @@ pub(crate) const ARROW: &str = "a transition names the states that it leaves and
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
 pub(crate) const TIMER: &str = "only `after_ms = 1500` can follow the arrow: remove this";
 pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
-                                     `start`, `stop`, `info` or `modulation`): remove one";
+                                     `before`, `start`, `stop`, `info` or `modulation`): remove one";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
 pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
 pub(crate) const CONDITIONAL: &str =
@@ -49,7 +50,7 @@ messages! {
 
 pub(crate) fn role_twice(role: &str) -> String {
     match role {
-        "entry" | "exit" => format!("a function has one `#[{role}]`: write `#[{role}(one | other)]`"),
+        "entry" | "exit" | "before" => format!("a function has one `#[{role}]`: write `#[{role}(one | other)]`"),
         "state" => "a function has one `#[state]`: write `#[state(initial, last)]`".to_owned(),
         _ => super::shared::TWICE.to_owned(),
     }
@@ -144,6 +145,10 @@ messages! {
     dead_end(state) =
         "no transition leaves state `{state}`: add a `#[transition({state} -> ...)]`, or mark it `#[state(last)]`";
     last_but_left(state) = "state `{state}` is marked `last`, but this transition leaves it: remove one of the two";
+    second_before(state) =
+        "state `{state}` has a `#[before]` already: keep one, and call from it what the other one does";
+    before_of_last(state) =
+        "no transition leaves state `{state}`, before which this function could run: remove the state here";
     without_states(role) =
         "`#[{role}]` is for a state machine, and there is no `#[state]` here: add the states, or remove it";
     not_called_step(name) = "no tree calls `{name}`: rename it to `step`, or to a name that is less similar";
@@ -164,7 +169,8 @@ messages! {
     world_receiver(function) = "an action changes the world, and `{function}` borrows it: write `&mut self` as the first argument";
     returns_nothing(function) =
         "`{function}` must return nothing: store the result in a field, which other components can read";
-    returns_bool(function) = "transition `{function}` must return whether it is taken: write `-> bool`";
+    returns_bool(function) =
+        "transition `{function}` must return whether it is taken: write `-> bool`, or `-> Option<T>` with what its state takes";
 }
 
 // Arguments.
@@ -205,4 +211,28 @@ messages! {
         "`{written}` is no link to a component: write each one as an argument of its own, such as `a: &A, b: &mut B`";
     no_size(written) = "`{written}` has no fixed size, and a component stores its values: name a type with a size, such as an array";
     two_links(written) = "two links to `{written}` in one signature: keep one; `&mut` can also read";
+}
+
+// What transitions carry.
+pub(crate) const FOUND_ELSEWHERE: &str =
+    "only an `#[entry]` hook takes what a transition found: take it there, and store it in a field of `self`";
+pub(crate) const FOUND_BORROWED: &str = "what a transition found is handed over, not borrowed: remove `&` here";
+pub(crate) const FOUND_OF_WHAT: &str = "`Found` holds what a transition returned: write `Found<T>` for `-> Option<T>`";
+pub(crate) const FOUND_TWICE: &str = "a state takes one value from a transition: remove one, or put both into a struct";
+
+messages! {
+    found_reference(written) =
+        "the components change before the state is entered, so a transition carries a value: write `{written}`";
+    found_by_two(hook, state) =
+        "entry hook `{hook}` already takes what was found for state `{state}`: take it in one of the two";
+    found_initial(state, of) =
+        "the machine starts in `{state}`, without a transition: write `Option<Found<{of}>>`";
+    found_optional(of) = "these states are entered by transitions only, so there is always a value: write `Found<{of}>`";
+    found_never(state) = "no transition enters state `{state}`, so there is never a value: remove this argument";
+    carries_nothing(transition, state, hook, of) =
+        "entry hook `{hook}` of state `{state}` takes a `{of}`, and transition `{transition}` carries none: \
+         return `Option<{of}>`, or take nothing in `{hook}`";
+    takes_nothing(transition, state, of) =
+        "transition `{transition}` carries a `{of}`, and no entry hook of state `{state}` takes it: write `-> bool`, \
+         or an argument `Found<{of}>` in an `#[entry({state})]` hook";
 }

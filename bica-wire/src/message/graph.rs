@@ -69,6 +69,8 @@ pub enum GraphItem<'a> {
         initial: bool,
         /// Whether no transition leaves it on purpose.
         last: bool,
+        /// Function that runs before the transitions that leave it.
+        before: Option<&'a str>,
     },
     /// A transition between two states of a component.
     Transition {
@@ -82,6 +84,8 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Shortest time in the source state, ms.
         after_ms: Option<u32>,
+        /// Type of what it carries to the target state, as in the source text.
+        carries: Option<&'a str>,
     },
     /// A parameter of a component.
     Param {

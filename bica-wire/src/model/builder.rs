@@ -112,13 +112,15 @@ impl Builder {
                 self.at(from)?.links.push(link);
                 self.last = Last::Link;
             }
-            GraphItem::State { component, name, initial, last, .. } => {
-                self.at(component)?.states.push(State { name: name.to_owned(), doc: String::new(), initial, last });
+            GraphItem::State { component, name, initial, last, before, .. } => {
+                let (name, before) = (name.to_owned(), before.map(str::to_owned));
+                self.at(component)?.states.push(State { name, doc: String::new(), initial, last, before });
                 self.last = Last::State(component.into());
             }
-            GraphItem::Transition { component, from, to, name, after_ms } => {
+            GraphItem::Transition { component, from, to, name, after_ms, carries } => {
                 let (name, from, to) = (name.to_owned(), from.into(), to.into());
-                self.at(component)?.transitions.push(Transition { name, doc: String::new(), from, to, after_ms });
+                let (doc, carries) = (String::new(), carries.map(str::to_owned));
+                self.at(component)?.transitions.push(Transition { name, doc, from, to, after_ms, carries });
                 self.last = Last::Transition(component.into());
             }
             GraphItem::Param { component, group, name, unit, ref kind, default, .. } => {

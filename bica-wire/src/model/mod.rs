@@ -104,6 +104,9 @@ pub struct State {
     pub initial: bool,
     /// Whether no transition leaves it on purpose.
     pub last: bool,
+    /// Function that runs before the transitions that leave it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<String>,
 }
 
 /// A transition.
@@ -119,6 +122,9 @@ pub struct Transition {
     pub to: usize,
     /// Shortest time in the source state, ms.
     pub after_ms: Option<u32>,
+    /// Type of what it carries to the target state, as in the source text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub carries: Option<String>,
 }
 
 /// An output.

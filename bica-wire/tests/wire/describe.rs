@@ -12,7 +12,7 @@ use bica_wire::model::{Builder, Description};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
 const fn state(name: &'static str, initial: bool) -> State {
-    State { name, doc: "", initial, last: !initial }
+    State { name, doc: "", initial, last: !initial, before: if initial { Some("think") } else { None } }
 }
 
 const GAIN: Param = Param {
@@ -72,7 +72,14 @@ static GRAPH: Graph = Graph {
             hz: Some(30.0),
             links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1) }],
             states: &[state("rest", true), state("look", false)],
-            transitions: &[Transition { name: "wakes", doc: "", from: 0, to: 1, after_ms: Some(500) }],
+            transitions: &[Transition {
+                name: "wakes",
+                doc: "",
+                from: 0,
+                to: 1,
+                after_ms: Some(500),
+                carries: Some("Kick"),
+            }],
             ..Node::new("Head")
         },
     ],
@@ -117,9 +124,16 @@ fn graph_is_described_once_and_in_order() {
         doc("Part of the way."),
         place.clone(),
         GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
-        GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false },
-        GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true },
-        GraphItem::Transition { component: 1, from: 0, to: 1, name: "wakes", after_ms: Some(500) },
+        GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false, before: Some("think") },
+        GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true, before: None },
+        GraphItem::Transition {
+            component: 1,
+            from: 0,
+            to: 1,
+            name: "wakes",
+            after_ms: Some(500),
+            carries: Some("Kick"),
+        },
         GraphItem::Action { name: "wait", moves: None },
         GraphItem::Action { name: "place", moves: Some("cup") },
         doc("Puts it."),

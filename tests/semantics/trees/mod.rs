@@ -1,5 +1,6 @@
 //! Test trees.
 
+pub(crate) mod carried;
 pub(crate) mod diamond;
 pub(crate) mod generic;
 pub(crate) mod modulated;

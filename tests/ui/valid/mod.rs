@@ -2,6 +2,7 @@
 
 #![expect(clippy::float_cmp, clippy::needless_arbitrary_self_type, clippy::unused_self, reason = "unusual on purpose")]
 
+mod carried;
 mod items;
 mod names;
 mod numbers;

@@ -21,6 +21,7 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
             quote_spanned!(at(kind) => <#kind as #p::CycleTime>::of(&time))
         }
         Argument::Tuned(kind) => tuning.argument(kind),
+        Argument::Found(found) => quote_spanned!(at(&found.written) => found),
         _ => binding(place).to_token_stream(),
     });
     quote! {{
@@ -55,7 +56,7 @@ pub(super) fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
 /// The arguments that are borrowed: their places, how, and of which type.
 fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
-        Argument::Time(_) | Argument::Tuned(_) => None,
+        Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
         Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
         Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),

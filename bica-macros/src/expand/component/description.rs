@@ -88,5 +88,6 @@ fn states(behaviour: &Behaviour) -> TokenStream {
 fn state(p: &TokenStream, machine: &Machine, index: usize, state: &MachineState) -> TokenStream {
     let name = text::name(&state.body.name);
     let (doc, last, initial) = (&state.body.doc, state.last, machine.initial == index);
-    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last })
+    let before = option(state.before.as_ref().map(|before| text::name(&before.name)).as_ref());
+    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last, before: #before })
 }

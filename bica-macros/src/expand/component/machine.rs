@@ -2,124 +2,183 @@
 //!
 //! One round through the loop is one state. A transition ends its round early and the next begins in the new state, so
 //! that the state that is not left costs one `match`.
+//!
+//! What a transition carries is a variable of the visit, which the loop takes over from a steady tick. A trait of the component's own
+//! names its type: as a part of `MemberOf`, it could not be private.
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::{Generics, Type};
 
 use super::call;
+use super::slots::Slots;
 use super::tuning::Tuning;
 use super::visits::Visits;
 use bica_syntax::component::model::{Edge, Function, Machine};
 
-/// The functions of `MemberOf` that run a state machine.
-pub(super) fn expand(p: &TokenStream, machine: &Machine, visits: &Visits, tuning: &Tuning) -> TokenStream {
-    let rounds = arms(machine, |state| round(p, (machine, state), visits, tuning, false));
-    let steady = visits.exist().then(|| {
-        let rounds = arms(machine, |state| round(p, (machine, state), visits, tuning, true));
+/// What the code of each state depends on.
+pub(super) struct Parts<'a> {
+    pub(super) p: &'a TokenStream,
+    pub(super) machine: &'a Machine,
+    pub(super) visits: &'a Visits,
+    pub(super) tuning: &'a Tuning,
+    pub(super) slots: Slots<'a>,
+}
+
+impl Parts<'_> {
+    /// The functions of `MemberOf` that run the machine.
+    pub(super) fn functions(&self) -> TokenStream {
+        let p = self.p;
+        let steady = self.visits.exist().then(|| self.steady());
+        let empty = self.slots.exist().then(|| self.slots.empty());
+        let proceed = self.proceed(empty);
+        let own = (!self.slots.exist()).then(|| self.proceeding());
+        quote! {
+            #[inline]
+            fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
+                let machine = cycle.machine::<Self>(visit);
+                #proceed;
+            }
+
+            #steady
+
+            #own
+        }
+    }
+
+    /// The trait with the loop of a machine whose transitions carry something, and its implementation.
+    pub(super) fn carrying(&self, own: &Type, generics: &Generics) -> Option<TokenStream> {
+        let (p, kind, proceed) = (self.p, self.slots.kind(), self.proceeding());
+        let (parameters, _, bounds) = generics.split_for_impl();
+        self.slots.exist().then(|| {
+            quote! {
+                trait __Carrying<__T: #p::Layout>: ::core::marker::Sized {
+                    type Slots;
+                    fn proceed<__P: #p::Probe>(
+                        cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit, machine: #p::Machine, slots: Self::Slots,
+                    );
+                }
+
+                #[automatically_derived]
+                impl #parameters __Carrying<__T> for #own #bounds {
+                    type Slots = #kind;
+
+                    #proceed
+                }
+            }
+        })
+    }
+
+    fn steady(&self) -> TokenStream {
+        let p = self.p;
+        let rounds = self.arms(true);
+        let empty = self.slots.empty();
+        let slots = self.slots.exist().then(|| quote!(let mut slots: <Self as __Carrying<__T>>::Slots = #empty;));
         quote! {
             fn pass_steady<__P: #p::Probe, const __PLAN: ::core::primitive::usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: ::core::primitive::bool) {
                 let visit = #p::Visit { due: is_due, entering: false };
                 let machine = cycle.machine::<Self>(visit);
-                match machine.state {
-                    #rounds
-                }
-            }
-        }
-    });
-    quote! {
-        #[inline]
-        fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
-            let machine = cycle.machine::<Self>(visit);
-            <Self as #p::MemberOf<__T>>::proceed(cycle, visit, machine);
-        }
-
-        #steady
-
-        #[inline]
-        fn proceed<__P: #p::Probe>(
-            cycle: &mut #p::Cycle<'_, __T, __P>,
-            visit: #p::Visit,
-            mut machine: #p::Machine,
-        ) {
-            loop {
+                #slots
                 match machine.state {
                     #rounds
                 }
             }
         }
     }
-}
 
-fn arms(machine: &Machine, round: impl Fn(usize) -> TokenStream) -> TokenStream {
-    let last = machine.states.len() - 1;
-    let arms = (0..=last).map(|state| {
-        let round = round(state);
-        if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
-    });
-    quote!(#(#arms)*)
-}
-
-fn round(
-    p: &TokenStream,
-    (machine, index): (&Machine, usize),
-    visits: &Visits,
-    tuning: &Tuning,
-    steady: bool,
-) -> TokenStream {
-    let state = &machine.states[index];
-    let (before, after) = if steady {
-        let plan = quote!(#index);
-        (visits.before_steady(index, &plan), visits.after_steady(index, &plan))
-    } else {
-        (visits.before(index), visits.after(index))
-    };
-    let entries = calls(p, &state.entries, tuning);
-    let entering = (!state.entries.is_empty() && !steady).then(|| quote!(if machine.entering { #entries }));
-    let body = call::expand(p, &state.body, tuning);
-    let exits = calls(p, &state.exits, tuning);
-    let edges = machine.edges.iter().enumerate().filter(|(_, edge)| edge.from == index);
-    let transitions: Vec<_> = edges.map(|(number, edge)| leave(p, (number, edge), &exits, tuning, steady)).collect();
-    let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #(#transitions)* }));
-    quote! {{
-        #before
-        if visit.due {
-            cycle.begin_state::<Self>(machine);
-            #entering
-            #leaving
-            #body
-            cycle.end_code::<Self>();
+    /// The function with the loop.
+    fn proceeding(&self) -> TokenStream {
+        let p = self.p;
+        let rounds = self.arms(false);
+        let slots = self.slots.exist().then(|| quote!(mut slots: Self::Slots,));
+        quote! {
+            #[inline]
+            fn proceed<__P: #p::Probe>(
+                cycle: &mut #p::Cycle<'_, __T, __P>,
+                visit: #p::Visit,
+                mut machine: #p::Machine,
+                #slots
+            ) {
+                loop {
+                    match machine.state {
+                        #rounds
+                    }
+                }
+            }
         }
-        #after
-        return;
-    }}
-}
+    }
 
-fn calls(p: &TokenStream, functions: &[Function], tuning: &Tuning) -> TokenStream {
-    let calls = functions.iter().map(|function| call::expand(p, function, tuning));
-    quote!(#(#calls)*)
-}
+    /// The call of the loop, with slots if there are any.
+    fn proceed(&self, slots: Option<TokenStream>) -> TokenStream {
+        let p = self.p;
+        if let Some(slots) = slots {
+            quote!(<Self as __Carrying<__T>>::proceed(cycle, visit, machine, #slots))
+        } else {
+            quote!(<Self as #p::MemberOf<__T>>::proceed(cycle, visit, machine))
+        }
+    }
 
-/// Leaves the state if the condition of an edge holds. `number` is the index of the edge in the node's transitions.
-fn leave(
-    p: &TokenStream,
-    (number, edge): (usize, &Edge),
-    exits: &TokenStream,
-    tuning: &Tuning,
-    steady: bool,
-) -> TokenStream {
-    let (from, to) = (edge.from, edge.to);
-    let condition = call::expand(p, &edge.condition, tuning);
-    let entered = quote!(cycle.transition::<Self>(#from, #to));
-    let next = if steady {
-        quote!(let machine = #entered; return <Self as #p::MemberOf<__T>>::proceed(cycle, visit, machine);)
-    } else {
-        quote!(machine = #entered; continue;)
-    };
-    let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
-    quote! {
-        if #timer { let holds = #condition; cycle.condition::<Self>(#number, holds) } {
-            #exits
-            #next
+    fn arms(&self, steady: bool) -> TokenStream {
+        let last = self.machine.states.len() - 1;
+        let arms = (0..=last).map(|state| {
+            let round = self.round(state, steady);
+            if state == last { quote!(_ => #round) } else { quote!(#state => #round) }
+        });
+        quote!(#(#arms)*)
+    }
+
+    fn round(&self, index: usize, steady: bool) -> TokenStream {
+        let (p, visits, state) = (self.p, self.visits, &self.machine.states[index]);
+        let (before, after) = if steady {
+            let plan = quote!(#index);
+            (visits.before_steady(index, &plan), visits.after_steady(index, &plan))
+        } else {
+            (visits.before(index), visits.after(index))
+        };
+        let entries = state.entries.iter().map(|hook| self.slots.entry(p, index, hook, self.tuning));
+        let entering = (!state.entries.is_empty() && !steady).then(|| quote!(if machine.entering { #(#entries)* }));
+        let body = call::expand(p, &state.body, self.tuning);
+        let exits = self.calls(&state.exits);
+        let first = self.calls(state.before.as_slice());
+        let edges = self.machine.edges.iter().enumerate().filter(|(_, edge)| edge.from == index);
+        let transitions: Vec<_> = edges.map(|(number, edge)| self.leave((number, edge), &exits, steady)).collect();
+        let leaving = (!transitions.is_empty()).then(|| quote!(if !machine.moved { #first #(#transitions)* }));
+        quote! {{
+            #before
+            if visit.due {
+                cycle.begin_state::<Self>(machine);
+                #entering
+                #leaving
+                #body
+                cycle.end_code::<Self>();
+            }
+            #after
+            return;
+        }}
+    }
+
+    fn calls(&self, functions: &[Function]) -> TokenStream {
+        let calls = functions.iter().map(|function| call::expand(self.p, function, self.tuning));
+        quote!(#(#calls)*)
+    }
+
+    /// Leaves the state if the condition of an edge holds. `number` is the index of the edge in the node's transitions.
+    fn leave(&self, (number, edge): (usize, &Edge), exits: &TokenStream, steady: bool) -> TokenStream {
+        let (from, to) = (edge.from, edge.to);
+        let holds = self.slots.holds(edge, &call::expand(self.p, &edge.condition, self.tuning));
+        let entered = quote!(cycle.transition::<Self>(#from, #to));
+        let next = if steady {
+            let proceed = self.proceed(self.slots.exist().then(|| quote!(slots)));
+            quote!(let machine = #entered; return #proceed;)
+        } else {
+            quote!(machine = #entered; continue;)
+        };
+        let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
+        quote! {
+            if #timer { #holds cycle.condition::<Self>(#number, holds) } {
+                #exits
+                #next
+            }
         }
     }
 }

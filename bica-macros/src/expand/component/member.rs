@@ -6,6 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
 
+use super::slots::Slots;
 use super::tuning::Tuning;
 use super::visits::Visits;
 use super::{description, hooks, machine, node, operator, step};
@@ -34,9 +35,13 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let timed = timed(component);
     let rates = rates(&p, component);
     let node = node::expand(component, behaviour, &visits);
-    let code = match behaviour {
-        Behaviour::Step(function) => step::expand(&p, function.as_ref(), &visits, &tuning),
-        Behaviour::Machine(machine) => machine::expand(&p, machine, &visits, &tuning),
+    let (code, carrying) = match behaviour {
+        Behaviour::Step(function) => (step::expand(&p, function.as_ref(), &visits, &tuning), None),
+        Behaviour::Machine(machine) => {
+            let slots = Slots::of(machine);
+            let parts = machine::Parts { p: &p, machine, visits: &visits, tuning: &tuning, slots };
+            (parts.functions(), parts.carrying(own, &generics))
+        }
     };
     let hooks = hooks::expand(component, &tuning);
     let operator = operator::functions(component);
@@ -52,6 +57,8 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #hooks
             #operator
         }
+
+        #carrying
     }
 }
 

@@ -7,6 +7,7 @@ mod machine;
 mod member;
 mod node;
 pub(crate) mod operator;
+mod slots;
 mod step;
 mod stub;
 mod tuning;

@@ -60,12 +60,13 @@ fn link(argument: &Argument) -> Option<(bool, &Type)> {
     match argument {
         Argument::Read(child) | Argument::Write(child) => Some((false, child)),
         Argument::Rate(child) => Some((true, child)),
-        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) => None,
+        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
     }
 }
 
 fn transition(p: &TokenStream, edge: &Edge) -> TokenStream {
     let name = text::name(&edge.condition.name);
     let (doc, from, to, after_ms) = (&edge.condition.doc, edge.from, edge.to, option(edge.after_ms.as_ref()));
-    quote!(#p::Transition { name: #name, doc: #p::doc(#doc), from: #from, to: #to, after_ms: #after_ms })
+    let carries = option(edge.condition.carries.as_ref().map(text::written).as_ref());
+    quote!(#p::Transition { name: #name, doc: #p::doc(#doc), from: #from, to: #to, after_ms: #after_ms, carries: #carries })
 }

@@ -120,7 +120,7 @@ fn drawing_names_every_component_and_escapes_text() {
 fn kind_of_component_follows_from_its_links() {
     let link = |to, kind| Link { to, kind, state: None };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
-    let states = vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true }];
+    let states = vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true, before: None }];
     let graph = graph(vec![
         node("FollowBall", vec![link(1, read), link(2, write), link(4, write)], Vec::new()),
         node("Ball", vec![link(3, read)], Vec::new()),

@@ -46,7 +46,7 @@ export function complete(context) {
     const child = argumentsBefore(before).get(dot[1]);
     return child ? { from, options: methodsOf(child), validFor: WORD } : null;
   }
-  const attribute = /#\[(transition|entry|exit)\(([^\])]*)$/.exec(before);
+  const attribute = /#\[(transition|entry|exit|before)\(([^\])]*)$/.exec(before);
   const word = context.matchBefore(/\p{XID_Continue}*/u);
   if (attribute && own) {
     const options = own.states.map(({ name, docs }) => ({ label: name, type: 'enum', info: docs || undefined }));

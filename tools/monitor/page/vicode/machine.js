@@ -28,12 +28,14 @@ function children(functions) {
 function stateOf(component, state) {
   const name = nameOf(state);
   const hooks = component.hooks.filter((hook) => hook.states.some((one) => one.text === name));
+  const found = hooks.filter(({ role }) => role === 'entry').flatMap((hook) => hook.function.arguments).find(({ input }) => input === 'found');
   return {
     key: stateKey(name),
     name,
     docs: state.function.docs.text,
     initial: state.initial,
     last: state.last,
+    takes: found?.of ?? null,
     hooks: hooks.map((hook) => ({ name: nameOf(hook), role: hook.role })),
     children: children([state.function, ...hooks.map((hook) => hook.function)]),
     function: state.function,
@@ -54,6 +56,7 @@ function arrowsOf(transition) {
       sources,
       to: arrow.to.text,
       after_ms: arrow.after_ms?.[0] ?? null,
+      carries: transition.function.carries?.text ?? null,
       docs: transition.function.docs.text,
       children: children([transition.function]),
       function: transition.function,

@@ -34,7 +34,8 @@ struct Seen {
 /// A tree of two components, one of them with states and an output.
 fn description() -> Description {
     let text = str::to_owned;
-    let state = |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false };
+    let state =
+        |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false, before: None };
     let info = Information {
         name: text("seen"),
         doc: String::new(),

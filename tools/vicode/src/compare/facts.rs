@@ -54,6 +54,8 @@ pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
     }
     for transition in &component.transitions {
         let facts = transition.arrows.iter().enumerate().flat_map(|(index, arrow)| of_arrow(index, arrow));
+        let carries = transition.function.carries.iter().map(|of| Fact::new("carries", &*of.text));
+        let facts = facts.chain(carries);
         add("transition", &transition.function, "condition", facts.collect());
     }
     for hook in &component.hooks {

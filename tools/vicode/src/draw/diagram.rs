@@ -57,10 +57,12 @@ impl Diagram {
             let name = state.function.name.text.clone();
             let links = links(Some(index), machine.states[index].functions().copied());
             let hooks = hooks_of(component, &name);
+            let takes = component.takes(&name).map(str::to_owned);
             let size = (WIDTH, height(hooks.len() + links.len()));
             let centre = (at.x as f32, at.y as f32);
             let mark = marks.states.get(&name).copied();
-            nodes.push(Node { name, initial: state.initial, last: state.last, centre, size, hooks, links, mark });
+            let (initial, last) = (state.initial, state.last);
+            nodes.push(Node { name, initial, last, centre, size, takes, hooks, links, mark });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
         diagram.connect(&machine, marks);

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use bica_syntax::component::model::Edge;
 
+use super::parts::titled;
 use crate::model::{Component, Function};
 
 /// Formats the machine for Mermaid, as a `stateDiagram-v2`.
@@ -12,6 +13,9 @@ pub fn mermaid(component: &Component) -> String {
     let mut out = String::from("stateDiagram-v2\n");
     for state in &component.states {
         let name = &state.function.name.text;
+        if let Some(of) = component.takes(name) {
+            writeln!(out, "    state \"{}\" as {name}", entities(&titled(name, Some(of)))).unwrap_or_default();
+        }
         if state.initial {
             writeln!(out, "    [*] --> {name}").unwrap_or_default();
         }
@@ -25,6 +29,14 @@ pub fn mermaid(component: &Component) -> String {
     out
 }
 
+/// Writes signs that may mean something to Mermaid as entities.
+fn entities(text: &str) -> String {
+    let entity = |sign: char| {
+        if sign.is_ascii_punctuation() && sign != '_' { format!("#{};", u32::from(sign)) } else { sign.into() }
+    };
+    text.chars().map(entity).collect()
+}
+
 /// Formats the machine for Graphviz, as a `digraph`.
 #[must_use]
 pub fn dot(component: &Component) -> String {
@@ -34,7 +46,9 @@ pub fn dot(component: &Component) -> String {
         let peripheries = if state.last { 2 } else { 1 };
         let width = if state.initial { 2 } else { 1 };
         let name = &state.function.name.text;
-        writeln!(out, "    \"{name}\" [peripheries={peripheries}, penwidth={width}];").unwrap_or_default();
+        let label =
+            component.takes(name).map_or_else(String::new, |of| format!(", label=\"{}\"", titled(name, Some(of))));
+        writeln!(out, "    \"{name}\" [peripheries={peripheries}, penwidth={width}{label}];").unwrap_or_default();
     }
     for (from, to, label) in labels(component) {
         writeln!(out, "    \"{from}\" -> \"{to}\" [label=\"{label}\"];").unwrap_or_default();

@@ -24,6 +24,8 @@ pub struct Node {
     pub centre: (f32, f32),
     /// Width and height, points.
     pub size: (f32, f32),
+    /// Type of what it takes from the transitions that enter it.
+    pub takes: Option<String>,
     /// Its hooks.
     pub hooks: Vec<String>,
     /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
@@ -57,6 +59,11 @@ pub(super) fn height(lines: usize) -> f32 {
     HEIGHT + LINE * lines as f32
 }
 
+/// Formats the name of a state that may take something: `kick ← Kick`.
+pub(super) fn titled(name: &str, takes: Option<&str>) -> String {
+    takes.map_or_else(|| name.to_owned(), |of| format!("{name} ← {of}"))
+}
+
 /// Returns the hooks of a state: `entry / greet`.
 pub(super) fn hooks_of(component: &Component, state: &str) -> Vec<String> {
     let hooks = component.hooks.iter().filter(|hook| hook.states.iter().any(|one| one.text == state));
@@ -81,6 +88,12 @@ impl Edge {
 }
 
 impl Node {
+    /// Returns the name, and what the state takes: `kick ← Kick`.
+    #[must_use]
+    pub fn title(&self) -> String {
+        titled(&self.name, self.takes.as_deref())
+    }
+
     /// Returns the lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.
     #[must_use]
     pub fn lines(&self) -> Vec<String> {

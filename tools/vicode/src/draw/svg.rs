@@ -88,7 +88,7 @@ fn state(out: &mut String, node: &Node, style: Style) {
         frame(out, 4.0).unwrap_or_default();
     }
     let sign = node.mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
-    text(out, (x, top + 24.0), style.text, "font-weight=\"bold\"", &(sign + &node.name));
+    text(out, (x, top + 24.0), style.text, "font-weight=\"bold\"", &(sign + &node.title()));
     for (index, line) in node.lines().iter().enumerate() {
         text(out, (x, top + 40.0 + 14.0 * index as f32), style.text, "font-size=\"10\"", line);
     }

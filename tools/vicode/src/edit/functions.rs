@@ -5,7 +5,7 @@ use super::request::{Edit, Refusal};
 use super::splice::{Splice, applied};
 use super::style::Style;
 use super::{fragment, layout, machine, rename};
-use crate::model::{Component, Function, HookRole};
+use crate::model::{Component, Function};
 
 /// Adds a state, a transition, a hook, or code.
 pub(super) fn add(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
@@ -25,18 +25,21 @@ pub(super) fn add(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Ref
         Edit::AddTransition { component, name, from, to, after_ms, body, docs, after } => {
             let component = context.component(component)?;
             let list = machine::arrow(component, from, to, *after_ms)?;
-            let body = match (body.trim().is_empty(), after_ms) {
-                (true, Some(_)) => "true",
-                (true, None) => "false",
+            let takes = component.takes(to);
+            let body = match (body.trim().is_empty(), takes, after_ms) {
+                (true, Some(_), _) => "None",
+                (true, None, Some(_)) => "true",
+                (true, None, None) => "false",
                 _ => body,
             };
-            let head = (format!("#[transition({list})]"), format!("fn {name}(&self) -> bool"));
+            let returns = takes.map_or_else(|| "bool".to_owned(), |of| format!("Option<{of}>"));
+            let head = (format!("#[transition({list})]"), format!("fn {name}(&self) -> {returns}"));
             new(context, component, name, docs, head, body, behind(component, after.as_deref(), 1)?)
         }
         Edit::AddHook { component, name, role, states, body, docs, after } => {
             let component = context.component(component)?;
             let word = role.word();
-            let of_states = matches!(role, HookRole::Entry | HookRole::Exit);
+            let of_states = role.is_of_states();
             if of_states == states.is_empty() {
                 let needs = if of_states { "needs at least one state" } else { "has no states" };
                 return Err(Refusal::new(format!("`#[{word}]` {needs}")));

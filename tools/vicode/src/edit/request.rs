@@ -25,7 +25,7 @@ pub enum Edit {
         after: Option<String>,
     },
     /// Adds a transition `name` from the states `from` (`["*"]`: all) to the state `to`. Without `body` it is never taken, or with
-    /// `after_ms` at that time.
+    /// `after_ms` at that time. If the state takes something, the transition returns an `Option` of it.
     AddTransition {
         component: String,
         name: String,
@@ -38,7 +38,7 @@ pub enum Edit {
         docs: String,
         after: Option<String>,
     },
-    /// Adds a hook `name`; `states` are those of an entry or exit hook.
+    /// Adds a hook `name`; `states` are those of an entry or exit hook, or of one before transitions.
     AddHook {
         component: String,
         name: String,
@@ -93,7 +93,7 @@ pub enum Edit {
         arrow: usize,
         after_ms: Option<u32>,
     },
-    /// Sets the states of an entry or exit hook.
+    /// Sets the states of a hook of states.
     SetHookStates { component: String, hook: String, states: Vec<String> },
     /// Sets the code in the braces of a function; for a transition its condition.
     SetBody { component: String, function: String, body: String },

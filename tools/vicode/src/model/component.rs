@@ -29,7 +29,7 @@ pub struct Component {
     pub states: Vec<State>,
     /// Functions with `#[transition]`.
     pub transitions: Vec<Transition>,
-    /// Functions with `#[entry]`, `#[exit]`, `#[start]` or `#[stop]`.
+    /// Functions with `#[entry]`, `#[exit]`, `#[before]`, `#[start]` or `#[stop]`.
     pub hooks: Vec<Hook>,
     /// Functions with `#[info]`.
     pub info: Vec<Info>,
@@ -69,6 +69,13 @@ impl Component {
     #[must_use]
     pub fn transition(&self, name: &str) -> Option<&Transition> {
         self.transitions.iter().find(|transition| transition.function.name.text == name)
+    }
+
+    /// Returns the type of what a state takes from the transitions that enter it.
+    #[must_use]
+    pub fn takes(&self, state: &str) -> Option<&str> {
+        let hooks = self.hooks.iter().filter(|hook| hook.role == HookRole::Entry);
+        hooks.filter(|hook| hook.states.iter().any(|one| one.text == state)).find_map(|hook| hook.function.takes())
     }
 
     /// Returns whether it is a state machine.
@@ -159,7 +166,8 @@ fn sources<S: Serializer>(sources: &Sources, serializer: S) -> Result<S::Ok, S::
     }
 }
 
-/// A function that runs when a state is entered or left, or when the component becomes active or latent.
+/// A function that runs when a state is entered or left, before the transitions that leave it, or when the component becomes active or
+/// latent.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Hook {
     /// Its function.
@@ -168,7 +176,7 @@ pub struct Hook {
     pub role: HookRole,
     /// The attribute.
     pub attribute: Span,
-    /// The states of `#[entry]` and `#[exit]`.
+    /// The states of `#[entry]`, `#[exit]` and `#[before]`.
     pub states: Vec<Name>,
     /// Text between the parentheses of the attribute.
     pub list: Option<Span>,
@@ -182,6 +190,8 @@ pub enum HookRole {
     Entry,
     /// A state is left.
     Exit,
+    /// The transitions that leave a state are about to be tried.
+    Before,
     /// The component becomes active.
     Start,
     /// The component becomes latent.
@@ -189,12 +199,19 @@ pub enum HookRole {
 }
 
 impl HookRole {
+    /// Whether its attribute names states.
+    #[must_use]
+    pub const fn is_of_states(self) -> bool {
+        matches!(self, Self::Entry | Self::Exit | Self::Before)
+    }
+
     /// The attribute.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
             Self::Entry => "entry",
             Self::Exit => "exit",
+            Self::Before => "before",
             Self::Start => "start",
             Self::Stop => "stop",
         }

@@ -17,11 +17,21 @@ pub struct Function {
     pub inputs: Span,
     /// Arguments beside `self`.
     pub arguments: Vec<Argument>,
+    /// `T` of a condition that returns `Option<T>`, as written.
+    pub carries: Option<Name>,
     /// Text between the braces; `None` if one is missing.
     pub body: Option<Span>,
 }
 
 impl Function {
+    /// Returns the type of what an entry hook takes from the transition that enters its state.
+    #[must_use]
+    pub fn takes(&self) -> Option<&str> {
+        self.arguments
+            .iter()
+            .find_map(|argument| if let Input::Found { of } = &argument.input { Some(of.as_str()) } else { None })
+    }
+
     /// Returns the links, in the order of the text.
     pub fn links(&self) -> impl Iterator<Item = (&Argument, LinkKind, &str)> {
         self.arguments.iter().filter_map(|argument| match &argument.input {
@@ -75,6 +85,11 @@ pub enum Input {
     Tuned {
         /// The struct of parameters.
         parameters: String,
+    },
+    /// `Found<T>` or `Option<Found<T>>`: what the transition found that enters the state.
+    Found {
+        /// Type of the value.
+        of: String,
     },
     /// None of these: an argument of a modulation, or a mistake.
     Other,

@@ -77,7 +77,10 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
         }
         "transition" => {
             let arrows = roles().filter(|(role, _)| *role == "transition").filter_map(|(_, one)| arrow(source, one));
-            component.transitions.push(Transition { function, arrows: arrows.collect() });
+            let carries = syntax::carries(&item.sig).map(|of| written(source, of));
+            component
+                .transitions
+                .push(Transition { function: Function { carries, ..function }, arrows: arrows.collect() });
         }
         "info" => {
             let ty = if let ReturnType::Type(_, ty) = &item.sig.output { Some(written(source, ty)) } else { None };
@@ -85,7 +88,7 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
         }
         "modulation" => component.modulations.push(Modulation { function, attribute }),
         _ => {
-            let roles = [HookRole::Entry, HookRole::Exit, HookRole::Start, HookRole::Stop];
+            let roles = [HookRole::Entry, HookRole::Exit, HookRole::Before, HookRole::Start, HookRole::Stop];
             let role = roles.into_iter().find(|one| one.word() == role).unwrap_or(HookRole::Stop);
             let states = names(source, &syntax::hook(first, role.word()).unwrap_or_default());
             component.hooks.push(Hook { function, role, attribute, states, list: list(source, first) });
@@ -109,6 +112,7 @@ fn function(source: &Source<'_>, item: &ImplItemFn, own: &Type) -> Function {
         docs: docs::docs(source, &item.attrs),
         inputs: source.within(&item.sig.paren_token.span).unwrap_or(Span::at(name.span.end)),
         arguments: arguments.collect(),
+        carries: None,
         body: source.within(&item.block.brace_token.span),
         name,
     }
@@ -129,6 +133,7 @@ fn argument(source: &Source<'_>, input: &PatType, own: &Type) -> Argument {
             Some(model::Argument::OwnRate) => Input::OwnRate,
             Some(model::Argument::Time(_)) => Input::Time,
             Some(model::Argument::Tuned(of)) => Input::Tuned { parameters: plain(&of) },
+            Some(model::Argument::Found(found)) => Input::Found { of: plain(&found.of) },
             None => Input::Other,
         },
     }

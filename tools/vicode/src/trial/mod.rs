@@ -148,6 +148,7 @@ impl<'a> Machine<'a> {
             from: edge.from,
             to: edge.to,
             after_ms: edge.after_ms,
+            carries: None,
         };
         Ok(Self {
             transitions: edges.iter().map(transition).collect(),

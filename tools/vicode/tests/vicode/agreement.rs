@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use bica::Tree;
-use bica_vicode::model::{Component, Function, LinkKind};
+use bica_vicode::model::{Component, Function, HookRole, LinkKind};
 use bica_wire::model::Description;
 use serde_json::{Value, json};
 
@@ -25,9 +25,15 @@ fn model(component: &Component) -> Value {
         "name": component.name.text,
         "doc": component.docs.text,
         "options": [number("hz"), number("budget_us"), component.options.get("resume").is_some()],
-        "states": list(&component.states, |one| json!([named(&one.function), one.initial, one.last])),
+        "states": list(&component.states, |one| {
+            let hooks = component.hooks.iter().filter(|hook| hook.role == HookRole::Before);
+            let before = hooks.filter(|hook| hook.states.iter().any(|state| state.text == one.function.name.text));
+            let before: Vec<_> = before.map(|hook| &hook.function.name.text).collect();
+            json!([named(&one.function), one.initial, one.last, before.first()])
+        }),
         "transitions": list(&component.machine().edges, |one| {
-            json!([named(one.condition), one.from, one.to, one.after_ms])
+            let carries = one.condition.carries.as_ref().map(|of| &of.text);
+            json!([named(one.condition), one.from, one.to, one.after_ms, carries])
         }),
         "links": links,
         "info": list(&component.info, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
@@ -49,8 +55,8 @@ fn node(node: &Value, tree: &Value) -> Value {
         "name": node["name"],
         "doc": node["doc"],
         "options": [node["hz"].as_f64(), node["budget_us"].as_f64(), node["resume"]],
-        "states": each("states", &|one| json!([named(one), one["initial"], one["last"]])),
-        "transitions": each("transitions", &|one| json!([named(one), one["from"], one["to"], one["after_ms"]])),
+        "states": each("states", &|one| json!([named(one), one["initial"], one["last"], one["before"]])),
+        "transitions": each("transitions", &|one| json!([named(one), one["from"], one["to"], one["after_ms"], one["carries"]])),
         "links": links,
         "info": each("info", &|one| json!([named(one), one["unit"], one["type"]])),
         "modulations": each("modulations", &|one| {

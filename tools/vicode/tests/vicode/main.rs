@@ -2,6 +2,7 @@
 
 mod abstraction;
 mod agreement;
+mod carrying;
 mod command;
 mod comparing;
 mod compiling;

@@ -40,8 +40,9 @@ function Machine({ shown, component, index, active }) {
       const value = condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`;
       const timer = transition.after_ms === null ? '' : waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${transition.after_ms / 1000} s left` : `after ${transition.after_ms / 1000} s`;
       return html`<div key=${transition.number} class=${`why leaves ${holds ? 'true' : ''} ${transition.number === blocks ? 'blocking' : ''}`} title=${transition.doc}>
-        <span class="names"><b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}</span></span><span class="value">${[value, timer].filter(Boolean).join(' · ')}</span></div>`;
+        <span class="names"><b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}${transition.carries && ` ← ${transition.carries}`}</span></span><span class="value">${[value, timer].filter(Boolean).join(' · ')}</span></div>`;
     })}
+    ${leaving.length > 0 && component.states[current]?.before && html`<p class="dim">Before these, <b>${component.states[current].before}</b> runs.</p>`}
     ${leaving.length > 0 && !conditions && html`<p class="dim">${!shown.info.value.can.conditions ? 'This session does not send the values of conditions.' : cursor.value === null ? 'Values of the conditions follow.' : 'The values of the conditions at this moment are not known.'}</p>`}</section>`;
 }
 

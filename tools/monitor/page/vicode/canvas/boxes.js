@@ -29,12 +29,13 @@ export function cut(text, width, size = 11) {
 /** Room for the time of the state that runs, or for the number of visits, beside the name, by level. */
 const LIVE = { 2: 56, 3: 54 };
 
-/** The parts of a state's box: {width, height, docs: y, hooks: [{y, …}], chips: [{x, y, width, …}]}. Above the first level it has a name only. */
+/** The parts of a state's box: {width, height, takes, docs: y, hooks: [{y, …}], chips: [{x, y, width, …}]}. Above the first level it has a name only. */
 export function boxOf(state, level = 1) {
-  if (level > 1) return { docs: null, hooks: [], chips: [], width: widthOf(state.name, 13) * 1.08 + 34 + LIVE[level], height: 28 };
+  if (level > 1) return { docs: null, takes: '', hooks: [], chips: [], width: widthOf(state.name, 13) * 1.08 + 34 + LIVE[level], height: 28 };
   let y = HEAD;
   const docs = state.docs.split('\n')[0];
-  const box = { docs: docs ? { y: y + 7, text: cut(docs, WIDTH - 2 * PAD, 11) } : null, hooks: [], chips: [] };
+  const takes = state.takes ? cut(` ← ${state.takes}`, WIDTH - 24 - PAD - (state.initial || state.last ? 34 : 0) - widthOf(state.name, 13) * 1.08, 11) : '';
+  const box = { takes, docs: docs ? { y: y + 7, text: cut(docs, WIDTH - 2 * PAD, 11) } : null, hooks: [], chips: [] };
   if (docs) y += DOCS;
   for (const hook of state.hooks) {
     box.hooks.push({ ...hook, y: y + 9, text: cut(`${hook.role} / ${hook.name}`, WIDTH - 2 * PAD, 11) });

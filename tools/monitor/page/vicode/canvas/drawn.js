@@ -52,7 +52,7 @@ const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
 function Arrow({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
   const timer = timerText(arrow.after_ms);
-  const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}`;
+  const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}${arrow.carries === null ? '' : `, carries ${arrow.carries}`}`;
   return html`<g class=${arrowFlags({ arrow, chosen, near, found, stop })} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
     <path class="hit" d=${course.d} /><path class="line" d=${course.d} marker-end=${`url(#tip${chosen ? '-chosen' : ''})`} />
@@ -75,7 +75,7 @@ const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chos
 
 /** `at` is its place. */
 function State({ state, at: { x, y, width, height, box }, chosen, found, stop }) {
-  const told = [state.initial && 'initial', state.last && 'last', ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
+  const told = [state.initial && 'initial', state.last && 'last', state.takes && `takes ${state.takes}`, ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
   return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped', state.mark)} data-key=${state.key} data-state=${state.name}
       transform=${`translate(${x - width / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
     <title>${state.docs || state.name}</title>
@@ -83,7 +83,7 @@ function State({ state, at: { x, y, width, height, box }, chosen, found, stop })
     <rect class="body" width=${width} height=${height} rx="9" />
     ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${width - 7} height=${height - 7} rx="6" />`}
     <circle class="stop" cx="12" cy="17" r="5"><title>Breakpoint (b)</title></circle>
-    <text class="fault" x="-4" y="4">⚠</text><text class="name" x="24" y="21">${state.sign && `${state.sign} `}${state.name}</text>
+    <text class="fault" x="-4" y="4">⚠</text><text class="name" x="24" y="21">${state.sign && `${state.sign} `}${state.name}${box.takes && html`<tspan class="dim" font-size="11">${box.takes}</tspan>`}</text>
     <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
     ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
     ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}

@@ -24,7 +24,7 @@ export function ArrowFields({ arrow, machine }) {
     if (after_ms !== null && !(Number.isInteger(after_ms) && after_ms >= 0)) refusal.value = { text: `${text} is no time`, help: 'Type whole milliseconds, or nothing.' };
     else change({ edit: 'set_timer', transition: name, arrow: index, after_ms });
   };
-  return html`<h2><span class="dim">Transition</span> <${Name} value=${name} label="Name of the transition" /></h2>
+  return html`<h2><span class="dim">Transition</span> <${Name} value=${name} label="Name of the transition" />${arrow.carries !== null && html` <span class="dim" title=${`What it hands over to ${to}`}>carries ${arrow.carries}</span>`}</h2>
     <${Docs} text=${arrow.docs} onCommit=${(docs) => change({ edit: 'set_docs', function: name, docs })} />
     <section aria-label="Way"><h3>From${parts > 1 ? html` <span class="dim">${index + 1} of ${parts} ways of this condition</span>` : ''}</h3>
       <div class="buttons"><${Toggle} on=${arrow.any} label="any state" title="From all states but the target" onChange=${(on) => setSources(on ? ['*'] : names.filter((one) => one !== to).slice(0, 1))} />

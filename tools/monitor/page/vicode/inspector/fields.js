@@ -47,8 +47,9 @@ export const Body = ({ of }) => {
 export const Stop = ({ of, title }) => html`<${Toggle} on=${stopKeys.value.has(of)} label="Breakpoint" title=${title} onChange=${() => toggleStop(of)} />
   ${stopKeys.value.has(of) && html`<${Field} value=${conditionAt(of)} label="Condition of the breakpoint" placeholder="only if Component.output > 0.5" title="The world goes on if it does not hold; this browser keeps it" spellcheck="false" onCommit=${(text) => setCondition(of, text.trim())} />`}`;
 
+const VERBS = { entry: 'enter', exit: 'leave', before: 'prepare' };
 const PROMPTS = { entry: 'on_entry', exit: 'on_exit', start: 'on_start', stop: 'on_stop' };
 
 /** Adds a hook; its name can be changed afterwards. */
-export const addHook = (role, states, free) => change({ edit: 'add_hook', name: free(states.length > 0 ? `${role === 'entry' ? 'enter' : 'leave'}_${states[0]}` : PROMPTS[role]), role, states });
+export const addHook = (role, states, free) => change({ edit: 'add_hook', name: free(states.length > 0 ? `${VERBS[role]}_${states[0]}` : PROMPTS[role]), role, states });
 

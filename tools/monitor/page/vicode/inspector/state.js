@@ -16,7 +16,7 @@ export function StateFields({ state, machine }) {
   const free = (wished) => freeName(machine.component, wished);
   const own = machine.component.hooks.filter((hook) => hook.states.some((one) => one.text === name));
   const arrows = machine.arrows.filter((arrow) => arrow.from === name || arrow.to === name || (arrow.any && arrow.to !== name));
-  return html`<h2><span class="kind machine">State</span> <${Name} value=${name} label="Name of the state" /></h2>
+  return html`<h2><span class="kind machine">State</span> <${Name} value=${name} label="Name of the state" />${state.takes && html` <span class="dim" title="What it takes from the transitions that enter it">← ${state.takes}</span>`}</h2>
     <${Docs} text=${state.docs} onCommit=${(docs) => change({ edit: 'set_docs', function: name, docs })} />
     <div class="buttons">
       <${Toggle} on=${state.initial} label="Initial" title="The machine starts here" disabled=${state.initial} onChange=${() => change({ edit: 'set_initial', state: name })} />
@@ -29,7 +29,8 @@ export function StateFields({ state, machine }) {
         <button class="small" aria-label=${`Remove ${hook.function.name.text} here`} onClick=${() => (hook.states.length > 1
           ? change({ edit: 'set_hook_states', hook: hook.function.name.text, states: hook.states.map((one) => one.text).filter((one) => one !== name) })
           : change({ edit: 'delete', function: hook.function.name.text }))}>×</button></div>`)}
-      <div class="buttons"><button class="small" onClick=${() => addHook('entry', [name], free)}>Add an entry hook</button><button class="small" onClick=${() => addHook('exit', [name], free)}>Add an exit hook</button></div></section>
+      <div class="buttons"><button class="small" onClick=${() => addHook('entry', [name], free)}>Add an entry hook</button><button class="small" onClick=${() => addHook('exit', [name], free)}>Add an exit hook</button>
+        ${own.some(({ role }) => role === 'before') ? '' : html`<button class="small" onClick=${() => addHook('before', [name], free)} title="It runs before the transitions of the state are tried">Add a hook before its transitions</button>`}</div></section>
     <section aria-label="Transitions"><h3>Transitions</h3>
       ${arrows.map((arrow) => html`<div class="child" key=${arrow.key}><button class="name" onClick=${() => focusOn(arrow.key)}>${arrow.name}</button> <span class="dim">${arrow.to === name && arrow.from !== name ? `← ${arrow.any ? 'any' : arrow.from}` : `→ ${arrow.to}`}${arrow.after_ms !== null ? ` after ${arrow.after_ms} ms` : ''}</span></div>`)}
       <div class="buttons"><button class="small" onClick=${askTransition} title="r in the canvas">Add a transition…</button>
