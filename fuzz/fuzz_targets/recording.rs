@@ -15,7 +15,7 @@ use bica_app::STACK_BYTES;
 use bica_player_program::game::{RecordOptions, ReplayOptions, Rules, WorldKind, play_recorded, replay};
 use bica_recording::mcap::{Compression, Item, Message, Reader, Writer};
 use bica_recording::repair::{recover, trim};
-use bica_recording::{ImagePolicy, Info, Recording, Topics, checksum};
+use bica_recording::{ImagePolicy, Info, Recording, Topics, checksum, content, write_content};
 use bica_sim::setup::Frame;
 use libfuzzer_sys::arbitrary::{self, Arbitrary};
 use libfuzzer_sys::fuzz_target;
@@ -85,7 +85,10 @@ fn rewritten(file: &[u8], edits: &[Edit], header: &[(u16, u8)], chunk_each: bool
             Item::Schema(schema) => schemas.push(schema),
             Item::Channel(channel) => channels.push(channel),
             Item::Metadata(_, name, fields) => metadata.push((name, fields)),
-            Item::Message(message) => messages.push(message),
+            Item::Message(message) => {
+                let data = content(&message.data).unwrap_or(&message.data).to_vec();
+                messages.push(Message { data, ..message });
+            }
             Item::Chunk { .. } => {}
             Item::End => break,
         }
@@ -101,14 +104,14 @@ fn rewritten(file: &[u8], edits: &[Edit], header: &[(u16, u8)], chunk_each: bool
         fields.extend([("crc32".to_owned(), checksum(&text)), ("json".to_owned(), text)]);
     }
     let mut target = Vec::new();
-    let mut writer = Writer::new(&mut target, "bica").expect("memory");
+    let mut writer = Writer::new(&mut target, "ros2").expect("memory");
     writer.declare(schemas, channels).expect("memory");
     let write = |writer: &mut Writer<_>, (name, fields): &(String, BTreeMap<_, _>)| {
         writer.metadata(name, fields).expect("memory");
     };
     metadata.first().into_iter().for_each(|first| write(&mut writer, first));
     for Message { channel, time, data, .. } in &messages {
-        writer.message(Compression::Lz4, *channel, *time, |out| out.extend_from_slice(data));
+        writer.message(Compression::Lz4, *channel, *time, |out| write_content(out, data));
         if chunk_each {
             writer.flush().expect("memory");
         }

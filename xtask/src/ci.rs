@@ -34,7 +34,7 @@ pub(crate) enum Step {
     Advisories,
     Peers,
     Games,
-    /// Reads recordings with the libraries of MCAP, Foxglove and Rerun
+    /// Reads recordings with the libraries of MCAP, of bags of ROS 2 and of Rerun
     Viewers,
     /// The Python package with a cluster, a database and its notebook
     Python,

@@ -1,4 +1,4 @@
-//! Recordings, read by the libraries of MCAP, Foxglove and Rerun, and recordings that MCAP's library has written again.
+//! Recordings, read by the libraries of MCAP, of bags of ROS 2 and of Rerun, and recordings that MCAP's library has written again.
 
 use std::fs;
 
@@ -7,32 +7,26 @@ use crate::install::{folder, python};
 use crate::process::{output, run};
 
 /// Topics of a recording.
-const TOPICS: [&str; 7] = ["blobs", "sensors", "command", "tree", "tick", "costs", "information"];
+const TOPICS: [&str; 7] =
+    ["/bica/blobs", "/bica/sensors", "/bica/command", "/bica/tree", "/bica/tick", "/bica/costs", "/bica/information"];
 /// Topics for other programs in a game of the forward, and what is compared there: frames with the pose that follows from them,
 /// and the ball in the image with the ball on the ground.
-const FORWARD: &str = "/tf /camera/image /camera/calibration /states /parameters /log \
-    /annotations/BallDetector/ball_in_image /annotations/CameraPose/horizon /annotations/FieldBoundary/corners \
-    /annotations/GoalDetector/posts_in_image /scene/BallDetector/ball_position /points/BallDetector/ball_position \
-    /scene/Localization/robot_pose /points/Localization/robot_pose /scene/GoalDetector/goal_position \
-    /scene/lines /points/lines \
-    --compose field robot Localization/robot_pose \
+const FORWARD: &str = "/tf /tf_static /rosout /parameter_events /camera/image_raw/compressed /camera/camera_info \
+    /forward/states /forward/scenery /forward/scenery/lines/points \
+    /forward/ball_detector/ball_in_image /forward/camera_pose/horizon /forward/field_boundary/corners \
+    /forward/goal_detector/posts_in_image /forward/ball_detector/ball_position/points \
+    /forward/localization/robot_pose /forward/goal_detector/goal_position \
+    --compose map base_link Localization/robot_pose \
     --project BallDetector/ball_in_image BallDetector/ball_position 0.0325";
 /// The same of the robot that follows walls.
-const WALL_FOLLOWER: &str = "/tf /states /parameters /log /points/Lidar/scan /scene/WallDetector/wall";
+const WALL_FOLLOWER: &str = "/tf /rosout /parameter_events /scan /odom /wall_follower/states /wall_follower/scenery \
+    /wall_follower/lidar/scan/points /wall_follower/wall_detector/wall";
 /// Number of files that are written again: compressions, with chunks or not, with checksums or not.
 const REWRITTEN: usize = 12;
 /// Modules of the Python libraries, and the packages that contain them. Rerun's interface for reading is young.
-const MODULES: &str = "mcap, lz4, zstandard, mcap_protobuf, foxglove_schemas_protobuf, rerun, PIL, pandas";
-const PACKAGES: [&str; 8] = [
-    "mcap",
-    "lz4",
-    "zstandard",
-    "mcap-protobuf-support",
-    "foxglove-schemas-protobuf==0.4.*",
-    "rerun-sdk==0.41.*",
-    "pillow",
-    "pandas",
-];
+const MODULES: &str = "mcap, lz4, zstandard, mcap_ros2, rosbags, rerun, PIL, pandas";
+const PACKAGES: [&str; 8] =
+    ["mcap", "lz4", "zstandard", "mcap-ros2-support", "rosbags==0.11.*", "rerun-sdk==0.41.*", "pillow", "pandas"];
 
 /// Records two robots and reads the files; replays what MCAP's library makes of the first one.
 ///

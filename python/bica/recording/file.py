@@ -11,7 +11,7 @@ from typing import Any
 
 from mcap.exceptions import McapError
 from mcap.reader import make_reader
-from mcap.records import Channel, Message, Schema
+from mcap.records import Message
 from mcap.stream_reader import CRCValidationError
 
 from bica.errors import BicaError
@@ -19,9 +19,9 @@ from bica.errors import BicaError
 #: What the reader raises for damaged files: its own errors, and those of the decompressor.
 READ_ERRORS = (McapError, CRCValidationError, RuntimeError)
 #: Format of recordings that this package reads.
-FORMAT = 6
+FORMAT = 7
 #: Version of the format of a monitor's recordings.
-MONITOR_FORMAT = 7
+MONITOR_FORMAT = 8
 
 
 class RecordingError(BicaError):
@@ -29,7 +29,7 @@ class RecordingError(BicaError):
 
 
 class RecordingFile:
-    """An MCAP file with the profile `bica`."""
+    """An MCAP file with the metadata record `bica`; it is a bag of ROS 2."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """Read the header; raises RecordingError if the file is no complete recording."""
@@ -47,8 +47,10 @@ class RecordingFile:
         self.ending: dict[str, Any] = self._json(records["bica.ending"]) if "bica.ending" in records else {}
         readable = MONITOR_FORMAT if "monitor" in self.header else FORMAT
         if self.header["format"] != readable:
-            raise RecordingError(f"`{self.path}` has format {self.header['format']}, this package reads {readable}")
-        self.schemas = summary.schemas
+            what = f"`{self.path}` has format {self.header['format']}, this package reads {readable}"
+            if self.header["format"] == readable - 1:
+                what += f"\n  help: `player record upgrade {self.path} new.mcap` writes it in the present format"
+            raise RecordingError(what)
         self._decoders: Any = None
         self.topics = {channel.topic: channel for channel in summary.channels.values()}
 
@@ -62,26 +64,43 @@ class RecordingFile:
         what = f"`{self.path}` is cut, damaged or no MCAP file: {why}"
         return RecordingError(f"{what}\n  help: `player record recover {self.path} whole.mcap` may mend it")
 
-    def messages(self, topic: str) -> Iterator[tuple[Schema | None, Channel, Message]]:
-        """Return the messages of a topic in the order of their times."""
+    def schema(self, channel: str) -> Any:
+        """Return the schema of an own channel, such as `tick`; None without the channel."""
+        found = self.topics.get(f"/bica/{channel}")
+        return found and json.loads(found.metadata["postcard_schema"])
+
+    def contents(self, channel: str) -> Iterator[tuple[int, bytes]]:
+        """Return times, ns, and contents of the messages of an own channel, in the order of their times."""
+        for message in self._messages(f"/bica/{channel}"):
+            length = int.from_bytes(message.data[4:8], "little")
+            if message.data[:4] != b"\x00\x01\x00\x00" or length != len(message.data) - 8:
+                raise self._damaged(f"a message of `/bica/{channel}` is no `bica_msgs/msg/Event`")
+            yield message.log_time, message.data[8:]
+
+    def standard(self, topic: str) -> Iterator[tuple[float, Any]]:
+        """Return times and messages of a topic of ROS 2, by the definitions in the file."""
+        from mcap_ros2.decoder import DecoderFactory
+
+        self._decoders = self._decoders or DecoderFactory()
         with self.path.open("rb") as file:
+            reader = make_reader(file, validate_crcs=True, decoder_factories=[self._decoders])
             try:
-                yield from make_reader(file, validate_crcs=True).iter_messages(topics=[topic])
+                for _, _, message, decoded in reader.iter_decoded_messages(topics=[topic]):
+                    yield message.log_time * 1e-9, plain(decoded)
             except READ_ERRORS as error:
                 raise self._damaged(error) from None
 
-    def standard(self, topic: str) -> Iterator[tuple[float, Any]]:
-        """Return times and contents of a standard topic: JSON, or Protocol Buffers by the descriptors in the file."""
-        for schema, channel, message in self.messages(topic):
-            is_json = channel.message_encoding == "json"
-            yield message.log_time * 1e-9, json.loads(message.data) if is_json else self._protobuf(schema, channel, message)
+    def _messages(self, topic: str) -> Iterator[Message]:
+        with self.path.open("rb") as file:
+            try:
+                for _, _, message in make_reader(file, validate_crcs=True).iter_messages(topics=[topic]):
+                    yield message
+            except READ_ERRORS as error:
+                raise self._damaged(error) from None
 
-    def _protobuf(self, schema: Schema | None, channel: Channel, message: Message) -> Any:
-        from google.protobuf.json_format import MessageToDict
-        from mcap_protobuf.decoder import DecoderFactory
 
-        self._decoders = self._decoders or DecoderFactory()
-        decode = self._decoders.decoder_for(channel.message_encoding, schema)
-        if decode is None:
-            raise RecordingError(f"`{channel.topic}` is encoded as {channel.message_encoding}")
-        return MessageToDict(decode(message.data), preserving_proto_field_name=True, always_print_fields_with_no_presence=True)
+def plain(message: Any) -> Any:
+    """Return a decoded message of ROS 2 as a dictionary."""
+    if hasattr(message, "__slots__"):
+        return {name: plain(getattr(message, name)) for name in message.__slots__}
+    return [plain(one) for one in message] if isinstance(message, list) else message

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from functools import cached_property
@@ -138,7 +137,7 @@ class Recording:
                 yield image_of(record, time)
 
     def topic(self, name: str) -> pd.DataFrame:
-        """Return a standard topic in JSON or Protocol Buffers, such as `/log`, as a table."""
+        """Return a topic of ROS 2, such as `/rosout`, as a table."""
         if name not in self.file.topics:
             raise RecordingError(f"there is no topic `{name}`\n  help: there are {', '.join(sorted(self.file.topics))}")
         return frame((time, dict(flattened("", value))) for time, value in self.file.standard(name))
@@ -150,23 +149,18 @@ class Recording:
         return result
 
     def _table(self, topic: str, large_apart: bool = False) -> pd.DataFrame:
-        known = dict(types("", schema["ty"])) if (schema := self._schema(topic)) else {}
+        known = dict(types("", schema["ty"])) if (schema := self.file.schema(topic)) else {}
         if large_apart:
             # Large data is its number of bytes, so that a text may be a number.
             known = {name: "object" if kind == "string" else kind for name, kind in known.items()}
         return frame(((time, dict(flattened("", value))) for time, value in self._values(topic, large_apart)), known)
 
-    def _schema(self, topic: str) -> Any:
-        """Return the schema of a topic; None without the topic."""
-        channel = self.file.topics.get(topic)
-        return channel and json.loads(self.file.schemas[channel.schema_id].data)
-
     def _values(self, topic: str, large_apart: bool = False) -> Iterator[tuple[float, Any]]:
         """Return times and values of a topic, which a file may not have."""
-        if schema := self._schema(topic):
+        if schema := self.file.schema(topic):
             decode = decoder(schema, large_apart)
-            for _, _, message in self.file.messages(topic):
-                yield message.log_time * 1e-9, decode(message.data)
+            for time, content in self.file.contents(topic):
+                yield time * 1e-9, decode(content)
 
 
 class _Outputs:

@@ -5,6 +5,7 @@ use std::io::Read;
 
 use crate::error::Error;
 use crate::header::{Ending, Header};
+use crate::layout::Layout;
 use crate::mcap::{Item, Message, Reader};
 use crate::message::Channel;
 use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
@@ -23,6 +24,7 @@ pub(crate) enum Part {
 #[derive(Debug)]
 pub(crate) struct Contents<R> {
     reader: Reader<R>,
+    layout: Layout,
     pub(crate) header: Header,
     /// Channel of each number of the file.
     channels: HashMap<u16, Channel>,
@@ -33,16 +35,21 @@ pub(crate) struct Contents<R> {
 impl<R: Read> Contents<R> {
     /// Reads the header, which precedes all messages.
     pub(crate) fn new(source: R) -> Result<Self, Error> {
+        Self::of(source, Layout::Present)
+    }
+
+    /// As [`new`](Self::new), of a file with a layout. Its header has the present format.
+    pub(crate) fn of(source: R, layout: Layout) -> Result<Self, Error> {
         let (mut reader, mut channels) = (Reader::new(source)?, HashMap::new());
         let header = loop {
             match reader.next_item()? {
-                Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at)?,
-                Item::Channel(channel) => channels.extend(Channel::of_record(&channel)),
+                Item::Metadata(at, name, fields) if name == HEADER_NAME => break header_of(&fields, at, layout)?,
+                Item::Channel(channel) => channels.extend(layout.channel(&channel)),
                 Item::Schema(_) | Item::Metadata(..) => {}
                 Item::Chunk { .. } | Item::Message(_) | Item::End => return Err(Error::NotARecording),
             }
         };
-        Ok(Self { reader, header, channels, ending: None, cycles: 0 })
+        Ok(Self { reader, layout, header, channels, ending: None, cycles: 0 })
     }
 
     /// Number of bytes read so far.
@@ -54,11 +61,11 @@ impl<R: Read> Contents<R> {
     pub(crate) fn next(&mut self) -> Result<Part, Error> {
         loop {
             match self.reader.next_item()? {
-                Item::Channel(channel) => self.channels.extend(Channel::of_record(&channel)),
+                Item::Channel(channel) => self.channels.extend(self.layout.channel(&channel)),
                 Item::Message(message) => {
                     let Some(channel) = self.channels.get(&message.channel) else { continue };
                     self.cycles += u64::from(*channel == Channel::Tick);
-                    return Ok(Part::Message(*channel, message));
+                    return Ok(Part::Message(*channel, self.layout.content(message)?));
                 }
                 Item::Metadata(at, name, fields) => self.metadata(at, &name, &fields)?,
                 Item::Chunk { .. } => return Ok(Part::Chunk),
@@ -71,7 +78,7 @@ impl<R: Read> Contents<R> {
     /// Takes over the ending; copies have to be equal.
     fn metadata(&mut self, at: u64, name: &str, fields: &BTreeMap<String, String>) -> Result<(), Error> {
         let is_equal = match name {
-            HEADER_NAME => header_of(fields, at)? == self.header,
+            HEADER_NAME => header_of(fields, at, self.layout)? == self.header,
             ENDING_NAME => {
                 let ending = ending_of(fields, at)?;
                 *self.ending.get_or_insert_with(|| ending.clone()) == ending

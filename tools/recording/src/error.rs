@@ -24,6 +24,10 @@ pub enum Error {
     NotARecording,
     /// The recording has another format than this program.
     Format(u32),
+    /// The recording has the former format, which [`upgrade`](crate::upgrade()) reads.
+    Former(u32),
+    /// The recording has the present format, so it cannot be upgraded.
+    Present,
     /// The bytes at a position contradict the format.
     Damaged {
         /// Position in the file, bytes.
@@ -59,6 +63,8 @@ impl Error {
             Self::NoCycle(_) => "record the run again: there is nothing to be written to a new file",
             Self::NoHeader => "record the run again: without its header no message of a file can be read",
             Self::NotAFile | Self::NotMcap | Self::NotARecording => "name a file that a run with `--record FILE` wrote",
+            Self::Former(_) => "the command `record upgrade FILE NEW` writes it to a new file in the present format",
+            Self::Present => "use the file as it is",
             Self::Format(_) => "open it with the version of the program that wrote it, or record the run again",
             Self::Compression(_) => {
                 "this program reads LZ4: `mcap compress --compression lz4 FILE --output OUT` writes the file with it"
@@ -84,12 +90,13 @@ impl fmt::Display for Error {
             Self::NotARecording => out.write_str(
                 "this MCAP file is not a recording of a robot: no metadata record `bica` precedes its messages",
             ),
-            Self::Format(format) => {
+            Self::Format(format) | Self::Former(format) => {
                 write!(
                     out,
                     "the recording has format {format}; this program reads format {FORMAT}, of a monitor {MONITOR_FORMAT}"
                 )
             }
+            Self::Present => out.write_str("the recording has the present format already"),
             Self::Damaged { at, what } => write!(out, "the file is damaged at byte {at}: {what}"),
             Self::Compression(name) => write!(out, "a chunk is compressed with `{name}`"),
             Self::Span { end } => {

@@ -16,11 +16,10 @@ use crate::program::{Program, Start};
 use crate::request::RequestRecord;
 use crate::scenery::Scenery;
 
-/// Version of the format. Version 6 has all schemas in the description of the tree, and sources of log lines; earlier ones cannot be
-/// read.
-pub const FORMAT: u32 = 6;
-/// Version of the format of a monitor's recordings. Version 7 has outputs and requests as the robot's own program records them.
-pub const MONITOR_FORMAT: u32 = 7;
+/// Version of the format. Version 7 is a bag of ROS 2; version 6 can be upgraded, earlier ones cannot be read.
+pub const FORMAT: u32 = 7;
+/// Version of the format of a monitor's recordings. Version 8 is a bag of ROS 2; version 7 can be upgraded.
+pub const MONITOR_FORMAT: u32 = 8;
 
 /// What a replay needs to know before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

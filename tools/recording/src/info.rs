@@ -178,7 +178,7 @@ fn empty(header: Header) -> Info {
         chunks: 0,
         damage: None,
         channels: Channel::ALL
-            .map(|channel| ChannelInfo { topic: channel.topic().to_owned(), ..ChannelInfo::default() })
+            .map(|channel| ChannelInfo { topic: channel.name().to_owned(), ..ChannelInfo::default() })
             .to_vec(),
         events: Vec::new(),
         requests: Vec::new(),

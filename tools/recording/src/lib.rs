@@ -9,9 +9,10 @@
 //! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
-//! - [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run, [`Robots`] the topics of several robots.
+//! - [`upgrade()`] converts files of the former format; [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run, [`Robots`]
+//!   the topics of several robots.
 //! - [`play()`] shows a recording to monitors as if its robot ran.
-//! - [`Topics`] are those of standard schemas in the same file, for viewers.
+//! - [`Topics`] are those for viewers in the same file: messages of [`ros`].
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 
@@ -27,6 +28,7 @@ pub mod image_codec;
 mod info;
 mod information;
 mod join;
+mod layout;
 pub mod mcap;
 mod merge;
 mod message;
@@ -41,8 +43,11 @@ mod recording;
 pub mod repair;
 mod replay;
 mod request;
+pub mod ros;
 mod scenery;
+pub mod shape;
 mod topics;
+mod upgrade;
 mod writer;
 
 pub use bica_wire::Recordable;
@@ -56,6 +61,7 @@ pub use header::{Ending, FORMAT, Header, ImagePolicy, MONITOR_FORMAT, MonitorInf
 pub use info::{ChannelInfo, Info};
 pub use information::{InformationRecord, InformationValue};
 pub use join::RunParts;
+pub use layout::{content, write_content};
 pub use merge::Robots;
 pub use message::{Channel, ComponentCosts, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 pub use metadata::checksum;
@@ -69,7 +75,8 @@ pub use recording::{BlobPlace, RecordedCycle, Recording, open};
 pub use replay::{AfterGap, RepeatedWorld, ReplayOptions, ReplayReport, Subject, compare, replay, rerun};
 pub use request::RequestRecord;
 pub use scenery::Scenery;
-pub use topics::{Cameras, Jpeg, jpeg, shape};
+pub use topics::{Cameras, Jpeg, jpeg};
+pub use upgrade::upgrade;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -8,18 +8,17 @@ use std::time::SystemTime;
 
 use bica_wire::model::Invalid;
 
-use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
-use crate::encode::encode;
 use crate::error::Error;
 use crate::header::{Header, Topics};
 use crate::mcap::{Message, Writer};
 use crate::message::Channel;
 use crate::names::NameTable;
-use crate::recording::{decode, open};
+use crate::recording::open;
 use crate::repair::{Copied, first_time};
-use crate::topics::{Derived, Deriver, path as topic_part};
-use crate::writer::TopicTable;
+use crate::ros::{Names, snake};
+use crate::topics::{Derived, Deriver};
+use crate::writer::{PROFILE, TopicTable};
 
 /// Bytes of messages after which a chunk is written.
 const CHUNK_BYTES: usize = 1 << 20;
@@ -36,14 +35,8 @@ impl fmt::Debug for Robots<'_> {
 /// The recording of a robot.
 struct Robot<'a> {
     path: &'a Path,
-    /// The name of its file, as a part of topics and frames.
-    name: String,
     contents: Contents<BufReader<File>>,
-    /// The header with its frames in the merged file.
-    header: Header,
     deriver: Option<Deriver>,
-    /// Frames of the world, which all robots have in common.
-    common: Vec<String>,
     /// Time from the run's clock to that of the computer, ns since 1970.
     offset: i128,
     next: Option<(Channel, Message)>,
@@ -80,16 +73,15 @@ impl<'a> Robots<'a> {
     pub fn merge(mut self, target: impl Write) -> Result<Copied, Invalid> {
         let written =
             |error: io::Error| Invalid::new(format!("cannot write the new file: {error}"), "is the disk full?");
-        let (mut writer, mut topics) = (Writer::new(target, "").map_err(written)?, TopicTable::default());
+        let (mut writer, mut topics) = (Writer::new(target, PROFILE).map_err(written)?, TopicTable::default());
         let mut copied = Copied::default();
         self.0.iter_mut().try_for_each(|robot| robot.advance(&mut copied))?;
-        while let Some((index, robot)) =
-            self.0.iter_mut().enumerate().filter(|(_, one)| one.next.is_some()).min_by_key(|(_, one)| one.time())
-        {
+        while let Some(robot) = self.0.iter_mut().filter(|one| one.next.is_some()).min_by_key(|one| one.time()) {
             let time = robot.time();
-            for Derived { topic, schema, compression, data } in robot.derive(time)? {
-                let id = topics.channel(robot.topic(topic), (index, schema), &robot.header.tree);
-                writer.message(compression, id, time, |out| out.extend_from_slice(&data));
+            for derived in robot.derive(time) {
+                if let Some(deriver) = &robot.deriver {
+                    topics.message(&mut writer, deriver.topic(derived.topic), time, &derived);
+                }
             }
             robot.advance(&mut copied)?;
             if writer.pending() >= CHUNK_BYTES {
@@ -101,9 +93,9 @@ impl<'a> Robots<'a> {
     }
 }
 
-/// Returns the name of a file as a part of topics.
+/// Returns the name of a file as the namespace of its robot.
 fn name_of(path: &Path) -> String {
-    topic_part(&path.file_stem().unwrap_or_default().to_string_lossy())
+    snake(&path.file_stem().unwrap_or_default().to_string_lossy())
 }
 
 impl<'a> Robot<'a> {
@@ -117,48 +109,15 @@ impl<'a> Robot<'a> {
         let started =
             humantime::parse_rfc3339(started).ok().and_then(|time| time.duration_since(SystemTime::UNIX_EPOCH).ok());
         let started = started.ok_or_else(|| failed(Error::damaged(0, "the time of its start cannot be read")))?;
-        let name = name_of(path);
-        let common = contents.header.scenery.iter().map(|item| item.frame.clone()).collect();
-        let header = contents.header.clone();
-        let mut robot = Self {
-            path,
-            name,
-            contents,
-            header,
-            deriver: None,
-            common,
-            offset: started.as_nanos() as i128 - i128::from(first),
-            next: None,
-        };
-        robot.rename(topics);
-        robot.deriver = Deriver::new(&robot.header).map_err(|invalid| invalid.within(&path.display().to_string()))?;
-        Ok(robot)
-    }
-
-    /// Puts the name of the robot before the frames of its own.
-    fn rename(&mut self, topics: Option<Topics>) {
-        let recorded = self.header.topics;
-        self.header.topics = topics.unwrap_or(if recorded == Topics::None { Topics::Standard } else { recorded });
-        let mut components = std::mem::take(&mut self.header.tree.components);
-        for placement in components.iter_mut().flat_map(|one| &mut one.info).filter_map(|info| info.placement.as_mut())
-        {
-            placement.frame = self.frame(&placement.frame);
-            placement.child = placement.child.take().map(|child| self.frame(&child));
-        }
-        self.header.tree.components = components;
-    }
-
-    /// Returns the name of a frame in the merged file.
-    fn frame(&self, frame: &str) -> String {
-        let is_common = self.common.iter().any(|common| common == frame);
-        if is_common { frame.to_owned() } else { format!("{}/{frame}", self.name) }
-    }
-
-    /// Returns a topic in the merged file. Those of frames have the name already.
-    fn topic(&self, topic: String) -> String {
-        let prefix = format!("/{}", self.name);
-        let has_name = topic.strip_prefix(&prefix).is_some_and(|rest| rest.starts_with('/'));
-        if has_name { topic } else { format!("{prefix}{topic}") }
+        let recorded = contents.header.topics;
+        let topics = topics.unwrap_or(if recorded == Topics::None { Topics::Standard } else { recorded });
+        let header = Header { topics, ..contents.header.clone() };
+        // The frames of the world are common to all robots.
+        let common = header.scenery.iter().map(|item| item.frame.clone()).collect();
+        let names = Names::new(&header.tree, &name_of(path))?.with_common(common);
+        let deriver = Deriver::new(&header, names).map_err(|invalid| invalid.within(&path.display().to_string()))?;
+        let offset = started.as_nanos() as i128 - i128::from(first);
+        Ok(Self { path, contents, deriver, offset, next: None })
     }
 
     /// Time of the next message, ns since 1970.
@@ -168,22 +127,9 @@ impl<'a> Robot<'a> {
     }
 
     /// Returns the messages of topics that follow from the next message.
-    fn derive(&mut self, time: u64) -> Result<Vec<Derived>, Invalid> {
-        let Some((channel, message)) = self.next.take() else { return Ok(Vec::new()) };
-        let data = match channel {
-            Channel::Blobs => self.renamed(&message).map_err(|error| failed(self.path, &error))?,
-            _ => message.data,
-        };
-        Ok(self.deriver.as_mut().map(|deriver| deriver.derive(channel, time, &data)).unwrap_or_default())
-    }
-
-    /// Returns large data with the frame in the merged file.
-    fn renamed(&self, message: &Message) -> Result<Vec<u8>, Error> {
-        let record: BlobRecord<'_> = decode(message)?;
-        let frame = self.frame(record.frame);
-        let mut out = Vec::with_capacity(message.data.len() + self.name.len() + 1);
-        encode(&mut out, &BlobRecord { frame: &frame, ..record });
-        Ok(out)
+    fn derive(&mut self, time: u64) -> Vec<Derived> {
+        let next = self.next.take().zip(self.deriver.as_mut());
+        next.map(|((channel, message), deriver)| deriver.derive(channel, time, &message.data)).unwrap_or_default()
     }
 
     /// Reads the next message.

@@ -2,17 +2,19 @@
 
 use bica::Hold;
 use bica_wire::message::LogSource;
+use bica_wire::model::Description;
 use postcard_schema::Schema;
 use postcard_schema::schema::NamedType;
 use serde::{Deserialize, Serialize};
 
 use crate::blob::BlobRecord;
 use crate::information::InformationRecord;
-use crate::mcap::ChannelRecord;
 use crate::request::RequestRecord;
 
-/// Encoding of the messages.
-pub(crate) const ENCODING: &str = "postcard";
+/// Encoding of the messages in a file.
+pub(crate) const ENCODING: &str = "cdr";
+/// Key of the schema of what a message holds, in the metadata of its channel.
+pub(crate) const SCHEMA_KEY: &str = "postcard_schema";
 
 /// Channel of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,28 +71,28 @@ impl Channel {
         Self::ALL.get(usize::from(id).checked_sub(1)?).copied()
     }
 
-    /// Returns number and channel of a record of a file; none for a channel of another program.
-    pub(crate) fn of_record(record: &ChannelRecord) -> Option<(u16, Self)> {
-        let known = Self::ALL.into_iter().find(|known| known.topic() == record.topic && record.encoding == ENCODING)?;
-        Some((record.id, known))
-    }
-
-    /// Returns the topic.
+    /// Returns the topic in a file.
     #[must_use]
     pub const fn topic(self) -> &'static str {
         match self {
-            Self::Requests => "requests",
-            Self::Blobs => "blobs",
-            Self::Sensors => "sensors",
-            Self::Command => "command",
-            Self::Tree => "tree",
-            Self::Tick => "tick",
-            Self::Events => "events",
-            Self::Log => "log",
-            Self::Costs => "costs",
-            Self::Information => "information",
-            Self::Holds => "holds",
+            Self::Requests => "/bica/requests",
+            Self::Blobs => "/bica/blobs",
+            Self::Sensors => "/bica/sensors",
+            Self::Command => "/bica/command",
+            Self::Tree => "/bica/tree",
+            Self::Tick => "/bica/tick",
+            Self::Events => "/bica/events",
+            Self::Log => "/bica/log",
+            Self::Costs => "/bica/costs",
+            Self::Information => "/bica/information",
+            Self::Holds => "/bica/holds",
         }
+    }
+
+    /// Returns the name: the last part of the topic.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.topic().trim_start_matches("/bica/")
     }
 
     /// Returns the schema of the messages; none if it is the robot's own.
@@ -197,6 +199,14 @@ impl TreeRecord {
     #[must_use]
     pub fn state(&self, component: usize) -> Option<usize> {
         self.states.get(component).filter(|state| **state != u8::MAX).map(|state| usize::from(*state))
+    }
+
+    /// Returns the name of each component's state: `active` for one without states, and `latent`.
+    pub(crate) fn names(&self, tree: &Description) -> Vec<String> {
+        let name = |index| {
+            if self.is_active(index) { tree.state(index, self.state(index)).unwrap_or("active") } else { "latent" }
+        };
+        (0..tree.components.len()).map(|index| name(index).to_owned()).collect()
     }
 
     /// Returns the CRC-32 of the contents.

@@ -7,7 +7,8 @@ use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::header::{Ending, FORMAT, Header, MONITOR_FORMAT};
+use crate::header::{Ending, Header};
+use crate::layout::Layout;
 
 /// Name of the metadata record with the header.
 pub(crate) const HEADER_NAME: &str = "bica";
@@ -62,19 +63,24 @@ pub(crate) fn ending_of(fields: &BTreeMap<String, String>, at: u64) -> Result<En
     from_metadata(fields, at)
 }
 
-/// Returns the header of a metadata record.
-pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64) -> Result<Header, Error> {
+/// Returns the header of a metadata record of a file with a layout, in the present format.
+pub(crate) fn header_of(fields: &BTreeMap<String, String>, at: u64, layout: Layout) -> Result<Header, Error> {
     #[derive(Deserialize)]
     struct Format {
         format: u32,
         monitor: Option<IgnoredAny>,
     }
     let Format { format, monitor } = from_metadata(fields, at)?;
-    if format != if monitor.is_some() { MONITOR_FORMAT } else { FORMAT } {
-        return Err(Error::Format(format));
+    let of_layout = |layout: Layout| layout.format(monitor.is_some());
+    if format != of_layout(layout) {
+        return Err(match format {
+            former if former == of_layout(Layout::Former) => Error::Former(former),
+            present if present == of_layout(Layout::Present) => Error::Present,
+            other => Error::Format(other),
+        });
     }
     check_metadata(fields, at)?;
-    let header: Header = from_metadata(fields, at)?;
+    let header = Header { format: of_layout(Layout::Present), ..from_metadata(fields, at)? };
     let rates = header.tree.components.iter().filter_map(|one| one.hz).chain([header.tree.cycle_hz]);
     if header.tick_hz == 0 || rates.into_iter().any(|hz| !(hz > 0.0 && hz.is_finite())) {
         return Err(Error::damaged(at, "a rate of the header is not a finite number above 0"));

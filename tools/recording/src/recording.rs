@@ -15,6 +15,7 @@ use crate::error::Error;
 use crate::header::{Ending, Header};
 use crate::image_codec::ImageCoder;
 use crate::information::InformationRecord;
+use crate::layout::Layout;
 use crate::mcap::{Item, MAX_RECORD, Message, Reader};
 use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 use crate::request::RequestRecord;
@@ -280,10 +281,11 @@ impl BlobPlace {
         let mut chunks = 0;
         while chunks < 2 {
             match reader.next_item()? {
-                Item::Message(message)
-                    if message.channel == self.channel && decode::<BlobRecord<'_>>(&message)?.id == self.id =>
-                {
-                    return decode_blob(&mut ImageCoder::default(), &message);
+                Item::Message(message) if message.channel == self.channel => {
+                    let message = Layout::Present.content(message)?;
+                    if decode::<BlobRecord<'_>>(&message)?.id == self.id {
+                        return decode_blob(&mut ImageCoder::default(), &message);
+                    }
                 }
                 Item::Chunk { .. } => chunks += 1,
                 Item::End => break,

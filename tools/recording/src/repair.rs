@@ -7,6 +7,7 @@ use crate::blob::BlobRecord;
 use crate::contents::{Contents, Part};
 use crate::error::Error;
 use crate::header::{Ending, Header, Topics};
+use crate::layout::Layout;
 use crate::mcap::{Compression, Item, Message, Reader, find_intact};
 use crate::message::{Channel, Tick};
 use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
@@ -37,7 +38,7 @@ pub fn recover(mut source: impl Read + Seek, target: impl Write, topics: Option<
     let mut damage = Vec::new();
     let header = match Contents::new(&mut source) {
         Ok(contents) => contents.header,
-        Err(error @ (Error::Io(_) | Error::Format(_) | Error::NotARecording)) => return Err(error),
+        Err(error @ (Error::Io(_) | Error::Format(_) | Error::Former(_) | Error::NotARecording)) => return Err(error),
         Err(error) => {
             damage.push(error.to_string());
             header_copy(&mut source)?.ok_or(if matches!(error, Error::NotMcap) { error } else { Error::NoHeader })?
@@ -89,7 +90,7 @@ fn resume<S: Read + Seek>(source: &mut S, at: u64) -> Result<Reader<&mut S>, Err
 /// Returns the first intact header.
 fn header_copy(source: &mut (impl Read + Seek)) -> Result<Option<Header>, Error> {
     let found = |item: &Item| match item {
-        Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(fields, *at).ok(),
+        Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(fields, *at, Layout::Present).ok(),
         _ => None,
     };
     let at = find_intact(source, 0..HEADER_WITHIN, |item| found(item).is_some())?;
@@ -167,23 +168,26 @@ impl<W: Write> Copy<W> {
             Item::Message(message) => {
                 let channel = self.channels.get(&message.channel).copied();
                 let channel = channel.or_else(|| Channel::of_id(message.channel));
-                channel.map_or(Ok(()), |channel| self.message(channel, message, |_| true))
+                channel.map_or(Ok(()), |channel| self.message(channel, Layout::Present.content(message)?, |_| true))
             }
             Item::Chunk { .. } => self.chunk(),
             Item::Channel(channel) => {
-                self.channels.extend(Channel::of_record(&channel));
+                self.channels.extend(Layout::Present.channel(&channel));
                 Ok(())
             }
             Item::Metadata(at, name, fields) if name == ENDING_NAME => {
                 self.ending = Some(ending_of(&fields, at)?);
                 Ok(())
             }
-            Item::Metadata(at, name, fields) if name == HEADER_NAME => header_of(&fields, at).map(drop),
+            Item::Metadata(at, name, fields) if name == HEADER_NAME => {
+                header_of(&fields, at, Layout::Present).map(drop)
+            }
             _ => Ok(()),
         }
     }
 
-    fn damage(&mut self, error: &Error) {
+    /// Notes what is wrong with the old file.
+    pub(crate) fn damage(&mut self, error: &Error) {
         let text = error.to_string();
         if !self.copied.damage.contains(&text) {
             self.copied.damage.push(text);

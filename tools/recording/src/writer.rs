@@ -3,15 +3,16 @@
 use std::collections::{BTreeMap, HashMap};
 use std::io::{self, Write};
 
-use bica_wire::model::Description;
 use postcard_schema::schema::owned::OwnedNamedType;
 
 use crate::error::Error;
 use crate::header::{Ending, Header};
+use crate::layout::write_content;
 use crate::mcap::{ChannelRecord, Compression, SchemaRecord, Writer};
-use crate::message::{Channel, ENCODING};
+use crate::message::{Channel, ENCODING, SCHEMA_KEY};
 use crate::metadata::{ENDING_NAME, HEADER_NAME, of_ending, of_header};
-use crate::topics::{Derived, Deriver, Schema};
+use crate::ros::{CDR_LE, Event, Kind, Names, Quality, Topic};
+use crate::topics::{Derived, Deriver};
 
 /// Number of the first channel and schema of the topics: those of the recording have smaller ones.
 const FIRST_TOPIC: u16 = 100;
@@ -20,37 +21,51 @@ const FIRST_TOPIC: u16 = 100;
 #[derive(Debug)]
 pub(crate) struct RecordingWriter<W> {
     writer: Writer<W>,
-    header: Header,
     deriver: Option<Deriver>,
     topics: TopicTable,
 }
+
+/// Profile of MCAP: a bag of ROS 2.
+pub(crate) const PROFILE: &str = "ros2";
+/// Encoding of the definitions of messages.
+const DEFINITION: &str = "ros2msg";
+/// Key of the quality of service in the metadata of a channel.
+const QUALITY_KEY: &str = "offered_qos_profiles";
 
 /// Numbers of the channels and of the schemas of topics.
 #[derive(Debug, Default)]
 pub(crate) struct TopicTable {
     channels: HashMap<String, u16>,
-    /// Of each robot, by its number.
-    schemas: HashMap<(usize, Schema), u16>,
+    /// By the names of the types.
+    schemas: HashMap<String, u16>,
     /// What is declared before the next chunk.
     undeclared: (Vec<SchemaRecord>, Vec<ChannelRecord>),
 }
 
 impl TopicTable {
-    /// Returns the channel of a topic; its schema is that of a robot with a number and a tree.
-    pub(crate) fn channel(&mut self, topic: String, schema: (usize, Schema), tree: &Description) -> u16 {
-        if let Some(id) = self.channels.get(&topic) {
+    /// Adds a message to a file. Its topic is declared before the next chunk, if it is new.
+    pub(crate) fn message<W: Write>(&mut self, writer: &mut Writer<W>, topic: &Topic, time: u64, message: &Derived) {
+        let channel = self.channel(topic);
+        writer.message(message.compression, channel, time, |out| {
+            out.extend(CDR_LE);
+            out.extend_from_slice(&message.data);
+        });
+    }
+
+    fn channel(&mut self, topic: &Topic) -> u16 {
+        if let Some(id) = self.channels.get(&topic.name) {
             return *id;
         }
         let next = FIRST_TOPIC + self.schemas.len() as u16;
-        let schema_id = *self.schemas.entry(schema).or_insert_with(|| {
-            let (name, encoding, data) = schema.1.describe(tree);
-            self.undeclared.0.push(SchemaRecord { id: next, name, encoding: encoding.to_owned(), data });
+        let schema = *self.schemas.entry(topic.kind.full()).or_insert_with(|| {
+            self.undeclared.0.push(schema_record(next, topic.kind));
             next
         });
         let id = FIRST_TOPIC + self.channels.len() as u16;
-        let (encoding, metadata) = (schema.1.encoding().to_owned(), BTreeMap::new());
-        self.undeclared.1.push(ChannelRecord { id, schema: schema_id, topic: topic.clone(), encoding, metadata });
-        self.channels.insert(topic, id);
+        let metadata = BTreeMap::from([(QUALITY_KEY.to_owned(), topic.quality.profile())]);
+        let (topic, encoding) = (topic.name.clone(), ENCODING.to_owned());
+        self.channels.insert(topic.clone(), id);
+        self.undeclared.1.push(ChannelRecord { id, schema, topic, encoding, metadata });
         id
     }
 
@@ -64,49 +79,51 @@ impl TopicTable {
     }
 }
 
-/// Returns schemas and channels of a recording. What a monitor records has no messages of a robot.
-fn channels(header: &Header) -> (Vec<SchemaRecord>, Vec<ChannelRecord>) {
+fn schema_record(id: u16, kind: Kind) -> SchemaRecord {
+    SchemaRecord { id, name: kind.full(), encoding: DEFINITION.to_owned(), data: kind.definition().into_bytes() }
+}
+
+/// Returns the schema and the channels of a recording. What a monitor records has no messages of a robot.
+fn channels(header: &Header) -> (SchemaRecord, Vec<ChannelRecord>) {
     let messages = header.messages();
     let schema = |channel: Channel| match channel {
         Channel::Sensors => messages.map(|messages| messages.sensors.clone()),
         Channel::Command => messages.map(|messages| messages.command.clone()),
         _ => channel.schema().map(OwnedNamedType::from),
     };
+    let event = schema_record(1, Kind::of::<Event>());
     let declare = |channel: Channel| {
-        let (id, schema) = (channel.id(), schema(channel)?);
-        let data = serde_json::to_vec(&schema).unwrap_or_default();
-        let record =
-            SchemaRecord { id, name: format!("bica.{}", schema.name), encoding: "postcard-schema".to_owned(), data };
-        let topic = channel.topic().to_owned();
-        Some((
-            record,
-            ChannelRecord { id, schema: id, topic, encoding: ENCODING.to_owned(), metadata: BTreeMap::new() },
-        ))
+        let text = serde_json::to_string(&schema(channel)?).unwrap_or_default();
+        let quality = (QUALITY_KEY.to_owned(), Quality::Reliable.profile());
+        let metadata = BTreeMap::from([quality, (SCHEMA_KEY.to_owned(), text)]);
+        let (topic, encoding) = (channel.topic().to_owned(), ENCODING.to_owned());
+        Some(ChannelRecord { id: channel.id(), schema: event.id, topic, encoding, metadata })
     };
-    Channel::ALL.into_iter().filter_map(declare).unzip()
+    let channels = Channel::ALL.into_iter().filter_map(declare).collect();
+    (event, channels)
 }
 
 impl<W: Write> RecordingWriter<W> {
     /// Begins a file: header, schemas and channels, and the header again, compressed.
     pub(crate) fn new(target: W, header: &Header) -> io::Result<Self> {
-        let (schemas, channels) = channels(header);
+        let (schema, channels) = channels(header);
         let fields = of_header(header).map_err(io_error)?;
         let invalid = |invalid| io::Error::new(io::ErrorKind::InvalidInput, invalid);
-        let deriver = Deriver::new(header).map_err(invalid)?;
-        let mut writer = Writer::new(target, "bica")?;
+        let names = Names::new(&header.tree, "").map_err(invalid)?;
+        let deriver = Deriver::new(header, names).map_err(invalid)?;
+        let mut writer = Writer::new(target, PROFILE)?;
         writer.metadata(HEADER_NAME, &fields)?;
-        writer.declare(schemas, channels)?;
+        writer.declare(vec![schema], channels)?;
         writer.compressed_metadata(HEADER_NAME, &fields)?;
-        Ok(Self { writer, header: header.clone(), deriver, topics: TopicTable::default() })
+        Ok(Self { writer, deriver, topics: TopicTable::default() })
     }
 
     /// Adds a message, and what follows from it for the topics.
     pub(crate) fn message(&mut self, channel: Channel, compression: Compression, time: u64, data: &[u8]) {
-        self.writer.message(compression, channel.id(), time, |out| out.extend_from_slice(data));
-        let derived = self.deriver.as_mut().map(|deriver| deriver.derive(channel, time, data));
-        for Derived { topic, schema, compression, data } in derived.into_iter().flatten() {
-            let id = self.topics.channel(topic, (0, schema), &self.header.tree);
-            self.writer.message(compression, id, time, |out| out.extend_from_slice(&data));
+        self.writer.message(compression, channel.id(), time, |out| write_content(out, data));
+        let Some(deriver) = &mut self.deriver else { return };
+        for derived in deriver.derive(channel, time, data) {
+            self.topics.message(&mut self.writer, deriver.topic(derived.topic), time, &derived);
         }
     }
 

@@ -14,7 +14,7 @@ from mcap.writer import CompressionType, Writer
 
 def rewrite(source, target, **options):
     writer = Writer(target, **options)
-    writer.start("bica")
+    writer.start("ros2")
     schemas, channels = {}, {}
     for record in StreamReader(source).records:
         if isinstance(record, Schema) and record.id not in schemas:

@@ -26,9 +26,8 @@ pub(super) enum RecordAction {
     Merge(Merge),
     /// Play a recording to monitors, as if its robot ran
     Play(PlayArgs),
-    /// Write a recording as a bag of ROS 2: an MCAP file that `ros2 bag` reads
-    #[cfg(feature = "ros")]
-    Bag(Files),
+    /// Write a recording of the former format to a new file in the present one
+    Upgrade(Files),
 }
 
 #[derive(Clone, Debug, Args)]

@@ -52,7 +52,7 @@ pub enum TopicsArg {
     None,
     /// Previews of images, frames, shapes, states, parameters and log
     Standard,
-    /// The same, and all outputs, sensor values, commands and costs as JSON
+    /// The same, and all other outputs, sensor values, commands and costs
     All,
 }
 

@@ -9,7 +9,7 @@ use std::io::{BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use bica_recording::repair::{self, Copied};
-use bica_recording::{Error, Info, Recordable, Robots, RunPart, RunParts, Topics, create};
+use bica_recording::{Error, Info, Recordable, Robots, RunPart, RunParts, Topics, create, upgrade};
 use serde::Serialize;
 
 use args::{Files, InfoArgs, Merge, Out, RecordAction, Recover, Trim};
@@ -37,8 +37,7 @@ pub(crate) fn run<R: Recordable + Default>(args: &Record) -> Result<Outcome, Fai
         }
         RecordAction::Merge(args) => merge(args),
         RecordAction::Play(args) => play::play::<R>(args),
-        #[cfg(feature = "ros")]
-        RecordAction::Bag(files) => rewrite(files, "converted", |source, target| bica_ros::bag(source, target)),
+        RecordAction::Upgrade(files) => rewrite(files, "upgraded", |source, target| upgrade(source, target)),
     }
 }
 

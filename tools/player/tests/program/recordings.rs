@@ -73,10 +73,12 @@ fn files_are_mended_cut_and_shown() {
     );
     let replayed = run(&["replay", &whole, "--json"]);
     assert_eq!((replayed.code, &replayed.json()["cycles"]), (Some(0), &recovered["cycles"]));
+    refused(&["record", "upgrade", &file, &folder.file("new.mcap")], &["has the present format already", "help: "]);
     let view = folder.file("view.mcap");
     let shown = run(&["record", "recover", &file, &view, "--topics", "standard", "--json"]).json();
     assert_eq!((&shown["cycles"], shown["bytes"].as_u64()), (&300.into(), Some(fs::metadata(&view).unwrap().len())));
-    let has_image = |file: &str| fs::read(file).unwrap().windows(13).any(|bytes| bytes == b"/camera/image");
+    let has_image =
+        |file: &str| fs::read(file).unwrap().windows(28).any(|bytes| bytes == b"/camera/image_raw/compressed");
     assert!(has_image(&view) && !has_image(&file));
 }
 

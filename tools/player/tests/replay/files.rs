@@ -16,7 +16,9 @@ use bica_player_program::game::{
     RecordOptions, ReplayOptions, ReplayReport, Rules, WorldKind, play_recorded, recording_header, replay,
 };
 use bica_recording::mcap::{Compression, Item, Reader, Writer};
-use bica_recording::{Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions, Topics, checksum};
+use bica_recording::{
+    Backpressure, Channel, Error, ImagePolicy, Recorder, RecorderOptions, Topics, checksum, content, write_content,
+};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -100,7 +102,7 @@ pub(crate) fn rewrite(
 ) -> Vec<u8> {
     let mut reader = Reader::new(file).expect("MCAP");
     let (mut schemas, mut channels, mut target) = (Vec::new(), Vec::new(), Vec::new());
-    let mut writer = Writer::new(&mut target, "bica").expect("memory");
+    let mut writer = Writer::new(&mut target, "ros2").expect("memory");
     loop {
         match reader.next_item().expect("intact") {
             Item::Schema(schema) => schemas.push(schema),
@@ -112,11 +114,12 @@ pub(crate) fn rewrite(
                 }
                 writer.metadata(&name, &fields).expect("memory");
             }
-            Item::Message(mut found) => {
+            Item::Message(found) => {
                 let channel = Channel::of_id(found.channel).expect("a channel of ours");
-                message(channel, &mut found.data);
+                let mut data = content(&found.data).expect("a message of ours").to_vec();
+                message(channel, &mut data);
                 let kind = if channel == Channel::Blobs { Compression::None } else { Compression::Lz4 };
-                writer.message(kind, found.channel, found.time, |out| out.extend_from_slice(&found.data));
+                writer.message(kind, found.channel, found.time, |out| write_content(out, &data));
             }
             Item::Chunk { .. } if !schemas.is_empty() => {
                 writer.declare(std::mem::take(&mut schemas), std::mem::take(&mut channels)).expect("memory");

@@ -72,8 +72,8 @@ fn foreign_or_headless_recording_is_refused() {
     };
     let message = refused(&rewrite(&bytes, same, renamed));
     assert!(message.contains("SeekBall") && message.contains("SearchBall"), "{message}");
-    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":6", "\"format\":7"));
-    assert!(refused(&newer).contains("format 7"));
+    let newer = rewrite(&bytes, same, |text| *text = text.replace("\"format\":7", "\"format\":8"));
+    assert!(refused(&newer).contains("format 8"));
     let mut part = Vec::new();
     bica_recording::repair::trim(std::io::Cursor::new(&bytes), &mut part, 100_000_000, u64::MAX, None)
         .expect("a recording");

@@ -29,7 +29,7 @@ impl Header {
             topics: Topics::Standard,
             monitor: Some(MonitorInfo {
                 address: address.to_owned(),
-                lacks: lacks.map(|channel| channel.topic().to_owned()).collect(),
+                lacks: lacks.map(|channel| channel.name().to_owned()).collect(),
             }),
             part: None,
         }

@@ -3,7 +3,7 @@
 use bica_wire::model::Description;
 use postcard_schema::schema::owned::{OwnedDataModelType as Type, OwnedNamedType};
 
-use super::shape::CALIBRATION;
+use crate::shape::CALIBRATION;
 
 /// Deepest nesting of sensor values in which large data is counted.
 const DEPTH: usize = 16;

@@ -1,23 +1,15 @@
-//! Topics that other programs show: derived from the messages of a recording, and ignored when it is read.
-//!
-//! Their schemas are those of Foxglove, in Protocol Buffers. The crate `foxglove` (0.30, without default features) needs 98 others, among
-//! them `prost`; the few messages that are written need a table of their fields and a writer of 70 lines.
+//! Topics that other programs show: messages of ROS 2, derived from the messages of a recording, and ignored when it is read.
 
 mod cameras;
-mod foxglove;
-mod numbers;
-mod outputs;
 mod preview;
-mod protobuf;
-mod schema;
-pub mod shape;
 
 use std::collections::{BTreeMap, HashMap};
 
+use bica::Format;
 use bica::runner::Change;
-use bica::{Format, Value};
-use bica_link::decode_message;
-use bica_wire::model::Invalid;
+use bica_link::{Shown, decode_message};
+use bica_wire::model::{Description, Invalid};
+use serde_json::{Map, Value, json};
 
 use crate::blob::BlobRecord;
 use crate::header::{Header, Topics};
@@ -28,34 +20,29 @@ use crate::message::{Channel, Costs, LogLine, RunEvent, TreeRecord};
 use crate::names::NameTable;
 use crate::recording::{MAX_BLOBS, MAX_CYCLE_BYTES};
 use crate::request::RequestRecord;
+use crate::ros::{self, Names, Sent, parameter_value};
 use crate::scenery::Scenery;
 pub use cameras::Cameras;
-use outputs::{Outputs, Seen};
 pub use preview::{Jpeg, jpeg};
-use preview::{Preview, is_image};
-use protobuf::Protobuf;
-pub(crate) use schema::Schema;
+use preview::{MAX_WIDTH, is_image};
 
 /// Shortest time from one preview of an image to the next, ns.
 const PREVIEW_AFTER: u64 = 290_000_000;
 /// Shortest time between two records of outputs that are shown, ns: a monitor may receive more.
 const OUTPUTS_AFTER: u64 = 45_000_000;
-
+/// Time after which a value that is drawn is written again, although it has not changed, ns.
+const AGAIN_AFTER: u64 = 1_000_000_000;
 /// Most large data of a frame that waits.
 const MAX_WAITING: usize = 64;
 
 /// Message of a topic.
 #[derive(Debug)]
 pub(crate) struct Derived {
-    pub(crate) topic: String,
-    pub(crate) schema: Schema,
+    /// Index of the topic.
+    pub(crate) topic: usize,
     pub(crate) compression: Compression,
+    /// The message in CDR, without its header.
     pub(crate) data: Vec<u8>,
-}
-
-/// Returns a name as a part of a topic: viewers read a space as the end of a path.
-pub(crate) fn path(name: &str) -> String {
-    name.replace(char::is_whitespace, "_")
 }
 
 /// Large data that waits for its preview.
@@ -66,11 +53,21 @@ struct Waiting {
     record: Vec<u8>,
 }
 
+/// An output with a visual type.
+#[derive(Debug, Default)]
+struct Visual {
+    /// Frame of the camera in whose image it is.
+    camera: Option<String>,
+    /// Value that was written last, and its time, ns.
+    last: Value,
+    written: Option<u64>,
+}
+
 /// Derives the messages of topics from those of a recording.
 #[derive(Debug)]
 pub(crate) struct Deriver {
     header: Header,
-    cameras: Cameras,
+    topics: ros::Topics,
     /// Cycle of the last large data, and the names of its frames.
     last_cycle: (Option<u64>, Vec<String>),
     /// Newest large data of each frame, points and images, in the order of its times: in a file it precedes its cycle.
@@ -79,45 +76,56 @@ pub(crate) struct Deriver {
     /// Times of the last previews and of the last outputs that were shown, ns.
     shown: [Option<u64>; 2],
     tree: TreeRecord,
-    outputs: Outputs,
+    /// Last state of each component that a line of the log has named.
+    states: Vec<String>,
+    /// Outputs with a visual type, by the indices of component and output.
+    visual: BTreeMap<(usize, usize), Visual>,
     has_begun: bool,
     derived: Vec<Derived>,
 }
 
 impl Deriver {
-    /// A deriver of the topics that a header requests.
+    /// A deriver of the topics that a header requests, with the names of its robot.
     ///
     /// # Errors
     /// If two things have one topic.
-    pub(crate) fn new(header: &Header) -> Result<Option<Self>, Invalid> {
+    pub(crate) fn new(header: &Header, names: Names) -> Result<Option<Self>, Invalid> {
         if header.topics == Topics::None {
             return Ok(None);
         }
-        let (outputs, mut names) = (Outputs::new(&header.tree), NameTable::new("topic of the recording"));
-        outputs.topics().try_for_each(|(topic, source)| names.add(topic, source))?;
-        for Scenery { name, .. } in &header.scenery {
-            names.add(format!("/scene/{}", path(name)), format!("the scenery `{name}`"))?;
+        let scenery = header.scenery.iter().map(|item| item.name.as_str());
+        let topics = ros::Topics::recorded(&header.tree, names, scenery, header.topics == Topics::All);
+        let mut table = NameTable::new("topic of the recording");
+        for channel in Channel::ALL {
+            table.add(channel.topic(), format!("the recording's own `{}`", channel.name()))?;
         }
+        topics.check(&mut table)?;
+        let visual = |camera: Option<&str>| Visual { camera: camera.map(str::to_owned), ..Visual::default() };
+        let visual = topics.visual().map(|(key, camera)| (key, visual(camera))).collect();
         Ok(Some(Self {
             header: header.clone(),
-            cameras: Cameras::new(&header.tree),
+            topics,
             last_cycle: (None, Vec::new()),
             waiting: BTreeMap::new(),
             coder: ImageCoder::default(),
             shown: [None; 2],
             tree: TreeRecord::default(),
-            outputs,
+            states: Vec::new(),
+            visual,
             has_begun: false,
             derived: Vec::new(),
         }))
     }
 
+    /// Returns a topic.
+    pub(crate) fn topic(&self, index: usize) -> &ros::Topic {
+        &self.topics.all()[index]
+    }
+
     /// Returns the messages that follow from a message of the recording. One that cannot be read has none.
     pub(crate) fn derive(&mut self, channel: Channel, time: u64, data: &[u8]) -> Vec<Derived> {
         if !std::mem::replace(&mut self.has_begun, true) {
-            self.parameters();
-            self.scenery(time);
-            self.derived.extend(self.outputs.first_transforms(time));
+            self.begin(time);
         }
         let all = self.header.topics == Topics::All;
         match channel {
@@ -149,16 +157,28 @@ impl Deriver {
         std::mem::take(&mut self.derived)
     }
 
-    fn send(&mut self, topic: &str, schema: Schema, message: Protobuf) {
-        self.push(topic.to_owned(), schema, Compression::Lz4, message.0);
+    fn send(&mut self, messages: Vec<Sent>) {
+        let derived = messages.into_iter().map(|(topic, message)| {
+            // What is coded cannot be compressed further.
+            let compression = if self.topics.is_image(topic) { Compression::None } else { Compression::Lz4 };
+            Derived { topic, compression, data: message.0 }
+        });
+        self.derived.extend(derived);
     }
 
-    fn push(&mut self, topic: String, schema: Schema, compression: Compression, data: Vec<u8>) {
-        self.derived.push(Derived { topic, schema, compression, data });
+    fn log(&mut self, time: u64, level: u8, source: &str, text: &str) {
+        self.send(self.topics.log(time, level, source, text));
     }
 
-    fn log(&mut self, time: u64, level: u8, name: &str, text: &str) {
-        self.send("/log", Schema::Foxglove("Log"), foxglove::log(time, level, name, text));
+    /// Writes what is known before the first cycle: parameters, what does not move in the world, and one tree of frames.
+    fn begin(&mut self, time: u64) {
+        self.parameters(time);
+        let scenery: Vec<_> = std::mem::take(&mut self.header.scenery).into_iter().map(shown).collect();
+        if !scenery.is_empty() {
+            self.send(self.topics.scenery(time, &scenery));
+        }
+        self.send(self.topics.fixed_frames(time));
+        self.send(self.topics.first_frames(time));
     }
 
     fn request(&mut self, time: u64, data: &[u8]) {
@@ -167,64 +187,36 @@ impl Deriver {
         self.log(time, 2, "operator", &text);
         self.header.apply(&request);
         if matches!(request, RequestRecord::Tree(Change::Params(_))) {
-            self.parameters();
+            self.parameters(time);
         }
     }
 
-    fn parameters(&mut self) {
-        let mut message = Protobuf::default();
-        for (number, component) in (1..).zip(&self.header.tree.components) {
-            if component.params.is_empty() {
-                continue;
-            }
-            message.nested(number, |out| {
-                for (number, param) in (1..).zip(&component.params) {
-                    let value = param.current();
-                    match value {
-                        Value::Bool(is_on) => out.int(number, is_on.into()),
-                        Value::Choice(_) => out.text(number, &param.kind.text(value).to_string()),
-                        // The digits of the f32, not the exact value of its f64.
-                        _ => out.double(number, value.to_string().parse().unwrap_or(f64::NAN)),
-                    };
-                }
-            });
-        }
-        if !message.0.is_empty() {
-            self.send("/parameters", Schema::Parameters, message);
-        }
-    }
-
-    /// Writes what does not move in the world, once.
-    fn scenery(&mut self, time: u64) {
-        for Scenery { name, shape, frame, colour, value, .. } in std::mem::take(&mut self.header.scenery) {
-            let mut all = Vec::new();
-            shape::each(&value, &mut |value| all.extend(shape::shapes(&shape, value)));
-            let [red, green, blue] = colour.unwrap_or([u8::MAX; 3]).map(|part| f64::from(part) / 255.0);
-            let scene = foxglove::scene(time, &frame, &name, &[red, green, blue, 1.0], &all);
-            let topic = path(&name);
-            self.send(&format!("/scene/{topic}"), Schema::Foxglove("SceneUpdate"), scene);
-            let points = foxglove::points(time, &frame, &all);
-            self.send(&format!("/points/{topic}"), Schema::Foxglove("PointCloud"), points);
+    fn parameters(&mut self, time: u64) {
+        let components = self.header.tree.components.iter();
+        let all = components.flat_map(|one| {
+            one.params.iter().map(move |param| {
+                (format!("{}.{}", one.name, param.name), parameter_value(&param.plain(param.current())))
+            })
+        });
+        let all: BTreeMap<_, _> = all.collect();
+        if !all.is_empty() {
+            self.send(self.topics.parameters(time, all));
         }
     }
 
     /// Writes the state of each component, and each change as text.
     fn states(&mut self, time: u64, tree: TreeRecord) {
-        let mut message = Protobuf::default();
-        let mut lines = Vec::new();
-        for (index, component) in self.header.tree.components.iter().enumerate() {
-            let state = |tree: &TreeRecord| self.header.tree.state(index, tree.state(index)).unwrap_or("active");
-            let name = |tree: &TreeRecord| if tree.is_active(index) { state(tree) } else { "latent" };
-            message.text(index as u32 + 1, name(&tree));
-            if name(&tree) != name(&self.tree) {
-                lines.push((component.name.clone(), format!("{}: {}", component.name, name(&tree))));
-            }
+        let names = tree.names(&self.header.tree);
+        let components = self.header.tree.components.iter().zip(&names).enumerate();
+        let last = |index: usize| self.states.get(index).map_or("latent", String::as_str);
+        let changed = components.filter(|(index, (_, name))| last(*index) != name.as_str());
+        let lines = changed.map(|(_, (one, name))| (one.name.clone(), format!("{}: {name}", one.name)));
+        for (component, text) in lines.collect::<Vec<_>>() {
+            self.log(time, 1, &component, &text);
         }
-        self.tree = tree;
-        self.send("/states", Schema::States, message);
-        for (component, text) in &lines {
-            self.log(time, 1, component, text);
-        }
+        (self.tree, self.states) = (tree, names.clone());
+        let messages = self.topics.states(&self.header.tree, names);
+        self.send(messages);
     }
 
     /// Keeps large data until its preview is due.
@@ -245,7 +237,7 @@ impl Deriver {
                 self.waiting.clear();
             }
             // Points and images have topics of different names.
-            let frame = if is_points { frame.to_owned() } else { self.cameras.next_frame(frame, frames) };
+            let frame = if is_points { frame.to_owned() } else { self.topics.cameras().next_frame(frame, frames) };
             let waiting = self.waiting.entry((frame, is_points)).or_default();
             waiting.drain(..waiting.len().saturating_sub(MAX_WAITING - 1));
             waiting.push(Waiting { time, record: data.to_vec() });
@@ -253,26 +245,66 @@ impl Deriver {
     }
 
     fn information(&mut self, time: u64, record: &InformationRecord, all: bool) {
-        if all {
-            self.json(record);
+        let is_due = self.shown[1].is_none_or(|shown| time >= shown.saturating_add(OUTPUTS_AFTER));
+        let mut values = HashMap::new();
+        for value in &record.values {
+            let key = (value.component.into(), value.index.into());
+            let is_visual = self.visual.contains_key(&key);
+            if (if is_visual { is_due } else { all })
+                && let Some(json) = self.header.decode(value)
+            {
+                if is_visual {
+                    values.insert(key, json);
+                } else {
+                    let messages = self.topics.value(time, key, &json);
+                    self.send(messages);
+                }
+            }
         }
-        if self.shown[1].is_some_and(|shown| time < shown.saturating_add(OUTPUTS_AFTER)) {
+        if !is_due {
             return;
         }
         self.shown[1] = Some(time);
         let seen = self.previews(time);
-        let values = record
-            .values
-            .iter()
-            .filter_map(|value| Some(((value.component.into(), value.index.into()), self.header.decode(value)?)));
-        let values: HashMap<_, _> = values.collect();
-        for derived in self.outputs.derive(time, &values, seen.as_ref(), &self.tree) {
-            self.push(derived.topic, derived.schema, derived.compression, derived.data);
+        for key in self.visual.keys().copied().collect::<Vec<_>>() {
+            self.visual(time, key, values.remove(&key), seen.as_ref());
         }
     }
 
-    /// Writes the newest images and point clouds, if they are due; returns the images.
-    fn previews(&mut self, time: u64) -> Option<Seen> {
+    /// Writes the value of an output with a visual type, if it is to be shown. `seen` has the times of the images that are shown now, by
+    /// their frames; `None` if there was no image.
+    fn visual(&mut self, time: u64, key: (usize, usize), value: Option<Value>, seen: Option<&HashMap<String, u64>>) {
+        let Some(Visual { camera, last, written }) = self.visual.get_mut(&key) else { return };
+        let value = match value {
+            None if self.tree.is_active(key.0) => return,
+            value => value.unwrap_or_default(),
+        };
+        let mut time = time;
+        if let Some(camera) = camera {
+            match seen.map(|seen| seen.get(camera)) {
+                Some(Some(measured)) => time = *measured,
+                Some(None) => return,
+                None => {}
+            }
+        }
+        if self.topics.is_drawn(key) {
+            // That there is no value is shown once; what is seen in an image is shown with each image.
+            let is_again = written.is_some_and(|at| camera.is_some() || time >= at.saturating_add(AGAIN_AFTER));
+            if value == *last && (value.is_null() || !is_again) {
+                return;
+            }
+            (*last, *written) = (value.clone(), Some(time));
+        }
+        let messages = if value.is_null() && !self.topics.is_drawn(key) {
+            Vec::new()
+        } else {
+            self.topics.value(time, key, &value)
+        };
+        self.send(messages);
+    }
+
+    /// Writes the newest images and point clouds, if they are due; returns the times of the images.
+    fn previews(&mut self, time: u64) -> Option<HashMap<String, u64>> {
         if self.waiting.is_empty() {
             return None;
         }
@@ -281,10 +313,10 @@ impl Deriver {
             waiting.drain(..past.saturating_sub(1));
         }
         if self.shown[0].is_some_and(|shown| time < shown.saturating_add(PREVIEW_AFTER)) {
-            return Some(Seen::new());
+            return Some(HashMap::new());
         }
         self.shown[0] = Some(time);
-        let mut seen = Seen::new();
+        let mut seen = HashMap::new();
         let due = self.waiting.iter_mut().filter_map(|((frame, _), waiting)| {
             let is_past = waiting.first()?.time <= time;
             is_past.then(|| (frame.clone(), waiting.remove(0)))
@@ -292,27 +324,23 @@ impl Deriver {
         for (frame, Waiting { time, record }) in due.collect::<Vec<_>>() {
             let Ok(record) = postcard::from_bytes::<BlobRecord<'_>>(&record) else { continue };
             if record.format == Format::Points {
-                let cloud = foxglove::cloud(time, &frame, record.stored);
-                self.send(&format!("/{}/points", path(&frame)), Schema::Foxglove("PointCloud"), cloud);
-            } else if let Some(preview) = Preview::new(&record, &mut self.coder) {
-                let image = foxglove::image(time, &self.outputs.optical(&frame), &preview);
-                let topic = format!("/{}/image", path(&frame));
-                self.push(topic, Schema::Foxglove("CompressedImage"), Compression::None, image.0);
-                seen.insert(frame, (time, preview));
+                let cloud = self.topics.cloud(time, &frame, record.stored);
+                self.send(cloud);
+                continue;
+            }
+            let messages = match record.format {
+                Format::Jpeg => self.topics.image(time, &frame, record.format, record.stored, MAX_WIDTH),
+                format => match record.decode(&mut self.coder) {
+                    Some(stored) => self.topics.image(time, &frame, format, &stored.bytes, MAX_WIDTH),
+                    None => Vec::new(),
+                },
+            };
+            if !messages.is_empty() {
+                self.send(messages);
+                seen.insert(frame, time);
             }
         }
         Some(seen)
-    }
-
-    /// Writes outputs as JSON.
-    fn json(&mut self, record: &InformationRecord) {
-        for value in &record.values {
-            let Some(component) = self.header.tree.components.get(usize::from(value.component)) else { continue };
-            let Some(output) = component.info.get(usize::from(value.index)) else { continue };
-            let Some(json) = self.header.decode(value) else { continue };
-            let topic = format!("/outputs/{}/{}", component.name, output.name);
-            self.push(topic, Schema::Json, Compression::Lz4, numbers::object(json));
-        }
     }
 
     /// Writes sensor values, a command or costs as JSON.
@@ -321,10 +349,23 @@ impl Deriver {
         let json = match channel {
             Channel::Sensors => messages.and_then(|messages| decode_message(&messages.sensors, data)),
             Channel::Command => messages.and_then(|messages| decode_message(&messages.command, data)),
-            _ => postcard::from_bytes::<Costs>(data).ok().map(|costs| numbers::costs(&self.header.tree, &costs)),
+            _ => postcard::from_bytes::<Costs>(data).ok().map(|all| costs(&self.header.tree, &all)),
         };
         if let Some(json) = json {
-            self.push(format!("/{}", channel.topic()), Schema::Json, Compression::Lz4, numbers::object(json));
+            self.send(self.topics.numbers(channel.name(), &json));
         }
     }
+}
+
+/// Returns what does not move as a monitor has it.
+fn shown(item: Scenery) -> Shown {
+    let Scenery { name, shape, frame, colour, line_width, value } = item;
+    let colour = colour.map(|[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));
+    Shown { name, shape, frame, child: None, value, colour, line_width }
+}
+
+/// Returns the time of each component, µs.
+fn costs(tree: &Description, costs: &Costs) -> Value {
+    let times = tree.components.iter().zip(&costs.components);
+    Value::Object(times.map(|(one, cost)| (one.name.clone(), json!(cost.ns as f64 * 1e-3))).collect::<Map<_, _>>())
 }

@@ -3,42 +3,14 @@
 use bica::Format;
 use jpeg_encoder::{Encoder, ImageBuffer, JpegColorType, rgb_to_ycbcr};
 
-use crate::blob::BlobRecord;
-use crate::image_codec::ImageCoder;
-
 /// Largest width of a preview, px.
-const MAX_WIDTH: usize = 320;
+pub(super) const MAX_WIDTH: usize = 320;
 /// Quality, 1 to 100.
 const QUALITY: u8 = 70;
-
-/// An image, coded as JPEG.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Preview {
-    pub(super) jpeg: Vec<u8>,
-    pub(super) width: u32,
-    pub(super) height: u32,
-    /// Size divided by that of the recorded image.
-    pub(super) scale: f64,
-    /// Name of the frame in which the image was measured.
-    pub(super) frame: String,
-}
 
 /// Returns whether large data is an image of which there can be a preview.
 pub(super) const fn is_image(format: Format<'_>) -> bool {
     matches!(format, Format::Yuyv { .. } | Format::Gray8 { .. } | Format::Rgb8 { .. } | Format::Jpeg)
-}
-
-impl Preview {
-    /// Codes a recorded image; `None` if it is none, or damaged. One that is coded already keeps its size.
-    pub(super) fn new(record: &BlobRecord<'_>, coder: &mut ImageCoder) -> Option<Self> {
-        let frame = record.frame.to_owned();
-        if record.format == Format::Jpeg {
-            return Some(Self { jpeg: record.stored.to_vec(), scale: 1.0, frame, ..Self::default() });
-        }
-        let stored = is_image(record.format).then(|| record.decode(coder))??;
-        let Jpeg { data, width, height, scale } = jpeg(record.format, &stored.bytes, MAX_WIDTH)?;
-        Some(Self { jpeg: data, width, height, scale, frame })
-    }
 }
 
 /// An image, coded as JPEG.

@@ -7,7 +7,7 @@ use bica_recording::mcap::{Compression, Item, Reader, Writer};
 use bica_recording::repair::recover;
 use bica_recording::{
     BlobRecord, Channel, Coding, Ending, Header, ImagePolicy, Info, LogLine, LogSource, RecordedCycle, Recorder,
-    Recording, RunEvent,
+    Recording, RunEvent, write_content,
 };
 use proptest::prelude::*;
 use rand_pcg::Pcg64;
@@ -42,7 +42,7 @@ fn chunk_ends(file: &[u8]) -> Vec<(usize, u64)> {
 fn cut(step: usize) {
     let file = recorded(15);
     let ends = chunk_ends(&file);
-    assert!(ends.len() > 3 && file.len() < 40_000, "{} chunks, {} bytes", ends.len(), file.len());
+    assert!(ends.len() > 3 && file.len() < 60_000, "{} chunks, {} bytes", ends.len(), file.len());
     let all = cycles(&file[..]).0;
     let first = Recording::new(&file[..]).expect("a header").position() as usize;
     let is_near_an_end = |length: usize| ends.iter().any(|(end, _)| end.abs_diff(length) <= 2);
@@ -238,11 +238,14 @@ fn bomb(channel: Channel, count: u64, data: impl Fn(u64) -> Vec<u8>) -> Vec<u8> 
     }
     let (name, fields) = header.expect("a header");
     let mut target = Vec::new();
-    let mut writer = Writer::new(&mut target, "bica").expect("memory");
+    let mut writer = Writer::new(&mut target, "ros2").expect("memory");
     writer.declare(schemas, channels).expect("memory");
     writer.metadata(&name, &fields).expect("memory");
     for number in 0..count {
-        writer.message(Compression::Lz4, channel.id(), number, |out| out.extend(data(number)));
+        let data = data(number);
+        writer.message(Compression::Lz4, channel.id(), number, |out| {
+            write_content(out, &data);
+        });
         writer.flush().expect("memory");
     }
     writer.close().expect("memory");

@@ -1,5 +1,6 @@
 //! Recordings of a small robot: what is written is read again, and no file does harm.
 
+mod cdr;
 mod damage;
 mod disk;
 mod merge;
@@ -10,4 +11,5 @@ mod play;
 mod replay;
 mod support;
 mod topics;
+mod upgrade;
 mod values;

@@ -211,13 +211,13 @@ fn overview_lists_requests_and_events() {
 
 #[test]
 fn a_recording_of_another_format_is_refused() {
-    for format in [1, 6, 8] {
+    for format in [1, 6, 9] {
         let disk = Disk::default();
         let _ = MonitorRecorder::new(disk.clone(), &Header { format, ..header() }).expect("memory");
         let error = Recording::new(&disk.contents()[..]).map(|_| ()).expect_err("another format");
         assert!(matches!(error, Error::Format(found) if found == format), "{error}");
         assert!(
-            error.to_string().contains(&format!("format {format}; this program reads format 6, of a monitor 7")),
+            error.to_string().contains(&format!("format {format}; this program reads format 7, of a monitor 8")),
             "{error}"
         );
     }

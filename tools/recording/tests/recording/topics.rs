@@ -7,7 +7,6 @@ use bica::runner::Runner;
 use bica::visual::{CameraCalibration, ImageCircle, ImageSegment, Point2, Pose2, Scan};
 use bica::{Blob, Format};
 use bica_link::{Component, Description, Info as Output, Placement};
-use bica_recording::mcap::{Item, Reader};
 use bica_recording::repair::{recover, trim};
 use bica_recording::{
     Header, ImagePolicy, InformationRecord, InformationValue, MonitorRecorder, ReceivedImage, RecordedCycle, Recorder,
@@ -19,64 +18,14 @@ use postcard_schema::schema::NamedType;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::cdr::{Cdr, Messages, messages};
 use crate::support::{Cart, Disk, Sensors, cycles, header, record_topics, recorded, scenery, sensors};
-
-/// Messages of the topics of other programs, with their times, ns.
-fn topics(file: &[u8]) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
-    let (mut reader, mut names, mut found) = (Reader::new(file).expect("MCAP"), BTreeMap::new(), BTreeMap::new());
-    loop {
-        match reader.next_item().expect("intact") {
-            Item::Channel(channel) if channel.encoding != "postcard" => _ = names.insert(channel.id, channel.topic),
-            Item::Message(message) => {
-                if let Some(topic) = names.get(&message.channel) {
-                    found.entry(topic.clone()).or_insert_with(Vec::new).push((message.time, message.data));
-                }
-            }
-            Item::End => return found,
-            _ => {}
-        }
-    }
-}
-
-/// Returns the fields of a message of Protocol Buffers that have a number and a length.
-fn fields(mut message: &[u8], number: u64) -> Vec<&[u8]> {
-    let varint = |bytes: &mut &[u8]| {
-        let length = bytes.iter().position(|byte| byte & 0x80 == 0).expect("an end") + 1;
-        let (taken, rest) = bytes.split_at(length);
-        *bytes = rest;
-        taken.iter().rev().fold(0, |value, byte| value << 7 | u64::from(byte & 0x7f))
-    };
-    let mut found = Vec::new();
-    while !message.is_empty() {
-        let tag = varint(&mut message);
-        let length = match tag & 7 {
-            0 => {
-                varint(&mut message);
-                continue;
-            }
-            1 => 8,
-            2 => varint(&mut message) as usize,
-            _ => 4,
-        };
-        let (content, rest) = message.split_at(length);
-        message = rest;
-        found.extend((tag >> 3 == number).then_some(content));
-    }
-    found
-}
-
-fn double(message: &[u8], number: u64) -> f64 {
-    fields(message, number).first().map_or(0.0, |bytes| f64::from_le_bytes((*bytes).try_into().expect("a double")))
-}
-
-/// Messages of each topic, with their times.
-type Messages = BTreeMap<String, Vec<(u64, Vec<u8>)>>;
 
 fn described(topics: Topics) -> (Vec<u8>, Messages) {
     let disk = Disk::default();
     record_topics(&disk, ImagePolicy::All, topics, 60, RecorderOptions::default()).expect("there is room");
     let file = disk.contents();
-    let found = self::topics(&file);
+    let found = messages(&file);
     (file, found)
 }
 
@@ -85,40 +34,82 @@ fn topics_are_made_again_by_a_copy() {
     let [(none, empty), (standard, shown), (all, _)] = [Topics::None, Topics::Standard, Topics::All].map(described);
     assert_eq!(empty, BTreeMap::new());
     let names: Vec<_> = shown.keys().map(String::as_str).collect();
-    assert_eq!(names, ["/camera/image", "/log", "/parameters", "/scanner/points", "/states"]);
+    assert_eq!(
+        names,
+        [
+            "/camera/image_raw/compressed",
+            "/cart/blinker/state",
+            "/cart/states",
+            "/parameter_events",
+            "/rosout",
+            "/scanner/points",
+        ]
+    );
     // As text, because a NaN is not equal to itself.
     let content = |file: &[u8]| format!("{:?}", cycles(file));
     assert_eq!(content(&standard), content(&none));
     assert_eq!(content(&all), content(&none));
     let (mut recovered, mut without) = (Vec::new(), Vec::new());
     recover(Cursor::new(&none), &mut recovered, Some(Topics::Standard)).expect("intact");
-    assert!(topics(&recovered) == shown, "previews are of the same images");
+    assert!(messages(&recovered) == shown, "previews are of the same images");
     trim(Cursor::new(&recovered), &mut without, 0, u64::MAX, Some(Topics::None)).expect("intact");
-    assert_eq!(topics(&without), empty);
+    assert_eq!(messages(&without), empty);
 }
 
 #[test]
 fn previews_are_rare_and_scans_are_points() {
     let (_, shown) = described(Topics::Standard);
-    let times: Vec<_> = shown["/camera/image"].iter().map(|(time, _)| time / 1_000_000).collect();
+    let images = &shown["/camera/image_raw/compressed"];
+    let times: Vec<_> = images.iter().map(|(time, _)| time / 1_000_000).collect();
     assert_eq!(times, [50, 350], "with the outputs of cycles 5 and 35");
-    let (_, image) = &shown["/camera/image"][1];
-    assert!(fields(image, 2)[0].starts_with(&[0xff, 0xd8, 0xff]));
-    assert_eq!((fields(image, 3), fields(image, 4)), (vec![&b"jpeg"[..]], vec![&b"camera"[..]]));
+    let mut image = Cdr::new(&images[1].1);
+    assert_eq!((image.header().1, image.text()), ("camera", "jpeg"));
+    assert!(image.bytes().starts_with(&[0xff, 0xd8, 0xff]));
     // The scan of cycle 32, of cycles 5 to 35 the newest.
-    assert_eq!(fields(&shown["/scanner/points"][1].1, 6)[0].len(), 12 * (120 - 32));
+    assert_eq!(points(&shown["/scanner/points"][1].1).len(), 12 * (120 - 32));
+}
+
+/// Returns the points of a message `sensor_msgs/msg/PointCloud2`.
+fn points(message: &[u8]) -> &[u8] {
+    let mut cloud = Cdr::new(message);
+    let (_, [_, width], fields) = (cloud.header(), [cloud.u32(), cloud.u32()], cloud.u32());
+    let field = |_| {
+        let (name, offset, _, _) = (cloud.text(), cloud.u32(), cloud.u8(), cloud.u32());
+        (name, offset)
+    };
+    let names: Vec<_> = (0..fields).map(field).collect();
+    assert_eq!(names, [("x", 0), ("y", 4), ("z", 8)]);
+    let (is_bigendian, [step, row]) = (cloud.u8(), [cloud.u32(), cloud.u32()]);
+    assert_eq!((is_bigendian, step, row), (0, 12, 12 * width));
+    cloud.bytes()
 }
 
 #[test]
 fn states_have_names_and_parameters_their_values() {
     let (_, shown) = described(Topics::Standard);
-    let states: Vec<_> = shown["/states"].iter().map(|(_, message)| [1, 2].map(|at| fields(message, at)[0])).collect();
-    assert_eq!(states[..2], [[&b"dark"[..], b"latent"], [b"bright", b"active"]]);
-    let parameters = &shown["/parameters"];
-    assert_eq!((parameters.len(), double(fields(&parameters[0].1, 2)[0], 1)), (1, 1.0));
-    let lines: Vec<_> = shown["/log"].iter().map(|(_, line)| String::from_utf8_lossy(fields(line, 3)[0])).collect();
-    for line in ["Blinker: bright", "hold Counter active", "goal"] {
-        assert!(lines.iter().any(|one| one == line), "{line} in {lines:?}");
+    let states = shown["/cart/blinker/state"].iter().map(|(_, message)| Cdr::new(message).text());
+    assert_eq!(states.take(2).collect::<Vec<_>>(), ["dark", "bright"]);
+    let mut all = Cdr::new(&shown["/cart/states"][0].1);
+    assert_eq!((all.u8(), all.text(), all.text(), all.text()), (0, "cart", "dark", "/cart"));
+    let values: Vec<_> = (0..all.u32()).map(|_| [all.text(), all.text()]).collect();
+    assert_eq!(values, [["Blinker", "dark"], ["Counter", "latent"]]);
+    let parameters = &shown["/parameter_events"];
+    let mut first = Cdr::new(&parameters[0].1);
+    assert_eq!((parameters.len(), first.header().1, first.u32(), first.u32()), (1, "/cart", 0, 1));
+    assert_eq!((first.text(), first.u8(), first.u8()), ("Counter.gain", 3, 0), "a number");
+    assert_eq!(first.f64s(2), [0.0, 1.0], "without an integer");
+    let line = |(_, line): &(u64, Vec<u8>)| {
+        let mut line = Cdr::new(line);
+        (line.u32(), line.u32(), line.u8(), line.text().to_owned(), line.text().to_owned())
+    };
+    let lines: Vec<_> = shown["/rosout"].iter().map(line).map(|(.., level, name, text)| (level, name, text)).collect();
+    let expected = [
+        (10, "cart.Blinker", "Blinker: bright"),
+        (20, "cart.operator", "hold Counter active"),
+        (20, "cart.event", "goal"),
+    ];
+    for (level, name, text) in expected {
+        assert!(lines.contains(&(level, name.to_owned(), text.to_owned())), "{text} in {lines:?}");
     }
 }
 
@@ -126,15 +117,16 @@ fn states_have_names_and_parameters_their_values() {
 fn all_numbers_are_json_on_request() {
     let (_, shown) = described(Topics::All);
     let json = |topic: &str| -> Vec<Value> {
-        shown[topic].iter().map(|(_, message)| serde_json::from_slice(message).expect("JSON")).collect()
+        let text = |(_, message): &(u64, Vec<u8>)| serde_json::from_str(Cdr::new(message).text()).expect("JSON");
+        shown[topic].iter().map(text).collect()
     };
-    let runs: Vec<_> = json("/outputs/Counter/runs").iter().map(|runs| runs["value"].as_u64()).collect();
-    assert!(runs.len() > 2 && runs.is_sorted() && runs.iter().all(Option::is_some), "{runs:?}");
-    let days = json("/outputs/Counter/day");
-    assert!(days.len() == runs.len() && days.iter().all(|day| day["value"][0].is_boolean()), "{days:?}");
-    let sensors = &json("/sensors")[7];
+    let runs: Vec<_> = shown["/cart/counter/runs"].iter().map(|(_, runs)| Cdr::new(runs).u32()).collect();
+    assert!(runs.len() > 2 && runs.is_sorted(), "{runs:?}");
+    let days = json("/cart/counter/day");
+    assert!(days.len() == runs.len() && days.iter().all(|day| day[0].is_boolean()), "{days:?}");
+    let sensors = &json("/cart/sensors")[7];
     assert_eq!((&sensors["speeds"], &sensors["ranges"][7]), (&json!([7.0, -0.0]), &Value::Null));
-    assert_eq!(json("/command").len(), 60);
+    assert_eq!(json("/cart/command").len(), 60);
 }
 
 /// An output with a visual type: that type, the frame of its values, the frame that they place, its schema and its value.
@@ -165,15 +157,21 @@ fn outputs() -> [Seen; 6] {
 }
 
 /// Records a robot of which only a description is known.
-fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
+fn monitored(seconds: u64) -> Messages {
     let info = outputs().map(|(shape, frame, child, schema, _)| {
         let [shape, frame] = [shape, frame].map(str::to_owned);
         let placement = Some(Placement { shape: shape.clone(), frame, child: child.map(str::to_owned) });
         let schema = Some(schema.into());
-        Output { name: shape, doc: String::new(), unit: None, type_name: String::new(), placement, schema }
+        let type_name = if shape == "Point2" { "(Option<Point2>, Option<Point2>)" } else { "" }.to_owned();
+        Output { name: shape, doc: String::new(), unit: None, type_name, placement, schema }
     });
     let component = Component { name: "Seeing".to_owned(), info: info.to_vec(), ..Component::default() };
-    let description = Description { cycle_hz: 100.0, components: vec![component], ..Description::default() };
+    let description = Description {
+        name: "Robot".to_owned(),
+        cycle_hz: 100.0,
+        components: vec![component],
+        ..Description::default()
+    };
     let disk = Disk::default();
     let header = Header::of_monitor("tcp://robot:7400", &description, Offers::OPERATE);
     let mut recorder = MonitorRecorder::new(disk.clone(), &header).expect("memory");
@@ -199,42 +197,47 @@ fn monitored(seconds: u64) -> BTreeMap<String, Vec<(u64, Vec<u8>)>> {
         recorder.cycle(&cycle).expect("memory");
     }
     assert_eq!(recorder.finish(None, 0).reason, None);
-    topics(&disk.contents())
+    messages(&disk.contents())
 }
 
 #[test]
 fn visual_outputs_are_shown_in_their_frames() {
     let shown = monitored(2);
     // Before any place is known the frames are one tree.
-    let first = fields(&shown["/tf"][0].1, 1);
-    assert_eq!((shown["/tf"][0].0, first.len(), fields(first[0], 2)), (0, 1, vec![&b"world"[..]]));
-    let tf = fields(&shown["/tf"][1].1, 1);
-    let frames: Vec<_> = tf.iter().map(|tf| [2, 3].map(|at| String::from_utf8_lossy(fields(tf, at)[0]))).collect();
-    assert_eq!(frames, [["world", "robot"], ["eye", "eye_optical"]]);
-    assert_eq!((double(fields(tf[0], 4)[0], 2), double(fields(tf[0], 5)[0], 3)), (2.0, 0.25_f64.sin()));
-    let dots = fields(fields(&shown["/scene/Seeing/Point2"][0].1, 2)[0], 9);
-    assert_eq!((dots.len(), double(fields(fields(dots[0], 1)[0], 1)[0], 1)), (1, 3.0));
-    assert_eq!(fields(&shown["/points/Seeing/Scan"][0].1, 6), [[2.0_f32, 0.0, 0.0].map(f32::to_le_bytes).concat()]);
-    assert!(!shown.contains_key("/scene/Seeing/Scan"));
+    let mut first = Cdr::new(&shown["/tf"][0].1);
+    assert_eq!((shown["/tf"][0].0, first.u32(), first.header(), first.text()), (0, 1, (0, "world"), "base_link"));
+    assert_eq!(first.f64s(7), [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
+    let mut tf = Cdr::new(&shown["/tf"][1].1);
+    assert_eq!((tf.u32(), tf.header().1, tf.text()), (1, "world", "base_link"));
+    assert_eq!(tf.f64s(7), [1.0, 2.0, 0.0, 0.0, 0.0, 0.25_f64.sin(), 0.25_f64.cos()]);
+    let mut optical = Cdr::new(&shown["/tf_static"][0].1);
+    assert_eq!((optical.u32(), optical.header().1, optical.text()), (1, "eye", "eye_optical"));
+    let mut position = Cdr::new(&shown["/robot/seeing/point2"][0].1);
+    assert_eq!((position.u32(), position.header().1), (2, "base_link"), "a removal and a point");
+    assert_eq!(points(&shown["/robot/seeing/scan/points"][0].1), [2.0_f32, 0.0, 0.0].map(f32::to_le_bytes).concat());
+    assert!(!shown.contains_key("/robot/seeing/scan/markers"));
     // The image of 640×480 is shown at half its size, and with it what is seen in it.
-    let circle = fields(&shown["/annotations/Seeing/ImageCircle"][0].1, 1)[0];
-    assert_eq!((double(fields(circle, 2)[0], 1), double(circle, 3)), (50.0, 8.0));
-    let matrix = fields(&shown["/eye/calibration"][0].1, 6)[0];
-    assert_eq!(matrix[..8], 300.0_f64.to_le_bytes());
-    assert_eq!(fields(&shown["/eye/image"][0].1, 4), [b"eye_optical"]);
-    assert!(!shown.contains_key("/annotations/Seeing/ImageSegment"), "there never was one");
+    let mut seen = Cdr::new(&shown["/robot/seeing/image_circle"][0].1);
+    let time = [seen.u32(), seen.u32()];
+    assert_eq!((time, seen.u32(), [seen.u32(), seen.u32()]), ([0, 0], 1, time));
+    assert_eq!(seen.f64s(4), [50.0, 25.0, 8.0, 2.0], "centre, diameter and width of the line");
+    let mut camera = Cdr::new(&shown["/eye/camera_info"][0].1);
+    assert_eq!((camera.header().1, camera.u32(), camera.u32()), ("eye_optical", 240, 320));
+    assert_eq!((camera.text(), camera.u32(), camera.f64s(6)[5]), ("plumb_bob", 5, 300.0));
+    assert_eq!(Cdr::new(&shown["/eye/image_raw/compressed"][0].1).header().1, "eye_optical");
+    assert!(!shown.contains_key("/robot/seeing/image_segment"), "there never was one");
 }
 
 #[test]
 fn rates_are_bounded_and_latent_outputs_disappear() {
     let shown = monitored(2);
-    assert_eq!(shown["/tf"].len(), 1 + 2 * 17, "17 a second, of 50 records");
-    assert_eq!(shown["/eye/image"].len(), 7);
-    let scenes = &shown["/scene/Seeing/Point2"];
-    let dots: Vec<_> = scenes.iter().map(|(_, scene)| fields(fields(scene, 2)[0], 9).len()).collect();
-    assert_eq!(dots, [1, 0, 1, 0], "a value that stays is not repeated");
-    let (_, last) = shown["/annotations/Seeing/ImageCircle"].last().expect("some");
-    assert_eq!(fields(last, 1).len(), 0);
+    assert_eq!(shown["/tf"].len(), 1 + 17, "17 a second, of 50 records, in half of the time");
+    assert_eq!(shown["/eye/image_raw/compressed"].len(), 7);
+    let markers = shown["/robot/seeing/point2"].iter().map(|(_, markers)| Cdr::new(markers).u32());
+    assert_eq!(markers.collect::<Vec<_>>(), [2, 1, 2, 1], "a value that stays is not repeated");
+    let (_, last) = shown["/robot/seeing/image_circle"].last().expect("some");
+    let mut last = Cdr::new(last);
+    assert_eq!([last.u32(), last.u32(), last.u32()][2], 0);
 }
 
 #[test]
@@ -245,7 +248,7 @@ fn a_recording_of_before_has_no_topics() {
     assert_eq!(old.remove("topics"), Some("standard".into()));
     let header: Header = serde_json::from_value(old.into()).expect("a header");
     assert_eq!(header.topics, Topics::None);
-    assert!(topics(&recorded(3)).contains_key("/states"));
+    assert!(messages(&recorded(3)).contains_key("/cart/states"));
 }
 
 #[test]
@@ -261,9 +264,13 @@ fn each_camera_has_its_own_topic() {
         runner.think(now);
     }
     drop(runner);
-    let shown = topics(&disk.contents());
-    let pixels = |topic: &str| fields(&shown[topic][0].1, 2)[0].to_vec();
-    assert_eq!((pixels("/left_eye/image"), pixels("/left_eye_2/image")), (vec![1; 200], vec![2; 200]));
+    let shown = messages(&disk.contents());
+    let pixels = |frame: &str| {
+        let mut image = Cdr::new(&shown[&format!("/{frame}/image_raw/compressed")][0].1);
+        let _ = (image.header(), image.text());
+        image.bytes().to_vec()
+    };
+    assert_eq!((pixels("left_eye"), pixels("left_eye_2")), (vec![1; 200], vec![2; 200]));
 }
 
 #[test]
@@ -272,5 +279,8 @@ fn equal_topics_are_refused_before_the_run() {
         Header { scenery: vec![scenery("far wall", "room"), scenery("far_wall", "room")], ..header(ImagePolicy::All) };
     let refused = Recorder::start(Disk::default(), &header, RecorderOptions::default(), |_| {}).expect_err("one topic");
     let text = refused.to_string();
-    assert!(text.contains("`far wall`") && text.contains("`far_wall`") && text.contains("/scene/far_wall"), "{text}");
+    assert!(
+        text.contains("`far wall`") && text.contains("`far_wall`") && text.contains("/cart/scenery/far_wall/points"),
+        "{text}"
+    );
 }

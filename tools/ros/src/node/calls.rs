@@ -2,6 +2,7 @@
 
 use bica::Hold;
 use bica_link::Error;
+use bica_recording::ros::{Empty, Names, Numbers, Parameter, SetResult};
 use bica_wire::message::{Offers, WorldChange};
 use bica_wire::model::{Description, Invalid, Kind, Modulation, NamedRequest, Param, Plain};
 use ros2_client::RmwRequestId;
@@ -12,8 +13,7 @@ use super::parameters::result;
 use super::pending::Reply;
 use super::robot::Robot;
 use super::values::plain;
-use crate::message::{Empty, Nothing, Numbers, Parameter, Parameters, SetResult, SingleResult, TriggerResponse};
-use crate::names::Names;
+use crate::message::{Nothing, Parameters, SingleResult, TriggerResponse};
 
 /// What a service does.
 #[derive(Clone, Debug)]
@@ -272,7 +272,7 @@ mod tests {
             { "name": "side", "doc": "", "unit": null, "kind": "bool", "default": false },
         ] });
         let called: Modulation = serde_json::from_value(description).expect("a modulation");
-        let value = super::super::values::value(&Plain::Bool(true));
+        let value = bica_recording::ros::parameter_value(&Plain::Bool(true));
         let given = [Parameter { name: "side".to_owned(), value }];
         assert_eq!(arguments(&called, &given), Ok(vec![Plain::Number(0.5), Plain::Bool(true)]));
         let unknown = [Parameter { name: "sped".to_owned(), ..Parameter::default() }];

@@ -1,13 +1,12 @@
 //! Names of a robot, checked before its node exists.
 
 use bica_recording::NameTable;
+use bica_recording::ros::{Names, Topics};
 use bica_wire::model::{Description, Invalid};
 
 use super::Options;
 use super::calls;
 use super::drive::Drive;
-use crate::names::Names;
-use crate::topics::Topics;
 
 /// Returns the names of a robot, if ROS accepts them, and no two things have one.
 pub(super) fn checked(description: &Description, options: &Options) -> Result<Names, Invalid> {

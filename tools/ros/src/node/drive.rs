@@ -5,9 +5,8 @@ use std::time::{Duration, Instant};
 use bica::runner::Request;
 use bica::{ComponentId, Hold, Value};
 use bica_link::{Client, Error};
+use bica_recording::ros::{Twist, Vector3};
 use bica_wire::model::{Description, Info, Kind, Param, Plain};
-
-use crate::message::{Twist, Vector3};
 
 /// Arguments of a modulation that moves a robot: speeds ahead and to the left, m/s, and turning speed to the left, rad/s.
 const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];

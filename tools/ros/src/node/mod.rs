@@ -16,14 +16,12 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use bica::Format;
 use bica_link::{Address, Answered, Client, ClientOptions, Error, Event, Image, LogLine, Snapshot, decode_output};
+use bica_recording::ros::{Names, Topics, Twist, parameter_value};
 use bica_wire::message::{ExtraKind, Offers};
 use bica_wire::model::Invalid;
 use ros2_client::dds::Subscription;
 use serde_json::Value;
 
-use crate::message::Twist;
-use crate::names::Names;
-use crate::topics::Topics;
 use calls::Calls;
 use checked::checked;
 use drive::Drive;
@@ -42,6 +40,8 @@ const MAX_TIMES: usize = 256;
 const MAX_WAITING: usize = 4096;
 /// Number of events of the robot between two looks at what nodes have sent.
 const MAX_EVENTS: usize = 256;
+/// Greatest width of an image, px: none is made smaller.
+const MAX_WIDTH: usize = 1 << 14;
 /// Level of a warning in the log of a robot.
 const WARNING: u8 = 3;
 /// Number of images in which the cameras of a robot are looked for, and one more.
@@ -161,7 +161,7 @@ impl Bridge {
         for component in 0..self.values.len() {
             self.values[component] = self.current(component);
         }
-        self.network.send(self.topics.fixed_frames());
+        self.network.send(self.topics.fixed_frames(0));
         if self.robot.link.offers().contains(Offers::IMAGES) && !self.topics.cameras().is_single() {
             self.looks = LOOKS;
             self.robot.link.watch_extra(ExtraKind::Images, 1)?;
@@ -214,7 +214,7 @@ impl Bridge {
             link.watch_extra(ExtraKind::Costs, every)?;
         }
         for (component, info) in self.topics.sources(topic) {
-            let is_needed = self.topics.of(component, info).any(|other| self.network.is_heard(other));
+            let is_needed = self.topics.of_output(component, info).any(|other| self.network.is_heard(other));
             link.watch_info(component, info, u16::from(is_needed))?;
         }
         Ok(())
@@ -236,7 +236,7 @@ impl Bridge {
         let camera = self.topics.cameras().frame_of(camera).to_owned();
         let known = self.topics.all().len();
         let format = Format::Yuyv { width: *width, height: *height };
-        let messages = self.topics.image(self.time(*time_us), &camera, format, yuyv);
+        let messages = self.topics.image(self.time(*time_us), &camera, format, yuyv, MAX_WIDTH);
         let added = self.topics.all()[known..].iter().try_for_each(|topic| self.network.publish(topic));
         match added {
             Ok(()) => self.network.send(messages),
@@ -265,7 +265,7 @@ impl Bridge {
                     self.topics.costs(self.time(costs.cycles.time_us), self.robot.link.description(), &costs);
                 self.network.send(messages);
             }
-            Event::Scenery(items) => self.network.send(self.topics.scenery(&items)),
+            Event::Scenery(items) => self.network.send(self.topics.scenery(0, &items)),
             Event::Image(image) => self.image(&image),
             told => {
                 let line = told.line(self.robot.link.description());
@@ -287,7 +287,7 @@ impl Bridge {
     }
 
     fn log(&self, time: u64, level: u8, text: &str) {
-        self.network.send(self.topics.log(time, level, text));
+        self.network.send(self.topics.log(time, level, "", text));
     }
 
     fn snapshot(&mut self, Snapshot { info, states }: &Snapshot) {
@@ -339,7 +339,7 @@ impl Bridge {
         let Some(owner) = self.robot.link.description().components.get(component) else { return };
         let changed = owner.params.iter().zip(current).zip(known).filter(|((_, value), known)| value != known);
         let parameter = |((param, value), _): ((&bica_wire::model::Param, bica::Value), bica::Value)| {
-            (format!("{}.{}", owner.name, param.name), values::value(&param.plain(value)))
+            (format!("{}.{}", owner.name, param.name), parameter_value(&param.plain(value)))
         };
         let changed: BTreeMap<_, _> = changed.map(parameter).collect();
         if !changed.is_empty() {

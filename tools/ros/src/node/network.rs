@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::net::Ipv4Addr;
 
+use bica_recording::ros::{Encoded, Kind, Names, Quality, Ros, Sent, Topic};
 use bica_wire::model::Invalid;
 use ros2_client::dds::rustdds::{DomainParticipantBuilder, DomainParticipantStatusEvent, GUID, StatusEvented as _};
 use ros2_client::dds::{Context, Node, Publisher, Server, ServiceMapping, Subscription, rustdds};
@@ -10,9 +11,6 @@ use ros2_client::qos::{Durability, History, Reliability, WhenFull};
 use ros2_client::{Message, MessageTypeName, Name, NodeName, NodeOptions, QosProfile, ServiceTypeName};
 
 use super::Options;
-use crate::message::{Encoded, Kind, Ros};
-use crate::names::Names;
-use crate::topics::{Quality, Sent, Topic};
 
 /// Number of messages that wait for a slow node.
 const DEPTH: usize = 10;

@@ -1,5 +1,6 @@
 //! The parameter services of the node.
 
+use bica_recording::ros::{ListResult, Names, Parameter, SetResult};
 use bica_wire::model::Invalid;
 use ros2_client::dds::Server;
 
@@ -8,10 +9,8 @@ use super::pending::Reply;
 use super::robot::Robot;
 use super::values::{describe, get, list, names, setting};
 use crate::message::{
-    Descriptors, List, ListResult, Listed, Names as Asked, Parameter, Parameters as Set, Results, SetResult,
-    SingleResult, Types, Values,
+    Descriptors, List, Listed, Names as Asked, Parameters as Set, Results, SingleResult, Types, Values,
 };
-use crate::names::Names;
 
 /// The services.
 pub(super) struct Parameters {

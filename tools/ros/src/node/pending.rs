@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use ros2_client::RmwRequestId;
 
-use crate::message::SetResult;
+use bica_recording::ros::SetResult;
 
 /// Largest number of clients that wait.
 const MAX_WAITING: usize = 256;

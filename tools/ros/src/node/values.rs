@@ -1,8 +1,9 @@
 //! Parameters of a tree as those of ROS.
 
+use bica_recording::ros::{
+    FloatingPointRange, IntegerRange, Parameter, ParameterDescriptor, ParameterValue, parameter_value,
+};
 use bica_wire::model::{Description, Kind, NamedSetting, Param, Plain};
-
-use crate::message::{FloatingPointRange, IntegerRange, Parameter, ParameterDescriptor, ParameterValue};
 
 /// Types of parameters.
 const NOT_SET: u8 = 0;
@@ -13,17 +14,6 @@ const STRING: u8 = 4;
 
 /// Parameter that every node has.
 pub(super) const SIM_TIME: &str = "use_sim_time";
-
-/// Returns a value as ROS has it.
-pub(super) fn value(plain: &Plain) -> ParameterValue {
-    let empty = ParameterValue::default();
-    match plain {
-        Plain::Bool(is_on) => ParameterValue { r#type: BOOL, bool_value: *is_on, ..empty },
-        Plain::Integer(number) => ParameterValue { r#type: INTEGER, integer_value: *number, ..empty },
-        Plain::Number(number) => ParameterValue { r#type: DOUBLE, double_value: *number, ..empty },
-        Plain::Name(name) => ParameterValue { r#type: STRING, string_value: name.clone(), ..empty },
-    }
-}
 
 /// Returns a value of ROS; the error says what is wrong with it.
 pub(super) fn plain(name: &str, value: &ParameterValue) -> Result<Plain, String> {
@@ -52,9 +42,9 @@ fn find<'a>(description: &'a Description, name: &str) -> Option<&'a Param> {
 /// Returns the value of a parameter; one of an unknown name is not set.
 pub(super) fn get(description: &Description, simulated: bool, name: &str) -> ParameterValue {
     if name == SIM_TIME {
-        return value(&Plain::Bool(simulated));
+        return parameter_value(&Plain::Bool(simulated));
     }
-    find(description, name).map(|param| value(&param.plain(param.current()))).unwrap_or_default()
+    find(description, name).map(|param| parameter_value(&param.plain(param.current()))).unwrap_or_default()
 }
 
 /// Returns kind, range, unit and text of a parameter.

@@ -1,12 +1,12 @@
 //! Messages that a robot sends.
 
-use serde::Serialize;
-
+use super::cdr::{Byte, Fixed};
+use super::messages;
 use super::received::{MultiArrayLayout, Parameter, Time, Twist, Vector3};
-use super::{Byte, Fixed, messages};
 
-messages!(derive(Serialize);
+messages!(derive();
     builtin_interfaces/Duration as Duration { sec: i32, nanosec: u32 }
+    bica_msgs/Event as Event { data: Vec<u8> }
     rosgraph_msgs/Clock as Clock { clock: Time }
     std_msgs/Header as Header { stamp: Time, frame_id: String }
     std_msgs/String as Text { data: String }
@@ -50,6 +50,11 @@ messages!(derive(Serialize);
     sensor_msgs/CameraInfo as CameraInfo {
         header: Header, height: u32, width: u32, distortion_model: String, d: Vec<f64>, k: Fixed<9>, r: Fixed<9>,
         p: Fixed<12>, binning_x: u32, binning_y: u32, roi: RegionOfInterest,
+    }
+    sensor_msgs/PointField as PointField { name: String, offset: u32, datatype: u8, count: u32 }
+    sensor_msgs/PointCloud2 as PointCloud {
+        header: Header, height: u32, width: u32, fields: Vec<PointField>, is_bigendian: bool, point_step: u32,
+        row_step: u32, data: Vec<u8>, is_dense: bool,
     }
     visualization_msgs/UVCoordinate as UvCoordinate { u: f32, v: f32 }
     visualization_msgs/MeshFile as MeshFile { filename: String, data: Vec<u8> }

@@ -2,22 +2,24 @@
 
 use std::collections::BTreeMap;
 
-use bica_recording::shape::{self, CALIBRATION, Pose as Place};
 use bica_wire::model::{Description, Info, Placement};
 use serde_json::Value;
 
+use super::super::{
+    Bool, CameraInfo, Fixed, Float32, Float64, Header, ImageAnnotations, Imu, Int64, JointState, Kind, LaserScan,
+    MarkerArray, Names, Numbers64, Odometry, Path, PointCloud, PointStamped, PoseStamped, PoseWithCovariance,
+    PoseWithCovarianceStamped, Text, Transforms, Twist, TwistWithCovariance, UInt64, Vector3,
+};
+use super::annotations::annotations;
 use super::convert::{camera, ellipse, imu, joints, path, point, pose, scan, transform};
 use super::markers::markers;
+use super::points::points;
 use super::{Quality, Sent, sent, stamp};
-use crate::message::{
-    Bool, CameraInfo, Fixed, Float32, Float64, Header, Imu, Int64, JointState, Kind, LaserScan, MarkerArray, Numbers64,
-    Odometry, Path, PointStamped, PoseStamped, PoseWithCovariance, PoseWithCovarianceStamped, Text, Transforms, Twist,
-    TwistWithCovariance, UInt64, Vector3,
-};
-use crate::names::Names;
+use crate::shape::{self, CALIBRATION, Pose as Place};
 
-/// Colour of outputs.
-const COLOUR: [f32; 3] = [0.9, 0.6, 0.0];
+/// Colours of outputs, in turn: red, green and blue.
+const COLOURS: [[f32; 3]; 6] =
+    [[0.9, 0.6, 0.0], [0.3, 0.7, 0.9], [0.0, 0.6, 0.5], [0.95, 0.9, 0.25], [0.8, 0.4, 0.0], [0.8, 0.6, 0.7]];
 
 /// How values become messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +31,7 @@ enum Form {
     Joints,
     Imu,
     Camera,
+    Annotations,
     Point,
     Pose,
     Ellipse,
@@ -52,13 +55,17 @@ pub(super) struct Output {
     shape: String,
     /// Frames of ROS: the value's, and the one whose place it is.
     frame: String,
-    child: Option<String>,
+    colour: [f32; 3],
+    pub(super) child: Option<String>,
     /// Topic of the messages, and of transforms.
     pub(super) topics: [Option<usize>; 2],
-    /// The camera's own name of its frame.
+    /// Topics of the same as markers and as points, for viewers.
+    shown: [Option<usize>; 2],
+    /// The camera's own name of its frame, of what is seen in its image.
     pub(super) camera: Option<String>,
-    /// Size of the camera's last image, px.
+    /// Size of the camera's last image, px, and the same divided by that of the image that was measured.
     pub(super) image_size: Option<[u32; 2]>,
+    pub(super) scale: f64,
     /// The last place and its time, ns.
     last: Option<(u64, Place)>,
 }
@@ -68,6 +75,7 @@ pub(super) fn all(
     description: &Description,
     names: &Names,
     tf: usize,
+    for_viewers: bool,
     add: &mut impl FnMut(String, String, Kind, Quality) -> usize,
 ) -> BTreeMap<(usize, usize), Output> {
     let infos = || {
@@ -92,12 +100,20 @@ pub(super) fn all(
         let source = format!("the output `{}.{}`", component.name, info.name);
         let topic = (form != Form::Frame).then(|| add(name, source, form.kind(), form.quality()));
         let child = placement.and_then(|one| one.child.as_deref()).map(|child| names.frame(child));
-        let camera = (form == Form::Camera).then(|| frame.to_owned());
-        let frame = if camera.is_some() { names.optical(frame) } else { names.frame(frame) };
+        let shown = form.shown(for_viewers && child.is_none()).map(|(part, kind)| {
+            let source = format!("the {part} of `{}.{}`", component.name, info.name);
+            let name = names.private(&[&component.name, &info.name, part]);
+            Some(add(name, source, kind?, Quality::Reliable))
+        });
+        let camera = matches!(form, Form::Camera | Form::Annotations).then(|| frame.to_owned());
+        let frame = if form == Form::Camera { names.optical(frame) } else { names.frame(frame) };
         let shape = placement.map(|one| one.shape.clone()).unwrap_or_default();
         let name = format!("{}/{}", component.name, info.name);
         let topics = [topic, child.is_some().then_some(tf)];
-        outputs.insert(key, Output { form, name, shape, frame, child, topics, camera, image_size: None, last: None });
+        let colour = COLOURS[outputs.len() % COLOURS.len()];
+        let (image_size, scale, last) = (None, 1.0, None);
+        let output = Output { form, name, shape, frame, colour, child, topics, shown, camera, image_size, scale, last };
+        outputs.insert(key, output);
     }
     outputs
 }
@@ -112,7 +128,7 @@ impl Form {
 
     /// Only one value of a type can be a message of its own.
     fn of_shape(Placement { shape, frame, child }: &Placement, type_name: &str) -> Self {
-        let is_list = type_name.contains('[') || type_name.contains("List");
+        let is_list = type_name.starts_with('(') || type_name.contains('[') || type_name.contains("List");
         match shape.as_str() {
             "Pose2" | "Pose3" if child.is_some() => {
                 if frame == "odometry" {
@@ -125,7 +141,7 @@ impl Form {
             "Joints" => Self::Joints,
             "Imu" => Self::Imu,
             CALIBRATION => Self::Camera,
-            image if image.starts_with("Image") => Self::Text,
+            image if image.starts_with("Image") => Self::Annotations,
             "Point2" | "Point3" if !is_list => Self::Point,
             "Pose2" | "Pose3" if !is_list => Self::Pose,
             "Ellipse" if !is_list => Self::Ellipse,
@@ -161,6 +177,14 @@ impl Form {
         })
     }
 
+    /// Returns the topics of the same as markers and as points: viewers show some messages in one of these forms only.
+    fn shown(self, is_shown: bool) -> [(&'static str, Option<Kind>); 2] {
+        let is_drawn = is_shown && matches!(self, Self::Point | Self::Pose | Self::Ellipse | Self::Path);
+        let has_points = is_drawn || is_shown && matches!(self, Self::Markers | Self::Scan);
+        let markers = is_drawn.then(Kind::of::<MarkerArray>);
+        [("markers", markers), ("points", has_points.then(Kind::of::<PointCloud>))]
+    }
+
     const fn kind(self) -> Kind {
         match self {
             Self::Frame => Kind::of::<Transforms>(),
@@ -169,6 +193,7 @@ impl Form {
             Self::Joints => Kind::of::<JointState>(),
             Self::Imu => Kind::of::<Imu>(),
             Self::Camera => Kind::of::<CameraInfo>(),
+            Self::Annotations => Kind::of::<ImageAnnotations>(),
             Self::Point => Kind::of::<PointStamped>(),
             Self::Pose => Kind::of::<PoseStamped>(),
             Self::Ellipse => Kind::of::<PoseWithCovarianceStamped>(),
@@ -193,9 +218,25 @@ impl Form {
 }
 
 impl Output {
+    /// Whether the output has a visual type.
+    pub(super) const fn is_visual(&self) -> bool {
+        !self.shape.is_empty()
+    }
+
+    /// Whether a value is shown until another one replaces it.
+    pub(super) fn is_drawn(&self) -> bool {
+        self.form == Form::Markers || self.form == Form::Annotations || self.shown != [None; 2]
+    }
+
+    /// Returns the header of a value at a time, ns.
+    pub(super) fn header(&self, time: u64) -> Header {
+        Header { stamp: stamp(time), frame_id: self.frame.clone() }
+    }
+
     /// Returns the messages of a value after the cycle at a time, ns.
     pub(super) fn messages(&mut self, time: u64, value: &Value) -> Vec<Sent> {
-        let header = Header { stamp: stamp(time), frame_id: self.frame.clone() };
+        let header = self.header(time);
+        let shown = self.shown(&header, value);
         let place = shape::pose(value);
         let child = self.child.clone();
         let frame = child.zip(place.as_ref()).zip(self.topics[1]).map(|((child, place), topic)| {
@@ -203,7 +244,22 @@ impl Output {
         });
         let own = self.topics[0].and_then(|topic| self.message(topic, header, value));
         self.last = place.map(|place| (time, place));
-        frame.into_iter().chain(own).flatten().collect()
+        frame.into_iter().chain(own).flatten().chain(shown).collect()
+    }
+
+    /// Returns the same as markers and as points.
+    fn shown(&self, header: &Header, value: &Value) -> Vec<Sent> {
+        let [as_markers, as_points] = self.shown;
+        let markers = as_markers.map(|topic| {
+            let markers = markers(header, &self.name, &self.shape, value, self.colour);
+            sent(topic, &MarkerArray { markers })
+        });
+        let points = as_points.map(|topic| {
+            let mut all = Vec::new();
+            shape::each(value, &mut |value| all.extend(shape::shapes(&self.shape, value)));
+            sent(topic, &points(header.clone(), &all))
+        });
+        markers.into_iter().chain(points).flatten().collect()
     }
 
     fn message(&self, topic: usize, header: Header, value: &Value) -> Option<Vec<Sent>> {
@@ -214,13 +270,14 @@ impl Output {
             Form::Scan => sent(topic, &scan(header, value)?),
             Form::Joints => sent(topic, &joints(header, value)?),
             Form::Imu => sent(topic, &imu(header, value)?),
-            Form::Camera => sent(topic, &camera(header, value, self.image_size.unwrap_or_default())?),
+            Form::Camera => sent(topic, &camera(header, value, self.image_size.unwrap_or_default(), self.scale)?),
+            Form::Annotations => sent(topic, &annotations(header.stamp, &self.shape, self.colour, value, self.scale)),
             Form::Point => sent(topic, &PointStamped { header, point: point(shape::point(value)?) }),
             Form::Pose => sent(topic, &PoseStamped { header, pose: pose(&shape::pose(value)?) }),
             Form::Ellipse => sent(topic, &ellipse(header, value)?),
             Form::Path => sent(topic, &path(&header, value)?),
             Form::Markers => {
-                let markers = markers(&header, &self.name, &self.shape, value, COLOUR);
+                let markers = markers(&header, &self.name, &self.shape, value, self.colour);
                 sent(topic, &MarkerArray { markers })
             }
             Form::Float32 => sent(topic, &Float32 { data: float() as f32 }),

@@ -1,10 +1,10 @@
 //! Shapes as markers.
 
-use bica_recording::shape::{Shape, each, shapes};
 use serde_json::Value;
 
+use super::super::{Color, Header, Marker, Pose, Quaternion, Vector3};
 use super::convert::{point, pose};
-use crate::message::{Color, Header, Marker, Pose, Quaternion, Vector3};
+use crate::shape::{ARROW as LENGTH, Shape, each, shapes};
 
 /// Types of markers.
 const ARROW: i32 = 0;
@@ -16,8 +16,6 @@ const DELETE_ALL: i32 = 3;
 /// Diameter of a point and of an arrow, and width of a line, m.
 const WIDTH: f64 = 0.05;
 const LINE: f64 = 0.02;
-/// Length of an arrow, m.
-const ARROW_LENGTH: f64 = 0.3;
 
 /// Returns what the values of an output look like, after the removal of what they looked like before.
 pub(super) fn markers(header: &Header, namespace: &str, kind: &str, value: &Value, [r, g, b]: [f32; 3]) -> Vec<Marker> {
@@ -45,7 +43,7 @@ fn marker(shape: Shape, empty: Marker) -> Marker {
             Marker { r#type: SPHERE, pose, scale: scale(WIDTH, WIDTH, WIDTH), ..empty }
         }
         Shape::Arrow(place) => {
-            Marker { r#type: ARROW, pose: pose(&place), scale: scale(ARROW_LENGTH, WIDTH, WIDTH), ..empty }
+            Marker { r#type: ARROW, pose: pose(&place), scale: scale(LENGTH, WIDTH, WIDTH), ..empty }
         }
         Shape::Line(points, is_closed) => {
             let first = points.first().filter(|_| is_closed).copied();

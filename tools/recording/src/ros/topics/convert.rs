@@ -1,12 +1,12 @@
 //! Values of visual types as messages.
 
-use bica_recording::shape::{self, Pose as Place, numbers};
 use serde_json::Value;
 
-use crate::message::{
+use super::super::{
     CameraInfo, Fixed, Header, Imu, JointState, LaserScan, Path, Point, Pose, PoseStamped, PoseWithCovariance,
     PoseWithCovarianceStamped, Quaternion, Transform, TransformStamped, Vector3,
 };
+use crate::shape::{self, Pose as Place, numbers};
 
 pub(super) const fn point([x, y, z]: [f64; 3]) -> Point {
     Point { x, y, z }
@@ -77,9 +77,10 @@ pub(super) fn imu(header: Header, value: &Value) -> Option<Imu> {
     Some(Imu { header, orientation, orientation_covariance, angular_velocity, linear_acceleration, ..Imu::default() })
 }
 
-/// Returns the parameters of a camera without distortion.
-pub(super) fn camera(header: Header, value: &Value, [width, height]: [u32; 2]) -> Option<CameraInfo> {
-    let [fx, fy, cx, cy] = numbers(value, ["focal_x", "focal_y", "centre_x", "centre_y"])?;
+/// Returns the parameters of a camera without distortion, for an image of `scale` of its size.
+pub(super) fn camera(header: Header, value: &Value, [width, height]: [u32; 2], scale: f64) -> Option<CameraInfo> {
+    let all = numbers(value, ["focal_x", "focal_y", "centre_x", "centre_y"])?;
+    let [fx, fy, cx, cy] = all.map(|number| number * scale);
     let k = Fixed([fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]);
     let r = Fixed([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
     let p = Fixed([fx, 0.0, cx, 0.0, 0.0, fy, cy, 0.0, 0.0, 0.0, 1.0, 0.0]);

@@ -1,8 +1,8 @@
-//! Messages and services that nodes send to a robot, and their parts.
+//! Messages that nodes send to a robot, and their parts.
 
-use ros2_client::Message;
 use serde::{Deserialize, Serialize};
 
+use super::cdr::Byte;
 use super::messages;
 
 messages!(derive(Serialize, Deserialize);
@@ -14,7 +14,8 @@ messages!(derive(Serialize, Deserialize);
     std_msgs/Empty as Empty { structure_needs_at_least_one_member: u8 }
     std_msgs/Float32MultiArray as Numbers { layout: MultiArrayLayout, data: Vec<f32> }
     rcl_interfaces/ParameterValue as ParameterValue {
-        r#type: u8, bool_value: bool, integer_value: i64, double_value: f64, string_value: String, byte_array_value: Vec<u8>,
+        r#type: u8, bool_value: bool, integer_value: i64, double_value: f64, string_value: String,
+        byte_array_value: Vec<Byte>,
         bool_array_value: Vec<bool>, integer_array_value: Vec<i64>, double_array_value: Vec<f64>,
         string_array_value: Vec<String>,
     }
@@ -27,28 +28,4 @@ messages!(derive(Serialize, Deserialize);
         floating_point_range: Vec<FloatingPointRange>, integer_range: Vec<IntegerRange>,
     }
     rcl_interfaces/ListParametersResult as ListResult { names: Vec<String>, prefixes: Vec<String> }
-);
-
-/// Declares requests and responses of services.
-macro_rules! services {
-    ($($name:ident { $($field:ident: $kind:ty),* $(,)? })*) => {$(
-        #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-        pub(crate) struct $name { $(pub(crate) $field: $kind),* }
-        impl Message for $name {}
-    )*};
-}
-
-services!(
-    Names { names: Vec<String> }
-    Values { values: Vec<ParameterValue> }
-    Types { types: Vec<u8> }
-    Descriptors { descriptors: Vec<ParameterDescriptor> }
-    List { prefixes: Vec<String>, depth: u64 }
-    Listed { result: ListResult }
-    Parameters { parameters: Vec<Parameter> }
-    Results { results: Vec<SetResult> }
-    SingleResult { result: SetResult }
-    // A structure without fields has one byte in the encoding of ROS.
-    Nothing { structure_needs_at_least_one_member: u8 }
-    TriggerResponse { success: bool, message: String }
 );

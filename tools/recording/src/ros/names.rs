@@ -4,13 +4,15 @@ use bica_wire::model::{Description, Invalid};
 
 /// Names of a robot in ROS.
 #[derive(Clone, Debug)]
-pub(crate) struct Names {
+pub struct Names {
     /// `/`, or `/NAME` of one of several robots.
-    pub(crate) namespace: String,
+    pub namespace: String,
     /// Name of the node.
-    pub(crate) node: String,
+    pub node: String,
     /// The frame in which odometry has its place, if there is one.
     map: Option<String>,
+    /// Frames that several robots have in common.
+    common: Vec<String>,
 }
 
 /// Frames of a tree that REP 105 names otherwise.
@@ -21,45 +23,61 @@ impl Names {
     ///
     /// # Errors
     /// If ROS refuses the namespace.
-    pub(crate) fn new(description: &Description, namespace: &str) -> Result<Self, Invalid> {
+    pub fn new(description: &Description, namespace: &str) -> Result<Self, Invalid> {
         let namespace = checked_namespace(namespace)?;
         let placements =
             description.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
         let map = placements.filter(|one| one.child.as_deref() == Some("odometry")).map(|one| one.frame.clone()).next();
-        Ok(Self { namespace: format!("/{namespace}"), node: snake(&description.name), map })
+        let (node, common) = (snake(&description.name), Vec::new());
+        Ok(Self { namespace: format!("/{namespace}"), node, map, common })
+    }
+
+    /// Names frames that several robots have in common: their names do not begin with the namespace.
+    #[must_use]
+    pub fn with_common(self, common: Vec<String>) -> Self {
+        Self { common, ..self }
     }
 
     /// Returns the absolute name of what other nodes know by its short name, such as `scan`.
-    pub(crate) fn public(&self, name: &str) -> String {
+    #[must_use]
+    pub fn public(&self, name: &str) -> String {
         format!("{}/{name}", self.namespace.trim_end_matches('/'))
     }
 
     /// Returns the absolute name of something that belongs to this node alone, of parts such as component and output.
-    pub(crate) fn private(&self, parts: &[&str]) -> String {
+    #[must_use]
+    pub fn private(&self, parts: &[&str]) -> String {
         let parts: Vec<_> = parts.iter().map(|part| snake(part)).collect();
         self.public(&format!("{}/{}", self.node, parts.join("/")))
     }
 
     /// Returns the absolute name of the node.
-    pub(crate) fn full(&self) -> String {
+    #[must_use]
+    pub fn full(&self) -> String {
         self.public(&self.node)
     }
 
     /// Returns the absolute name of a topic of a camera, whose frame may have a name that no topic can have.
-    pub(crate) fn camera(&self, frame: &str, topic: &str) -> String {
+    #[must_use]
+    pub fn camera(&self, frame: &str, topic: &str) -> String {
         self.public(&format!("{}/{topic}", snake(frame)))
     }
 
     /// Returns the name of a camera's optical frame.
-    pub(crate) fn optical(&self, frame: &str) -> String {
+    #[must_use]
+    pub fn optical(&self, frame: &str) -> String {
         format!("{}_optical", self.frame(frame))
     }
 
     /// Returns the name of a frame by REP 105. Those of a robot in a namespace begin with it.
-    pub(crate) fn frame(&self, frame: &str) -> String {
+    #[must_use]
+    pub fn frame(&self, frame: &str) -> String {
         let known = FRAMES.iter().find(|(own, _)| *own == frame).map(|(_, name)| *name);
         let is_map = self.map.as_deref() == Some(frame);
         let name = known.or_else(|| is_map.then_some("map")).map_or_else(|| snake(frame), str::to_owned);
+        if self.common.iter().any(|common| common == frame) {
+            return name;
+        }
         self.public(&name).trim_start_matches('/').to_owned()
     }
 }
@@ -83,7 +101,8 @@ pub fn checked_namespace(text: &str) -> Result<&str, Invalid> {
 }
 
 /// Returns a name in the form of ROS: small letters, digits and single underscores, with a letter first.
-pub(crate) fn snake(name: &str) -> String {
+#[must_use]
+pub fn snake(name: &str) -> String {
     let mut snake = String::new();
     let mut before = '_';
     for letter in name.chars() {
