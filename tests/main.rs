@@ -2,5 +2,6 @@
 
 mod forward;
 mod motion;
+mod referee;
 mod semantics;
 mod vision;

@@ -22,6 +22,8 @@ pub mod input;
 pub mod motion;
 pub mod output;
 pub mod perception;
+#[cfg(feature = "referee")]
+pub mod referee;
 pub mod strategy;
 
 pub use forward::{Forward, tunable};

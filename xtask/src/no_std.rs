@@ -20,6 +20,7 @@ pub(crate) fn check() -> Result<(), String> {
     for name in CRATES {
         rust.build(&["-p", name, "--lib", "--no-default-features"])?;
     }
+    rust.build(&["-p", "bica-player", "--lib", "--features", "referee"])?;
     firmware::build(&rust)
 }
 

@@ -1,0 +1,3 @@
+//! Packets of the `GameController`.
+
+mod vectors;
