@@ -1,3 +1,5 @@
-//! Packets of the `GameController`.
+//! Packets of the `GameController`, and robots that a referee commands.
 
+mod half;
+mod machine;
 mod vectors;
