@@ -15,6 +15,7 @@ use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
+use crate::referee::{ANYBODY, CONTROL_PORT, RETURN_PORT, RefereeCommand};
 
 pub(crate) const AFTER: &str = "\
 Examples:
@@ -64,6 +65,8 @@ pub(crate) enum Command {
     #[cfg(feature = "evaluation")]
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(CalibrationOptions),
+    /// Command robots as a small `GameController` does: packets at 2 Hz, states and penalties from the terminal or a script
+    Referee(RefereeCommand),
     #[cfg(all(feature = "lola", unix))]
     #[command(name = crate::lola::GUARD, hide = true)]
     Guard {
@@ -120,6 +123,8 @@ pub(crate) struct Play {
     #[command(flatten)]
     pub(crate) league: LeagueArgs,
     #[command(flatten)]
+    pub(crate) referee: RefereeArgs,
+    #[command(flatten)]
     pub(crate) record: RecordArgs,
     #[command(flatten)]
     pub(crate) link: ServeArgs,
@@ -145,7 +150,7 @@ pub(crate) struct LeagueArgs {
     /// With `--world league`, join the game of a running server: HOST:PORT of its players [default: start one]
     #[arg(long, value_name = "ADDR")]
     pub(crate) server: Option<String>,
-    /// With `--world league`, name of the team
+    /// With `--world league`, name of the team; with --referee, its number, 0 to 254
     #[arg(long, value_name = "NAME", default_value = "BICA")]
     pub(crate) team: String,
     /// With `--world league`, number of the player, 0 to 99
@@ -154,6 +159,23 @@ pub(crate) struct LeagueArgs {
     /// With `--world league`, play against a second team: the same forward from the other side
     #[arg(long)]
     pub(crate) against: bool,
+}
+
+/// Arguments of a game that a `GameController` commands.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct RefereeArgs {
+    /// Follow a `GameController`, in real time until the end is requested; with an address, only the one there. Needs --team
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = ANYBODY)]
+    pub(crate) referee: Option<String>,
+    /// With --referee, number of the player, 1 to 20
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "referee")]
+    pub(crate) player: u32,
+    /// With --referee, UDP port of the control packets
+    #[arg(long, value_name = "PORT", default_value_t = CONTROL_PORT, requires = "referee")]
+    pub(crate) control_port: u16,
+    /// With --referee, UDP port of the `GameController` for status messages
+    #[arg(long, value_name = "PORT", default_value_t = RETURN_PORT, requires = "referee")]
+    pub(crate) return_port: u16,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -17,6 +17,9 @@ use crate::cli::{Play, World};
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    if let Some(sender) = &args.referee.referee {
+        return crate::referee::run(args, sender);
+    }
     if args.world.kind == World::Lola {
         #[cfg(all(feature = "lola", unix))]
         return crate::lola::run(args);
@@ -97,6 +100,9 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
     }
     #[cfg(all(feature = "lola", unix))]
     if let Some(report) = crate::lola::replay(options) {
+        return report;
+    }
+    if let Some(report) = crate::referee::replay(options) {
         return report;
     }
     crate::game::replay(options)

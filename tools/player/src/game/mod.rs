@@ -48,4 +48,4 @@ pub(crate) use series::{SeriesOptions, play_series};
 pub(crate) use single::play_one;
 pub use summary::{FaultRecord, GameResult, GameSummary};
 pub use tuning::settings;
-pub(crate) use world_factory::OPTIONS;
+pub(crate) use world_factory::{OPTIONS, open as open_world};

@@ -16,6 +16,7 @@ mod params;
 mod pictures;
 mod process;
 mod recordings;
+mod referee;
 mod schema;
 #[cfg(feature = "evaluation")]
 mod see;

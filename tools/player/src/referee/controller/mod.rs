@@ -1,0 +1,10 @@
+//! `referee`: a small `GameController` for tests, and for users who have none.
+
+mod args;
+mod command;
+mod game;
+mod players;
+mod run;
+
+pub(crate) use args::RefereeCommand;
+pub(crate) use run::run;

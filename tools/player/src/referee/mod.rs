@@ -1,0 +1,10 @@
+//! Games that a `GameController` commands: `play --referee`, and the command `referee`, a small `GameController`.
+
+mod controller;
+mod network;
+mod play;
+mod world;
+
+pub(crate) use controller::{RefereeCommand, run as command};
+pub(crate) use network::{CONTROL_PORT, RETURN_PORT};
+pub(crate) use play::{ANYBODY, replay, run};

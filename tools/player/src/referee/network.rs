@@ -1,0 +1,117 @@
+//! Sockets of a player and of a `GameController`.
+
+use std::collections::VecDeque;
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4, UdpSocket};
+
+use bica_app::Failure;
+use bica_player::referee::{Answer, Identity, Inbox, Received};
+use socket2::{Domain, Socket, Type};
+
+/// Port of the control packets.
+pub(crate) const CONTROL_PORT: u16 = 3838;
+/// Port of the status messages.
+pub(crate) const RETURN_PORT: u16 = 3939;
+/// Largest number of packets that wait for a cycle; of more, the oldest are dropped.
+const WAITING: usize = 16;
+/// Largest number of datagrams that a cycle reads: a flood does not stop the robot.
+const DATAGRAMS: usize = 256;
+/// Longer than each datagram that counts.
+const LONGEST: usize = 2048;
+
+/// Opens a socket that receives what is sent to a port of this computer, beside other programs.
+///
+/// # Errors
+/// If the port cannot be opened.
+pub(super) fn open(port: u16) -> Result<UdpSocket, Failure> {
+    let bound = || -> io::Result<UdpSocket> {
+        let socket = Socket::new(Domain::IPV4, Type::DGRAM, None)?;
+        socket.set_reuse_address(true)?;
+        socket.set_broadcast(true)?;
+        socket.set_nonblocking(true)?;
+        socket.bind(&SocketAddrV4::new(Ipv4Addr::UNSPECIFIED, port).into())?;
+        Ok(socket.into())
+    };
+    bound().map_err(|error| {
+        Failure::new(
+            format!("cannot receive on UDP port {port}: {error}"),
+            "end the program that has it, or choose another port",
+        )
+    })
+}
+
+/// Calls `take` with each datagram that has arrived and the address of its sender, 256 at most.
+pub(super) fn drain(socket: &UdpSocket, mut take: impl FnMut(&[u8], Ipv4Addr)) {
+    let mut buffer = [0; LONGEST];
+    for _ in 0..DATAGRAMS {
+        match socket.recv_from(&mut buffer) {
+            Ok((length, SocketAddr::V4(from))) => take(&buffer[..length], *from.ip()),
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => return,
+            // An error, as that nobody listens at the address of the last message.
+            _ => {}
+        }
+    }
+}
+
+/// Network of a player: receives control packets and sends status messages.
+pub(super) struct PlayerNetwork {
+    socket: UdpSocket,
+    me: Identity,
+    inbox: Inbox,
+    /// The only accepted sender; `None`: any.
+    only: Option<Ipv4Addr>,
+    return_port: u16,
+    waiting: VecDeque<Received>,
+    sent: u64,
+}
+
+impl PlayerNetwork {
+    /// Opens the socket of a player.
+    ///
+    /// # Errors
+    /// If the port cannot be opened.
+    pub(super) fn open(me: Identity, only: Option<Ipv4Addr>, control: u16, return_port: u16) -> Result<Self, Failure> {
+        let socket = open(control)?;
+        Ok(Self { socket, me, inbox: Inbox::new(me.team), only, return_port, waiting: VecDeque::new(), sent: 0 })
+    }
+
+    /// Which player it is.
+    pub(super) const fn me(&self) -> Identity {
+        self.me
+    }
+
+    /// Number of datagrams that are no control packets for the team.
+    pub(super) fn ignored(&self) -> u32 {
+        self.inbox.ignored().total()
+    }
+
+    /// Number of sent status messages.
+    pub(super) const fn sent(&self) -> u64 {
+        self.sent
+    }
+
+    /// Reads what has arrived until `now`, µs, and returns the oldest packet that waits.
+    pub(super) fn receive(&mut self, now: u64) -> Option<Received> {
+        let Self { socket, inbox, only, waiting, .. } = self;
+        drain(socket, |datagram, source| {
+            if only.is_some_and(|only| only != source) {
+                return;
+            }
+            if let Some(control) = inbox.take(datagram) {
+                waiting.push_back(Received { control, source: source.octets(), at_us: now });
+            }
+            if waiting.len() > WAITING {
+                waiting.pop_front();
+            }
+        });
+        waiting.pop_front()
+    }
+
+    /// Sends a status message; one that is lost is not sent again.
+    pub(super) fn send(&mut self, answer: &Answer) {
+        let to = SocketAddrV4::new(answer.to.into(), self.return_port);
+        if self.socket.send_to(&answer.status.encode(), to).is_ok() {
+            self.sent += 1;
+        }
+    }
+}

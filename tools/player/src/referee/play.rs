@@ -1,0 +1,138 @@
+//! `play --referee`.
+
+use std::net::Ipv4Addr;
+use std::time::Duration;
+
+use bica::Tree;
+use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions};
+use bica_field::GoalColour;
+use bica_player::perception::GoalDetector;
+use bica_player::referee::packet::PLAYERS;
+use bica_player::referee::{Identity, TeamForward};
+use bica_recording::{Recording, ReplayOptions, ReplayReport};
+
+use super::network::PlayerNetwork;
+use super::world::RefereedWorld;
+use crate::cli::{Play, World};
+use crate::colour_profile::ColourProfile;
+use crate::game::{Rules, WorldKind, open_world};
+
+/// Name of the world.
+const WORLD: &str = "referee";
+/// Option that keeps the attacked goal in a recording.
+const ATTACKS: &str = "attacks";
+const SKY_BLUE: &str = "sky-blue";
+const YELLOW: &str = "yellow";
+
+/// Plays in the built-in world as the `GameController` orders.
+pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
+    refuse(args)?;
+    let (me, only) = (identity(args)?, sender(referee)?);
+    let rules = Rules {
+        world: WorldKind::BuiltIn,
+        seed: args.seed,
+        size: args.size,
+        robots: args.robots,
+        limit: Duration::MAX,
+        realtime: true,
+        firmware: None,
+        settings: &[],
+        options: args.option.clone().leak(),
+    };
+    let attacks = open_world(&rules)?.referee().attacks();
+    let (control, answers) = (args.referee.control_port, args.referee.return_port);
+    // A port that is taken is reported before the game begins.
+    drop(PlayerNetwork::open(me, only, control, answers)?);
+    let open = move |options: &WorldOptions| {
+        options.value(ATTACKS, String::new())?;
+        for (name, _) in rules.options.iter().filter_map(|option| option.split_once('=')) {
+            options.value(name.trim(), String::new())?;
+        }
+        let network = PlayerNetwork::open(me, only, control, answers)?;
+        Ok(RefereedWorld::new(Box::new(open_world(&rules)?), network))
+    };
+    let colour = if attacks == GoalColour::Yellow { YELLOW } else { SKY_BLUE };
+    let app = App::<TeamForward, ColourProfile>::new("player").robot(maker(attacks)).try_world(WORLD, open);
+    app.play(&RunArgs {
+        world: WORLD.to_owned(),
+        seed: args.seed,
+        option: [args.option.clone(), vec![format!("{ATTACKS}={colour}")]].concat(),
+        // The network has a clock of its own.
+        realtime: true,
+        seconds: args.seconds,
+        record: args.record.clone(),
+        link: args.link.clone(),
+        tuning: args.tuning.clone(),
+        json: args.json,
+    })
+}
+
+/// Runs the code again on the recording of a game; `None` if it is not one of this world.
+pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
+    // The reader of the other games reports a file that cannot be read.
+    let recording = Recording::open(options.path).ok()?;
+    let set_up = &recording.header().set_up;
+    let attacks_sky_blue =
+        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
+    (set_up.get("world")?.as_str()? == WORLD).then(|| {
+        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
+        App::<TeamForward, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
+    })
+}
+
+/// Refuses what a game with a referee does not have.
+fn refuse(args: &Play) -> Result<(), Failure> {
+    if args.world.kind != World::BuiltIn {
+        let what = "--referee commands a robot in the built-in world, and this game is played in another one";
+        return Err(Failure::new(what, "leave out --world or --referee"));
+    }
+    if args.pictures.is_some() || args.film.is_some() || args.games.is_some() {
+        let what = "a game with --referee follows the clock: it has no pictures, films and series";
+        return Err(Failure::new(what, "leave out --pictures, --film and --games"));
+    }
+    Ok(())
+}
+
+/// Which player the robot is.
+fn identity(args: &Play) -> Result<Identity, Failure> {
+    let team = args.league.team.parse().map_err(|_| {
+        let what = format!("`{}` is no number of a team in a game with --referee", args.league.team);
+        Failure::new(what, "give --team N, with a number from 0 to 254")
+    })?;
+    if team == u8::MAX {
+        return Err(Failure::new("a team cannot have the number 255", "give --team N, with a number from 0 to 254"));
+    }
+    let player = args.referee.player;
+    let exists = u8::try_from(player).ok().filter(|player| (1..=PLAYERS).contains(&usize::from(*player)));
+    exists.map(|player| Identity { team, player }).ok_or_else(|| {
+        let what = format!("a player cannot have the number {player}");
+        Failure::new(what, format!("give --player N, with a number from 1 to {PLAYERS}"))
+    })
+}
+
+/// The only sender that `--referee=ADDRESS` accepts.
+fn sender(text: &str) -> Result<Option<Ipv4Addr>, Failure> {
+    if text == ANYBODY {
+        return Ok(None);
+    }
+    text.parse().map(Some).map_err(|_| {
+        let what = format!("--referee={text} is no address of a GameController");
+        Failure::new(what, "give an IPv4 address, as --referee=10.0.1.1, or --referee alone for any")
+    })
+}
+
+/// Value of `--referee` without an address.
+pub(crate) const ANYBODY: &str = "any";
+
+fn maker(attacks: GoalColour) -> fn() -> Box<TeamForward> {
+    match attacks {
+        GoalColour::Yellow => || forward(GoalColour::Yellow),
+        GoalColour::SkyBlue => || forward(GoalColour::SkyBlue),
+    }
+}
+
+fn forward(attacks: GoalColour) -> Box<TeamForward> {
+    let mut forward = Box::new(TeamForward::new());
+    forward.get_mut::<GoalDetector>().attack(attacks);
+    forward
+}

@@ -1,0 +1,66 @@
+//! A world with the network of a player.
+
+use std::fmt;
+
+use bica::Instant;
+use bica::action::Actions;
+use bica::runner::World;
+use bica::visual::Scene;
+use bica_player::Forward;
+use bica_player::referee::{TeamCommand, TeamForward, TeamSensors};
+
+use super::network::PlayerNetwork;
+
+/// World of a forward, for a forward that a referee commands.
+pub(super) struct RefereedWorld {
+    world: Box<dyn World<Forward>>,
+    network: PlayerNetwork,
+}
+
+impl RefereedWorld {
+    /// Adds the network of a player to a world.
+    pub(super) fn new(world: Box<dyn World<Forward>>, network: PlayerNetwork) -> Self {
+        Self { world, network }
+    }
+}
+
+impl World<TeamForward> for RefereedWorld {
+    fn now(&self) -> Instant {
+        self.world.now()
+    }
+
+    fn sensors(&mut self) -> TeamSensors<'_> {
+        let packet = self.network.receive(self.world.now().as_micros());
+        let (me, ignored) = (self.network.me(), self.network.ignored());
+        TeamSensors { body: self.world.sensors(), me, packet, ignored }
+    }
+
+    fn act(&mut self, command: &TeamCommand) {
+        self.world.act(&command.body);
+        if let Some(answer) = &command.answer {
+            self.network.send(answer);
+        }
+    }
+
+    fn actions(&mut self) -> Option<&mut dyn Actions> {
+        self.world.actions()
+    }
+
+    fn is_over(&self) -> bool {
+        self.world.is_over()
+    }
+
+    fn report(&self, out: &mut dyn fmt::Write) -> fmt::Result {
+        self.world.report(out)?;
+        let (sent, ignored) = (self.network.sent(), self.network.ignored());
+        writeln!(out, "status messages sent: {sent}; other datagrams ignored: {ignored}")
+    }
+
+    fn scenery(&self, scene: &mut dyn Scene) {
+        self.world.scenery(scene);
+    }
+
+    fn truth(&self, scene: &mut dyn Scene) {
+        self.world.truth(scene);
+    }
+}
