@@ -1,7 +1,5 @@
 //! The root: a forward that finds the ball, walks to it, finds the goal and kicks.
 
-use core::cell::Cell;
-
 use bica::prelude::*;
 use bica_motion::kick::Kick;
 
@@ -9,16 +7,15 @@ use super::{Dribble, FaceBall, Fixmove, FollowBall, GoRound, SafetyGuard, Search
 use crate::input::{GameState, HealthMonitor, RobotProfile, RobotState};
 use crate::motion::Body;
 use crate::perception::{BallDetector, FallDetector, GoalDetector, Localization, Odometry, RobotDetector};
-use crate::strategy::{Clearance, DribbleCondition, Plan, Planning, Situation, can_dribble, plan};
+use crate::strategy::{Clearance, DribbleCondition, Plan, Planning, Situation, Strike, can_dribble, plan};
 
 /// The forward of RoboCup 2009.
 #[derive(Debug)]
 pub struct Player {
-    /// Plan at the ball; headings in the frame of the odometry.
-    plan: Plan,
-    /// Plan made by a transition of this run, relative to the body. The transition uses it as its condition, and the
-    /// exit hook stores it. Transitions only borrow the component immutably, hence the cell.
-    decision: Cell<Option<Plan>>,
+    /// Plan of this run after a complete search for the goal, relative to the body: for the transitions that leave the search.
+    decision: Option<Plan>,
+    /// Last plan that was begun; headings in the frame of the odometry.
+    plan: Option<Plan>,
     /// The last kick, if it was given up because the robot could not line up.
     last_failed_kick: Option<Kick>,
 }
@@ -28,7 +25,7 @@ impl Player {
     /// Creates the component without a plan.
     #[must_use]
     pub const fn new() -> Self {
-        Self { plan: Plan::GoRound(0.0), decision: Cell::new(None), last_failed_kick: None }
+        Self { decision: None, plan: None, last_failed_kick: None }
     }
 
     /// Searches for the ball.
@@ -47,19 +44,11 @@ impl Player {
 
     /// Walks around the ball until the body faces the goal.
     #[state]
-    fn go_round(&mut self, round: &mut GoRound, _face: &mut FaceBall) {
-        if let Plan::GoRound(angle) = self.plan {
-            round.turn_by(angle);
-        }
-    }
+    fn go_round(&mut self, _round: &mut GoRound, _face: &mut FaceBall) {}
 
     /// Lines up and kicks while the head faces the ball.
     #[state]
-    fn kick(&mut self, fixmove: &mut Fixmove, _face: &mut FaceBall) {
-        if let Plan::Kick(kick) = self.plan {
-            fixmove.play(kick);
-        }
-    }
+    fn kick(&mut self, _fixmove: &mut Fixmove, _face: &mut FaceBall) {}
 
     /// Kicks the ball on while walking; the head faces the ball.
     #[state]
@@ -155,10 +144,10 @@ impl Player {
         search.is_complete() && ball.position().is_none()
     }
 
-    /// Whether the search is complete and a kick with a small turn is possible.
-    #[transition(search_net -> kick)]
-    fn goal_in_reach(
-        &self,
+    /// Plans when the search is complete.
+    #[before(search_net)]
+    fn decide(
+        &mut self,
         tuned: &Tuned<Planning>,
         clearance: &Tuned<Clearance>,
         search: &SearchNet,
@@ -167,20 +156,24 @@ impl Player {
         field: &Localization,
         robots: &RobotDetector,
         profile: &RobotProfile,
-    ) -> bool {
-        if !search.is_complete() {
-            return false;
-        }
+    ) {
         let (kicks, failed) = (&profile.get().kicks, self.last_failed_kick);
-        let plan = Situation::of(ball, goal, field, robots, clearance)
-            .map_or(Plan::GoRound(0.0), |situation| plan(&situation, kicks, failed, tuned, clearance));
-        self.decision.set(Some(plan));
-        matches!(plan, Plan::Kick(_))
+        self.decision = search.is_complete().then(|| {
+            Situation::of(ball, goal, field, robots, clearance)
+                .map_or(Plan::GoRound(0.0), |situation| plan(&situation, kicks, failed, tuned, clearance))
+        });
     }
 
+    /// A kick with a small turn is possible.
+    #[transition(search_net -> kick)]
+    fn goal_in_reach(&self) -> Option<Strike> {
+        self.decision.and_then(Plan::kick)
+    }
+
+    /// The turn around the ball, rad to the left.
     #[transition(search_net -> go_round)]
-    fn goal_behind(&self, search: &SearchNet) -> bool {
-        search.is_complete()
+    fn goal_behind(&self) -> Option<f32> {
+        self.decision.and_then(Plan::turn)
     }
 
     #[transition(go_round -> search_net)]
@@ -204,12 +197,17 @@ impl Player {
         fixmove.done()
     }
 
-    /// Stores the plan that the transition made.
-    #[exit(search_net)]
-    fn keep_plan(&mut self, odometry: &Odometry) {
-        if let Some(plan) = self.decision.take() {
-            self.plan = plan.in_frame(odometry.pose().heading);
-        }
+    #[entry(kick)]
+    fn begin_kick(&mut self, Found(strike): Found<Strike>, odometry: &Odometry, fixmove: &mut Fixmove) {
+        let strike = strike.in_frame(odometry.pose().heading);
+        self.plan = Some(Plan::Kick(strike));
+        fixmove.play(strike);
+    }
+
+    #[entry(go_round)]
+    fn begin_turn(&mut self, Found(angle): Found<f32>, round: &mut GoRound) {
+        self.plan = Some(Plan::GoRound(angle));
+        round.turn_by(angle);
     }
 
     #[exit(kick)]
@@ -220,7 +218,7 @@ impl Player {
     /// The last plan at the ball: a kick with its heading in the frame of the odometry, or a turn around the ball.
     #[info(unit = "rad")]
     #[must_use]
-    pub const fn plan(&self) -> Plan {
+    pub const fn plan(&self) -> Option<Plan> {
         self.plan
     }
 

@@ -122,13 +122,30 @@ impl Task<'_> {
 }
 
 impl Plan {
-    /// The same plan with headings in a frame in which the body has this heading, rad.
+    /// The kick; `None` for a walk around the ball.
+    #[must_use]
+    pub const fn kick(self) -> Option<Strike> {
+        match self {
+            Self::Kick(strike) => Some(strike),
+            Self::GoRound(_) => None,
+        }
+    }
+
+    /// The turn of a walk around the ball, rad to the left; `None` for a kick.
+    #[must_use]
+    pub const fn turn(self) -> Option<f32> {
+        match self {
+            Self::Kick(_) => None,
+            Self::GoRound(angle) => Some(angle),
+        }
+    }
+}
+
+impl Strike {
+    /// The same strike with its heading in a frame in which the body has this heading, rad.
     #[must_use]
     pub fn in_frame(self, heading: f32) -> Self {
-        match self {
-            Self::Kick(strike) => Self::Kick(Strike { heading: strike.heading + heading, ..strike }),
-            Self::GoRound(angle) => Self::GoRound(angle),
-        }
+        Self { heading: self.heading + heading, ..self }
     }
 }
 
