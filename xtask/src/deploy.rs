@@ -21,7 +21,9 @@ pub(crate) fn deploy(options: &Deploy) -> Result<(), String> {
     check(&options.host)?;
     let commands = commands(options);
     if options.dry_run {
-        commands.iter().for_each(|words| println!("{}", line(words)));
+        for words in &commands {
+            println!("{}", line(words));
+        }
         return Ok(());
     }
     for tool in ["ssh", "rsync"] {
@@ -112,10 +114,14 @@ mod tests {
 
     #[test]
     fn robot_is_started_and_stopped_only_on_request() {
-        let moves = |lines: &[String]| lines.iter().filter(|line| line.contains("start") || line.contains("stop")).count();
+        let moves =
+            |lines: &[String]| lines.iter().filter(|line| line.contains("start") || line.contains("stop")).count();
         assert_eq!([moves(&lines("")), moves(&lines("--pull games")), moves(&lines("--tune tune"))], [0; 3]);
         let [started, stopped] = [lines("--start"), lines("--stop")];
-        assert!(started.last().is_some_and(|last| last.ends_with("'systemctl --user start bica-player'")), "{started:?}");
+        assert!(
+            started.last().is_some_and(|last| last.ends_with("'systemctl --user start bica-player'")),
+            "{started:?}"
+        );
         assert_eq!((stopped.len(), moves(&stopped)), (1, 1));
     }
 

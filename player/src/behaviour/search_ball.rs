@@ -303,7 +303,7 @@ impl SearchBall {
     /// Number of turns at this place.
     #[info]
     #[must_use]
-    pub const fn turns(&self) -> u32 {
+    pub const fn turns_here(&self) -> u32 {
         self.turns as u32
     }
 

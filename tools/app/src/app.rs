@@ -207,7 +207,8 @@ where
         RunArgs::<L>::augment_args(command).mut_arg("world", |world| world.value_parser(parser).default_value(first))
     }
 
-    /// Runs the command of the command line; returns the exit code. It is 2 if two worlds or commands have one name.
+    /// Runs the command of the command line; returns the exit code. It is 2 if two worlds or commands have one name, or an output and a
+    /// parameter of a component.
     #[must_use]
     pub fn run(self) -> ExitCode
     where
@@ -224,7 +225,7 @@ where
     {
         let command = self.command();
         let worlds: Vec<_> = self.worlds.iter().map(|world| world.name).collect();
-        if let Err(failure) = names::check(&worlds, &command) {
+        if let Err(failure) = names::check(const { &R::GRAPH }, &worlds, &command) {
             return failure.into();
         }
         let matches = command.get_matches_from(arguments);

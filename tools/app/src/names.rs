@@ -1,15 +1,16 @@
 //! Names of a program, checked before a command starts.
 
+use bica::graph::Graph;
 use bica_recording::NameTable;
 use clap::Command;
 
 use crate::console::Failure;
 
-/// Checks that no two worlds or commands have one name.
+/// Checks that no two worlds, commands, or outputs and parameters of a component have one name.
 ///
 /// # Errors
 /// If two have: the text names both.
-pub(crate) fn check(worlds: &[&str], command: &Command) -> Result<(), Failure> {
+pub(crate) fn check(graph: &Graph, worlds: &[&str], command: &Command) -> Result<(), Failure> {
     let mut table = NameTable::new("value of `--world`");
     for (place, world) in worlds.iter().enumerate() {
         table.add(*world, format!("world {}", place + 1))?;
@@ -20,16 +21,57 @@ pub(crate) fn check(worlds: &[&str], command: &Command) -> Result<(), Failure> {
         let source = format!("command {} (“{about}”)", place + 1);
         command.get_name_and_visible_aliases().into_iter().try_for_each(|name| table.add(name, &source))?;
     }
+    let mut table = NameTable::new("name in expressions");
+    for node in graph.nodes {
+        let named = |kind, own| (format!("{}.{own}", node.name), format!("the {kind} `{}.{own}`", node.name));
+        let params = node.params.iter().flat_map(|group| group.params).map(|param| named("parameter", param.name));
+        let outputs = node.info.iter().map(|output| named("output", output.name));
+        params.chain(outputs).try_for_each(|(name, source)| table.add(name, source))?;
+    }
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
+    use bica::prelude::*;
+
     use super::*;
 
-    fn refused(worlds: &[&str], commands: &[&'static str]) -> Option<String> {
+    /// How a lamp shines.
+    #[derive(Params)]
+    struct Bulb {
+        /// Brightness of a unit of current.
+        #[param(default = 1.0, range = 0.0..=2.0)]
+        gain: f32,
+    }
+
+    struct Lamp;
+
+    /// Has an output whose name is that of a parameter.
+    #[component]
+    impl Lamp {
+        const fn new() -> Self {
+            Self
+        }
+
+        fn step(&mut self, bulb: &Tuned<Bulb>) {
+            let _ = bulb.gain;
+        }
+
+        /// Brightness.
+        #[info]
+        fn gain(&self) -> f32 {
+            1.0
+        }
+    }
+
+    activation_tree! { struct Lit { root: Lamp, cycle_hz: 50, components: [Lamp] } }
+
+    const EMPTY: Graph = Graph { nodes: &[], ..Lit::GRAPH };
+
+    fn refused(graph: &Graph, worlds: &[&str], commands: &[&'static str]) -> Option<String> {
         let command = commands.iter().fold(Command::new("lamp"), |all, name| all.subcommand(Command::new(*name)));
-        match check(worlds, &command) {
+        match check(graph, worlds, &command) {
             Err(Failure::Error { what, .. }) => Some(what),
             _ => None,
         }
@@ -37,10 +79,11 @@ mod tests {
 
     #[test]
     fn a_name_of_two_things_is_refused_with_both() {
-        assert_eq!(refused(&["room", "house"], &["run", "play"]), None);
+        assert_eq!(refused(&EMPTY, &["room", "house"], &["run", "play"]), None);
         for (text, parts) in [
-            (refused(&["room", "house", "room"], &[]), ["world 1", "world 3", "`room`"]),
-            (refused(&[], &["run", "play", "run"]), ["command 1", "command 3", "`run`"]),
+            (refused(&EMPTY, &["room", "house", "room"], &[]), ["world 1", "world 3", "`room`"]),
+            (refused(&EMPTY, &[], &["run", "play", "run"]), ["command 1", "command 3", "`run`"]),
+            (refused(&Lit::GRAPH, &[], &[]), ["the parameter `Lamp.gain`", "the output `Lamp.gain`", "expressions"]),
         ] {
             let text = text.unwrap_or_default();
             assert!(parts.iter().all(|part| text.contains(part)), "{text}");
