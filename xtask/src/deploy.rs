@@ -67,7 +67,7 @@ fn commands(options: &Deploy) -> Vec<Vec<String>> {
         return vec![copy(&["--partial", &from, &format!("{}/", folder.display())])];
     }
     let target = options.target.as_str();
-    let build = ["cargo", "build", "--release", "--features", "lola", "--package", "bica-player-program"];
+    let build = ["cargo", "build", "--release", "--features", "lola,referee", "--package", "bica-player-program"];
     let program = format!("{BUILD}/{target}/release/player");
     let to = format!("{host}:{FOLDER}/");
     let mut all = vec![

@@ -15,7 +15,15 @@ use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Subcommand, ValueEnum};
 
 use crate::colour_profile::ColourProfile;
-use crate::referee::{ANYBODY, CONTROL_PORT, RETURN_PORT, RefereeCommand};
+#[cfg(feature = "referee")]
+use crate::referee::RefereeCommand;
+
+/// Port of a `GameController`'s control packets.
+pub(crate) const CONTROL_PORT: u16 = 3838;
+/// Port of a `GameController` for status messages.
+pub(crate) const RETURN_PORT: u16 = 3939;
+/// Value of `--referee` without an address.
+pub(crate) const ANYBODY: &str = "any";
 
 pub(crate) const AFTER: &str = "\
 Examples:
@@ -65,6 +73,7 @@ pub(crate) enum Command {
     #[cfg(feature = "evaluation")]
     /// Fit the thresholds of the colour classes to labelled images and write them as a profile
     Calibrate(CalibrationOptions),
+    #[cfg(feature = "referee")]
     /// Command robots as a small `GameController` does: packets at 2 Hz, states and penalties from the terminal or a script
     Referee(RefereeCommand),
     #[cfg(all(feature = "lola", unix))]
@@ -164,7 +173,8 @@ pub(crate) struct LeagueArgs {
 /// Arguments of a game that a `GameController` commands.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct RefereeArgs {
-    /// Follow a `GameController`, in real time until the end is requested; with an address, only the one there. Needs --team
+    /// Follow a `GameController`, in real time until the end is requested; with an address, only the one there. Needs --team, and the
+    /// feature `referee`
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, require_equals = true, default_missing_value = ANYBODY)]
     pub(crate) referee: Option<String>,
     /// With --referee, number of the player, 1 to 20

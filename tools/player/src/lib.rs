@@ -12,6 +12,7 @@ mod league;
 #[cfg(all(feature = "lola", unix))]
 mod lola;
 mod play;
+#[cfg(feature = "referee")]
 mod referee;
 
 use std::process::ExitCode;
@@ -40,6 +41,7 @@ pub fn app() -> App<Forward, ColourProfile> {
         .default_command(|args| play::run(&args))
         .commands(|command| match command {
             Command::Play(args) => play::run(&args),
+            #[cfg(feature = "referee")]
             Command::Referee(args) => referee::command(&args),
             #[cfg(feature = "evaluation")]
             Command::Watch(args) => detection::watch(&args),

@@ -17,8 +17,13 @@ use crate::cli::{Play, World};
 
 /// Plays as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
+    #[cfg(feature = "referee")]
     if let Some(sender) = &args.referee.referee {
         return crate::referee::run(args, sender);
+    }
+    #[cfg(not(feature = "referee"))]
+    if args.referee.referee.is_some() {
+        return Err(built_without("referee", "the player that a GameController commands"));
     }
     if args.world.kind == World::Lola {
         #[cfg(all(feature = "lola", unix))]
@@ -102,6 +107,7 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
     if let Some(report) = crate::lola::replay(options) {
         return report;
     }
+    #[cfg(feature = "referee")]
     if let Some(report) = crate::referee::replay(options) {
         return report;
     }
@@ -109,7 +115,7 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Result<ReplayReport, Failur
 }
 
 /// Returns the error of what needs a feature of Cargo.
-#[cfg(not(all(feature = "evaluation", feature = "league", feature = "lola")))]
+#[cfg(not(all(feature = "evaluation", feature = "league", feature = "lola", feature = "referee")))]
 pub(crate) fn built_without(feature: &str, what: &str) -> Failure {
     let help = format!("give Cargo the feature, too: `cargo run --release --features {feature} -- …`");
     Failure::new(format!("this program was built without {what}"), help)

@@ -48,4 +48,6 @@ pub(crate) use series::{SeriesOptions, play_series};
 pub(crate) use single::play_one;
 pub use summary::{FaultRecord, GameResult, GameSummary};
 pub use tuning::settings;
-pub(crate) use world_factory::{OPTIONS, open as open_world};
+pub(crate) use world_factory::OPTIONS;
+#[cfg(feature = "referee")]
+pub(crate) use world_factory::open as open_world;

@@ -6,5 +6,4 @@ mod play;
 mod world;
 
 pub(crate) use controller::{RefereeCommand, run as command};
-pub(crate) use network::{CONTROL_PORT, RETURN_PORT};
-pub(crate) use play::{ANYBODY, replay, run};
+pub(crate) use play::{replay, run};

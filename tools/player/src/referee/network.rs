@@ -8,10 +8,6 @@ use bica_app::Failure;
 use bica_player::referee::{Answer, Identity, Inbox, Received};
 use socket2::{Domain, Socket, Type};
 
-/// Port of the control packets.
-pub(crate) const CONTROL_PORT: u16 = 3838;
-/// Port of the status messages.
-pub(crate) const RETURN_PORT: u16 = 3939;
 /// Largest number of packets that wait for a cycle; of more, the oldest are dropped.
 const WAITING: usize = 16;
 /// Largest number of datagrams that a cycle reads: a flood does not stop the robot.

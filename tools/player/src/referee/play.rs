@@ -13,7 +13,7 @@ use bica_recording::{Recording, ReplayOptions, ReplayReport};
 
 use super::network::PlayerNetwork;
 use super::world::RefereedWorld;
-use crate::cli::{Play, World};
+use crate::cli::{ANYBODY, Play, World};
 use crate::colour_profile::ColourProfile;
 use crate::game::{Rules, WorldKind, open_world};
 
@@ -120,9 +120,6 @@ fn sender(text: &str) -> Result<Option<Ipv4Addr>, Failure> {
         Failure::new(what, "give an IPv4 address, as --referee=10.0.1.1, or --referee alone for any")
     })
 }
-
-/// Value of `--referee` without an address.
-pub(crate) const ANYBODY: &str = "any";
 
 fn maker(attacks: GoalColour) -> fn() -> Box<TeamForward> {
     match attacks {

@@ -16,6 +16,7 @@ mod params;
 mod pictures;
 mod process;
 mod recordings;
+#[cfg(feature = "referee")]
 mod referee;
 mod schema;
 #[cfg(feature = "evaluation")]

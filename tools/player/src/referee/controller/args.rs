@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use bica_app::seconds;
 use clap::Args;
 
-use crate::referee::{CONTROL_PORT, RETURN_PORT};
+use crate::cli::{CONTROL_PORT, RETURN_PORT};
 
 const AFTER: &str = "\
 Commands, one a line, from the terminal or --script:
