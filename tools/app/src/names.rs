@@ -32,6 +32,7 @@ pub(crate) fn check(graph: &Graph, worlds: &[&str], command: &Command) -> Result
 }
 
 #[cfg(test)]
+#[expect(clippy::unused_self, reason = "getters have a receiver")]
 mod tests {
     use bica::prelude::*;
 
