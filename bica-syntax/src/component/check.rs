@@ -23,7 +23,7 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     let machine = resolve::machine(component, report)?;
     reachable(&machine, report);
     ends(component, &machine, report);
-    befores(component, &machine, report);
+    hooks_before(component, &machine, report);
     carried::check(component, &machine, report);
     Some(Behaviour::Machine(machine))
 }
@@ -35,7 +35,7 @@ fn no_machine(component: &Component, report: &mut Report) {
     for transition in &component.transitions {
         report.add(&transition.attribute, wording::without_states("transition"));
     }
-    let hooks = [("entry", &component.entries), ("exit", &component.exits), ("before", &component.befores)];
+    let hooks = [("entry", &component.entries), ("exit", &component.exits), ("before", &component.hooks_before)];
     for (role, hook) in hooks.iter().flat_map(|(role, hooks)| hooks.iter().map(move |hook| (role, hook))) {
         report.add(&hook.attribute, wording::without_states(role));
     }
@@ -72,8 +72,8 @@ fn ends(component: &Component, machine: &Machine, report: &mut Report) {
 }
 
 /// Reports functions that would run before transitions of a state that none leaves.
-fn befores(component: &Component, machine: &Machine, report: &mut Report) {
-    for name in component.befores.iter().flat_map(|hook| &hook.states) {
+fn hooks_before(component: &Component, machine: &Machine, report: &mut Report) {
+    for name in component.hooks_before.iter().flat_map(|hook| &hook.states) {
         let index = machine.states.iter().position(|state| text::name(&state.body.name) == text::name(name));
         if index.is_some_and(|index| machine.states[index].last && machine.edges_from(index).next().is_none()) {
             report.add(name, wording::before_of_last(&text::name(name)));

@@ -25,7 +25,7 @@ pub struct Component {
     /// Functions with `#[exit]`.
     pub exits: Vec<Hook>,
     /// Functions with `#[before]`.
-    pub befores: Vec<Hook>,
+    pub hooks_before: Vec<Hook>,
     /// Functions with `#[start]`.
     pub starts: Vec<Function>,
     /// Functions with `#[stop]`.
@@ -43,7 +43,7 @@ impl Component {
     pub fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
         let states = self.states.iter().map(|state| &state.function);
         let transitions = self.transitions.iter().map(|transition| &transition.function);
-        let hooks = self.entries.iter().chain(&self.exits).chain(&self.befores).map(|hook| &hook.function);
+        let hooks = self.entries.iter().chain(&self.exits).chain(&self.hooks_before).map(|hook| &hook.function);
         let activity = self.starts.iter().chain(&self.stops);
         self.step.iter().chain(states).chain(transitions).chain(hooks).chain(activity)
     }

@@ -59,7 +59,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
         transitions: Vec::new(),
         entries: Vec::new(),
         exits: Vec::new(),
-        befores: Vec::new(),
+        hooks_before: Vec::new(),
         starts: Vec::new(),
         stops: Vec::new(),
         infos: Vec::new(),
@@ -314,7 +314,7 @@ fn hook(component: &mut Component, function: &mut block::Function, attribute: &A
     let hooks = match role {
         "entry" => &mut component.entries,
         "exit" => &mut component.exits,
-        _ => &mut component.befores,
+        _ => &mut component.hooks_before,
     };
     hooks.push(Hook { function, states, attribute: attribute.clone() });
 }

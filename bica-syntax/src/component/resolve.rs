@@ -40,7 +40,7 @@ pub struct Written<'a, F, N> {
     /// Exit hooks with the states that they name.
     pub exits: Vec<(F, &'a [N])>,
     /// Functions before the transitions, with the states that they name.
-    pub befores: Vec<(F, &'a [N])>,
+    pub hooks_before: Vec<(F, &'a [N])>,
     /// Transitions.
     pub arrows: Vec<Arrow<'a, F, N>>,
 }
@@ -72,7 +72,7 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
             each(&names, named, &mut omitted, |state, _| states[state].exits.push(hook.clone()));
         }
         let mut seconds = Vec::new();
-        for (hook, named) in &self.befores {
+        for (hook, named) in &self.hooks_before {
             each(&names, named, &mut omitted, |state, name| match &mut states[state].before {
                 Some(_) => seconds.push(name),
                 free => *free = Some(hook.clone()),
@@ -162,7 +162,7 @@ pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Mach
         states: component.states.iter().map(|state| (state.function.clone(), state.last)).collect(),
         entries: component.entries.iter().map(Hook::written).collect(),
         exits: component.exits.iter().map(Hook::written).collect(),
-        befores: component.befores.iter().map(Hook::written).collect(),
+        hooks_before: component.hooks_before.iter().map(Hook::written).collect(),
         arrows: component.transitions.iter().map(Transition::written).collect(),
     };
     let initial = initial(component, report);

@@ -166,7 +166,7 @@ fn small_controller_commands_a_player() {
 fn wrong_teams_players_and_scripts_are_refused() {
     let folder = Folder::new("script");
     let script = folder.file("half.txt");
-    std::fs::write(&script, "ready\nredy\n").expect("a file");
+    std::fs::write(&script, "ready\nbegin\n").expect("a file");
     let play = |more: &[&'static str]| [&["play", "--referee"][..], more].concat();
     for (args, words) in [
         (play(&[]), &["`BICA`", "--team N"][..]),
@@ -180,7 +180,7 @@ fn wrong_teams_players_and_scripts_are_refused() {
         (vec!["play", "--player", "2"], &["--referee"]),
         (vec!["referee", "--teams", "5,5"], &["two different numbers"]),
         (vec!["referee", "--players", "21"], &["21"]),
-        (vec!["referee", "--script", &script], &["half.txt:2", "no command `redy`"]),
+        (vec!["referee", "--script", &script], &["half.txt:2", "no command `begin`"]),
     ] {
         refused(&args, words);
     }

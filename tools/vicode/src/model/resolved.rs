@@ -33,7 +33,7 @@ impl Component {
             states: self.states.iter().map(|state| (&state.function, state.last)).collect(),
             entries: hooks(HookRole::Entry),
             exits: hooks(HookRole::Exit),
-            befores: hooks(HookRole::Before),
+            hooks_before: hooks(HookRole::Before),
             arrows: arrows.collect(),
         };
         let (states, edges) = written.resolve(|_| ());

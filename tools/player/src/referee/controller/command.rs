@@ -146,7 +146,7 @@ mod tests {
         }
         assert_eq!((Command::parse(""), Command::parse("# set")), (Ok(None), Ok(None)));
         for (line, word) in [
-            ("redy", "no command `redy`"),
+            ("begin", "no command `begin`"),
             ("set now", "`now`"),
             ("ready x", "`x`"),
             ("goal", "missing"),
