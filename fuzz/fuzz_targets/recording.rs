@@ -67,6 +67,7 @@ fn recorded(images: ImagePolicy) -> Vec<u8> {
         realtime: false,
         firmware: None,
         settings: &[],
+        options: &[],
     };
     let options = RecordOptions { path: &path, images, topics: Topics::Standard, split: None, force: true };
     with_stack(|| play_recorded(&rules, &mut (), Some(options), None).map(|_| ())).expect("a game");
@@ -157,7 +158,7 @@ fn read(file: &[u8]) {
         let info = Info::read(&target[..]).expect("a recovered file is a recording");
         assert_eq!((info.cycles, info.damage), (copied.cycles, None));
     }
-    let _ = trim(file, std::io::sink(), 30_000_000, 80_000_000, None);
+    let _ = trim(Cursor::new(file), std::io::sink(), 30_000_000, 80_000_000, None);
 }
 
 fn repeat(file: &[u8]) {

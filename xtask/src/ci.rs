@@ -121,7 +121,13 @@ fn docs() -> Result<(), String> {
 fn lints() -> Result<(), String> {
     let self_test = ["clippy", "--workspace", "--all-targets", "--features", "bica-player-program/self-test"];
     run("cargo", &[&self_test[..], &["--", "-D", "warnings"]].concat(), &[])?;
-    build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])
+    build::cargo("clippy", &["--all-targets", "--", "-D", "warnings"], &[])?;
+    // The targets of the fuzzer are a workspace of their own, which only `cargo xtask fuzz` builds.
+    run(
+        "cargo",
+        &["check", "--quiet", "--locked", "--manifest-path", "fuzz/Cargo.toml"],
+        &[("RUSTFLAGS", "-D warnings")],
+    )
 }
 
 /// Tests the scripts that judge times and instruction counts, then counts.
