@@ -22,6 +22,9 @@ fn geckodriver() -> PathBuf {
     if installed.exists() { installed } else { "geckodriver".into() }
 }
 
+/// Most starts of a driver that ends before it has printed its port.
+const STARTS: u32 = 5;
+
 /// A driver that ends with its browsers when this is dropped.
 pub(crate) struct Driver {
     child: Child,
@@ -30,27 +33,36 @@ pub(crate) struct Driver {
 
 impl Driver {
     pub(crate) fn start() -> Self {
+        // Chromedriver chooses a free port of IPv4, and ends if another program has the same port of IPv6.
+        (0..STARTS)
+            .find_map(|_| Self::try_start())
+            .unwrap_or_else(|| panic!("the driver printed no port {STARTS} times"))
+    }
+
+    /// Starts it; `None` if it ends before it has printed its port.
+    fn try_start() -> Option<Self> {
         let (program, before) = if is_firefox() {
             (geckodriver(), "Listening on 127.0.0.1:")
         } else {
             ("chromedriver".into(), "successfully on port ")
         };
-        let name = program.display();
         let mut child = Command::new(&program)
             .arg("--port=0")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .process_group(0)
             .spawn()
-            .unwrap_or_else(|error| panic!("{name}: {error}; `cargo xtask browser` installs it"));
+            .unwrap_or_else(|error| panic!("{}: {error}; `cargo xtask browser` installs it", program.display()));
         let output = BufReader::new(child.stdout.take().expect("the output is a pipe"));
         let mut lines = output.lines().map_while(Result::ok);
-        let port = lines
-            .find_map(|line| line.split_once(before)?.1.trim_end_matches('.').parse::<u16>().ok())
-            .unwrap_or_else(|| panic!("{name} prints no port"));
+        let port = lines.find_map(|line| line.split_once(before)?.1.trim_end_matches('.').parse::<u16>().ok());
+        let Some(port) = port else {
+            child.wait().expect("it has closed its output");
+            return None;
+        };
         // The rest is read, so that the driver never waits for a reader.
         std::thread::spawn(move || lines.for_each(drop));
-        Self { child, url: format!("http://127.0.0.1:{port}") }
+        Some(Self { child, url: format!("http://127.0.0.1:{port}") })
     }
 
     /// Asks it to end its browsers and then itself. Killed, it would leave them behind.
