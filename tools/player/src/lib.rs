@@ -3,6 +3,8 @@
 //! A library beside the program, so that other programs can play games, and a test can parse every command that the
 //! documentation shows.
 
+#[cfg(any(all(feature = "lola", unix), feature = "referee"))]
+mod attacked;
 mod cli;
 mod colour_profile;
 pub mod emulator;

@@ -14,8 +14,9 @@ use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
-use bica_recording::{Recording, ReplayOptions, ReplayReport};
+use bica_recording::{ReplayOptions, ReplayReport};
 
+use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
 use crate::cli::Play;
 use crate::colour_profile::ColourProfile;
 
@@ -25,16 +26,12 @@ const WORLD: &str = "lola";
 const SOCKET: &str = "/tmp/robocup";
 /// Command that runs the guard.
 pub(crate) const GUARD: &str = "lola-guard";
-/// Option that says which goal is attacked.
-const ATTACKS: &str = "attacks";
-const SKY_BLUE: &str = "sky-blue";
-const YELLOW: &str = "yellow";
 
 /// Plays on a real robot as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     refuse(args)?;
     interrupt::end_in_order();
-    let attacks = attacked(&args.option)?;
+    let attacks = attacked_goal(&args.option)?;
     let standing = Arc::<Mutex<Standing>>::default();
     let (limit, shared) = (args.seconds, Arc::clone(&standing));
     let socket = args.world.socket.clone().unwrap_or_else(|| SOCKET.into());
@@ -94,15 +91,7 @@ fn say(text: &str) {
 
 /// Runs the code again on the recording of a game; `None` if it is not one of this world.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    // The reader of the other games reports a file that cannot be read.
-    let recording = Recording::open(options.path).ok()?;
-    let set_up = &recording.header().set_up;
-    let attacks_sky_blue =
-        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
-    (set_up.get("world")?.as_str()? == WORLD).then(|| {
-        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
-        App::<Forward, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
-    })
+    attacked::replay(options, WORLD, maker)
 }
 
 /// Refuses what a real robot does not have, and a socket that can never be one.
@@ -139,7 +128,7 @@ fn refuse(args: &Play) -> Result<(), Failure> {
 }
 
 /// Goal that `--option attacks=COLOUR` names.
-fn attacked(options: &[String]) -> Result<GoalColour, Failure> {
+fn attacked_goal(options: &[String]) -> Result<GoalColour, Failure> {
     let colour = options.iter().filter_map(|option| option.split_once('=')).find(|(name, _)| name.trim() == ATTACKS);
     match colour.map(|(_, colour)| colour.trim()) {
         None | Some(YELLOW) => Ok(GoalColour::Yellow),
@@ -181,7 +170,7 @@ mod tests {
 
     #[test]
     fn attacked_goal_is_an_option() {
-        let attacked = |options: &[&str]| attacked(&options.iter().map(ToString::to_string).collect::<Vec<_>>());
+        let attacked = |options: &[&str]| attacked_goal(&options.iter().map(ToString::to_string).collect::<Vec<_>>());
         assert_eq!(attacked(&[]).ok(), Some(GoalColour::Yellow));
         assert_eq!(attacked(&["attacks=sky-blue"]).ok(), Some(GoalColour::SkyBlue));
         assert!(attacked(&["attacks=red"]).is_err());

@@ -9,20 +9,17 @@ use bica_field::GoalColour;
 use bica_player::perception::GoalDetector;
 use bica_player::referee::packet::PLAYERS;
 use bica_player::referee::{Identity, TeamForward};
-use bica_recording::{Recording, ReplayOptions, ReplayReport};
+use bica_recording::{ReplayOptions, ReplayReport};
 
 use super::network::PlayerNetwork;
 use super::world::RefereedWorld;
+use crate::attacked::{self, ATTACKS, SKY_BLUE, YELLOW};
 use crate::cli::{ANYBODY, Play, World};
 use crate::colour_profile::ColourProfile;
 use crate::game::{Rules, WorldKind, open_world};
 
 /// Name of the world.
 const WORLD: &str = "referee";
-/// Option that keeps the attacked goal in a recording.
-const ATTACKS: &str = "attacks";
-const SKY_BLUE: &str = "sky-blue";
-const YELLOW: &str = "yellow";
 
 /// Plays in the built-in world as the `GameController` orders.
 pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
@@ -69,15 +66,7 @@ pub(crate) fn run(args: &Play, referee: &str) -> Result<Outcome, Failure> {
 
 /// Runs the code again on the recording of a game; `None` if it is not one of this world.
 pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport, Failure>> {
-    // The reader of the other games reports a file that cannot be read.
-    let recording = Recording::open(options.path).ok()?;
-    let set_up = &recording.header().set_up;
-    let attacks_sky_blue =
-        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
-    (set_up.get("world")?.as_str()? == WORLD).then(|| {
-        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
-        App::<TeamForward, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
-    })
+    attacked::replay(options, WORLD, maker)
 }
 
 /// Refuses what a game with a referee does not have.

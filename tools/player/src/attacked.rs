@@ -1,0 +1,38 @@
+//! The attacked goal of a robot that is not told by its world, as an option in the recording of a game.
+
+use std::fmt;
+
+use bica::runner::Robot;
+use bica_app::{App, Failure};
+use bica_field::GoalColour;
+use bica_recording::{Recordable, Recording, ReplayOptions, ReplayReport};
+
+use crate::colour_profile::ColourProfile;
+
+/// Name of the option.
+pub(crate) const ATTACKS: &str = "attacks";
+/// Value of the option for the sky-blue goal.
+pub(crate) const SKY_BLUE: &str = "sky-blue";
+/// Value of the option for the yellow goal, which is the default.
+pub(crate) const YELLOW: &str = "yellow";
+
+/// Runs the code again on the recording of a game in a world, with the robot that `maker` makes for the recorded goal; `None` if it is
+/// not one of this world.
+pub(crate) fn replay<R>(
+    options: &ReplayOptions<'_>,
+    world: &str,
+    maker: fn(GoalColour) -> fn() -> Box<R>,
+) -> Option<Result<ReplayReport, Failure>>
+where
+    R: Robot<Error: fmt::Display> + Recordable + Default + 'static,
+{
+    // The reader of the other games reports a file that cannot be read.
+    let recording = Recording::open(options.path).ok()?;
+    let set_up = &recording.header().set_up;
+    let attacks_sky_blue =
+        || set_up.get("options")?.as_array()?.contains(&format!("{ATTACKS}={SKY_BLUE}").into()).then_some(());
+    (set_up.get("world")?.as_str()? == world).then(|| {
+        let attacks = attacks_sky_blue().map_or(GoalColour::Yellow, |()| GoalColour::SkyBlue);
+        App::<R, ColourProfile>::new("player").robot(maker(attacks)).repeat(options)
+    })
+}
