@@ -47,13 +47,15 @@
 //! # Overview
 //!
 //! - [`component`](macro@component): links, rates, budgets, state machines.
+//! - [`role`](macro@role): what a component needs of another one, without naming it.
 //! - [`activation_tree!`]: a robot's components, and what the compiler checks of them.
 //! - [`Tree`]: ticking, reading and writing components, their rates, holding them active or latent.
 //! - [`Probe`]: observing a tree; [`Stopwatch`]: how long each component takes.
 //! - [`Graph`]: a tree's static description, for drawings and tools.
 //! - [`Params`](derive@Params): values that are adjusted while the robot runs.
 //! - [The crate underneath](bica_core): the rules by which components run.
-//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `probe`, `parameters`, `static_tree`.
+//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `roles`, `probe`, `parameters`,
+//!   `static_tree`.
 //!
 //! This crate needs no operating system, no heap and no `unsafe` of its users.
 #![no_std]
@@ -61,13 +63,15 @@
 #[doc(hidden)]
 pub use bica_core::__private;
 pub use bica_core::{
-    Axis, Blob, Component, ComponentId, Duration, Format, Found, Graph, Has, Hint, Hold, Instant, Key, ParamEnum,
-    Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value, action, graph,
-    info, modulation, params, probe, rate, refusal, stopwatch, visual,
+    Axis, Blob, Component, ComponentId, Duration, Fills, Format, Found, Graph, Has, Hint, Hold, Instant, Key,
+    ParamEnum, Params, ParamsOf, Place, Probe, Rate, Refusal, Setting, Status, Stopwatch, Time, Tree, Tuned, Value,
+    action, graph, info, modulation, params, probe, rate, refusal, stopwatch, visual,
 };
 #[doc(hidden)]
 pub use bica_core::{check, render};
-pub use bica_macros::{ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, world_actions};
+pub use bica_macros::{
+    ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, role, world_actions,
+};
 #[doc(inline)]
 pub use bica_runner as runner;
 
@@ -79,7 +83,7 @@ pub mod prelude {
         Refusal, Time, Tree, Tuned, Value,
     };
     pub use bica_macros::{
-        ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, world_actions,
+        ComponentDoc, ParamEnum, Params, activation_tree, component, message, output, role, world_actions,
     };
     pub use bica_runner::{Robot, Runner, World};
     pub use core::convert::Infallible;

@@ -33,6 +33,8 @@ pub struct Graph {
     pub root: usize,
     /// The components, in the order in which the tree lists them.
     pub nodes: &'static [Node],
+    /// Names of the roles, in the order in which the tree lists them; at most [`Roles::CAPACITY`].
+    pub roles: &'static [&'static str],
 }
 
 impl Graph {
@@ -41,6 +43,11 @@ impl Graph {
     pub fn find(&self, component: impl Key) -> Option<ComponentId> {
         let index = component.find(self.nodes.iter().map(|node| node.name));
         index.filter(|index| *index < self.nodes.len()).map(ComponentId::new)
+    }
+
+    /// Returns the names of the roles in a set.
+    pub fn role_names(&self, roles: Roles) -> impl Iterator<Item = &'static str> + use<> {
+        self.roles.iter().enumerate().filter(move |(role, _)| roles.contains(*role)).map(|(_, name)| *name)
     }
 
     /// Whether the modulation at an index of a component is a stop.
@@ -147,6 +154,41 @@ pub struct Link {
     pub kind: LinkKind,
     /// Index of the only state in which the link holds; `None` holds always.
     pub state: Option<usize>,
+    /// The roles by which the component asks for the activated one.
+    pub roles: Roles,
+}
+
+/// A set of roles, by their indices in [`Graph::roles`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Roles(u16);
+
+impl Roles {
+    /// No role: the component is linked by its name alone.
+    pub const NONE: Self = Self(0);
+    /// Largest number of roles of a tree.
+    pub const CAPACITY: usize = u16::BITS as usize;
+
+    /// Whether the role of that index is in the set.
+    #[must_use]
+    pub const fn contains(self, role: usize) -> bool {
+        role < Self::CAPACITY && self.0 & 1 << role != 0
+    }
+
+    /// The roles of both sets.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The set with one more role.
+    ///
+    /// # Panics
+    /// If the index is not below [`CAPACITY`](Self::CAPACITY).
+    #[must_use]
+    pub const fn with(self, role: usize) -> Self {
+        assert!(role < Self::CAPACITY, "a tree has at most 16 roles");
+        Self(self.0 | 1 << role)
+    }
 }
 
 /// How a component uses a child.

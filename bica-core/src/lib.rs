@@ -72,6 +72,8 @@ mod place;
 pub mod probe;
 pub mod rate;
 pub mod render;
+#[doc(hidden)]
+pub mod role;
 pub mod stopwatch;
 mod text;
 mod tree;
@@ -94,6 +96,7 @@ pub use params::{ParamEnum, Params, Setting, Tuned, Value};
 pub use place::{Axis, Hint, Place};
 pub use probe::Probe;
 pub use rate::Rate;
+pub use role::{Fills, Role};
 pub use stopwatch::Stopwatch;
 pub use tree::{Has, LoneMachine, ParamsOf, Status, Tree};
 

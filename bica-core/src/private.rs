@@ -7,7 +7,7 @@ pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::found::Found;
-pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
+pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
 pub use crate::info::{Info, InfoSink};
 pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::params::{
@@ -17,6 +17,7 @@ pub use crate::params::{
 pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;
 pub use crate::rate::Rate;
+pub use crate::role::{Checked, Fills, Provide, ProvidedBy, Role, assert_asked, assert_provided, assert_role};
 pub use crate::tree::borrow::{Read, Slot, Write, WriteRate};
 pub use crate::tree::component_state::ComponentState;
 pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};
@@ -24,7 +25,7 @@ pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
 pub use crate::tree::plan::{Planned, Plans};
 pub use crate::tree::steady::{is_fixed, visits_first};
-pub use crate::tree::written::{DistinctLinks, WrittenKind, WrittenLink, assert_single_link, counts};
+pub use crate::tree::written::{DistinctLinks, Target, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 pub use crate::visual::{Frame, Placement, Visual};
 

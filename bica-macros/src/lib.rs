@@ -1,4 +1,4 @@
-//! The macros of BICA: `#[component]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]`,
+//! The macros of BICA: `#[component]`, `#[role]`, `activation_tree!`, `#[derive(Params)]`, `#[derive(ParamEnum)]`, `#[output]`,
 //! `#[message]`, `#[world_actions]` and `#[derive(ComponentDoc)]`.
 //!
 //! Each is a pipeline: parse (from tokens to a model) → check (rules within one item) → expand (to code). The first two
@@ -18,6 +18,7 @@ mod component;
 mod expand;
 mod params;
 mod plain_item;
+mod role;
 #[cfg(test)]
 mod tests;
 mod tree;
@@ -70,6 +71,12 @@ pub fn message(options: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn world_actions(options: TokenStream, item: TokenStream) -> TokenStream {
     actions::run(options.into(), &item.into()).into()
+}
+
+#[doc = include_str!("../doc/role.md")]
+#[proc_macro_attribute]
+pub fn role(options: TokenStream, item: TokenStream) -> TokenStream {
+    role::run(options.into(), &item.into()).into()
 }
 
 #[cfg(doctest)]

@@ -11,6 +11,7 @@ pub mod number;
 pub mod params;
 pub mod plain_item;
 pub mod report;
+pub mod role;
 pub mod table;
 pub mod text;
 pub mod tree;

@@ -79,6 +79,11 @@ impl Report {
         &self.mistakes
     }
 
+    /// Returns the mistakes.
+    pub(crate) fn into_mistakes(self) -> impl Iterator<Item = Mistake> {
+        self.mistakes.into_iter()
+    }
+
     /// The mistakes as calls of `compile_error!`.
     #[must_use]
     pub fn to_compile_errors(&self) -> TokenStream {

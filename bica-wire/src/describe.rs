@@ -6,6 +6,8 @@ use core::iter::FusedIterator;
 use bica_core::Place;
 #[cfg(feature = "std")]
 use bica_core::action::Action;
+#[cfg(feature = "std")]
+use bica_core::graph::Roles;
 use bica_core::graph::{self, Graph, LinkKind, Node};
 use bica_core::params::{Kind, Param, Variant};
 
@@ -33,6 +35,8 @@ pub const fn describe(graph: &Graph) -> GraphItems<'_> {
         #[cfg(feature = "std")]
         place: None,
         #[cfg(feature = "std")]
+        roles: (Roles::NONE, 0),
+        #[cfg(feature = "std")]
         actions: &[],
         count: 0,
     }
@@ -56,6 +60,9 @@ pub struct GraphItems<'g> {
     /// Place of the last argument. A microcontroller sends none, and the code for it would take its memory.
     #[cfg(feature = "std")]
     place: Option<Place<'static>>,
+    /// Roles of the last link, and index of the next one of the tree that is looked up in them.
+    #[cfg(feature = "std")]
+    roles: (Roles, usize),
     /// Actions that follow.
     #[cfg(feature = "std")]
     actions: &'static [Action],
@@ -125,6 +132,7 @@ impl GraphItems<'_> {
             commit: None,
             root: 0,
             nodes: &[],
+            roles: &[],
         };
         Self { list: List::End, ..describe(&NONE) }.with_actions(actions)
     }
@@ -133,6 +141,14 @@ impl GraphItems<'_> {
     #[must_use]
     pub fn with_actions(self, actions: &'static [Action]) -> Self {
         Self { actions, ..self }
+    }
+
+    /// Returns the next role of the last link.
+    fn role(&mut self) -> Option<GraphItem<'static>> {
+        let (roles, next) = &mut self.roles;
+        let found = (*next..self.graph.roles.len()).find(|role| roles.contains(*role));
+        *next = found.map_or(self.graph.roles.len(), |role| role + 1);
+        found.map(|role| GraphItem::Role { name: self.graph.roles[role] })
     }
 
     fn action(&mut self) -> Option<GraphItem<'static>> {
@@ -153,6 +169,10 @@ impl GraphItems<'_> {
         #[cfg(feature = "std")]
         if let Some(place) = self.place.take() {
             return Some(GraphItem::Place(place));
+        }
+        #[cfg(feature = "std")]
+        if let Some(role) = self.role() {
+            return Some(role);
         }
         if let Some((variant, rest)) = self.variants.split_first() {
             (self.variants, self.doc) = (rest, variant.doc);
@@ -204,6 +224,10 @@ impl GraphItems<'_> {
         Some(match self.list {
             List::Links => {
                 let link = node.links.get(self.index)?;
+                #[cfg(feature = "std")]
+                {
+                    self.roles = (link.roles, 0);
+                }
                 GraphItem::Link {
                     from: component,
                     to: link.to as u16,

@@ -9,7 +9,7 @@ use std::{env, fs};
 
 use bica_syntax::component::{self, check, parse::Parsed};
 use bica_syntax::report::Report;
-use bica_syntax::{params, plain_item, tree};
+use bica_syntax::{params, plain_item, role, tree};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 #[test]
@@ -92,6 +92,9 @@ fn read(item: TokenStream, report: &mut Report) {
     } else if attributes.iter().any(|one| one.starts_with("output")) {
         let (options, item) = split("output", item);
         let _ = plain_item::framework("output", options, &item, report);
+    } else if attributes.iter().any(|one| one.starts_with("role")) {
+        let (options, item) = split("role", item);
+        let _ = role::parse(options, &item, report);
     } else {
         let (options, item) = split("component", item);
         if let Parsed::Component(component) = component::parse::parse(options, &item, report) {

@@ -7,7 +7,7 @@ use crate::params::{Kind, Param};
 /// parameters with their units and kinds.
 ///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
-/// carry, which states have a `#[before]`, and whether a modulation is a stop. So
+/// carry, which states have a `#[before]`, roles, and whether a modulation is a stop. So
 /// programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {

@@ -1,6 +1,6 @@
 //! Links as they are drawn.
 
-use crate::graph::{Link, LinkKind, Node, State};
+use crate::graph::{Link, LinkKind, Node, Roles, State};
 
 /// All links of a component with the same end and kind.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +33,12 @@ impl<'a> Arrow<'a> {
         let arrow = *self;
         let listed = if self.is_always() { 0 } else { self.node.states.len() };
         (0..listed).filter(move |&state| arrow.holds(state)).map(move |state| &arrow.node.states[state])
+    }
+
+    /// The roles by which the component asks for the activated one, in any state.
+    #[must_use]
+    pub fn roles(&self) -> Roles {
+        self.links().fold(Roles::NONE, |roles, link| roles.and(link.roles))
     }
 
     fn holds(&self, state: usize) -> bool {

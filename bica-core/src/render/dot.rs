@@ -2,7 +2,7 @@
 
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
-use super::label::{self, Escaped, figures, states, transition};
+use super::label::{self, Escaped, figures, link, transition};
 use super::{Arrow, arrows};
 use crate::graph::{Graph, LinkKind, Node};
 
@@ -18,7 +18,7 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
         component(f, index, node, index == graph.root)?;
     }
     for (from, node) in graph.nodes.iter().enumerate() {
-        arrows(node).try_for_each(|to| arrow(f, from, to))?;
+        arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
     }
     f.write_str("}\n")
 }
@@ -30,12 +30,12 @@ fn component(f: &mut Formatter<'_>, index: usize, node: &Node, root: bool) -> Re
     f.write_str(if root { ", penwidth=2];\n" } else { "];\n" })
 }
 
-fn arrow(f: &mut Formatter<'_>, from: usize, arrow: Arrow<'_>) -> Result {
+fn arrow(f: &mut Formatter<'_>, graph: &Graph, from: usize, arrow: Arrow<'_>) -> Result {
     let style = match arrow.kind() {
         LinkKind::Requirement => "dashed",
         LinkKind::Modulation => "solid",
     };
-    writeln!(f, "  n{from} -> n{} [style={style}, label={}];", arrow.to(), quoted(&states(arrow)))
+    writeln!(f, "  n{from} -> n{} [style={style}, label={}];", arrow.to(), quoted(&link(graph, arrow)))
 }
 
 pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {

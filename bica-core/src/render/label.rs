@@ -3,7 +3,7 @@
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
 use super::Arrow;
-use crate::graph::{Node, Transition};
+use crate::graph::{Graph, Node, Roles, Transition};
 
 /// Rate and budget: `30 Hz · 40 µs`.
 pub(super) fn figures(node: &Node) -> impl Display {
@@ -16,13 +16,21 @@ pub(super) fn figures(node: &Node) -> impl Display {
     })
 }
 
-/// The names of the states in which an arrow holds: `search, follow`.
-pub(super) fn states(arrow: Arrow<'_>) -> impl Display {
+/// The roles of an arrow, and the names of the states in which it holds: `Ball · search, follow`.
+pub(super) fn link(graph: &Graph, arrow: Arrow<'_>) -> impl Display {
     from_fn(move |f| {
-        arrow.states().enumerate().try_for_each(|(index, state)| {
-            f.write_str(if index == 0 { "" } else { ", " })?;
-            f.write_str(state.name)
-        })
+        let (roles, states) = (graph.role_names(arrow.roles()), arrow.states().map(|state| state.name));
+        listed(f, roles)?;
+        let are_both = arrow.roles() != Roles::NONE && arrow.states().next().is_some();
+        f.write_str(if are_both { " · " } else { "" })?;
+        listed(f, states)
+    })
+}
+
+fn listed<'a>(f: &mut Formatter<'_>, names: impl Iterator<Item = &'a str>) -> Result {
+    names.enumerate().try_for_each(|(index, name)| {
+        f.write_str(if index == 0 { "" } else { ", " })?;
+        f.write_str(name)
     })
 }
 

@@ -2,9 +2,9 @@
 
 use core::fmt::{Display, Formatter, Result, Write, from_fn};
 
-use super::label::{self, Escaped, figures, states, transition};
+use super::label::{self, Escaped, figures, link, transition};
 use super::{Arrow, arrows};
-use crate::graph::{Graph, LinkKind, Node};
+use crate::graph::{Graph, LinkKind, Node, Roles};
 
 pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
     f.write_str("flowchart TD\n")?;
@@ -12,7 +12,7 @@ pub(super) fn tree(graph: &Graph, f: &mut Formatter<'_>) -> Result {
         component(f, index, node)?;
     }
     for (from, node) in graph.nodes.iter().enumerate() {
-        arrows(node).try_for_each(|to| arrow(f, from, to))?;
+        arrows(node).try_for_each(|to| arrow(f, graph, from, to))?;
     }
     writeln!(f, "  style n{} stroke-width:3px", graph.root)
 }
@@ -23,15 +23,15 @@ fn component(f: &mut Formatter<'_>, index: usize, node: &Node) -> Result {
     writeln!(f, "  n{index}{open}{}<br/>{}{close}", escaped(&node.name), escaped(&figures(node)))
 }
 
-fn arrow(f: &mut Formatter<'_>, from: usize, arrow: Arrow<'_>) -> Result {
+fn arrow(f: &mut Formatter<'_>, graph: &Graph, from: usize, arrow: Arrow<'_>) -> Result {
     let line = match arrow.kind() {
         LinkKind::Requirement => "-.->",
         LinkKind::Modulation => "-->",
     };
-    if arrow.is_always() {
+    if arrow.is_always() && arrow.roles() == Roles::NONE {
         writeln!(f, "  n{from} {line} n{}", arrow.to())
     } else {
-        writeln!(f, "  n{from} {line}|\"{}\"| n{}", escaped(&states(arrow)), arrow.to())
+        writeln!(f, "  n{from} {line}|\"{}\"| n{}", escaped(&link(graph, arrow)), arrow.to())
     }
 }
 

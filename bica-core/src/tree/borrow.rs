@@ -13,7 +13,8 @@
 //! has no exclusive store; not by keeping a reference, because the exclusive store cannot be used before it ends. What
 //! remains is that the components of one set are distinct, and that the slots are the store's own:
 //!
-//! - Every [`BorrowSet`] lists its accesses, and `borrow` asserts at compile time that no two are to one place. One type
+//! - Every [`BorrowSet`] lists its accesses, and `borrow` asserts at compile time that no two are to one place, unless both
+//!   read it: shared references may overlap. One type
 //!   has one index in a tree, because a type implements `Has` once for a tree. So different indices are different types,
 //!   hence different slots: a `&Slot<A, _>` and a `&Slot<B, _>` cannot overlap unless one lies inside the other's component,
 //!   which only a borrow could reach.
@@ -257,7 +258,7 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
     pub(crate) fn borrow<L: BorrowSet<T>>(&mut self) -> L::Borrowed<'_> {
         const { assert!(is_distinct(L::ACCESSES), "{}", TWO_LINKS) };
         // SAFETY: this is the only access to the store, and it is borrowed exclusively for as long as the references
-        // live; the accesses are distinct by the line above.
+        // live; by the line above no place is accessed twice, unless it is only read.
         unsafe { L::borrow(&self.store.slots) }
     }
 }
@@ -276,7 +277,7 @@ pub trait BorrowSet<T: Layout>: sealed::Sealed {
     /// # Safety
     ///
     /// As long as the references exist nothing else may refer to the components and rates of `slots`, and no place may
-    /// be in the accesses twice.
+    /// be in the accesses twice, unless it is only read.
     unsafe fn borrow(slots: &T::Slots) -> Self::Borrowed<'_>;
 }
 
@@ -291,8 +292,10 @@ pub struct WriteRate<C>(PhantomData<C>);
 pub enum Accesses {
     /// No place.
     None,
-    /// The component of that index.
-    Component(usize),
+    /// The component of that index, which is read.
+    Read(usize),
+    /// The component of that index, which is written.
+    Write(usize),
     /// The rate of the component of that index.
     Rate(usize),
     /// The places of two sets.
@@ -313,9 +316,9 @@ const fn are_disjoint(left: &Accesses, right: &Accesses) -> bool {
         (Accesses::Both(first, second), other) | (other, Accesses::Both(first, second)) => {
             are_disjoint(first, other) && are_disjoint(second, other)
         }
-        (Accesses::Component(left), Accesses::Component(right)) | (Accesses::Rate(left), Accesses::Rate(right)) => {
-            *left != *right
-        }
+        (Accesses::Read(left) | Accesses::Write(left), Accesses::Write(right))
+        | (Accesses::Write(left), Accesses::Read(right))
+        | (Accesses::Rate(left), Accesses::Rate(right)) => *left != *right,
         _ => true,
     }
 }
@@ -330,25 +333,25 @@ impl<T: Layout> BorrowSet<T> for () {
 
 impl<T: Has<C>, C: 'static> BorrowSet<T> for Read<C> {
     type Borrowed<'a> = &'a C;
-    const ACCESSES: &'static Accesses = &Accesses::Component(T::INDEX);
+    const ACCESSES: &'static Accesses = &Accesses::Read(T::INDEX);
 
     #[inline]
     unsafe fn borrow(slots: &T::Slots) -> &C {
         let value = slot_in::<T, C>(slots).value.get();
         // SAFETY: the slot is inside `slots`, to whose components nothing else refers, and no other part of the set
-        // names it: the caller's promise.
+        // writes it: the caller's promise.
         unsafe { &*value }
     }
 }
 
 impl<T: Has<C>, C: 'static> BorrowSet<T> for Write<C> {
     type Borrowed<'a> = &'a mut C;
-    const ACCESSES: &'static Accesses = &Accesses::Component(T::INDEX);
+    const ACCESSES: &'static Accesses = &Accesses::Write(T::INDEX);
 
     #[inline]
     unsafe fn borrow(slots: &T::Slots) -> &mut C {
         let value = slot_in::<T, C>(slots).value.get();
-        // SAFETY: as for `Read`.
+        // SAFETY: as for `Read`, and no other part of the set reads it.
         unsafe { &mut *value }
     }
 }
@@ -371,7 +374,7 @@ impl<T: Layout, A: BorrowSet<T>, B: BorrowSet<T>> BorrowSet<T> for (A, B) {
 
     #[inline]
     unsafe fn borrow(slots: &T::Slots) -> Self::Borrowed<'_> {
-        // SAFETY: the caller's promise holds for each part, and no place is in both.
+        // SAFETY: the caller's promise holds for each part, and for what is in both.
         unsafe { (A::borrow(slots), B::borrow(slots)) }
     }
 }

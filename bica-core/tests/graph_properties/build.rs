@@ -1,6 +1,6 @@
 //! Constructors of graphs for tests.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Graph, Link, LinkKind, Node, Roles, State, Transition};
 
 /// Tree of these components; the first one is the root.
 pub(crate) const fn graph(nodes: &'static [Node]) -> Graph {
@@ -15,6 +15,7 @@ pub(crate) const fn graph(nodes: &'static [Node]) -> Graph {
         commit,
         root: 0,
         nodes,
+        roles: &["Ball", "Legs"],
     }
 }
 
@@ -35,10 +36,10 @@ pub(crate) const fn transition(from: usize, to: usize) -> Transition {
 
 /// Requirement in all states.
 pub(crate) const fn to(to: usize) -> Link {
-    Link { to, kind: LinkKind::Requirement, state: None }
+    Link { to, kind: LinkKind::Requirement, state: None, roles: Roles::NONE }
 }
 
 /// Modulation in one state.
 pub(crate) const fn in_state(to: usize, state: usize) -> Link {
-    Link { to, kind: LinkKind::Modulation, state: Some(state) }
+    Link { to, kind: LinkKind::Modulation, state: Some(state), roles: Roles::NONE }
 }

@@ -23,17 +23,27 @@ pub(crate) fn names(graph: &Graph) -> Vec<String> {
 
 pub(crate) fn arrows(graph: &Graph) -> BTreeSet<Arrow> {
     let links = graph.nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |link| (from, link)));
-    links.map(|(from, link)| (from, link.to, link.kind == LinkKind::Requirement, when(graph, from, link))).collect()
+    links.map(|(from, link)| (from, link.to, link.kind == LinkKind::Requirement, label(graph, from, link))).collect()
 }
 
-fn when(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {
+fn label(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> String {
+    let same = graph.nodes[from].links.iter().filter(|link| link.to == like.to && link.kind == like.kind);
+    let asks = |role: &usize| same.clone().any(|link| link.roles.contains(*role));
+    let roles: Vec<_> = (0..graph.roles.len()).filter(asks).map(|role| shown(graph.roles[role])).collect();
+    let is_any = !roles.is_empty();
+    let (roles, states) = (roles.join(", "), when(graph, from, like));
+    let separator = if is_any && states.is_some() { " · " } else { "" };
+    roles + separator + &states.unwrap_or_default()
+}
+
+fn when(graph: &Graph, from: usize, like: &bica_core::graph::Link) -> Option<String> {
     let node = &graph.nodes[from];
     let same = node.links.iter().filter(|link| link.to == like.to && link.kind == like.kind);
     let states: BTreeSet<_> = same.map(|link| link.state).collect();
     if states.contains(&None) || states.len() == node.states.len() {
-        return String::new();
+        return None;
     }
-    shown(&states.into_iter().flatten().map(|state| node.states[state].name).collect::<Vec<_>>().join(", "))
+    Some(shown(&states.into_iter().flatten().map(|state| node.states[state].name).collect::<Vec<_>>().join(", ")))
 }
 
 /// Transitions of a machine: from, to, label. In order, because several may look the same.

@@ -1,6 +1,6 @@
 //! Random graphs.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Graph, Link, LinkKind, Node, Roles, State, Transition};
 use proptest::prelude::*;
 
 use crate::graph_properties::build;
@@ -65,7 +65,9 @@ fn node(draft: &Draft, to: impl Fn(&prop::sample::Index) -> Option<usize>) -> No
     let state = |index: &prop::sample::Index| (draft.states > 0).then(|| index.index(draft.states));
     let links = draft.links.iter().filter_map(|(end, read, of)| {
         let kind = if *read { LinkKind::Requirement } else { LinkKind::Modulation };
-        Some(Link { to: to(end)?, kind, state: of.as_ref().and_then(state) })
+        let role = |bit: usize| (end.index(4) >> bit) % 2 == 1;
+        let roles = (0..2).filter(|bit| role(*bit)).fold(Roles::NONE, Roles::with);
+        Some(Link { to: to(end)?, kind, state: of.as_ref().and_then(state), roles })
     });
     let states = (0..draft.states).map(|index| State { initial: index == 0, ..build::state("state") });
     let ways = draft.transitions.iter().filter_map(|(from, to)| Some(build::transition(state(from)?, state(to)?)));
@@ -89,7 +91,7 @@ pub(crate) fn every_character() -> Graph {
     let text = &*(0..0x300_u32).filter_map(char::from_u32).collect::<String>().leak();
     let node = Node {
         doc: text,
-        links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0) }],
+        links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0), roles: Roles::NONE }],
         states: vec![State { doc: text, initial: true, ..build::state(text) }, build::state("other")].leak(),
         transitions: vec![Transition { name: text, doc: text, ..build::transition(0, 1) }].leak(),
         ..build::node(text)
@@ -123,6 +125,14 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
         }
         let budget_ms = figure.next().filter(|_| after_ms % 2 == 0);
         let tunable = after_ms % 3 == 0;
-        Graph { name: text(), doc: text(), budget_ms, tunable, nodes: nodes.leak(), ..graph }
+        Graph {
+            name: text(),
+            doc: text(),
+            budget_ms,
+            tunable,
+            nodes: nodes.leak(),
+            roles: vec![text(), text()].leak(),
+            ..graph
+        }
     })
 }

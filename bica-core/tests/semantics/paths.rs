@@ -1,6 +1,6 @@
 //! A component is identified by its type, whatever path names it.
 
-use bica_core::graph::{Link, LinkKind};
+use bica_core::graph::{Link, LinkKind, Roles};
 
 use super::*;
 
@@ -80,7 +80,7 @@ fn a_read_outranks_a_rate_by_another_path() {
 
 #[test]
 fn links_are_unique_by_child_and_state() {
-    let link = |to, kind, state| Link { to, kind, state: Some(state) };
+    let link = |to, kind, state| Link { to, kind, state: Some(state), roles: Roles::NONE };
     let links =
         [link(1, LinkKind::Requirement, 0), link(2, LinkKind::Modulation, 0), link(3, LinkKind::Requirement, 1)];
     assert_eq!(ByPaths::GRAPH.nodes[0].links, links);
@@ -110,5 +110,8 @@ activation_tree! {
 #[test]
 fn a_step_can_read_a_child_and_set_its_rate() {
     assert_eq!(runs(&mut Watching::new(), 0), ["Eye", "Watcher"]);
-    assert_eq!(Watching::GRAPH.nodes[0].links, [Link { to: 1, kind: LinkKind::Requirement, state: None }]);
+    assert_eq!(
+        Watching::GRAPH.nodes[0].links,
+        [Link { to: 1, kind: LinkKind::Requirement, state: None, roles: Roles::NONE }]
+    );
 }

@@ -7,8 +7,8 @@ use syn::{
     TypeReference, parse_quote,
 };
 
-use super::found;
 use super::model::Argument;
+use super::{found, role};
 use crate::report::Report;
 use crate::types::{is_unsized, plain, unsized_argument};
 use crate::{text, wording};
@@ -106,9 +106,23 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
     let reference = match plain(kind) {
         Type::Reference(reference) => reference,
         Type::Path(path) => return owned(path, form, report),
+        Type::ImplTrait(role) => {
+            report.add(role, wording::owned_role(&text::written(role)));
+            return None;
+        }
         other => return no_component(other, report),
     };
-    let Type::Path(path) = plain(&reference.elem) else { return no_component(plain(kind), report) };
+    let path = match plain(&reference.elem) {
+        Type::Path(path) => path,
+        Type::ImplTrait(role) => {
+            return role::is_one_trait(role, report).then(|| link(reference, own, form, report)).flatten();
+        }
+        Type::TraitObject(of) => {
+            report.add(&reference.elem, wording::dyn_role(&text::written(&of.bounds)));
+            return None;
+        }
+        _ => return no_component(plain(kind), report),
+    };
     let segment = path.path.segments.last()?;
     if let Some(problem) = no_value(path) {
         report.add(kind, problem);
@@ -216,13 +230,14 @@ fn tuned(reference: &TypeReference, segment: &PathSegment, report: &mut Report) 
     is_named(of, report).then(|| Argument::Tuned(plain(of).clone()))
 }
 
-/// Reports a `&` in the angle brackets of `Tuned` or `Rate`.
+/// Reports a `&` or a role in the angle brackets of `Tuned` or `Rate`.
 fn is_named(of: &Type, report: &mut Report) -> bool {
-    if let Type::Reference(reference) = plain(of) {
-        report.add(of, wording::name_alone(&text::written(&reference.elem)));
-        return false;
+    match plain(of) {
+        Type::Reference(reference) => report.add(of, wording::name_alone(&text::written(&reference.elem))),
+        Type::ImplTrait(_) => report.add(of, wording::NO_ROLE),
+        _ => return true,
     }
-    true
+    false
 }
 
 /// `T` of a type that is written as `Name<T>`, by any path.

@@ -3,6 +3,7 @@
 use syn::Type;
 
 use super::model::{Argument, Function, Machine};
+use super::role::role_of;
 use crate::text;
 
 /// The kind of a link, from the argument.
@@ -42,11 +43,11 @@ pub fn merged<K: Copy + Into<Kind>, C>(
 
 /// The children of functions that run together, each type once if it is written alike.
 ///
-/// Two paths can name one type. Only the compiler can decide that; generated code then drops the link of lower rank.
+/// Two paths can name one type, and a tree can name it for a role. Only the compiler can decide that; generated code then drops the link of lower rank.
 #[derive(Default)]
 pub struct Links {
     list: Vec<(Kind, Type)>,
-    /// Whether two of the links may turn out to be one: within one function that is a mistake, and reported as such.
+    /// Whether two of the links may turn out to be one: of names within one function that is a mistake, and reported as such.
     pub may_coincide: bool,
 }
 
@@ -61,8 +62,8 @@ impl Links {
         });
         let list = merged(links, text::written);
         let linking = functions.filter(|function| !function.arguments.is_empty()).count();
-        let rates = list.iter().any(|(kind, _)| *kind == Kind::Rate);
-        Self { may_coincide: list.len() > 1 && (linking > 1 || rates), list }
+        let others = list.iter().any(|(kind, child)| *kind == Kind::Rate || role_of(child).is_some());
+        Self { may_coincide: list.len() > 1 && (linking > 1 || others), list }
     }
 
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.

@@ -15,11 +15,13 @@ mod operator;
 mod options;
 pub mod parse;
 pub mod resolve;
+mod role;
 mod roles;
 mod signature;
 
 pub use self::arguments::meaning;
 pub use self::attributes::{hook, is_component, state, transition};
 pub use self::info_options::parse as info;
+pub use self::role::role_of;
 pub use self::roles::role;
 pub use self::signature::carries;

@@ -138,7 +138,7 @@ pub struct Found {
 /// An argument beside `self`.
 #[derive(Clone)]
 pub enum Argument {
-    /// `&C`
+    /// `&C`, or `&impl Role`: `C` or `impl Role`, as in all links
     Read(Type),
     /// `&mut C`
     Write(Type),

@@ -19,7 +19,7 @@ pub(crate) fn read(
     report: &mut Report,
 ) -> (Vec<Argument>, Option<Type>) {
     no_modifiers(signature, report);
-    generics(signature, report);
+    generics(signature, wording::GENERIC_LINK, report);
     receiver(signature, own, form, report);
     let carries = output(signature, form, report);
     (arguments::read(signature, own, form, report), carries)
@@ -50,7 +50,7 @@ pub(crate) enum Wanted {
 /// Reports what a function that an operator calls may not have.
 pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: Wanted, report: &mut Report) {
     no_modifiers(signature, report);
-    generics(signature, report);
+    generics(signature, wording::GENERIC, report);
     let as_wanted = match signature.inputs.first() {
         Some(FnArg::Receiver(receiver)) => {
             taken(receiver, own) == if wanted == Wanted::Shared { Taken::Shared } else { Taken::Exclusive }
@@ -80,7 +80,7 @@ fn no_modifiers(signature: &Signature, report: &mut Report) {
     }
 }
 
-fn generics(signature: &Signature, report: &mut Report) {
+fn generics(signature: &Signature, problem: &str, report: &mut Report) {
     let types: TokenStream = signature
         .generics
         .params
@@ -89,7 +89,7 @@ fn generics(signature: &Signature, report: &mut Report) {
         .map(ToTokens::into_token_stream)
         .collect();
     if !types.is_empty() {
-        report.add(types, wording::GENERIC);
+        report.add(types, problem);
     } else if !signature.generics.params.is_empty() {
         report.add(&signature.generics, wording::LIFETIMES);
     }

@@ -2,9 +2,12 @@
 
 use proc_macro2::Ident;
 
-use super::model::{Draft, Entry, Tree};
+use super::model::{Draft, Entry, RoleEntry, Tree};
 use crate::report::Report;
 use crate::{text, wording};
+
+/// Largest number of roles of a tree, as in the description of the tree.
+const MOST_ROLES: usize = 16;
 
 /// The tree, or `None` with mistakes reported.
 pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
@@ -12,6 +15,7 @@ pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
         report.add(&draft.name, wording::tree_of_a_component(&text::name(&draft.name)));
         return None;
     }
+    let roles = roles(&draft.roles, report);
     let components = draft.components.as_ref().map(|entries| distinct(entries, &draft.name, report));
     // After an error of the parser nothing is missing: it was not read.
     if report.is_empty() {
@@ -39,8 +43,26 @@ pub fn check(draft: &Draft, report: &mut Report) -> Option<Tree> {
         budget_ms: draft.budget_ms,
         tunable: draft.tunable,
         components: components?,
+        roles,
         krate: draft.krate.clone(),
     })
+}
+
+/// Each role once. Two paths to one trait are left to the compiler.
+fn roles(roles: &[RoleEntry], report: &mut Report) -> Vec<RoleEntry> {
+    let mut distinct: Vec<RoleEntry> = Vec::new();
+    for entry in roles {
+        let name = text::written(&entry.role);
+        if distinct.iter().any(|known| text::written(&known.role) == name) {
+            report.add(&entry.role, wording::role_listed_twice(&name));
+        } else if distinct.len() == MOST_ROLES {
+            report.add(&entry.role, wording::TOO_MANY_ROLES);
+            break;
+        } else {
+            distinct.push(entry.clone());
+        }
+    }
+    distinct
 }
 
 /// Each component once. Two paths to one type are left to the compiler.

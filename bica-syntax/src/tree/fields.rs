@@ -1,11 +1,11 @@
-//! `root: ..., cycle_hz: ..., budget_ms: ..., tunable, components: [...]`
+//! `root: ..., cycle_hz: ..., budget_ms: ..., tunable, roles: {...}, components: [...]`
 
 use proc_macro2::{Ident, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Attribute, Expr, Path, Token, Type, bracketed, token};
+use syn::{Attribute, Expr, Path, Token, Type, braced, bracketed, token};
 
-use super::model::{Draft, Entry};
+use super::model::{Draft, Entry, RoleEntry};
 use crate::code::Code;
 use crate::comma::comma;
 use crate::report::{Mistake, Report};
@@ -13,11 +13,11 @@ use crate::types::{plain, unsized_argument};
 use crate::{number, text, wording};
 
 /// The fields that messages name; `crate` is for the crates of the framework.
-const KEYS: [&str; 5] = ["root", "cycle_hz", "budget_ms", "tunable", "components"];
-const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms`, `tunable` and `components`";
+const KEYS: [&str; 6] = ["root", "cycle_hz", "budget_ms", "tunable", "roles", "components"];
+const KNOWN: &str = "`root`, `cycle_hz`, `budget_ms`, `tunable`, `roles` and `components`";
 
 /// Names that a user may try, and the field that was meant.
-const SYNONYMS: [(&str, &str); 11] = [
+const SYNONYMS: [(&str, &str); 12] = [
     ("hz", "cycle_hz"),
     ("rate", "cycle_hz"),
     ("frequency", "cycle_hz"),
@@ -26,6 +26,7 @@ const SYNONYMS: [(&str, &str); 11] = [
     ("nodes", "components"),
     ("children", "components"),
     ("list", "components"),
+    ("providers", "roles"),
     ("tuned", "tunable"),
     ("tuneable", "tunable"),
     ("adjustable", "tunable"),
@@ -88,6 +89,7 @@ fn one(input: ParseStream, seen: &mut Vec<Ident>, draft: &mut Draft, report: &mu
         "cycle_hz" => draft.cycle_hz = number::positive(&value(input, &name)?, &name, report),
         "budget_ms" => draft.budget_ms = number::positive(&value(input, &name)?, &name, report),
         "components" => components(input, draft, report)?,
+        "roles" => roles(input, draft, report)?,
         _ => {
             let form = |found: syn::Error| syn::Error::new(found.span(), wording::crate_form("crate: bica_core"));
             draft.krate = input.call(Path::parse_mod_style).map_err(form)?;
@@ -124,6 +126,48 @@ fn component(input: ParseStream) -> syn::Result<Type> {
     Ok(kind)
 }
 
+/// Reads the roles; continues after an entry that is wrong.
+fn roles(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
+    if !input.peek(token::Brace) {
+        return Err(input.error(wording::ROLE_LIST));
+    }
+    let content;
+    braced!(content in input);
+    while !content.is_empty() {
+        match role(&content) {
+            Ok(entry) => draft.roles.push(entry),
+            Err(error) => {
+                report.push(error);
+                skip_entry(&content)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn role(input: ParseStream) -> syn::Result<RoleEntry> {
+    no_attribute(input)?;
+    if input.peek(Token![,]) {
+        return Err(input.error(wording::EXTRA_COMMA));
+    }
+    let role = input.call(Path::parse_mod_style).map_err(|found| syn::Error::new(found.span(), wording::ROLE_LIST))?;
+    input.parse::<Token![:]>().map_err(|found| syn::Error::new(found.span(), wording::ROLE_LIST))?;
+    if input.peek(token::Bracket) {
+        return Err(input.error(wording::ONE_PROVIDER));
+    }
+    let provider = component(input)?;
+    comma(input)?;
+    Ok(RoleEntry { role, provider })
+}
+
+/// Skips the rest of an entry and its comma.
+fn skip_entry(content: ParseStream) -> syn::Result<()> {
+    while !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
+        content.parse::<TokenTree>()?;
+    }
+    Ok(())
+}
+
 /// Reads the list; continues after an entry that is wrong.
 fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn::Result<()> {
     if !input.peek(token::Bracket) {
@@ -137,9 +181,7 @@ fn components(input: ParseStream, draft: &mut Draft, report: &mut Report) -> syn
             Ok(entry) => entries.push(entry),
             Err(error) => {
                 report.push(error);
-                while !content.is_empty() && content.parse::<Option<Token![,]>>()?.is_none() {
-                    content.parse::<TokenTree>()?;
-                }
+                skip_entry(&content)?;
             }
         }
     }

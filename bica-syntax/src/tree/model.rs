@@ -23,6 +23,8 @@ pub struct Draft {
     pub tunable: bool,
     /// Components in the order of the text.
     pub components: Option<Vec<Entry>>,
+    /// Roles in the order of the text.
+    pub roles: Vec<RoleEntry>,
     /// The crate that generated code uses.
     pub krate: Path,
 }
@@ -53,8 +55,19 @@ pub struct Tree {
     pub tunable: bool,
     /// Components in the order of the text.
     pub components: Vec<Entry>,
+    /// Roles in the order of the text.
+    pub roles: Vec<RoleEntry>,
     /// The crate that generated code uses.
     pub krate: Path,
+}
+
+/// A role and the component that provides it.
+#[derive(Clone)]
+pub struct RoleEntry {
+    /// The trait.
+    pub role: Path,
+    /// Type of the component as written, which may be another path to a type of the list.
+    pub provider: Type,
 }
 
 /// A component in the list.

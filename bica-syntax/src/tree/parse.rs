@@ -57,6 +57,7 @@ fn head(input: ParseStream, report: &mut Report) -> syn::Result<Draft> {
         budget_ms: None,
         tunable: false,
         components: None,
+        roles: Vec::new(),
         krate,
     })
 }

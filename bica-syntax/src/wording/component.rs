@@ -159,6 +159,8 @@ pub(crate) const ASYNC: &str = "the tree calls this function and does not wait f
 pub(crate) const UNSAFE: &str = "the tree calls this function and cannot keep an unsafe contract: remove `unsafe`";
 pub(crate) const GENERIC: &str =
     "a tree cannot choose this parameter: name concrete types, or move the parameter to the impl block";
+pub(crate) const GENERIC_LINK: &str = "a tree cannot choose this parameter: name concrete types or a role, `&impl Role`, or \
+                                       move the parameter to the impl block";
 pub(crate) const LIFETIMES: &str =
     "a link is borrowed for this call only: remove the lifetimes here and in the arguments";
 
@@ -211,6 +213,28 @@ messages! {
         "`{written}` is no link to a component: write each one as an argument of its own, such as `a: &A, b: &mut B`";
     no_size(written) = "`{written}` has no fixed size, and a component stores its values: name a type with a size, such as an array";
     two_links(written) = "two links to `{written}` in one signature: keep one; `&mut` can also read";
+}
+
+// Roles.
+pub(crate) const ROLE_FORM: &str =
+    "a role is one trait without parameters: write `&impl Role`, and for another role another argument";
+
+messages! {
+    dyn_role(written) = "a role is known to the compiler, not looked up: write `impl {written}`";
+    owned_role(written) = "the component of a role is borrowed: write `&{written}` to read it or `&mut {written}` to modulate it";
+}
+
+pub(crate) const NO_ROLE: &str = "only a link, `&impl Role`, can name a role: write the name of a type here";
+pub(crate) const NO_TRAIT: &str = "`#[role]` belongs on a trait: `#[role] pub trait Name { ... }`";
+pub(crate) const ROLE_GENERIC: &str = "a role has no parameters: remove this, and write concrete types in its methods";
+pub(crate) const ROLE_SUPERTRAIT: &str =
+    "a role says itself what it needs: remove this, and write the methods into the role";
+pub(crate) const ROLE_ITEM: &str = "a role has methods only: remove this, or return the value from a method";
+pub(crate) const ROLE_ASYNC: &str = "a component calls this method and does not wait for it: remove `async`";
+pub(crate) const ROLE_TYPE: &str = "a method of a role has concrete types: name the type here";
+
+messages! {
+    role_receiver(method) = "a component calls `{method}` of its child: write `&self` or `&mut self` as the first argument";
 }
 
 // What transitions carry.

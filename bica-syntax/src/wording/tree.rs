@@ -15,7 +15,12 @@ pub(crate) const COMPONENT_VALUE: &str =
 pub(crate) const TREE_IN_ITSELF: &str = "the tree itself has this name: remove it here, or give the tree another name";
 pub(crate) const VALUE_SIGN: &str = "an initial value follows `=`: write `Name = Name::new()`";
 pub(crate) const SEMICOLON: &str = "the fields of a tree end with a comma: write `,` in place of each `;`";
-pub(crate) const FIELD_NAME: &str = "a field of a tree is `root`, `cycle_hz`, `budget_ms`, `tunable` or `components`";
+pub(crate) const FIELD_NAME: &str =
+    "a field of a tree is `root`, `cycle_hz`, `budget_ms`, `tunable`, `roles` or `components`";
+pub(crate) const ROLE_LIST: &str =
+    "the roles are a list in braces of traits and the components that provide them: `roles: { Role: Component }`";
+pub(crate) const ONE_PROVIDER: &str = "a tree has one component for each role: write its name here";
+pub(crate) const TOO_MANY_ROLES: &str = "a tree has at most 16 roles: put the methods of two roles into one";
 pub(crate) const TUNABLE_VALUE: &str = "`tunable` takes no value: write `tunable` alone, followed by a comma";
 
 pub(crate) fn derived(name: &str) -> String {
@@ -29,5 +34,6 @@ messages! {
     tree_of_a_component(name) = "the tree and its root are both called `{name}`: give the tree another name";
     colon(key) = "a colon follows the name of a field: `{key}: ...`";
     missing(key, example) = "the tree has no `{key}`: add `{key}: {example}`";
+    role_listed_twice(role) = "the role `{role}` has a component already: remove one, because a tree has one for each role";
     listed_twice(component) = "`{component}` is listed twice, but a tree has one instance of a component: remove one";
 }

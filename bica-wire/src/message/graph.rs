@@ -161,4 +161,9 @@ pub enum GraphItem<'a> {
         /// Number of items before this one.
         items: u32,
     },
+    /// A role by which the last link is written; a link may have several. A microcontroller sends none.
+    Role {
+        /// Name.
+        name: &'a str,
+    },
 }

@@ -50,7 +50,7 @@ enum Last {
     Call(Owner),
     Argument(Owner),
     ArgumentVariant(Owner),
-    Link,
+    Link(usize),
 }
 
 /// What the last modulation or action belongs to.
@@ -108,9 +108,9 @@ impl Builder {
             }
             GraphItem::Link { from, to, modulation, state } => {
                 let kind = if modulation { LinkKind::Modulation } else { LinkKind::Requirement };
-                let link = Link { to: to.into(), kind, state: state.map(usize::from) };
+                let link = Link { to: to.into(), kind, state: state.map(usize::from), roles: Vec::new() };
                 self.at(from)?.links.push(link);
-                self.last = Last::Link;
+                self.last = Last::Link(from.into());
             }
             GraphItem::State { component, name, initial, last, before, .. } => {
                 let (name, before) = (name.to_owned(), before.map(str::to_owned));
@@ -155,6 +155,10 @@ impl Builder {
                 last_call(&mut self.description, of)?.arguments.push(param("", name, unit, kind, default));
                 self.last = Last::Argument(of);
             }
+            GraphItem::Role { name } => {
+                let Last::Link(of) = self.last else { return None };
+                self.description.components.get_mut(of)?.links.last_mut()?.roles.push(name.to_owned());
+            }
             GraphItem::Place(place) => {
                 let Last::Argument(of) = self.last else { return None };
                 last_call(&mut self.description, of)?.arguments.last_mut()?.place = Some(place.into());
@@ -193,7 +197,7 @@ impl Builder {
             Last::Param(of) => &mut description.components.get_mut(of)?.params.last_mut()?.doc,
             Last::ParamVariant(of) => last_variant(description.components.get_mut(of)?.params.last_mut()?)?,
             Last::Info(of) => &mut description.components.get_mut(of)?.info.last_mut()?.doc,
-            Last::Link => return None,
+            Last::Link(_) => return None,
         })
     }
 }

@@ -91,6 +91,9 @@ pub struct Link {
     pub kind: LinkKind,
     /// Index of the only state with this link.
     pub state: Option<usize>,
+    /// Roles by which it is written instead of the component's name.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub roles: Vec<String>,
 }
 
 /// A state.

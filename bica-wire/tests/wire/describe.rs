@@ -1,7 +1,7 @@
 //! The description of a tree.
 
 use bica_core::action::Action;
-use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, State, Transition};
+use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
@@ -70,7 +70,7 @@ static GRAPH: Graph = Graph {
         },
         Node {
             hz: Some(30.0),
-            links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1) }],
+            links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1), roles: Roles::NONE.with(1) }],
             states: &[state("rest", true), state("look", false)],
             transitions: &[Transition {
                 name: "wakes",
@@ -83,6 +83,7 @@ static GRAPH: Graph = Graph {
             ..Node::new("Head")
         },
     ],
+    roles: &["Hearing", "Sight"],
 };
 
 #[test]
@@ -124,6 +125,7 @@ fn graph_is_described_once_and_in_order() {
         doc("Part of the way."),
         place.clone(),
         GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
+        GraphItem::Role { name: "Sight" },
         GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false, before: Some("think") },
         GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true, before: None },
         GraphItem::Transition {
@@ -144,7 +146,7 @@ fn graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::End { items: 30 },
+        GraphItem::End { items: 31 },
     ];
     assert_eq!(items, expected);
 }

@@ -27,6 +27,7 @@ const GRAPH: Graph = Graph {
         ],
         ..Node::new("Drive")
     }],
+    roles: &[],
 };
 
 const fn ms(ms: u64) -> Duration {

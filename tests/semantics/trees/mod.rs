@@ -5,5 +5,6 @@ pub(crate) mod diamond;
 pub(crate) mod generic;
 pub(crate) mod modulated;
 pub(crate) mod resume;
+pub(crate) mod roles;
 pub(crate) mod swap;
 pub(crate) mod timers;

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 
+use super::role;
 use super::tuning::Tuning;
 use crate::expand::quoting::{at, placed};
 use bica_syntax::component::model::{Argument, Function};
@@ -11,7 +12,7 @@ use bica_syntax::component::model::{Argument, Function};
 pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> TokenStream {
     let name = &function.name;
     let set = borrow_set(p, function);
-    let borrowed = nested(children(function).map(|(place, ..)| binding(place).into_token_stream()).collect());
+    let borrowed = nested(children(p, function).map(|(place, ..)| binding(place).into_token_stream()).collect());
     let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time(_)));
     let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
     let tuned = tuned(function);
@@ -40,7 +41,7 @@ pub(super) fn tuned(function: &Function) -> Option<TokenStream> {
 
 /// The type of what is borrowed together.
 fn borrow_set(p: &TokenStream, function: &Function) -> TokenStream {
-    nested(children(function).map(|(_, kind, child)| quote!(#p::#kind<#child>)).collect())
+    nested(children(p, function).map(|(_, kind, child)| quote!(#p::#kind<#child>)).collect())
 }
 
 /// Pairs of pairs around the parts, as flat as possible: the compiler limits how deep types may nest.
@@ -54,12 +55,15 @@ pub(super) fn nested(mut parts: Vec<TokenStream>) -> TokenStream {
 }
 
 /// The arguments that are borrowed: their places, how, and of which type.
-fn children(function: &Function) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
-    function.arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
+fn children(
+    p: &TokenStream,
+    function: &Function,
+) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
+    function.arguments.iter().enumerate().filter_map(move |(place, argument)| match argument {
         Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
-        Argument::Read(child) => Some((place, quote!(Read), child.to_token_stream())),
-        Argument::Write(child) => Some((place, quote!(Write), child.to_token_stream())),
-        Argument::Rate(child) => Some((place, quote!(WriteRate), child.to_token_stream())),
+        Argument::Read(child) => Some((place, quote!(Read), role::child(p, child))),
+        Argument::Write(child) => Some((place, quote!(Write), role::child(p, child))),
+        Argument::Rate(child) => Some((place, quote!(WriteRate), role::child(p, child))),
         Argument::OwnRate => Some((place, quote!(WriteRate), quote!(Self))),
     })
 }

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Type, WherePredicate, parse_quote, parse_quote_spanned};
+use syn::{Type, parse_quote};
 
 use super::slots::Slots;
 use super::tuning::Tuning;
 use super::visits::Visits;
-use super::{description, hooks, machine, node, operator, step};
-use crate::expand::quoting::{at, placed, runtime};
+use super::{description, hooks, machine, node, operator, role, step};
+use crate::expand::quoting::runtime;
 use bica_syntax::component::model::{Argument, Behaviour, Component};
 use bica_syntax::text;
 
@@ -29,7 +29,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
         parse_quote!(__T: #p::Has<Self, Member = Self>)
     });
     for child in children(&visits) {
-        bounds.predicates.push(holds(&p, child));
+        bounds.predicates.push(role::holds(&p, child));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
     let timed = timed(component);
@@ -62,12 +62,6 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     }
 }
 
-/// `__T: Has<child>`, with the child's place in a signature for the compiler to point at.
-fn holds(p: &TokenStream, child: &Type) -> WherePredicate {
-    let p = placed(p, at(child));
-    parse_quote_spanned!(at(child) => __T: #p::Has<#child>)
-}
-
 fn timed(component: &Component) -> bool {
     component.functions().flat_map(|function| &function.arguments).any(|argument| matches!(argument, Argument::Time(_)))
 }
@@ -77,7 +71,10 @@ fn rates(p: &TokenStream, component: &Component) -> Option<TokenStream> {
     let arguments = component.functions().flat_map(|function| &function.arguments);
     let borrowed: Vec<_> = arguments
         .filter_map(|argument| match argument {
-            Argument::Rate(child) => Some(quote!(<__T as #p::Has<#child>>::INDEX)),
+            Argument::Rate(child) => {
+                let child = role::child(p, child);
+                Some(quote!(<__T as #p::Has<#child>>::INDEX))
+            }
             Argument::OwnRate => Some(quote!(<__T as #p::Has<Self>>::INDEX)),
             _ => None,
         })

@@ -7,6 +7,7 @@ mod machine;
 mod member;
 mod node;
 pub(crate) mod operator;
+mod role;
 mod slots;
 mod step;
 mod stub;
@@ -32,7 +33,9 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
     let own_fields = component.block.header.generics.params.is_empty().then(|| no_params(component));
-    let traits = enclosed(&component.options.krate, &quote!(pub struct __Block; #description #member #own_fields));
+    let roles = role::checks(component);
+    let items = quote!(pub struct __Block; #description #member #own_fields #roles);
+    let traits = enclosed(&component.options.krate, &items);
     quote!(#block #traits #no_step)
 }
 

@@ -4,9 +4,11 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::Type;
 
+use super::role;
 use super::visits::Visits;
 use crate::expand::quoting::{at, option, placed, runtime};
 use bica_syntax::component::model::{Argument, Behaviour, Component, Edge, Function};
+use bica_syntax::component::role_of;
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits) -> TokenStream {
@@ -40,26 +42,33 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
     }
 }
 
-/// Two paths to one type in a signature are two links to one component: the macro reads paths, the constant types.
+/// Two paths to one type in a signature are two links to one component, and two roles can be one component: the macro reads paths, the
+/// constant types.
 fn distinct(function: &Function) -> TokenStream {
     let p = runtime();
     let links: Vec<_> = function.arguments.iter().filter_map(link).collect();
     if links.len() < 2 {
         return TokenStream::new();
     }
-    let targets = links.iter().map(|(rate, child)| quote!((<__T as #p::Has<#child>>::INDEX, #rate)));
+    let targets = links.iter().map(|(kind, child)| {
+        let (to, by_role, name) = (role::child(&p, child), role_of(child).is_some(), text::written(child));
+        quote! {
+            #p::Target { to: <__T as #p::Has<#to>>::INDEX, kind: #p::WrittenKind::#kind, by_role: #by_role, name: #name }
+        }
+    });
     let each = links.iter().enumerate().skip(1).map(|(index, (_, child))| {
-        let (p, name) = (placed(&p, at(child)), text::written(child));
-        quote_spanned!(at(child) => #p::assert_single_link(targets, #index, #name);)
+        let p = placed(&p, at(child));
+        quote_spanned!(at(child) => #p::assert_single_link(targets, #index);)
     });
     quote!({ let targets = &[#(#targets),*]; #(#each)* })
 }
 
-/// Whether an argument borrows a rate, and of which component.
-fn link(argument: &Argument) -> Option<(bool, &Type)> {
+/// The kind of an argument that is a link, and its child.
+fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
     match argument {
-        Argument::Read(child) | Argument::Write(child) => Some((false, child)),
-        Argument::Rate(child) => Some((true, child)),
+        Argument::Read(child) => Some((quote!(Read), child)),
+        Argument::Write(child) => Some((quote!(Write), child)),
+        Argument::Rate(child) => Some((quote!(Rate), child)),
         Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
     }
 }

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Type;
 
+use super::role;
 use crate::expand::quoting::option;
 use bica_syntax::component::links::{Kind, Links};
 use bica_syntax::component::model::{Behaviour, Machine};
@@ -44,9 +45,10 @@ impl Visits {
                     Kind::Write => quote!(Write),
                     Kind::Rate => quote!(Rate),
                 };
+                let (to, role) = (role::child(p, child), role::index(p, child));
                 quote! {
                     #p::WrittenLink {
-                        to: <__T as #p::Has<#child>>::INDEX, kind: #p::WrittenKind::#kind, state: #state
+                        to: <__T as #p::Has<#to>>::INDEX, kind: #p::WrittenKind::#kind, state: #state, role: #role
                     }
                 }
             })
@@ -85,6 +87,7 @@ impl Visits {
         let links = &self.states[state];
         let visits = links.iter().enumerate().filter(|(_, (kind, _))| wanted(*kind)).map(|(place, (_, child))| {
             let index = first + place;
+            let child = role::child(p, child);
             let counts = links.may_coincide.then(
                 || quote!(#p::counts(<Self as #p::MemberOf<__T>>::WRITTEN, #index, <__T as #p::Has<Self>>::INDEX)),
             );

@@ -19,6 +19,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
         let label = text::written(&entry.kind);
         quote!(#p::node::<#name, #kind>(#label))
     });
+    let roles = tree.roles.iter().map(super::roles::name);
     let check = check(tree, &p);
     let tunable = tree.tunable;
     quote! {
@@ -34,6 +35,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 commit: ::core::option_env!("GIT_COMMIT"),
                 root: #root,
                 nodes: &[#(#nodes),*],
+                roles: &[#(#roles),*],
             };
         }
 

@@ -4,6 +4,7 @@ mod graph;
 mod has;
 mod layout;
 mod owner;
+mod roles;
 mod slots;
 mod stub;
 
@@ -23,8 +24,9 @@ pub(crate) fn expand(tree: &Tree) -> TokenStream {
     let layout = layout::expand(tree);
     let graph = graph::expand(tree);
     let has = has::expand(tree);
+    let roles = roles::expand(tree);
     let names = names(tree);
-    quote!(#owner const _: () = { #names #new #slots #layout #graph #has };)
+    quote!(#owner const _: () = { #names #new #slots #layout #graph #has #roles };)
 }
 
 /// Names for each type that the tree lists. All other code uses these names, so that the compiler finds a path that leads

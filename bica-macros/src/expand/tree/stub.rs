@@ -46,7 +46,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
 
         impl #p::Tree for #name {
             const GRAPH: #p::Graph = #p::Graph {
-                name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, tunable: false, root: 0, nodes: &[],
+                name: "", doc: "", cycle_hz: 1.0, budget_ms: ::core::option::Option::None, tunable: false, root: 0, nodes: &[], roles: &[],
                 version: ::core::option::Option::None, commit: ::core::option::Option::None,
             };
         }

@@ -34,6 +34,7 @@ fn random(seed: u64, cyclic: bool) -> Description {
             to: first + rng.below(count - first),
             kind: if rng.below(2) == 0 { LinkKind::Requirement } else { LinkKind::Modulation },
             state: None,
+            roles: Vec::new(),
         };
         node("A<B> & \"C\"", (0..links).map(|_| link()).collect(), Vec::new())
     });
@@ -118,7 +119,7 @@ fn drawing_names_every_component_and_escapes_text() {
 
 #[test]
 fn kind_of_component_follows_from_its_links() {
-    let link = |to, kind| Link { to, kind, state: None };
+    let link = |to, kind| Link { to, kind, state: None, roles: Vec::new() };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
     let states = vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true, before: None }];
     let graph = graph(vec![
