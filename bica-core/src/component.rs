@@ -2,10 +2,11 @@
 
 use embassy_time::{Duration, Instant, TICK_HZ};
 
-use crate::graph::State;
+use crate::graph::{State, WorkFunction};
 use crate::info::Info;
 use crate::modulation::Modulation;
 use crate::params::{ParamGroup, Value};
+use crate::work::WorkSlot;
 
 /// The unit of behaviour: it perceives, acts, or decides between the two.
 ///
@@ -43,6 +44,11 @@ pub trait Component: Sized + 'static {
     const INFO: &'static [Info] = &[];
     /// The modulations that an operator may call: methods with `#[modulation]`.
     const MODULATIONS: &'static [Modulation] = &[];
+    /// The function that runs beside the loop.
+    const WORK: Option<WorkFunction> = None;
+    /// The place of its jobs; `()` without one.
+    #[doc(hidden)]
+    type Work: WorkSlot;
     /// The default values of the parameters.
     const DEFAULT_PARAMS: Self::Params;
     /// The same as a reference, which an untunable tree returns.

@@ -84,6 +84,8 @@ pub struct Node {
     pub info: &'static [Info],
     /// The modulations: what an operator may call.
     pub modulations: &'static [Modulation],
+    /// The function that runs beside the loop.
+    pub work: Option<WorkFunction>,
 }
 
 impl Node {
@@ -102,6 +104,7 @@ impl Node {
             params: &[],
             info: &[],
             modulations: &[],
+            work: None,
         }
     }
 
@@ -143,6 +146,21 @@ impl Node {
         }
         count
     }
+}
+
+/// A function of a component that runs beside the loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WorkFunction {
+    /// The function's name.
+    pub name: &'static str,
+    /// The function's doc comment.
+    pub doc: &'static str,
+    /// Declared time of a job, ms.
+    pub takes_ms: u32,
+    /// Whether it runs in slices.
+    pub slices: bool,
+    /// The type of its result, as in the source text.
+    pub result: &'static str,
 }
 
 /// A link from a component to one that it activates.

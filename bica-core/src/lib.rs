@@ -78,6 +78,7 @@ pub mod stopwatch;
 mod text;
 mod tree;
 pub mod visual;
+pub mod work;
 
 #[doc(hidden)]
 #[path = "private.rs"]
@@ -99,6 +100,7 @@ pub use rate::Rate;
 pub use role::{Fills, Role};
 pub use stopwatch::Stopwatch;
 pub use tree::{Has, LoneMachine, ParamsOf, Status, Tree};
+pub use work::{JobEnd, Work};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

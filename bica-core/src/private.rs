@@ -7,7 +7,7 @@ pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::found::Found;
-pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
+pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition, WorkFunction};
 pub use crate::info::{Info, InfoSink};
 pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::params::{
@@ -28,6 +28,7 @@ pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, Target, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};
 pub use crate::visual::{Frame, Placement, Visual};
+pub use crate::work::{Jobs, Work, WorkCell, WorkOf, WorkSlot, Working};
 
 #[cfg(any(feature = "info", feature = "wire"))]
 #[path = "long_array.rs"]
@@ -161,6 +162,19 @@ pub fn hz<T: Tree + Has<C>, C: 'static>(tree: &T) -> Option<f32> {
 pub fn set_hz<T: Tree + Has<C>, C: 'static>(tree: &mut T, hz: Option<f32>) {
     // The bits of NaN are the declared rate there.
     tree.rate_mut::<C>().set_within(hz.unwrap_or(f32::NAN), <T::Member as Component>::HZ);
+}
+
+/// Whether a component of a tree has work.
+#[must_use]
+pub const fn has_work(nodes: &[Node]) -> bool {
+    let mut index = 0;
+    while index < nodes.len() {
+        if nodes[index].work.is_some() {
+            return true;
+        }
+        index += 1;
+    }
+    false
 }
 
 /// Returns the component of each rank: the inverse of `ranks`.

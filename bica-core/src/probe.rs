@@ -3,6 +3,7 @@
 use embassy_time::Instant;
 
 use crate::id::ComponentId;
+use crate::work::JobEnd;
 
 /// Observer of a tree; every method does nothing unless implemented.
 ///
@@ -53,6 +54,14 @@ pub trait Probe {
     #[inline]
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {}
 
+    /// The component began a job in this cycle, which is due at `due`. Called at the end of the cycle.
+    #[inline]
+    fn work_begun(&mut self, component: ComponentId, due: Instant) {}
+
+    /// The job of the component has ended; its result, if it has one, is there in this cycle. Called at the beginning of the cycle.
+    #[inline]
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {}
+
     /// The state machine takes a transition from one state to another: indices in
     /// [`Node::states`](crate::graph::Node::states). Called after the exit hooks and before the entry hooks.
     #[inline]
@@ -74,6 +83,8 @@ macro_rules! forward {
         forward!(@ $self [$($probe),+] end(component: ComponentId) (component));
         forward!(@ $self [$($probe),+]
             condition(component: ComponentId, transition: usize, holds: bool) (component, transition, holds));
+        forward!(@ $self [$($probe),+] work_begun(component: ComponentId, due: Instant) (component, due));
+        forward!(@ $self [$($probe),+] work_ended(component: ComponentId, end: JobEnd) (component, end));
         forward!(@ $self [$($probe),+]
             transition(component: ComponentId, from: usize, to: usize) (component, from, to));
     };

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 
 use crate::expand::component as expand;
 use crate::expand::quoting::at;
-use bica_syntax::component::check;
+use bica_syntax::component::block::Item;
 use bica_syntax::component::parse::{Parsed, parse};
+use bica_syntax::component::{check, work};
 use bica_syntax::report::Report;
 
 /// Expands `#[component(options)] item`.
@@ -20,6 +21,10 @@ pub(crate) fn run(options: TokenStream, item: &TokenStream) -> TokenStream {
     component.block.header.impl_token.span = at(&component.block.header.impl_token);
     match check::check(&component, &mut report) {
         Some(behaviour) if report.is_empty() => expand::expand(&component, &behaviour),
-        _ => expand::stub(&component, &report),
+        _ => {
+            // Without the function of work, which may be the mistake, `Work<Self>` would be a further one.
+            component.block.items.retain(|item| !matches!(item, Item::Function(one) if work::is_taken(&one.signature)));
+            expand::stub(&component, &report)
+        }
     }
 }

@@ -5,6 +5,7 @@ use core::ops::DerefMut;
 use bica_core::Instant;
 use embassy_time::Timer;
 
+use crate::jobs::Jobs;
 use crate::observer::Observer;
 use crate::request::Requests;
 use crate::robot::Robot;
@@ -24,17 +25,24 @@ impl Schedule {
     }
 }
 
-impl<T, W, Q, O> Runner<T, W, Q, O>
+impl<T, W, Q, O, J> Runner<T, W, Q, O, J>
 where
     T: DerefMut<Target: Robot>,
     W: World<T::Target>,
     Q: Requests,
     O: Observer<T::Target>,
+    J: Jobs<T::Target>,
 {
-    /// Runs cycles at the rate of `schedule`, other tasks in between; returns only with an error.
+    /// Runs cycles at the rate of `schedule`, other tasks and slices of jobs in between; returns only with an error. A slice that takes
+    /// longer than the time until the next deadline delays a cycle.
     pub async fn run_async(&mut self, schedule: &mut Schedule) -> RunError<<T::Target as Robot>::Error> {
         schedule.restart();
         loop {
+            let due = schedule.deadline(Instant::now());
+            while Instant::now() < due && self.idle() {
+                // Other tasks run between two slices.
+                Timer::at(Instant::MIN).await;
+            }
             schedule.wait().await;
             schedule.begin(Instant::now());
             if let Err(error) = self.cycle() {

@@ -82,6 +82,17 @@
 //! | sensor values received as messages | [`Runner::sense`] and [`Runner::think`] |
 //! | a test | the module `harness` (feature `std`) |
 //!
+//! # Who runs jobs
+//!
+//! Components may have [work beside the loop](bica_core::work). [`Runner::with_jobs`] says who runs their jobs:
+//!
+//! | jobs | run |
+//! |---|---|
+//! | `()` | by the cycle in which they are due: simulated time |
+//! | `workers::Workers` (feature `std`) | by threads, in simulated or in real time |
+//! | [`IdleTime`] | in slices between the cycles of a microcontroller |
+//! | `workers::HeldJobs` (feature `std`) | in the cycles in which a recorded run had their results |
+//!
 //! Without features the crate needs neither an operating system nor a heap. All types are static: a runner without
 //! requests and observer compiles to the three calls `sense`, `tick` and `act`.
 #![no_std]
@@ -90,6 +101,7 @@
 extern crate std;
 
 mod clock;
+mod jobs;
 mod observer;
 #[cfg(feature = "std")]
 mod queue;
@@ -106,8 +118,11 @@ mod embassy;
 pub mod harness;
 #[cfg(feature = "std")]
 pub mod realtime;
+#[cfg(feature = "std")]
+pub mod workers;
 
 pub use clock::ClockStep;
+pub use jobs::{IdleTime, Jobs};
 pub use observer::{Cycle, Observer};
 #[cfg(feature = "std")]
 pub use queue::{OwnedRequest, RequestQueue};

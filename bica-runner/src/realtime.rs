@@ -8,6 +8,7 @@ use std::time;
 
 use bica_core::Instant;
 
+use crate::jobs::Jobs;
 use crate::observer::Observer;
 use crate::request::Requests;
 use crate::robot::Robot;
@@ -74,12 +75,13 @@ impl Stop {
     }
 }
 
-impl<T, W, Q, O> Runner<T, W, Q, O>
+impl<T, W, Q, O, J> Runner<T, W, Q, O, J>
 where
     T: DerefMut<Target: Robot>,
     W: World<T::Target>,
     Q: Requests,
     O: Observer<T::Target>,
+    J: Jobs<T::Target>,
 {
     /// Runs cycles at the rate of `schedule` until `continues` is false or `stop` is raised.
     ///

@@ -7,6 +7,7 @@ use bica_core::refusal::Refusal;
 use bica_core::{Instant, Tree};
 
 use crate::clock::Clock;
+use crate::jobs::Jobs;
 use crate::observer::{Cycle, Observer};
 use crate::request::{Request, Requests};
 use crate::robot::Robot;
@@ -17,30 +18,39 @@ use crate::world::World;
 /// `T` points to the tree: `Box<Tree>`, `&mut Tree`, `&'static mut Tree`. `W` is the [`World`], or `()` if sensor
 /// values are received as messages.
 #[derive(Debug)]
-pub struct Runner<T, W = (), Q = (), O = ()> {
+pub struct Runner<T, W = (), Q = (), O = (), J = ()> {
     robot: T,
     world: W,
     clock: Clock,
     requests: Q,
     observer: O,
+    jobs: J,
 }
 
 impl<T, W> Runner<T, W> {
-    /// Creates a runner without requests and observer.
+    /// Creates a runner without requests and observer; its tree runs jobs itself, in simulated time.
     pub const fn new(robot: T, world: W) -> Self {
-        Self { robot, world, clock: Clock::new(), requests: (), observer: () }
+        Self { robot, world, clock: Clock::new(), requests: (), observer: (), jobs: () }
     }
 }
 
-impl<T, W, Q, O> Runner<T, W, Q, O> {
+impl<T, W, Q, O, J> Runner<T, W, Q, O, J> {
     /// Sets the source of requests.
-    pub fn with_requests<N: Requests>(self, requests: N) -> Runner<T, W, N, O> {
-        Runner { robot: self.robot, world: self.world, clock: self.clock, requests, observer: self.observer }
+    pub fn with_requests<N: Requests>(self, requests: N) -> Runner<T, W, N, O, J> {
+        let Self { robot, world, clock, observer, jobs, .. } = self;
+        Runner { robot, world, clock, requests, observer, jobs }
     }
 
     /// Sets the observer.
-    pub fn with_observer<N>(self, observer: N) -> Runner<T, W, Q, N> {
-        Runner { robot: self.robot, world: self.world, clock: self.clock, requests: self.requests, observer }
+    pub fn with_observer<N>(self, observer: N) -> Runner<T, W, Q, N, J> {
+        let Self { robot, world, clock, requests, jobs, .. } = self;
+        Runner { robot, world, clock, requests, observer, jobs }
+    }
+
+    /// Sets who runs the jobs of components.
+    pub fn with_jobs<N>(self, jobs: N) -> Runner<T, W, Q, O, N> {
+        let Self { robot, world, clock, requests, observer, .. } = self;
+        Runner { robot, world, clock, requests, observer, jobs }
     }
 
     /// Returns the world.
@@ -74,10 +84,11 @@ impl<T, W, Q, O> Runner<T, W, Q, O> {
     }
 }
 
-impl<T, W, Q, O> Runner<T, W, Q, O>
+impl<T, W, Q, O, J> Runner<T, W, Q, O, J>
 where
     T: DerefMut<Target: Robot>,
     O: Observer<T::Target>,
+    J: Jobs<T::Target>,
 {
     /// Returns the tree.
     pub fn robot(&self) -> &T::Target {
@@ -88,6 +99,16 @@ where
     /// observers receive.
     pub fn robot_mut(&mut self) -> &mut T::Target {
         &mut self.robot
+    }
+
+    /// Returns who runs the jobs, and the tree that they are of.
+    pub fn jobs_mut(&mut self) -> (&mut J, &T::Target) {
+        (&mut self.jobs, &self.robot)
+    }
+
+    /// Runs a part of a job between two cycles; returns whether there was one.
+    pub fn idle(&mut self) -> bool {
+        self.jobs.idle(&*self.robot)
     }
 
     /// Applies one request to the tree between two cycles.
@@ -115,19 +136,22 @@ where
     /// Ticks the tree and reads the command: the second half of a cycle.
     #[inline]
     pub fn think(&mut self, now: Instant) -> <T::Target as Robot>::Command {
+        self.jobs.deliver(now, &*self.robot);
         self.robot.tick_with(now, &mut self.observer);
+        self.jobs.collect(&*self.robot);
         let command = self.robot.act();
         self.observer.acted(&Cycle { now, robot: &*self.robot, command: &command });
         command
     }
 }
 
-impl<T, W, Q, O> Runner<T, W, Q, O>
+impl<T, W, Q, O, J> Runner<T, W, Q, O, J>
 where
     T: DerefMut<Target: Robot>,
     W: World<T::Target>,
     Q: Requests,
     O: Observer<T::Target>,
+    J: Jobs<T::Target>,
 {
     /// Returns the time of the cycles: that of the world's clock, as long as that makes no step.
     pub fn now(&self) -> Instant {

@@ -6,8 +6,10 @@ use crate::params::{Kind, Param};
 /// Hash of a tree's description, FNV-1a with 64 bits: names, rates, links, states, transitions, outputs, modulations, and
 /// parameters with their units and kinds.
 ///
+/// The function of work counts if there is one: its name, and whether it runs in slices.
+///
 /// What changes no meaning of an index is left out: doc comments, `tunable`, budgets, defaults and ranges of parameters, what transitions
-/// carry, which states have a `#[before]`, roles, and whether a modulation is a stop. So
+/// carry, which states have a `#[before]`, roles, whether a modulation is a stop, and the time that work takes. So
 /// programs of one tree with other default values have one hash.
 #[must_use]
 pub const fn hash(graph: &Graph) -> u64 {
@@ -23,7 +25,7 @@ pub const fn hash(graph: &Graph) -> u64 {
 
 const fn node(hash: Fnv, node: &Node) -> Fnv {
     let hash = hash.text(node.name).f32(node.hz).number(node.resume as u64);
-    operator(params(machine(links(hash, node), node), node), node)
+    work(operator(params(machine(links(hash, node), node), node), node), node)
 }
 
 const fn links(mut hash: Fnv, node: &Node) -> Fnv {
@@ -88,6 +90,14 @@ const fn operator(mut hash: Fnv, node: &Node) -> Fnv {
         index += 1;
     }
     hash
+}
+
+/// Nothing without work: such trees keep the hash that they had before there was work.
+const fn work(hash: Fnv, node: &Node) -> Fnv {
+    match node.work {
+        Some(work) => hash.text("work").text(work.name).number(work.slices as u64),
+        None => hash,
+    }
 }
 
 const fn unit(hash: Fnv, unit: Option<&str>) -> Fnv {

@@ -36,34 +36,41 @@ use super::cycle_state::CycleState;
 use super::layout::{Has, Layout, ParamsOf};
 use crate::component::Component;
 use crate::rate::{Period, Rate};
+use crate::work::{WorkOf, WorkSlot};
 
 /// One component of a tree, its rate, its state, and its parameters if the tree is tunable.
-pub struct Slot<C, S = ()> {
+pub struct Slot<C, S = (), W = ()> {
     state: ComponentState,
     rate: UnsafeCell<Rate<C>>,
     value: UnsafeCell<C>,
-    /// In no `UnsafeCell`: a cycle only reads it. Parameters are plain values that need no drop; said here, it keeps the
-    /// compiler from asking for the parameters of a listed type that is no component, once for each variable.
+    /// In no `UnsafeCell`: a cycle only reads it. Parameters are plain values that need no drop, and the engine drops jobs; said
+    /// here, it keeps the compiler from asking for these types of a listed type that is no component, once for each variable.
     params: ManuallyDrop<S>,
+    work: ManuallyDrop<W>,
 }
 
-impl<C: 'static> Slot<C> {
+impl<C: 'static, W: WorkSlot> Slot<C, (), W> {
     /// Holds `value` in tree `T`, at its declared rate and never active yet.
     pub const fn new<T: Has<C>>(value: C) -> Self {
         Self::with::<T>(value, ())
     }
 }
 
-impl<C: 'static, S> Slot<C, S> {
+impl<C: 'static, S, W: WorkSlot> Slot<C, S, W> {
     /// The same with parameters, which can be changed.
     pub const fn with<T: Has<C>>(value: C, params: S) -> Self {
-        let rate = Rate::at(<T::Member as Component>::HZ);
         Self {
             state: ComponentState::new(),
-            rate: UnsafeCell::new(rate),
+            rate: UnsafeCell::new(Rate::at(<T::Member as Component>::HZ)),
             value: UnsafeCell::new(value),
             params: ManuallyDrop::new(params),
+            work: ManuallyDrop::new(W::EMPTY),
         }
+    }
+
+    /// The place of the jobs.
+    pub fn work(&self) -> &W {
+        &self.work
     }
 
     /// The parameters.
@@ -94,10 +101,10 @@ impl<C: 'static, S> Slot<C, S> {
 
 /// Returns the slot of `C`, which lies inside `slots`; otherwise panics.
 #[inline]
-fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C, T::Stored> {
+fn slot_in<T: Has<C>, C: 'static>(slots: &T::Slots) -> &Slot<C, T::Stored, WorkOf<T, C>> {
     let slot = T::slot(slots);
     let offset = ptr::from_ref(slot).addr().wrapping_sub(ptr::from_ref(slots).addr());
-    let is_inside = offset.saturating_add(size_of::<Slot<C, T::Stored>>()) <= size_of::<T::Slots>();
+    let is_inside = offset.saturating_add(size_of::<Slot<C, T::Stored, WorkOf<T, C>>>()) <= size_of::<T::Slots>();
     assert!(is_inside, "`Has::slot` returned a slot outside this tree's store");
     slot
 }
@@ -233,6 +240,11 @@ impl<'t, T: Layout> ExclusiveStore<'t, T> {
         T: Has<C>,
     {
         T::slot(&self.store.slots).state()
+    }
+
+    /// The slots, through which no component can be reached.
+    pub(crate) const fn slots(&self) -> &'t T::Slots {
+        &self.store.slots
     }
 
     /// Parameters of `C`.

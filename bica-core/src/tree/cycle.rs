@@ -11,6 +11,7 @@ use crate::component::{Component, Time};
 use crate::id::ComponentId;
 use crate::probe::Probe;
 use crate::rate::Tolerance;
+use crate::work::{WorkOf, WorkSlot};
 
 /// A cycle of tree `T` in progress, watched by `P`.
 ///
@@ -48,7 +49,7 @@ impl<T: Layout, P> Drop for Cycle<'_, T, P> {
     }
 }
 
-impl<T: Layout, P: Probe> Cycle<'_, T, P> {
+impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
     /// Whether a visit of `C` is known to end here: it was visited in this cycle. If it is given a rate that it does not
     /// declare, only the visit itself finds that out.
     #[inline]
@@ -159,6 +160,7 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         T: Has<C>,
     {
         T::Member::stop(self);
+        self.work::<C>().cancel();
         self.probe.stop(id::<T, C>());
     }
 
@@ -169,6 +171,16 @@ impl<T: Layout, P: Probe> Cycle<'_, T, P> {
         T: Has<C>,
     {
         self.store.borrow::<(Write<C>, L)>()
+    }
+
+    /// The place of the jobs of `C`.
+    #[inline]
+    #[must_use]
+    pub fn work<C: 'static>(&self) -> &'t WorkOf<T, C>
+    where
+        T: Has<C>,
+    {
+        T::slot(self.store.slots()).work()
     }
 
     /// The run of `C` begins, and with it its own code.

@@ -12,6 +12,7 @@ use super::steady::become_steady;
 use crate::hold::Hold;
 use crate::id::ComponentId;
 use crate::probe::Probe;
+use crate::work;
 
 /// The components of a tree and what is stored of them from cycle to cycle.
 pub struct Engine<T: Layout> {
@@ -28,6 +29,10 @@ impl<T: Layout> Engine<T> {
     #[inline]
     pub(crate) fn tick<P: Probe>(&mut self, now: Instant, probe: &mut P) {
         probe.cycle_begin(now);
+        // Before the cycle state changes: if a job unwinds here, no cycle was begun.
+        if const { T::WORKS } {
+            work::cycle::<T, P>(self.store.slots(), now, probe, true);
+        }
         self.store.cycle_state().begin(now, const { T::PLANS.is_whole() });
         let mut cycle = Cycle { store: self.store.open(), probe };
         if !const { T::PLANS.exist() } {
@@ -39,6 +44,9 @@ impl<T: Layout> Engine<T> {
         }
         if !cycle.store.cycle_state().is_settled() {
             update_active(&mut cycle);
+        }
+        if const { T::WORKS } {
+            work::cycle::<T, P>(cycle.store.slots(), now, cycle.probe, false);
         }
         cycle.probe.cycle_end();
         // Dropping a cycle marks the tree as interrupted.
@@ -60,6 +68,14 @@ impl<T: Layout> Engine<T> {
 
     fn component_state(&self, component: ComponentId) -> Option<&ComponentState> {
         T::component_state(self.store.slots(), component.index())
+    }
+}
+
+impl<T: Layout> Drop for Engine<T> {
+    fn drop(&mut self) {
+        if const { T::WORKS } {
+            work::drop_all::<T>(self.store.slots());
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::graph::Node;
 use crate::info::InfoSink;
 use crate::params::Value;
 use crate::probe::Probe;
+use crate::work::WorkOf;
 
 /// Tree `Self` holds component `C`.
 #[diagnostic::on_unimplemented(
@@ -35,7 +36,7 @@ pub trait Has<C: 'static>: Layout {
     const INDEX: usize;
 
     #[doc(hidden)]
-    fn slot(slots: &Self::Slots) -> &Slot<C, Self::Stored>;
+    fn slot(slots: &Self::Slots) -> &Slot<C, Self::Stored, WorkOf<Self, C>>;
     /// The parameters; a tree that is not tunable has constants.
     #[doc(hidden)]
     #[inline]
@@ -147,6 +148,10 @@ pub trait Layout: Sized + 'static {
     /// The components in an order in which activators come before what they activate.
     #[doc(hidden)]
     const ORDER: &'static [u16];
+
+    /// Whether a component has work beside the loop.
+    #[doc(hidden)]
+    const WORKS: bool = false;
 
     /// The plans of steady ticks.
     #[doc(hidden)]

@@ -20,6 +20,7 @@ mod text;
 mod time;
 mod unwinding;
 mod watch;
+mod work;
 
 use bica_core::{Duration, Hold, Instant, Probe, Rate, Status, Time, Tree};
 use bica_macros::{activation_tree, component};

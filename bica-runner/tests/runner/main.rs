@@ -2,6 +2,7 @@
 
 mod cycle;
 mod harness;
+mod jobs;
 mod realtime;
 mod requests;
 mod schedule;

@@ -8,7 +8,7 @@ use syn::{
 };
 
 use super::model::Argument;
-use super::{found, role};
+use super::{found, role, work};
 use crate::report::Report;
 use crate::types::{is_unsized, plain, unsized_argument};
 use crate::{text, wording};
@@ -52,10 +52,10 @@ pub(crate) fn read(signature: &Signature, own: &Type, form: Form, report: &mut R
         let Some(argument) = argument(&input.ty, own, form, signature, report) else { continue };
         let place = key(&argument);
         if seen.contains(&place) {
-            let problem = if let Argument::Found(_) = argument {
-                wording::FOUND_TWICE.to_owned()
-            } else {
-                wording::two_links(&place)
+            let problem = match argument {
+                Argument::Found(_) => wording::FOUND_TWICE.to_owned(),
+                Argument::Work(_) => wording::TWICE.to_owned(),
+                _ => wording::two_links(&place),
             };
             report.add(&input.ty, problem);
         } else {
@@ -75,6 +75,7 @@ fn key(argument: &Argument) -> String {
         Argument::Time(_) => "Time".to_owned(),
         Argument::Tuned(kind) => format!("Tuned<{}>", text::written(kind)),
         Argument::Found(_) => "Found".to_owned(),
+        Argument::Work(_) => "Work".to_owned(),
     }
 }
 
@@ -138,6 +139,7 @@ fn argument(kind: &Type, own: &Type, form: Form, signature: &Signature, report: 
         "Time" => time(reference, report),
         "Rate" => rate(reference, segment, own, form, report),
         "Tuned" => tuned(reference, segment, report),
+        "Work" => work::argument(reference, segment, own, form, report),
         _ => link(reference, own, form, report),
     }
 }
@@ -149,6 +151,7 @@ fn owned(path: &TypePath, form: Form, report: &mut Report) -> Option<Argument> {
         _ if let Some(problem) = no_value(path) => problem,
         "Time" => wording::owned_time(&written),
         "Rate" => wording::owned_rate(&written),
+        "Work" => wording::WORK_ARGUMENT.to_owned(),
         "Tuned" => wording::owned_tuned(&written),
         _ if form == Form::Condition => wording::owned_condition(&written),
         _ => wording::owned(&written),
@@ -311,7 +314,7 @@ pub(crate) fn complete_rates(signature: &mut Signature) {
         if let PathArguments::AngleBracketed(list) = &mut last.arguments {
             list.args.iter_mut().filter(|one| is_unsized(one)).for_each(|one| *one = parse_quote!(()));
         }
-        if ["Rate", "Tuned", "Found"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
+        if ["Rate", "Tuned", "Found", "Work"].iter().any(|name| last.ident == name) && last.arguments.is_none() {
             last.arguments = PathArguments::AngleBracketed(parse_quote!(<Self>));
         }
     }

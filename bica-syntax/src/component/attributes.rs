@@ -13,7 +13,7 @@ use crate::report::{Mistake, coded};
 use crate::{number, text, wording};
 
 /// Names from other frameworks for our attributes.
-const SYNONYMS: [(&str, &str); 12] = [
+const SYNONYMS: [(&str, &str); 15] = [
     ("enter", "entry"),
     ("on_entry", "entry"),
     ("on_enter", "entry"),
@@ -26,6 +26,9 @@ const SYNONYMS: [(&str, &str); 12] = [
     ("action", "modulation"),
     ("initial", "state(initial)"),
     ("last", "state(last)"),
+    ("job", "work"),
+    ("task", "work"),
+    ("background", "work"),
 ];
 
 /// Attributes of the language that are spelt much like one of ours.

@@ -1,7 +1,7 @@
 //! The rules that one impl block can break.
 
 use super::model::{Behaviour, Component, Machine};
-use super::{carried, near_miss, resolve};
+use super::{carried, near_miss, resolve, work};
 use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
@@ -11,6 +11,7 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     if component.incomplete {
         return None;
     }
+    work::check(component, report);
     if component.states.is_empty() {
         no_machine(component, report);
         near_miss::check(component, report);

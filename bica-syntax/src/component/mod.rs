@@ -18,6 +18,7 @@ pub mod resolve;
 mod role;
 mod roles;
 mod signature;
+pub mod work;
 
 pub use self::arguments::meaning;
 pub use self::attributes::{hook, is_component, state, transition};

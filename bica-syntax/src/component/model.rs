@@ -34,6 +34,8 @@ pub struct Component {
     pub infos: Vec<Info>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
+    /// Function with `#[work]`.
+    pub work: Option<Work>,
     /// Whether an attribute or a function could not be read. What seems to be missing may then be there.
     pub incomplete: bool,
 }
@@ -53,6 +55,22 @@ impl Component {
     pub fn own(&self) -> &Type {
         &self.block.header.self_ty
     }
+}
+
+/// A function with `#[work]`.
+pub struct Work {
+    /// Name of the function.
+    pub name: Ident,
+    /// Doc comment.
+    pub doc: String,
+    /// Declared time of a job, ms.
+    pub takes_ms: u32,
+    /// Whether it runs in slices.
+    pub slices: bool,
+    /// Names and types of its arguments; the state if it runs in slices.
+    pub inputs: Vec<(Ident, Type)>,
+    /// Type of the result.
+    pub output: Type,
 }
 
 /// A getter with `#[info]`.
@@ -148,6 +166,8 @@ pub enum Argument {
     Rate(Type),
     /// `&mut Rate<Self>`
     OwnRate,
+    /// `&mut Work<Self>`, as written without `&mut`
+    Work(Type),
     /// `&Tuned<P>`: the struct `P`
     Tuned(Type),
     /// `Found<T>`, in an entry hook

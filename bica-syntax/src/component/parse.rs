@@ -11,7 +11,7 @@ use syn::{
 use super::arguments::{self, Form};
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
-use super::{attributes, found, operator, options, roles, signature};
+use super::{attributes, found, operator, options, roles, signature, work};
 use crate::report::Report;
 use crate::types::plain;
 use crate::{text, wording};
@@ -43,7 +43,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
     let misplaced = match (&block.header.trait_, &name) {
         (Some((path, _)), _) => Some((path.to_token_stream(), wording::TRAIT_IMPL.to_owned())),
         (None, None) => Some((own.to_token_stream(), wording::NOT_A_NAME.to_owned())),
-        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Tuned" | "Found") => {
+        (None, Some(name)) if matches!(name.as_str(), "Time" | "Rate" | "Tuned" | "Found" | "Work") => {
             Some((own.to_token_stream(), wording::reserved(name)))
         }
         _ => None,
@@ -64,6 +64,7 @@ pub fn parse(options: TokenStream, item: &TokenStream, report: &mut Report) -> P
         stops: Vec::new(),
         infos: Vec::new(),
         modulations: Vec::new(),
+        work: None,
         incomplete: false,
     };
     if let Some((at, problem)) = misplaced {
@@ -252,7 +253,7 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
         };
         report.add(other, problem);
     }
-    if let Some(role @ ("info" | "modulation")) = role
+    if let Some(role @ ("info" | "modulation" | "work")) = role
         && text::name(&function.signature.ident) == "step"
     {
         component.incomplete = true;
@@ -275,8 +276,22 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
             let own = component.own().clone();
             component.modulations.extend(operator::modulation(function, first, &own, report));
         }
+        Some("work") => work(component, function, first, report),
         _ => hook(component, function, first, report),
     }
+}
+
+fn work(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
+    for condition in function.attributes.extract_if(.., |one| attributes::is_condition(one)) {
+        report.add(condition, wording::CONDITIONAL);
+    }
+    if component.work.is_some() {
+        component.incomplete = true;
+        return report.add(attribute, wording::WORK_TWICE);
+    }
+    let read = work::read(function, attribute, report);
+    component.incomplete |= read.is_none();
+    component.work = read;
 }
 
 fn state(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {

@@ -4,8 +4,8 @@ use proc_macro2::{Group, TokenTree};
 use syn::Attribute;
 
 /// The attributes that assign a function its role.
-pub(super) const ROLES: [&str; 9] =
-    ["state", "transition", "entry", "exit", "before", "start", "stop", "info", "modulation"];
+pub(super) const ROLES: [&str; 10] =
+    ["state", "transition", "entry", "exit", "before", "start", "stop", "info", "modulation", "work"];
 
 /// The role that an attribute assigns, if it is one of ours.
 #[must_use]

@@ -71,6 +71,12 @@ pub(crate) fn read_operator(signature: &Signature, own: &Type, wanted: Wanted, r
     }
 }
 
+/// Reports what a function that runs beside the loop may not have.
+pub(super) fn read_work(signature: &Signature, report: &mut Report) {
+    no_modifiers(signature, report);
+    generics(signature, wording::GENERIC, report);
+}
+
 fn no_modifiers(signature: &Signature, report: &mut Report) {
     if let Some(token) = &signature.asyncness {
         report.add(token, wording::ASYNC);

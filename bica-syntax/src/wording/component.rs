@@ -19,6 +19,7 @@ pub(crate) fn reserved(name: &str) -> String {
         "Time" => "an argument `&Time` is the time of the cycle",
         "Rate" => "`Rate<C>` is the rate of C",
         "Found" => "`Found<T>` is what a transition found",
+        "Work" => "`Work<Self>` are the jobs of a component",
         _ => "`Tuned<P>` is a struct of parameters",
     };
     format!("a component cannot be called `{name}`: {used}; choose another name")
@@ -36,7 +37,7 @@ pub(crate) const ARROW: &str = "a transition names the states that it leaves and
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
 pub(crate) const TIMER: &str = "only `after_ms = 1500` can follow the arrow: remove this";
 pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
-                                     `before`, `start`, `stop`, `info` or `modulation`): remove one";
+                                     `before`, `start`, `stop`, `info`, `modulation` or `work`): remove one";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
 pub(crate) const STEP_ATTRIBUTE: &str = "the step has no attribute: name the function `step` and remove this";
 pub(crate) const CONDITIONAL: &str =
@@ -235,6 +236,32 @@ pub(crate) const ROLE_TYPE: &str = "a method of a role has concrete types: name 
 
 messages! {
     role_receiver(method) = "a component calls `{method}` of its child: write `&self` or `&mut self` as the first argument";
+}
+
+// Work beside the loop.
+pub(crate) const WORK_FORM: &str =
+    "write `#[work(takes_ms = 200)]` with the time that a job takes, or `#[work(takes_ms = 200, slices)]`";
+pub(crate) const WORK_TWICE: &str =
+    "a component has one function that runs beside the loop: keep one, or move the other one to a component of its own";
+pub(crate) const WORK_RECEIVER: &str =
+    "a job runs beside the loop and sees no component: remove this argument, and take the values that the job needs";
+pub(crate) const WORK_ARGUMENT: &str = "the jobs of a component are begun and ended here: write `&mut Work<Self>`";
+pub(crate) const WORK_IN_CONDITION: &str =
+    "a transition only reads: take the result in a state, store it in a field of `self`, and read that field here";
+pub(crate) const WORK_WITHOUT_FUNCTION: &str =
+    "no function runs beside the loop: mark one with `#[work(takes_ms = 200)]`, or remove this argument";
+
+messages! {
+    work_of_another(written) =
+        "`{written}` begins its own jobs: write `&mut Work<Self>`, and read what `{written}` found by `&{written}`";
+    work_never_begun(name) =
+        "nothing begins `{name}`: take `work: &mut Work<Self>` in the step or a state, and call `work.begin(...)`";
+    work_returns(name) = "`{name}` returns no result: add `-> Type`";
+    work_borrows(owned) = "a job goes on after this run and cannot borrow: write `{owned}`, a value that it owns";
+    work_borrows_inside(written) =
+        "a job goes on after this run and is stored in the tree: `{written}` borrows or has no name, write a type of owned values";
+    slices_form(name) =
+        "`{name}` runs in slices: write `fn {name}(state: &mut State) -> Option<Output>`, which returns `None` until the last slice";
 }
 
 // What transitions carry.

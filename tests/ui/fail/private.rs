@@ -24,6 +24,19 @@ impl Player {
     fn step(&mut self, ball: &Ball, tuned: &Tuned<Following>) {}
 }
 
+struct Map;
+
+pub struct Planner;
+#[component]
+impl Planner {
+    const fn new() -> Self { Self }
+
+    #[work(takes_ms = 200)]
+    fn search(goal: u8, _: Map) -> u8 { goal }
+
+    fn step(&mut self, work: &mut Work<Self>) { work.begin(3, Map); }
+}
+
 activation_tree! {
     pub struct Forward { root: Player, cycle_hz: 100, tunable, components: [Player, Ball] }
 }

@@ -15,6 +15,8 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
     let borrowed = nested(children(p, function).map(|(place, ..)| binding(place).into_token_stream()).collect());
     let timed = function.arguments.iter().any(|argument| matches!(argument, Argument::Time(_)));
     let time = timed.then(|| quote!(let time = cycle.time::<Self>();));
+    let works = function.arguments.iter().any(|argument| matches!(argument, Argument::Work(_)));
+    let work = works.then(|| quote!(let mut work = cycle.work::<Self>().borrow();));
     let tuned = tuned(function);
     let given = function.arguments.iter().enumerate().map(|(place, argument)| match argument {
         Argument::Time(kind) => {
@@ -23,11 +25,13 @@ pub(super) fn expand(p: &TokenStream, function: &Function, tuning: &Tuning) -> T
         }
         Argument::Tuned(kind) => tuning.argument(kind),
         Argument::Found(found) => quote_spanned!(at(&found.written) => found),
+        Argument::Work(written) => quote_spanned!(at(written) => &mut work),
         _ => binding(place).to_token_stream(),
     });
     quote! {{
         #time
         #tuned
+        #work
         let (this, #borrowed) = cycle.borrow::<Self, #set>();
         Self::#name(this #(, #given)*)
     }}
@@ -60,7 +64,7 @@ fn children(
     function: &Function,
 ) -> impl DoubleEndedIterator<Item = (usize, TokenStream, TokenStream)> {
     function.arguments.iter().enumerate().filter_map(move |(place, argument)| match argument {
-        Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
+        Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) | Argument::Work(_) => None,
         Argument::Read(child) => Some((place, quote!(Read), role::child(p, child))),
         Argument::Write(child) => Some((place, quote!(Write), role::child(p, child))),
         Argument::Rate(child) => Some((place, quote!(WriteRate), role::child(p, child))),

@@ -6,6 +6,7 @@ use syn::{GenericParam, Generics, Type, parse_quote};
 
 use super::operator;
 use super::tuning::Tuning;
+use super::work;
 use crate::expand::quoting::{option, runtime};
 use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
 use bica_syntax::text;
@@ -23,6 +24,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let states = states(behaviour);
     let tuning = Tuning::of(component).items();
     let operator = operator::descriptions(component);
+    let work = work::description(component);
     quote! {
         #[automatically_derived]
         impl #parameters #p::Component for #own #bounds {
@@ -36,6 +38,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
             #states
             #tuning
             #operator
+            #work
         }
     }
 }

@@ -22,8 +22,8 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let mut generics = description::owned(&component.block.header.generics);
     generics.params.push(parse_quote!(__T));
     let bounds = generics.make_where_clause();
-    // Only parameters need that the tree's member is the component itself: a tree with mistakes has another.
-    bounds.predicates.push(if tuning.is_empty() {
+    // Only parameters and work need that the tree's member is the component itself: a tree with mistakes has another.
+    bounds.predicates.push(if tuning.is_empty() && component.work.is_none() {
         parse_quote!(__T: #p::Has<Self>)
     } else {
         parse_quote!(__T: #p::Has<Self, Member = Self>)

@@ -13,6 +13,7 @@ mod step;
 mod stub;
 mod tuning;
 mod visits;
+mod work;
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
@@ -30,11 +31,12 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let block = &component.block;
     let description = description::expand(component, behaviour);
     let member = member::expand(component, behaviour);
+    let work = work::expand(component);
     let is_free = component.block.functions().all(|function| text::name(&function.signature.ident) != "step");
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
     let own_fields = component.block.header.generics.params.is_empty().then(|| no_params(component));
     let roles = role::checks(component);
-    let items = quote!(pub struct __Block; #description #member #own_fields #roles);
+    let items = quote!(pub struct __Block; #description #member #work #own_fields #roles);
     let traits = enclosed(&component.options.krate, &items);
     quote!(#block #traits #no_step)
 }

@@ -37,6 +37,7 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visi
                 params: <Self as #p::Component>::PARAMS,
                 info: <Self as #p::Component>::INFO,
                 modulations: <Self as #p::Component>::MODULATIONS,
+                work: <Self as #p::Component>::WORK,
             }
         };
     }
@@ -69,7 +70,7 @@ fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
         Argument::Read(child) => Some((quote!(Read), child)),
         Argument::Write(child) => Some((quote!(Write), child)),
         Argument::Rate(child) => Some((quote!(Rate), child)),
-        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) => None,
+        Argument::OwnRate | Argument::Time(_) | Argument::Tuned(_) | Argument::Found(_) | Argument::Work(_) => None,
     }
 }
 

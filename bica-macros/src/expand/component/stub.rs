@@ -57,6 +57,7 @@ fn nothing(krate: &Path, generics: &Generics, own: &Type) -> TokenStream {
             type Params = ();
             const DEFAULT_PARAMS: () = ();
             const CONSTANT_PARAMS: &'static () = &();
+            type Work = ();
         }
 
         #[automatically_derived]

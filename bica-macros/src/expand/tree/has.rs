@@ -27,7 +27,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
                 const INDEX: ::core::primitive::usize = #index;
 
                 #[inline]
-                fn slot(slots: &Self::Slots) -> &#p::Slot<#kind, Self::Stored> {
+                fn slot(slots: &Self::Slots) -> &#p::Slot<#kind, Self::Stored, #p::WorkOf<Self, #kind>> {
                     &slots.#field
                 }
 

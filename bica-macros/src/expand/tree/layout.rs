@@ -21,6 +21,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
             type Slots = __Slots;
             const CYCLE_HZ: ::core::primitive::f32 = #cycle_hz;
             const ACTIVATORS: &'static [::core::primitive::usize] = &#p::activators::<#count>(<Self as #p::Tree>::GRAPH.nodes);
+            const WORKS: ::core::primitive::bool = #p::has_work(<Self as #p::Tree>::GRAPH.nodes);
             const ORDER: &'static [::core::primitive::u16] = &#p::order(&#p::ranks::<#count>(<Self as #p::Tree>::GRAPH.nodes));
 
             #[inline]

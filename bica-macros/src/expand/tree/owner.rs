@@ -31,9 +31,10 @@ pub(super) fn new(tree: &Tree) -> TokenStream {
         if tree.tunable {
             let (p, name) = (placed(&p, at(kind)), placed(&name.to_token_stream(), at(kind)));
             let params = quote_spanned!(at(kind) => <#kind as #p::Component>::DEFAULT_PARAMS);
-            quote_spanned!(at(kind) => #p::Slot::<#kind, _>::with::<#name>(#value, #params))
+            let work = quote_spanned!(at(kind) => <#kind as #p::Component>::Work);
+            quote_spanned!(at(kind) => #p::Slot::<#kind, _, #work>::with::<#name>(#value, #params))
         } else {
-            quote!(#p::Slot::<#kind>::new::<#name>(#value))
+            quote!(#p::Slot::<#kind, (), _>::new::<#name>(#value))
         }
     });
     let fields = fields(tree);

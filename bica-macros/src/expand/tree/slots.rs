@@ -12,7 +12,7 @@ pub(super) fn expand(tree: &Tree) -> TokenStream {
     let fields = fields(tree);
     let kinds = kinds(tree).into_iter().map(|kind| {
         let (p, stored) = (placed(&p, at(&kind)), stored(tree, &kind));
-        quote_spanned!(at(&kind) => #p::Slot<#kind, #stored>)
+        quote_spanned!(at(&kind) => #p::Slot<#kind, #stored, <#kind as #p::Component>::Work>)
     });
     quote! {
         pub struct __Slots {

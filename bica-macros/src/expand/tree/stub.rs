@@ -66,6 +66,7 @@ fn traits(draft: &Draft, p: &TokenStream) -> TokenStream {
             type Params = ();
             const DEFAULT_PARAMS: () = ();
             const CONSTANT_PARAMS: &'static () = &();
+            type Work = ();
         }
 
         impl #p::MemberOf<#name> for Any {

@@ -42,7 +42,7 @@ export function complete(context) {
   const dot = /(\p{XID_Continue}+)\.(\p{XID_Continue}*)$/u.exec(before);
   if (dot) {
     const from = context.pos - dot[2].length;
-    if (dot[1] === 'self') return { from, options: functionsOf(own?.component ?? { states: [], transitions: [], hooks: [], info: [], modulations: [], others: [], step: null }).map((one) => ({ label: one.name.text, type: 'method', info: one.docs.text || undefined })), validFor: WORD };
+    if (dot[1] === 'self') return { from, options: functionsOf(own?.component ?? { states: [], transitions: [], hooks: [], info: [], modulations: [], work: [], others: [], step: null }).map((one) => ({ label: one.name.text, type: 'method', info: one.docs.text || undefined })), validFor: WORD };
     const child = argumentsBefore(before).get(dot[1]);
     return child ? { from, options: methodsOf(child), validFor: WORD } : null;
   }

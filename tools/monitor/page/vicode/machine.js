@@ -86,8 +86,8 @@ export function machineOf(model, name) {
 
 /** All functions of a component. */
 export function functionsOf(component) {
-  const { states, transitions, hooks, info, modulations, others, step } = component;
-  return [...states, ...transitions, ...hooks, ...info, ...modulations].map((one) => one.function).concat(others, step ?? []);
+  const { states, transitions, hooks, info, modulations, work, others, step } = component;
+  return [...states, ...transitions, ...hooks, ...info, ...modulations, ...work].map((one) => one.function).concat(others, step ?? []);
 }
 
 /** A name that no function of the component has: `name`, `name_2`, …. */

@@ -4,8 +4,8 @@ use crate::model::{Arrow, Component, Docs, Function, Input, LinkKind, Model, Nam
 use crate::read::lexed;
 
 /// Kinds of parts, in the order in which they are listed.
-pub(super) const KINDS: [&str; 9] =
-    ["component", "step", "state", "transition", "hook", "output", "modulation", "function", "parameter"];
+pub(super) const KINDS: [&str; 10] =
+    ["component", "step", "state", "transition", "hook", "output", "modulation", "work", "function", "parameter"];
 
 /// A part with all its properties: a state, a transition, a parameter.
 pub(super) struct Part {
@@ -70,6 +70,9 @@ pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
         add("output", &info.function, "code", ty.chain(unit).collect());
     }
     component.modulations.iter().for_each(|one| add("modulation", &one.function, "code", Vec::new()));
+    for work in &component.work {
+        add("work", &work.function, "code", vec![Fact::code("attribute", work.attribute.of(text))]);
+    }
     component.others.iter().for_each(|one| add("function", one, "code", Vec::new()));
     parts
 }

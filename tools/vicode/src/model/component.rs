@@ -35,6 +35,8 @@ pub struct Component {
     pub info: Vec<Info>,
     /// Functions with `#[modulation]`.
     pub modulations: Vec<Modulation>,
+    /// Functions with `#[work]`; more than one is a mistake.
+    pub work: Vec<Work>,
     /// The other functions.
     pub others: Vec<Function>,
     /// Names of constants and types of the block.
@@ -50,7 +52,7 @@ impl Component {
         let info = self.info.iter().map(|info| &info.function);
         let modulations = self.modulations.iter().map(|modulation| &modulation.function);
         let all = self.step.iter().chain(states).chain(transitions).chain(hooks);
-        all.chain(info).chain(modulations).chain(&self.others)
+        all.chain(info).chain(modulations).chain(self.work.iter().map(|work| &work.function)).chain(&self.others)
     }
 
     /// Returns the function with that name.
@@ -229,6 +231,15 @@ pub struct Info {
     pub unit: Option<String>,
     /// Type of the value as written.
     pub ty: Option<Name>,
+}
+
+/// A function that runs beside the loop.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Work {
+    /// Its function.
+    pub function: Function,
+    /// The attribute.
+    pub attribute: Span,
 }
 
 /// A method for the operator.

@@ -81,6 +81,8 @@ pub enum Input {
     OwnRate,
     /// `&Time`
     Time,
+    /// `&mut Work<Self>`
+    Work,
     /// `&Tuned<Parameters>`
     Tuned {
         /// The struct of parameters.

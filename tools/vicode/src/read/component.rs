@@ -10,7 +10,7 @@ use syn::{
 use super::{Source, docs};
 use crate::model::{
     Argument, Arrow, Component, Docs, Function, Hook, HookRole, Info, Input, LinkKind, Modulation, Name, Options,
-    Setting, Sources, Span, State, Transition,
+    Setting, Sources, Span, State, Transition, Work,
 };
 
 /// Reads an impl block; `None` if it has no `#[component]` or is one of a trait.
@@ -87,6 +87,7 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
             component.info.push(Info { function, attribute, unit: syntax::info(first).unwrap_or_default().0, ty });
         }
         "modulation" => component.modulations.push(Modulation { function, attribute }),
+        "work" => component.work.push(Work { function, attribute }),
         _ => {
             let roles = [HookRole::Entry, HookRole::Exit, HookRole::Before, HookRole::Start, HookRole::Stop];
             let role = roles.into_iter().find(|one| one.word() == role).unwrap_or(HookRole::Stop);
@@ -132,6 +133,7 @@ fn argument(source: &Source<'_>, input: &PatType, own: &Type) -> Argument {
             Some(model::Argument::Rate(child)) => link(LinkKind::Rate, &child),
             Some(model::Argument::OwnRate) => Input::OwnRate,
             Some(model::Argument::Time(_)) => Input::Time,
+            Some(model::Argument::Work(_)) => Input::Work,
             Some(model::Argument::Tuned(of)) => Input::Tuned { parameters: plain(&of) },
             Some(model::Argument::Found(found)) => Input::Found { of: plain(&found.of) },
             None => Input::Other,

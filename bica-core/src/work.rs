@@ -1,0 +1,447 @@
+//! Work beside the loop: jobs that take longer than a cycle.
+//!
+//! `#[work(takes_ms = 200)]` declares a function of a component that runs beside the loop; the component begins a job with its argument
+//! [`Work<Self>`](Work), and finds the result there in a later run. A job owns its inputs, sees nothing of the tree, and its result is a
+//! function of them. So only the cycle in which the result arrives can differ:
+//!
+//! - **By itself a tree is in simulated time**: [`tick`](crate::Tree::tick) runs a job in the first cycle at or after its due time, which
+//!   is `takes_ms` after the cycle in which it was begun. The result is there in that cycle, whatever the computer needed.
+//! - **A runner may take jobs away** with [`WorkSlot::take`] and put the results back with [`WorkSlot::put`], between two cycles. The
+//!   result is there in the first cycle after that, early or late. So a runner with threads can wait for the due time, which is
+//!   simulated time with less waiting, or not wait, which is real time; a replay puts each result back before the recorded cycle.
+//! - On a microcontroller, [`WorkSlot::slice`] runs a part of a job in the idle time between two cycles.
+
+use core::cell::{RefCell, RefMut};
+
+use embassy_time::{Duration, Instant};
+
+use crate::component::Component;
+use crate::id::ComponentId;
+use crate::probe::Probe;
+use crate::tree::{Has, Layout, Member, Tree};
+
+/// The jobs of component `C`, one at a time: an argument `work: &mut Work<Self>` of its step, states and hooks.
+///
+/// `begin` takes the arguments of the function with `#[work]`; that of a function with `#[work(slices)]` takes the state. It begins a job.
+/// A job in progress, or a result that nobody took, is dropped.
+///
+/// If the component becomes latent, its job or the result is dropped, too. A job that panics has no result: then
+/// [`is_idle`](Self::is_idle) returns true, and [`result`](Self::result) nothing.
+pub struct Work<C: Working>(C::Begin);
+
+impl<C: Working> Work<C> {
+    /// Takes the result of the job; `None` if there is no job, it is in progress, or its result was taken.
+    pub fn result(&mut self) -> Option<C::Output> {
+        let phase = &mut self.jobs().phase;
+        if !matches!(phase, Phase::Ready(_)) {
+            return None;
+        }
+        if let Phase::Ready(output) = core::mem::replace(phase, Phase::Idle) { Some(output) } else { None }
+    }
+
+    /// Whether there is neither a job in progress nor a result to take.
+    #[must_use]
+    pub fn is_idle(&self) -> bool {
+        matches!(self.0.as_ref().phase, Phase::Idle)
+    }
+
+    fn jobs(&mut self) -> &mut Jobs<C> {
+        self.0.as_mut()
+    }
+}
+
+impl<C: Working> core::ops::Deref for Work<C> {
+    type Target = C::Begin;
+
+    fn deref(&self) -> &C::Begin {
+        &self.0
+    }
+}
+
+impl<C: Working> core::ops::DerefMut for Work<C> {
+    fn deref_mut(&mut self) -> &mut C::Begin {
+        &mut self.0
+    }
+}
+
+/// A component with a function that runs beside the loop; `#[work]` implements it.
+pub trait Working: Sized + 'static {
+    /// What a job owns: the arguments, or the state of one in slices.
+    type State: Send + 'static;
+    /// The result.
+    type Output: Send + 'static;
+    /// The jobs, with the function `begin`.
+    #[doc(hidden)]
+    type Begin: AsRef<Jobs<Self>> + AsMut<Jobs<Self>>;
+    /// Empty jobs.
+    #[doc(hidden)]
+    const BEGIN: Self::Begin;
+    /// Declared time of a job, ms.
+    const TAKES_MS: u32;
+
+    /// Runs a part of a job; returns the result with the last part, and is not called again after that.
+    fn slice(state: &mut Self::State) -> Option<Self::Output>;
+}
+
+/// How a job ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum JobEnd {
+    /// With a result, in the first cycle at or after its due time or before that.
+    OnTime,
+    /// With a result, in a later cycle.
+    Late,
+    /// It panicked: there is no result.
+    Failed,
+}
+
+/// A job that a runner takes away.
+pub struct Taken<S> {
+    /// Number of the job: a result of another number is dropped.
+    pub ticket: u32,
+    /// Due time: instant of the cycle in which it was begun, and the declared time.
+    pub due: Instant,
+    /// What it owns.
+    pub state: S,
+}
+
+/// Progress of the jobs of a component.
+enum Phase<C: Working> {
+    Idle,
+    /// Begun in this cycle.
+    Begun(C::State),
+    /// In its slot until it is due; a cycle runs it then.
+    Pending(C::State, Instant),
+    /// In its slot, run by the runner in slices; whether a slice is running.
+    Sliced(C::State, Instant, bool),
+    /// Taken away by the runner.
+    Away(Instant),
+    /// Ended between two cycles; without a value it panicked.
+    Arrived(Option<C::Output>),
+    /// The component can take the result.
+    Ready(C::Output),
+}
+
+/// The jobs of component `C`.
+#[doc(hidden)]
+pub struct Jobs<C: Working> {
+    phase: Phase<C>,
+    ticket: u32,
+    /// Whether a cycle at or after the due time began without the result.
+    is_late: bool,
+}
+
+impl<C: Working> Jobs<C> {
+    /// No job.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { phase: Phase::Idle, ticket: 0, is_late: false }
+    }
+
+    /// Begins a job in place of another one.
+    pub fn begin(&mut self, state: C::State) {
+        self.cancel();
+        self.phase = Phase::Begun(state);
+    }
+
+    fn cancel(&mut self) {
+        *self = Self { ticket: self.ticket.wrapping_add(1), ..Self::new() };
+    }
+
+    /// Returns the due time of a job that was begun in this cycle.
+    fn settle(&mut self, now: Instant) -> Option<Instant> {
+        if !matches!(self.phase, Phase::Begun(_)) {
+            return None;
+        }
+        let due = now.saturating_add(Duration::from_millis(C::TAKES_MS.into()));
+        if let Phase::Begun(state) = core::mem::replace(&mut self.phase, Phase::Idle) {
+            self.phase = Phase::Pending(state, due);
+        }
+        Some(due)
+    }
+
+    /// Makes a result that is there available, and that of a job which is due and in its slot; returns how it ended.
+    fn deliver(&mut self, now: Instant) -> Option<JobEnd> {
+        match self.phase {
+            Phase::Pending(_, due) if now >= due => {
+                let job = self.take()?;
+                // If the job unwinds, the component is idle.
+                self.phase = Phase::Idle;
+                self.phase = Phase::Arrived(Some(finish::<C>(job.state)));
+            }
+            Phase::Sliced(_, due, _) | Phase::Away(due) => self.is_late |= now >= due,
+            _ => {}
+        }
+        if !matches!(self.phase, Phase::Arrived(_)) {
+            return None;
+        }
+        let Phase::Arrived(output) = core::mem::replace(&mut self.phase, Phase::Idle) else { return None };
+        Some(match output {
+            None => JobEnd::Failed,
+            Some(output) => {
+                self.phase = Phase::Ready(output);
+                if self.is_late { JobEnd::Late } else { JobEnd::OnTime }
+            }
+        })
+    }
+
+    fn take(&mut self) -> Option<Taken<C::State>> {
+        let Phase::Pending(_, due) = self.phase else { return None };
+        match core::mem::replace(&mut self.phase, Phase::Away(due)) {
+            Phase::Pending(state, due) => Some(Taken { ticket: self.ticket, due, state }),
+            _ => None,
+        }
+    }
+
+    fn put(&mut self, ticket: u32, output: Option<C::Output>) {
+        if self.ticket == ticket && matches!(self.phase, Phase::Away(_)) {
+            self.phase = Phase::Arrived(output);
+        }
+    }
+
+    fn claim(&mut self) {
+        if let Some(job) = self.take() {
+            self.phase = Phase::Sliced(job.state, job.due, false);
+        }
+    }
+
+    /// Runs a slice of a job; returns whether there was one.
+    fn slice(&mut self) -> bool {
+        let Phase::Sliced(state, _, is_running) = &mut self.phase else { return false };
+        // A slice that unwound leaves the mark.
+        let output = if core::mem::replace(is_running, true) { Some(None) } else { C::slice(state).map(Some) };
+        if let Some(output) = output {
+            self.phase = Phase::Arrived(output);
+        } else if let Phase::Sliced(_, _, is_running) = &mut self.phase {
+            *is_running = false;
+        }
+        true
+    }
+}
+
+impl<C: Working> Default for Jobs<C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Runs a job to its end.
+pub fn finish<C: Working>(mut state: C::State) -> C::Output {
+    loop {
+        if let Some(output) = C::slice(&mut state) {
+            return output;
+        }
+    }
+}
+
+/// The place of a component's jobs in its tree, for runners; `()` of a component without work.
+pub trait WorkSlot: 'static {
+    /// What a job owns.
+    type State: Send + 'static;
+    /// Its result.
+    type Output: Send + 'static;
+    /// An empty place.
+    #[doc(hidden)]
+    const EMPTY: Self;
+
+    /// Takes the job away, if one waits; the cycles then wait for [`put`](Self::put).
+    fn take(&self) -> Option<Taken<Self::State>> {
+        None
+    }
+
+    /// Runs a job that was taken to its end.
+    fn finish(state: Self::State) -> Self::Output;
+
+    /// Puts the result of a job back, or none if it panicked. It is dropped if the component has given up the job.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn put(&self, ticket: u32, output: Option<Self::Output>) {}
+
+    /// Keeps cycles from running the job: the runner does, by [`slice`](Self::slice).
+    fn claim(&self) {}
+
+    /// Runs a slice of the job in its place, if there is one that is claimed; returns whether there was.
+    fn slice(&self) -> bool {
+        false
+    }
+
+    /// Whether the job of that number is still wanted.
+    #[expect(unused_variables, reason = "the names of the arguments are documentation")]
+    fn is_awaited(&self, ticket: u32) -> bool {
+        false
+    }
+
+    /// Drops the job and the result.
+    #[doc(hidden)]
+    fn cancel(&self) {}
+
+    #[doc(hidden)]
+    fn settle(&self, _: Instant) -> Option<Instant> {
+        None
+    }
+
+    #[doc(hidden)]
+    fn deliver(&self, _: Instant) -> Option<JobEnd> {
+        None
+    }
+}
+
+impl WorkSlot for () {
+    type State = ();
+    type Output = ();
+    const EMPTY: Self = ();
+
+    fn finish((): ()) {}
+}
+
+/// The place of the jobs of a component with work.
+#[doc(hidden)]
+pub struct WorkCell<C: Working>(RefCell<Work<C>>);
+
+impl<C: Working> WorkCell<C> {
+    /// Borrows the jobs for a call of the component.
+    pub fn borrow(&self) -> RefMut<'_, Work<C>> {
+        self.0.borrow_mut()
+    }
+}
+
+impl<C: Working> WorkSlot for WorkCell<C> {
+    type State = C::State;
+    type Output = C::Output;
+    const EMPTY: Self = Self(RefCell::new(Work(C::BEGIN)));
+
+    fn take(&self) -> Option<Taken<C::State>> {
+        self.borrow().jobs().take()
+    }
+
+    fn finish(state: C::State) -> C::Output {
+        finish::<C>(state)
+    }
+
+    fn put(&self, ticket: u32, output: Option<C::Output>) {
+        self.borrow().jobs().put(ticket, output);
+    }
+
+    fn claim(&self) {
+        self.borrow().jobs().claim();
+    }
+
+    fn slice(&self) -> bool {
+        self.borrow().jobs().slice()
+    }
+
+    fn is_awaited(&self, ticket: u32) -> bool {
+        let mut work = self.borrow();
+        let jobs = work.jobs();
+        jobs.ticket == ticket && matches!(jobs.phase, Phase::Away(_))
+    }
+
+    fn cancel(&self) {
+        self.borrow().jobs().cancel();
+    }
+
+    fn settle(&self, now: Instant) -> Option<Instant> {
+        self.borrow().jobs().settle(now)
+    }
+
+    fn deliver(&self, now: Instant) -> Option<JobEnd> {
+        self.borrow().jobs().deliver(now)
+    }
+}
+
+/// The place of the jobs of component `C` in tree `T`.
+pub type WorkOf<T, C> = <<T as Has<C>>::Member as Component>::Work;
+
+/// Returns the place of the jobs of component `C`.
+pub fn slot<T: Tree + Has<C>, C: 'static>(tree: &T) -> &WorkOf<T, C> {
+    T::slot(tree.engine().store.slots()).work()
+}
+
+/// What a runner does with the jobs of each component.
+pub trait Visitor<T: Tree> {
+    /// Called with the place of the jobs of component `C`.
+    fn visit<C: 'static>(&mut self, component: ComponentId, slot: &WorkOf<T, C>)
+    where
+        T: Has<C>;
+}
+
+/// Calls `visitor` with each component of a tree that has work, in the order of the tree's list.
+pub fn visit<T: Tree>(tree: &T, visitor: &mut impl Visitor<T>) {
+    if T::WORKS {
+        let with_work = (0..T::COUNT).filter(|&index| T::GRAPH.nodes[index].work.is_some());
+        with_work.for_each(|index| visit_at(tree, ComponentId::new(index), visitor));
+    }
+}
+
+/// Calls `visitor` with one component.
+pub fn visit_at<T: Tree>(tree: &T, component: ComponentId, visitor: &mut impl Visitor<T>) {
+    struct At<'a, T, V>(&'a T, &'a mut V);
+
+    impl<T: Tree, V: Visitor<T>> Member<T> for At<'_, T, V> {
+        type Output = ();
+
+        fn visit<C: 'static>(self)
+        where
+            T: Has<C>,
+        {
+            self.1.visit::<C>(const { ComponentId::new(T::INDEX) }, slot::<T, C>(self.0));
+        }
+    }
+
+    T::member(component.index(), At(tree, visitor));
+}
+
+/// What is done with the jobs of one component in a cycle.
+struct InCycle<'a, T: Layout, P> {
+    slots: &'a T::Slots,
+    probe: &'a mut P,
+    now: Instant,
+    begins: bool,
+}
+
+impl<T: Layout, P: Probe> Member<T> for InCycle<'_, T, P> {
+    type Output = ();
+
+    fn visit<C: 'static>(self)
+    where
+        T: Has<C>,
+    {
+        let (work, id) = (T::slot(self.slots).work(), const { ComponentId::new(T::INDEX) });
+        if self.begins {
+            if let Some(end) = work.deliver(self.now) {
+                self.probe.work_ended(id, end);
+            }
+        } else if let Some(due) = work.settle(self.now) {
+            self.probe.work_begun(id, due);
+        }
+    }
+}
+
+/// Drops the jobs of a component.
+struct Cancel<'a, T: Layout>(&'a T::Slots);
+
+impl<T: Layout> Member<T> for Cancel<'_, T> {
+    type Output = ();
+
+    fn visit<C: 'static>(self)
+    where
+        T: Has<C>,
+    {
+        T::slot(self.0).work().cancel();
+    }
+}
+
+/// Drops all jobs: slots do not.
+#[cold]
+pub(crate) fn drop_all<T: Layout>(slots: &T::Slots) {
+    for index in 0..T::ORDER.len() {
+        T::member(index, Cancel::<T>(slots));
+    }
+}
+
+/// Delivers the results at the beginning of a cycle, or notes at its end which jobs were begun in it.
+#[inline(never)]
+pub(crate) fn cycle<T: Layout, P: Probe>(slots: &T::Slots, now: Instant, probe: &mut P, begins: bool) {
+    for index in 0..T::ORDER.len() {
+        T::member(index, InCycle { slots, probe, now, begins });
+    }
+}
