@@ -14,7 +14,8 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         Edit::AddChild { component, function: name, child, kind, argument, import } => {
             let component = context.component(component)?;
             let function = function(component, name)?;
-            fragment::ty(child)?;
+            fragment::child(child)?;
+            with_kind(child, *kind)?;
             if function.links().any(|(_, _, known)| known == child) {
                 return Err(Refusal::new(format!(
                     "`{child}` is a child of `{name}` already: change the kind of its link"
@@ -50,9 +51,20 @@ pub(super) fn change(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, 
         Edit::SetChildKind { component, function: name, child, kind } => {
             let function = function(context.component(component)?, name)?;
             let argument = find(function, child)?;
+            with_kind(child, *kind)?;
             Ok(vec![Splice::new(argument.written.span, link(*kind, child))])
         }
         _ => Ok(Vec::new()),
+    }
+}
+
+/// Refuses the rate of a role.
+fn with_kind(child: &str, kind: LinkKind) -> Result<(), Refusal> {
+    match child.strip_prefix("impl ") {
+        Some(role) if kind == LinkKind::Rate => {
+            Err(Refusal::new(format!("`{role}` is a role, and a rate belongs to a component: name its provider")))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -74,6 +86,7 @@ fn find<'a>(function: &'a Function, child: &str) -> Result<&'a Argument, Refusal
 
 /// Returns an unused name for an argument: `ball_detector` for `BallDetector`.
 fn argument_name(function: &Function, child: &str) -> String {
+    let child = child.strip_prefix("impl ").unwrap_or(child);
     let last = child.split('<').next().unwrap_or(child).rsplit("::").next().unwrap_or(child);
     let mut name = snake(last.trim());
     let taken = |name: &str| function.arguments.iter().any(|known| known.name.text == name);

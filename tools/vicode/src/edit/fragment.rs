@@ -42,6 +42,14 @@ pub(super) fn ty(ty: &str) -> Result<(), Refusal> {
     }
 }
 
+/// Refuses an invalid type of a child: neither that of a component nor `impl Role`.
+pub(super) fn child(child: &str) -> Result<(), Refusal> {
+    match child.strip_prefix("impl ") {
+        Some(role) => name(role.trim().rsplit("::").next().unwrap_or_default()).and_then(|()| ty(role)),
+        None => ty(child),
+    }
+}
+
 /// Refuses an invalid path of a module.
 pub(super) fn path(path: &str) -> Result<(), Refusal> {
     one_line(path, "a path")?;

@@ -10,8 +10,9 @@ use super::style::{Style, indentation, line_end, line_start, starts_line};
 use crate::model::Span;
 use crate::read::{Outline, Source, parse};
 
-/// Returns `Eye` for `Eye<320, 240>`; `None` for a path.
+/// Returns `Eye` for `Eye<320, 240>`, `Ball` for `impl Ball`; `None` for a path.
 fn name_of(child: &str) -> Option<&str> {
+    let child = child.strip_prefix("impl ").unwrap_or(child);
     let name = child.split('<').next().unwrap_or(child).trim();
     (!name.contains("::")).then_some(name)
 }

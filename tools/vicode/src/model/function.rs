@@ -70,11 +70,11 @@ pub struct Argument {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "input", rename_all = "snake_case")]
 pub enum Input {
-    /// `&Child`, `&mut Child`, `&mut Rate<Child>`
+    /// `&Child`, `&mut Child`, `&mut Rate<Child>`, `&impl Role`
     Link {
         /// Kind of the link.
         kind: LinkKind,
-        /// Type of the child: `Eye<320, 240>`.
+        /// Type of the child, `Eye<320, 240>`, or its role, `impl Ball`.
         child: String,
     },
     /// `&mut Rate<Self>`

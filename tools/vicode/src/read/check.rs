@@ -3,7 +3,9 @@
 use bica_syntax::component::{check as component_check, parse as component_parse};
 use bica_syntax::params::parse as params_parse;
 use bica_syntax::report::Report;
+use bica_syntax::role;
 use bica_syntax::tree::{check as tree_check, parse as tree_parse};
+use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Item, Macro};
 
@@ -50,6 +52,11 @@ fn of_item(item: &Item) -> Option<Report> {
         }
         Item::Struct(item) if derives(&item.attrs, "Params") => {
             params_parse::params(item.to_token_stream(), &mut report);
+        }
+        Item::Trait(item) if item.attrs.iter().any(|one| one.path().is_ident("role")) => {
+            let mut item = item.clone();
+            item.attrs.retain(|one| !one.path().is_ident("role"));
+            role::parse(TokenStream::new(), &item.to_token_stream(), &mut report);
         }
         Item::Enum(item) if derives(&item.attrs, "ParamEnum") => {
             params_parse::choice(item.to_token_stream(), &mut report);
