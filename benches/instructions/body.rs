@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{YawFrom, ankle, centre_of_mass, legs_angles};
-use bica_motion::model::{Nao, RobotModel, T1};
+use bica_motion::model::{NAO, T1};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::recovery::Situation;
@@ -20,11 +20,11 @@ const FORWARD: Velocity = Velocity { forward: 0.2, left: 0.02, turn: 0.1 };
 fn pose() -> Joints {
     let mut walk = new_walk();
     step_repeatedly(&mut walk, 30);
-    walk.step(FORWARD, &on_both_feet(), 0.01).joints::<Nao>()
+    walk.step(FORWARD, &on_both_feet(), 0.01).joints(NAO)
 }
 
 fn new_walk() -> Walk {
-    Walk::<Nao>::new(&Nao::DYNAMIC_PROFILE.gait)
+    Walk::new(NAO, &NAO.dynamic_profile.gait)
 }
 
 fn on_both_feet() -> Feedback {
@@ -47,25 +47,25 @@ fn pushed() -> Situation {
 
 /// All benchmarks of the motion.
 pub(crate) fn cases() -> Vec<Case> {
-    let ankles = || [Side::Left, Side::Right].map(|side| ankle::<Nao>(side, &pose()));
+    let ankles = || [Side::Left, Side::Right].map(|side| ankle(NAO, side, &pose()));
     vec![
         Case::new("forward_kinematics.pose", pose, |angles| {
-            black_box(ankle::<Nao>(Side::Left, black_box(angles)));
+            black_box(ankle(NAO, Side::Left, black_box(angles)));
         }),
         Case::new("balance.pose", pose, |angles| {
-            black_box(centre_of_mass::<Nao>(black_box(angles)));
+            black_box(centre_of_mass(NAO, black_box(angles)));
         }),
         Case::new("inverse_kinematics.pose", ankles, |ankles| {
             let [left, right] = black_box(ankles);
-            black_box(legs_angles::<Nao>(left, right, YawFrom::Mean));
+            black_box(legs_angles(NAO, left, right, YawFrom::Mean));
         }),
         Case::new("walk.second", new_walk, |walk| step_repeatedly(walk, 100)),
         Case::new("recovery.step", pushed, |now| {
-            black_box(T1::DYNAMIC_PROFILE.gait.recovery(black_box(now)));
+            black_box(T1.dynamic_profile.gait.recovery(black_box(now)));
         }),
         Case::new("recovery_by_matrices.step", pushed, |now| {
             let now = black_box(now);
-            black_box(Program::of(&T1::DYNAMIC_PROFILE.gait, now).best_step(now));
+            black_box(Program::of(&T1.dynamic_profile.gait, now).best_step(now));
         }),
     ]
 }

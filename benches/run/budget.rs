@@ -7,8 +7,9 @@ use bica::Instant;
 use bica::runner::World;
 use bica_app::{App, WorldOptions};
 use bica_field::GoalColour;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::{Forward, Model};
+use bica_player::Forward;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -49,7 +50,7 @@ pub(crate) fn run(options: &[&str]) -> ExitCode {
 
 /// The kinematic world with an inertial unit that reports a fall at a given time.
 struct Game {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     fall: Option<Duration>,
 }
 
@@ -57,7 +58,7 @@ impl Game {
     fn new(options: &WorldOptions, frame: Frame) -> Self {
         let Fixture { seed, robots, fall } = GAMES[options.seed as usize % GAMES.len()];
         let setup = Setup { seed, robots, frame, attacks: Some(ATTACKED), ..Setup::default() };
-        Self { world: KinematicWorld::new(&setup).expect("a valid setup"), fall }
+        Self { world: KinematicWorld::new(NAO, &setup).expect("a valid setup"), fall }
     }
 }
 

@@ -2,16 +2,17 @@
 
 use bica::Has;
 use bica::runner::{Robot, Runner};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Command, Sensors};
 use bica_player::input::FrameTooLarge;
 use bica_player::perception::{GoalDetector, Localization};
-use bica_player::{Forward, Model, tunable};
+use bica_player::{Forward, tunable};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::Setup;
 
 /// A game of the forward.
-pub type Game<T = Forward> = Runner<Box<T>, KinematicWorld<Model>>;
+pub type Game<T = Forward> = Runner<Box<T>, KinematicWorld>;
 
 /// Tree of the forward: with constant parameters, or tunable.
 pub trait ForwardTree:
@@ -41,7 +42,7 @@ impl ForwardTree for tunable::Forward {
 /// If the setup is not valid.
 #[must_use]
 pub fn new_game<T: ForwardTree>(setup: &Setup) -> Game<T> {
-    let world = KinematicWorld::<Model>::new(setup).expect("a valid setup");
+    let world = KinematicWorld::new(NAO, setup).expect("a valid setup");
     let mut robot = T::create();
     robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
     Runner::new(robot, world)

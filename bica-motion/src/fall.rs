@@ -1,10 +1,8 @@
 //! Fall detection from the inertial unit.
 
-use core::marker::PhantomData;
-
 use glam::Vec3;
 
-use crate::model::{FallLimits, Nao, RobotModel};
+use crate::model::{FallLimits, RobotModel};
 use crate::robot::Inertial;
 
 /// Side to which a robot falls, or on which it lies.
@@ -79,14 +77,14 @@ pub struct FallTuning {
 impl FallTuning {
     /// The default limits of a robot. Source of the lying tolerance and of the fall time: HULKs 2025.
     #[must_use]
-    pub const fn of<M: RobotModel>() -> Self {
-        Self { limits: M::FALL_LIMITS, risen_tilt: 0.3, risen_time: 0.3, lying_tolerance: 7.0, max_fall_time: 1.0 }
+    pub const fn of(model: &RobotModel) -> Self {
+        Self { limits: model.fall_limits, risen_tilt: 0.3, risen_time: 0.3, lying_tolerance: 7.0, max_fall_time: 1.0 }
     }
 }
 
 /// Detector of falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FallDetector<M = Nao> {
+pub struct FallDetector {
     roll: f32,
     pitch: f32,
     acceleration: Vec3,
@@ -94,27 +92,19 @@ pub struct FallDetector<M = Nao> {
     /// Time in the state `Falling`, or within the tilt of a robot that has got up, s.
     time: f32,
     tuning: FallTuning,
-    model: PhantomData<M>,
 }
 
-impl<M: RobotModel> Default for FallDetector<M> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<M: RobotModel> FallDetector<M> {
+impl FallDetector {
     /// A detector in the state [`Upright`](FallState::Upright) with the default limits ([`FallTuning::of`]).
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn new(model: &RobotModel) -> Self {
         Self {
             roll: 0.0,
             pitch: 0.0,
             acceleration: Vec3::ZERO,
             state: FallState::Upright,
             time: 0.0,
-            tuning: FallTuning::of::<M>(),
-            model: PhantomData,
+            tuning: FallTuning::of(model),
         }
     }
 

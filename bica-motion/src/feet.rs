@@ -44,12 +44,13 @@ impl Tilt {
 ///
 /// The mean heading of the feet should equal the torso's: the shared hip yaw-pitch turns both feet symmetrically.
 #[must_use]
-pub fn level_legs<M: RobotModel>(feet: &[Foot; 2], hip_height: f32, roll: f32) -> [LegAngles; 2] {
-    tilted_legs::<M>(feet, hip_height, roll, None)
+pub fn level_legs(model: &RobotModel, feet: &[Foot; 2], hip_height: f32, roll: f32) -> [LegAngles; 2] {
+    tilted_legs(model, feet, hip_height, roll, None)
 }
 
 /// As [`level_legs`], with a swing foot that is level while the robot tilts.
-pub(crate) fn tilted_legs<M: RobotModel>(
+pub(crate) fn tilted_legs(
+    model: &RobotModel,
     feet: &[Foot; 2],
     hip_height: f32,
     roll: f32,
@@ -57,9 +58,9 @@ pub(crate) fn tilted_legs<M: RobotModel>(
 ) -> [LegAngles; 2] {
     let torso = Affine3A::from_rotation_x(-roll);
     let poses = feet.map(|foot| {
-        let place = foot.pose.position.extend(foot.lift + M::DIMENSIONS.foot_height - hip_height);
+        let place = foot.pose.position.extend(foot.lift + model.dimensions.foot_height - hip_height);
         torso * Affine3A::from_translation(place) * Affine3A::from_rotation_z(foot.pose.heading)
     });
     let [left, right] = tilt.map_or(poses, |tilt| tilt.level(poses));
-    legs_angles::<M>(&left, &right, YawFrom::Mean)
+    legs_angles(model, &left, &right, YawFrom::Mean)
 }

@@ -1,20 +1,18 @@
 //! Getting up.
 //!
-//! A get-up is a list of key postures ([`RobotModel::GET_UP`]), linearly interpolated and slowed down where a joint would
+//! A get-up is a list of key postures ([`RobotModel::get_up`]), linearly interpolated and slowed down where a joint would
 //! exceed its maximum speed. From the front, the arms push the NAO's hips up and back over the spread feet until it sits.
 //! From the back, it swings its legs and sits up. From sitting, both ways are the same: it kneels on one leg,
 //! pushes with the opposite hand, pulls the other leg in and rises. Before it stands it passes a *tuck* with both knees bent
-//! beyond [`TUCK_KNEE_ANGLE`]. The last posture is [`RobotModel::STAND`], held for [`HOLD`] seconds.
+//! beyond [`TUCK_KNEE_ANGLE`]. The last posture is [`RobotModel::stand`], held for [`HOLD`] seconds.
 //!
 //! After two failed attempts the robot turns over before the next one, because an obstacle may block it.
-
-use core::marker::PhantomData;
 
 use crate::easing::mix;
 use crate::fall::Direction;
 use crate::joints::{Joint, Joints};
 use crate::keyframes::Keyframe;
-use crate::model::{GetUpFrame, Nao, RobotModel};
+use crate::model::{GetUpFrame, RobotModel};
 use crate::robot::Inertial;
 
 /// Minimum angle of both knees in the tuck, rad.
@@ -45,7 +43,7 @@ enum Sequence {
 
 /// A get-up in progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GetUp<M = Nao> {
+pub struct GetUp {
     sequence: Sequence,
     mirrored: bool,
     from: Joints,
@@ -57,13 +55,13 @@ pub struct GetUp<M = Nao> {
     seconds: f32,
     risen: bool,
     failed: bool,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> GetUp<M> {
+impl GetUp {
     /// No get-up: done at once.
     #[must_use]
-    pub const fn none() -> Self {
+    pub const fn none(model: &'static RobotModel) -> Self {
         Self {
             sequence: Sequence::UpFromBack,
             mirrored: false,
@@ -73,7 +71,7 @@ impl<M: RobotModel> GetUp<M> {
             seconds: 0.0,
             risen: false,
             failed: true,
-            model: PhantomData,
+            model,
         }
     }
 
@@ -84,7 +82,7 @@ impl<M: RobotModel> GetUp<M> {
     /// face instead, the get-up stops at once. Every second attempt is mirrored. Every third attempt only turns the robot over,
     /// away from a possible obstacle.
     #[must_use]
-    pub fn new(lying: Direction, failures: u8, from: Joints) -> Self {
+    pub fn new(model: &'static RobotModel, lying: Direction, failures: u8, from: Joints) -> Self {
         let sequence = match (lying, failures % 3 == 2) {
             (Direction::Front, false) => Sequence::UpFromFront,
             (Direction::Front, true) => Sequence::TurnFromFront,
@@ -92,7 +90,7 @@ impl<M: RobotModel> GetUp<M> {
             (_, true) => Sequence::TurnFromBack,
         };
         let mirrored = failures % 2 == 1;
-        let mut movement = Self { sequence, mirrored, from, index: 0, failed: false, ..Self::none() };
+        let mut movement = Self { sequence, mirrored, from, index: 0, failed: false, ..Self::none(model) };
         movement.seconds = movement.needed();
         movement
     }
@@ -101,7 +99,7 @@ impl<M: RobotModel> GetUp<M> {
     #[must_use]
     pub fn is_done(&self) -> bool {
         let rise = match self.sequence {
-            Sequence::UpFromFront | Sequence::UpFromBack => M::GET_UP.rise.len() + 2,
+            Sequence::UpFromFront | Sequence::UpFromBack => self.model.get_up.rise.len() + 2,
             Sequence::TurnFromFront | Sequence::TurnFromBack => 0,
         };
         self.failed || self.index >= self.first_frames().len() + rise
@@ -143,7 +141,7 @@ impl<M: RobotModel> GetUp<M> {
         let uprightness = pitch * roll;
         self.risen |= uprightness > RISEN_UPRIGHTNESS || self.index > self.first_frames().len();
         let on_face = self.sequence == Sequence::UpFromBack
-            && self.index >= M::GET_UP.rolled_onto_back
+            && self.index >= self.model.get_up.rolled_onto_back
             && inertial.pitch > FACE_DOWN_PITCH;
         self.failed |= self.risen && uprightness < FALLEN_UPRIGHTNESS || on_face;
     }
@@ -151,44 +149,44 @@ impl<M: RobotModel> GetUp<M> {
     /// Key postures before the rise.
     const fn first_frames(&self) -> &'static [GetUpFrame] {
         match self.sequence {
-            Sequence::UpFromFront => M::GET_UP.sit_up_from_front,
-            Sequence::UpFromBack => M::GET_UP.sit_up_from_back,
-            Sequence::TurnFromFront => M::GET_UP.turn_from_front,
-            Sequence::TurnFromBack => M::GET_UP.turn_from_back,
+            Sequence::UpFromFront => self.model.get_up.sit_up_from_front,
+            Sequence::UpFromBack => self.model.get_up.sit_up_from_back,
+            Sequence::TurnFromFront => self.model.get_up.turn_from_front,
+            Sequence::TurnFromBack => self.model.get_up.turn_from_back,
         }
     }
 
     /// The posture that is being approached, and the nominal duration of the motion to it, s.
     fn goal(&self) -> (f32, Joints) {
         let rise = self.index.wrapping_sub(self.first_frames().len());
-        let Some(frame) = self.first_frames().get(self.index).or_else(|| M::GET_UP.rise.get(rise)) else {
-            return (if rise == M::GET_UP.rise.len() { STRETCH } else { HOLD }, M::STAND);
+        let Some(frame) = self.first_frames().get(self.index).or_else(|| self.model.get_up.rise.get(rise)) else {
+            return (if rise == self.model.get_up.rise.len() { STRETCH } else { HOLD }, self.model.stand);
         };
-        (frame.seconds(), frame.posture::<M>(self.mirrored))
+        (frame.seconds(), frame.posture(self.model, self.mirrored))
     }
 
     /// Duration of the motion to the next posture, s: nominal, or as long as the slowest joint needs.
     fn needed(&self) -> f32 {
         let (seconds, goal) = self.goal();
-        let turn = |joint: Joint| (goal[joint] - self.from[joint]).abs() / M::MAX_SPEEDS[joint];
+        let turn = |joint: Joint| (goal[joint] - self.from[joint]).abs() / self.model.max_speeds[joint];
         Joint::ALL.into_iter().map(turn).fold(seconds, f32::max)
     }
 
     const fn stiffness(&self) -> f32 {
         match self.index {
             0 => FIRST_STIFFNESS,
-            index if index > self.first_frames().len() + M::GET_UP.rise.len() => STAND_STIFFNESS,
+            index if index > self.first_frames().len() + self.model.get_up.rise.len() => STAND_STIFFNESS,
             _ => 1.0,
         }
     }
 }
 
-/// Posture to take during a fall, see [`RobotModel::FALL_POSTURES`]. The stiffness of
+/// Posture to take during a fall, see [`RobotModel::fall_postures`]. The stiffness of
 /// [`Stiffness::Fall`](crate::stiffness::Stiffness::Fall) applies.
 #[must_use]
-pub const fn protection<M: RobotModel>(falling: Direction) -> Keyframe {
+pub const fn protection(model: &RobotModel, falling: Direction) -> Keyframe {
     match falling {
-        Direction::Front => M::FALL_POSTURES.front,
-        Direction::Back | Direction::Left | Direction::Right => M::FALL_POSTURES.other,
+        Direction::Front => model.fall_postures.front,
+        Direction::Back | Direction::Left | Direction::Right => model.fall_postures.other,
     }
 }

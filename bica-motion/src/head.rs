@@ -19,12 +19,12 @@ pub struct HeadAngles {
     pub pitch: f32,
 }
 
-/// Pitch range at a yaw, rad, interpolated linearly in [`RobotModel::HEAD_PITCH_LIMITS`].
+/// Pitch range at a yaw, rad, interpolated linearly in [`RobotModel::head_pitch_limits`].
 ///
 /// Beyond the last yaw, and for NaN, the range at the last yaw.
 #[must_use]
-pub fn pitch_range<M: RobotModel>(yaw: f32) -> Range {
-    let limits = M::HEAD_PITCH_LIMITS;
+pub fn pitch_range(model: &RobotModel, yaw: f32) -> Range {
+    let limits = model.head_pitch_limits;
     let yaw = yaw.abs().to_degrees();
     let last = limits[limits.len() - 1];
     let (mut min, mut max) = (last.min, last.max);
@@ -45,9 +45,9 @@ impl HeadAngles {
 
     /// Nearest angles within the limits; the yaw has priority.
     #[must_use]
-    pub fn clamped<M: RobotModel>(&self) -> Self {
-        let yaw = M::LIMITS[Joint::HeadYaw].clamp(self.yaw);
-        Self { yaw, pitch: pitch_range::<M>(yaw).clamp(self.pitch) }
+    pub fn clamped(&self, model: &RobotModel) -> Self {
+        let yaw = model.limits[Joint::HeadYaw].clamp(self.yaw);
+        Self { yaw, pitch: pitch_range(model, yaw).clamp(self.pitch) }
     }
 
     /// Reads the head's angles.
@@ -68,9 +68,9 @@ impl HeadAngles {
 /// `point` is in the robot frame, m. The result may exceed the limits ([`HeadAngles::clamped`] applies them). It is
 /// arbitrary for points within a few centimetres of the neck, for which no solution exists.
 #[must_use]
-pub fn look_at<M: RobotModel>(camera: CameraId, point: Vec3) -> HeadAngles {
-    let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(camera);
-    let (ahead, up) = (hypotf(point.x, point.y), point.z - M::DIMENSIONS.neck.z);
+pub fn look_at(model: &RobotModel, camera: CameraId, point: Vec3) -> HeadAngles {
+    let CameraMount { position, tilt, .. } = model.dimensions.camera(camera);
+    let (ahead, up) = (hypotf(point.x, point.y), point.z - model.dimensions.neck.z);
     // Distance of the optical axis from the neck, independent of the pitch.
     let (sin, cos) = sincosf(tilt);
     let over_neck = position.x * sin + position.z * cos;
@@ -81,8 +81,14 @@ pub fn look_at<M: RobotModel>(camera: CameraId, point: Vec3) -> HeadAngles {
 /// As [`look_at`], for a point in the [ground frame](crate::kinematics::ground_from_robot), with the robot on its
 /// `support` foot and its joints at `angles`.
 #[must_use]
-pub fn look_at_over_ground<M: RobotModel>(camera: CameraId, point: Vec3, support: Side, angles: &Joints) -> HeadAngles {
-    look_at::<M>(camera, ground_from_robot::<M>(support, angles).inverse().transform_point3(point))
+pub fn look_at_over_ground(
+    model: &RobotModel,
+    camera: CameraId,
+    point: Vec3,
+    support: Side,
+    angles: &Joints,
+) -> HeadAngles {
+    look_at(model, camera, ground_from_robot(model, support, angles).inverse().transform_point3(point))
 }
 
 impl HeadSpeed {
@@ -91,15 +97,15 @@ impl HeadSpeed {
     /// The result is within the limits. Where a larger yaw narrows the pitch range, the pitch follows the range, which
     /// adds up to half of the yaw's speed to the pitch's speed.
     #[must_use]
-    pub fn step<M: RobotModel>(&self, now: HeadAngles, target: HeadAngles, dt: f32) -> HeadAngles {
-        let target = target.clamped::<M>();
+    pub fn step(&self, model: &RobotModel, now: HeadAngles, target: HeadAngles, dt: f32) -> HeadAngles {
+        let target = target.clamped(model);
         let toward = |now: f32, target: f32, speed: f32| {
             let most = if dt > 0.0 { speed * dt } else { 0.0 };
             now + clamp(target - now, -most, most)
         };
-        let now = now.clamped::<M>();
+        let now = now.clamped(model);
         let yaw = toward(now.yaw, target.yaw, self.yaw);
         let pitch = toward(now.pitch, target.pitch, self.pitch);
-        HeadAngles { yaw, pitch }.clamped::<M>()
+        HeadAngles { yaw, pitch }.clamped(model)
     }
 }

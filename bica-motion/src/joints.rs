@@ -1,7 +1,7 @@
 //! Joints of a humanoid robot, and one value for each.
 //!
 //! Order and names follow the NAO V6's own interface (`LoLA`). A robot with fewer joints lists its joints in
-//! [`RobotModel::JOINTS`](crate::model::RobotModel::JOINTS). A robot without fingers may have a waist and a second hip yaw in
+//! [`RobotModel::joints`](crate::model::RobotModel::joints). A robot without fingers may have a waist and a second hip yaw in
 //! their places ([`Joint::WAIST_YAW`], [`Joint::RIGHT_HIP_YAW`]): messages keep their size. Angles are in radians; hands range
 //! from 0 (closed) to 1 (open).
 

@@ -6,17 +6,17 @@
 //!
 //! ```
 //! use bica_motion::joints::Joint;
-//! use bica_motion::model::{Nao, RobotModel};
+//! use bica_motion::model::NAO;
 //! use bica_motion::robot::FootPressure;
 //! use bica_motion::walk::{Feedback, Phase, Velocity, Walk};
 //!
 //! let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
 //! let feedback = Feedback { left_foot: foot, right_foot: foot, ..Feedback::default() };
-//! let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
-//! let stand = walk.step(Velocity::ZERO, &feedback, 0.01).joints::<Nao>();
+//! let mut walk = Walk::new(NAO, &NAO.kinematic_profile.gait);
+//! let stand = walk.step(Velocity::ZERO, &feedback, 0.01).joints(NAO);
 //! for _ in 0..100 {
-//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, 0.01).joints::<Nao>();
-//!     assert!(targets.within_limits::<Nao>());
+//!     let targets = walk.step(Velocity::new(0.2, 0.0, 0.0), &feedback, 0.01).joints(NAO);
+//!     assert!(targets.within_limits(NAO));
 //! }
 //! assert_eq!(walk.phase(), Phase::Walking);
 //! assert!(stand[Joint::LKneePitch] > 0.0);

@@ -25,10 +25,10 @@ pub struct LegAngles {
 
 impl LegAngles {
     /// Writes the six angles to a side's joints; a shared yaw-pitch goes to the joint that both sides share.
-    pub fn write<M: RobotModel>(&self, side: Side, angles: &mut Joints) {
+    pub fn write(&self, model: &RobotModel, side: Side, angles: &mut Joints) {
         let values =
             [self.hip_yaw_pitch, self.hip_roll, self.hip_pitch, self.knee_pitch, self.ankle_pitch, self.ankle_roll];
-        for (joint, value) in M::leg_joints(side).into_iter().zip(values) {
+        for (joint, value) in model.leg_joints(side).into_iter().zip(values) {
             angles[joint] = value;
         }
     }
@@ -45,9 +45,9 @@ impl LegAngles {
 
     /// Reads a side's six angles.
     #[must_use]
-    pub fn read<M: RobotModel>(side: Side, angles: &Joints) -> Self {
+    pub fn read(model: &RobotModel, side: Side, angles: &Joints) -> Self {
         let [hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll] =
-            M::leg_joints(side).map(|joint: Joint| angles[joint]);
+            model.leg_joints(side).map(|joint: Joint| angles[joint]);
         Self { hip_yaw_pitch, hip_roll, hip_pitch, knee_pitch, ankle_pitch, ankle_roll }
     }
 }
@@ -81,8 +81,8 @@ impl ArmAngles {
 
     /// A hanging arm: `pitch` rad from straight down, positive to the back; `out` rad away from the body.
     #[must_use]
-    pub fn hanging<M: RobotModel>(side: Side, pitch: f32, out: f32) -> Self {
-        let (forward, down) = match M::ARM {
+    pub fn hanging(model: &RobotModel, side: Side, pitch: f32, out: f32) -> Self {
+        let (forward, down) = match model.arm {
             ArmGeometry::Forward => (FRAC_PI_2, 0.0),
             ArmGeometry::Sideways(_) => (0.0, -FRAC_PI_2),
         };
@@ -106,13 +106,13 @@ pub struct Limbs {
 
 impl Limbs {
     /// Writes all joints except the head's.
-    pub fn write<M: RobotModel>(&self, angles: &mut Joints) {
+    pub fn write(&self, model: &RobotModel, angles: &mut Joints) {
         for side in Side::BOTH {
             // Legs last: joints of a robot without fingers may have the places of the hands.
             self.arms[side.index()].write(side, angles);
         }
         for side in Side::BOTH {
-            self.legs[side.index()].write::<M>(side, angles);
+            self.legs[side.index()].write(model, side, angles);
         }
     }
 
@@ -125,9 +125,9 @@ impl Limbs {
 
     /// All joints, with the head straight ahead.
     #[must_use]
-    pub fn joints<M: RobotModel>(&self) -> Joints {
+    pub fn joints(&self, model: &RobotModel) -> Joints {
         let mut angles = Joints::all(0.0);
-        self.write::<M>(&mut angles);
+        self.write(model, &mut angles);
         angles
     }
 }

@@ -1,13 +1,11 @@
 //! Odometry from commanded angles, measured angles and gyroscope.
 
-use core::marker::PhantomData;
-
 use glam::{Affine3A, Vec2};
 use libm::atan2f;
 
 use crate::joints::Joints;
 use crate::kinematics::{ground_from_soles, sole};
-use crate::model::{MAX_FEEDBACK_DELAY, Nao, RobotModel};
+use crate::model::{MAX_FEEDBACK_DELAY, RobotModel};
 use crate::pose::Pose2;
 use crate::robot::FootPressure;
 use crate::side::Side;
@@ -65,7 +63,7 @@ pub struct MotionInput<'a> {
 ///
 /// While neither foot measures contact, only the commanded angles count; the lower foot is the support foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Odometry<M = Nao> {
+pub struct Odometry {
     calibration: &'static Calibration,
     pose: Pose2,
     soles: Option<[Affine3A; 2]>,
@@ -73,24 +71,15 @@ pub struct Odometry<M = Nao> {
     commanded: [Option<[Affine3A; 2]>; MAX_FEEDBACK_DELAY + 1],
     support: Option<Side>,
     legs_turn: f32,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> Odometry<M> {
+impl Odometry {
     /// Odometry at the origin.
     #[must_use]
-    pub const fn new(calibration: &'static Calibration) -> Self {
-        const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
+    pub const fn new(model: &'static RobotModel, calibration: &'static Calibration) -> Self {
         let commanded = [None; MAX_FEEDBACK_DELAY + 1];
-        Self {
-            calibration,
-            pose: Pose2::ORIGIN,
-            soles: None,
-            commanded,
-            support: None,
-            legs_turn: 0.0,
-            model: PhantomData,
-        }
+        Self { calibration, pose: Pose2::ORIGIN, soles: None, commanded, support: None, legs_turn: 0.0, model }
     }
 
     /// Sets the scales to use from now on.
@@ -125,13 +114,14 @@ impl<M: RobotModel> Odometry<M> {
 
     /// Processes one cycle as [`step`](Self::step) does, with corrections of the caller.
     pub fn step_tuned(&mut self, input: &MotionInput<'_>, tuning: &OdometryTuning) -> Pose2 {
-        let soles = Side::BOTH.map(|side| sole::<M>(side, input.angles));
+        let soles = Side::BOTH.map(|side| sole(self.model, side, input.angles));
         let before = self.soles.replace(soles);
         self.commanded.rotate_right(1);
-        self.commanded[0] = input.commanded.map(|angles| Side::BOTH.map(|side| sole::<M>(side, angles)));
+        self.commanded[0] = input.commanded.map(|angles| Side::BOTH.map(|side| sole(self.model, side, angles)));
         let (support, trust) = support(input.feet.map(FootPressure::total), tuning.full_trust);
         self.support = support;
-        let delayed = self.commanded[M::FEEDBACK_DELAY].zip(self.commanded[M::FEEDBACK_DELAY - 1]);
+        let delay = self.model.feedback_delay.cycles();
+        let delayed = self.commanded[delay].zip(self.commanded[delay - 1]);
         let commanded = delayed.and_then(|(before, now)| {
             let side = support.unwrap_or_else(|| lower(&now));
             scaled(motion(side, &before, &now), self.calibration.commanded_scale)

@@ -1,14 +1,12 @@
 //! Estimates of what a robot does not measure: tilt of the torso, and forces on the soles.
 
-use core::marker::PhantomData;
-
 use glam::{Affine3A, Vec3, Vec3A};
 use libm::{asinf, atan2f};
 
 use crate::bounds::clamp;
 use crate::joints::Joints;
 use crate::kinematics::sole;
-use crate::model::{Nao, RobotModel};
+use crate::model::RobotModel;
 use crate::robot::{FootPressure, Inertial, Sensors};
 use crate::side::Side;
 
@@ -25,31 +23,25 @@ const FREE_FALL: f32 = 0.3;
 
 /// Estimator for the robots whose [`Senses`](crate::model::Senses) lack something; measured values pass unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SenseEstimator<M = Nao> {
+pub struct SenseEstimator {
     /// Vertical direction in the torso frame.
     up: Vec3,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> Default for SenseEstimator<M> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<M: RobotModel> SenseEstimator<M> {
+impl SenseEstimator {
     /// Begins with an upright torso.
     #[must_use]
-    pub const fn new() -> Self {
-        Self { up: Vec3::Z, model: PhantomData }
+    pub const fn new(model: &'static RobotModel) -> Self {
+        Self { up: Vec3::Z, model }
     }
 
     /// Completes the measurements of one cycle of `dt` s.
     pub fn complete(&mut self, sensors: &mut Sensors<'_>, dt: f32) {
-        if !M::SENSES.tilt {
+        if !self.model.senses.tilt {
             self.tilt(&mut sensors.inertial, dt);
         }
-        if !M::SENSES.soles {
+        if !self.model.senses.soles {
             [sensors.left_foot, sensors.right_foot] = self.forces(&sensors.angles, &sensors.inertial);
         }
     }
@@ -70,8 +62,9 @@ impl<M: RobotModel> SenseEstimator<M> {
     fn forces(&self, angles: &Joints, inertial: &Inertial) -> [FootPressure; 2] {
         let up: Vec3A = self.up.into();
         let height = |pose: Affine3A| pose.translation.dot(up);
-        let [left, right] = Side::BOTH.map(|side| height(sole::<M>(side, angles)));
-        let weight = if inertial.acceleration.length() < FREE_FALL * GRAVITY { 0.0 } else { M::TOTAL_MASS * GRAVITY };
+        let [left, right] = Side::BOTH.map(|side| height(sole(self.model, side, angles)));
+        let weight =
+            if inertial.acceleration.length() < FREE_FALL * GRAVITY { 0.0 } else { self.model.total_mass() * GRAVITY };
         let share = clamp(0.5 + 0.5 * (right - left) / WEIGHT_SHIFT, 0.0, 1.0);
         [share, 1.0 - share].map(|share| {
             let corner = 0.25 * share * weight;

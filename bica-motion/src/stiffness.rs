@@ -17,14 +17,14 @@ pub enum Stiffness {
 }
 
 impl Stiffness {
-    /// Stiffness of every joint, 0 to 1, from [`RobotModel::STIFFNESS`].
+    /// Stiffness of every joint, 0 to 1, from [`RobotModel::stiffness`].
     #[must_use]
-    pub fn joints<M: RobotModel>(self) -> Joints {
+    pub fn joints(self, model: &RobotModel) -> Joints {
         let limbs = match self {
             Self::Limp => return Joints::all(0.0),
-            Self::Stand => M::STIFFNESS.stand,
-            Self::Walk => M::STIFFNESS.walk,
-            Self::Fall => M::STIFFNESS.fall,
+            Self::Stand => model.stiffness.stand,
+            Self::Walk => model.stiffness.walk,
+            Self::Fall => model.stiffness.fall,
         };
         let mut stiffness = Joints::all(0.0);
         for joint in Joint::ALL {
@@ -38,7 +38,7 @@ impl Stiffness {
                 LShoulderRoll | RShoulderRoll => limbs.shoulder_roll,
                 LElbowYaw | LElbowRoll | RElbowYaw | RElbowRoll => limbs.elbow,
                 LWristYaw | RWristYaw => limbs.wrist,
-                LHand | RHand if M::LEG.shares_hip_yaw() => 0.0,
+                LHand | RHand if model.leg.shares_hip_yaw() => 0.0,
                 _ => limbs.leg,
             };
         }

@@ -47,13 +47,13 @@
 //!
 //! ```
 //! use bica_field::FIELD;
-//! use bica_motion::{joints::Joints, model::Nao, robot::CameraId, side::Side};
+//! use bica_motion::{joints::Joints, model::NAO, robot::CameraId, side::Side};
 //! use bica_vision::{frame::Frame, pipeline::Pipeline, profile::BUILT_IN_TABLE, projection::Camera};
 //!
 //! # let (bytes, angles) = (vec![0; 2 * 320 * 240], Joints::all(0.0));
 //! let mut pipeline = Pipeline::<512, 512>::new(FIELD.ball_radius());
 //! let frame = Frame::new(320, 240, &bytes).expect("the size fits the bytes");
-//! let camera = Camera::of::<Nao>(CameraId::Top, &angles, Side::Left, 320, 240);
+//! let camera = Camera::of(NAO, CameraId::Top, &angles, Side::Left, 320, 240);
 //! let detections = pipeline.detect(&frame, &BUILT_IN_TABLE, Some(&camera));
 //! let ball_on_ground = detections.ball.and_then(|ball| ball.ground(&camera, FIELD.ball_radius()));
 //! let goal_on_ground = detections.goals.blue.and_then(|goal| goal.ground(&camera));

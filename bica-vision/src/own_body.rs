@@ -1,6 +1,6 @@
 //! The robot's own body in the image.
 //!
-//! Chest, shoulders, arms, legs and feet are capsules: line segments with a radius, see [`RobotModel::BODY_SHAPE`]. A
+//! Chest, shoulders, arms, legs and feet are capsules: line segments with a radius, see [`RobotModel::body_shape`]. A
 //! pixel shows the body if its ray meets a capsule. This is exact for parts close to the camera and at the image edge,
 //! where projected circles are not.
 //!
@@ -45,16 +45,22 @@ impl OwnBody {
     /// Body of a robot as its camera `id` sees it at these joint angles, rad. Only the intrinsics of `camera` are used:
     /// the body is fixed to the camera, not to the ground.
     #[must_use]
-    pub fn of<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints) -> Self {
-        Self::of_mounted::<M>(camera, id, angles, &Mounting::EXACT)
+    pub fn of(model: &'static RobotModel, camera: &Camera, id: CameraId, angles: &Joints) -> Self {
+        Self::of_mounted(model, camera, id, angles, &Mounting::EXACT)
     }
 
     /// Body as [`of`](Self::of), seen by a camera with a corrected mounting.
     #[must_use]
-    pub fn of_mounted<M: RobotModel>(camera: &Camera, id: CameraId, angles: &Joints, mounting: &Mounting) -> Self {
-        let nominal = kinematics::camera::<M>(id, angles);
+    pub fn of_mounted(
+        model: &'static RobotModel,
+        camera: &Camera,
+        id: CameraId,
+        angles: &Joints,
+        mounting: &Mounting,
+    ) -> Self {
+        let nominal = kinematics::camera(model, id, angles);
         let pose = mounting.rotation().map_or(nominal, |rotation| nominal * rotation);
-        Self::seen_from::<M>(pose, camera.intrinsics(), angles)
+        Self::seen_from(model, pose, camera.intrinsics(), angles)
     }
 
     /// The same body with all parts thicker by a margin, m.
@@ -77,47 +83,47 @@ impl OwnBody {
     /// Body without known joint angles: the robot stands upright over the origin, faces along x and lets its
     /// arms hang. The pose of `camera` gives the view.
     #[must_use]
-    pub fn standing<M: RobotModel>(camera: &Camera, id: CameraId) -> Self {
-        let CameraMount { position, tilt, .. } = M::DIMENSIONS.camera(id);
+    pub fn standing(model: &'static RobotModel, camera: &Camera, id: CameraId) -> Self {
+        let CameraMount { position, tilt, .. } = model.dimensions.camera(id);
         let turn = Affine3A { translation: glam::Vec3A::ZERO, ..camera.pose() };
         let head = turn * Affine3A::from_rotation_y(-tilt);
-        let at = M::DIMENSIONS.neck + head.transform_vector3(position);
+        let at = model.dimensions.neck + head.transform_vector3(position);
         let hips = Vec3::from(camera.pose().translation) - at;
-        let mut angles = M::STAND;
+        let mut angles = model.stand;
         for side in Side::BOTH {
-            let ankle = Vec3::new(0.0, side.sign() * M::DIMENSIONS.hip.y, M::DIMENSIONS.foot_height) - hips;
-            M::leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write::<M>(side, &mut angles);
+            let ankle = Vec3::new(0.0, side.sign() * model.dimensions.hip.y, model.dimensions.foot_height) - hips;
+            model.leg_angles_at(side, &Affine3A::from_translation(ankle), 0.0).write(model, side, &mut angles);
         }
-        Self::seen_from::<M>(Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
+        Self::seen_from(model, Affine3A { translation: at.into(), ..turn }, camera.intrinsics(), &angles)
     }
 
-    fn seen_from<M: RobotModel>(camera: Affine3A, intrinsics: Intrinsics, angles: &Joints) -> Self {
+    fn seen_from(model: &'static RobotModel, camera: Affine3A, intrinsics: Intrinsics, angles: &Joints) -> Self {
         let mut body = Self { parts: Vec::new(), intrinsics };
         let turn = camera.matrix3.transpose();
         let camera = Affine3A { matrix3: turn, translation: turn * -camera.translation };
-        let [trunk, chest] = &M::BODY_SHAPE.torso;
+        let [trunk, chest] = &model.body_shape.torso;
         body.add(&camera, Side::Left, trunk);
         body.add(&camera, Side::Left, chest);
         for side in Side::BOTH {
-            body.add_arm::<M>(&camera, side, angles);
-            body.add_leg::<M>(&camera, side, angles);
+            body.add_arm(model, &camera, side, angles);
+            body.add_leg(model, &camera, side, angles);
         }
         body
     }
 
     #[inline(never)]
-    fn add_arm<M: RobotModel>(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
-        let [_, biceps, _, forearm, _] = kinematics::arm::<M>(side, angles);
-        let shape = M::BODY_SHAPE;
+    fn add_arm(&mut self, model: &'static RobotModel, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, biceps, _, forearm, _] = kinematics::arm(model, side, angles);
+        let shape = model.body_shape;
         self.add(&(*camera * biceps), side, &shape.biceps[0]);
         self.add(&(*camera * biceps), side, &shape.biceps[1]);
         self.add(&(*camera * forearm), side, &shape.forearm);
     }
 
     #[inline(never)]
-    fn add_leg<M: RobotModel>(&mut self, camera: &Affine3A, side: Side, angles: &Joints) {
-        let [_, _, thigh, tibia, _, foot] = kinematics::leg::<M>(side, angles);
-        let shape = M::BODY_SHAPE;
+    fn add_leg(&mut self, model: &'static RobotModel, camera: &Affine3A, side: Side, angles: &Joints) {
+        let [_, _, thigh, tibia, _, foot] = kinematics::leg(model, side, angles);
+        let shape = model.body_shape;
         self.add(&(*camera * thigh), side, &shape.thigh);
         self.add(&(*camera * tibia), side, &shape.tibia);
         self.add(&(*camera * foot), side, &shape.foot[0]);

@@ -8,7 +8,7 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{NAO, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat, Vec2, Vec3};
@@ -26,15 +26,15 @@ pub struct Intrinsics {
 impl Intrinsics {
     /// Intrinsics of a robot's camera at an image size, px, with the principal point in the middle.
     #[must_use]
-    pub fn of<M: RobotModel>(camera: CameraId, width: u16, height: u16) -> Self {
+    pub fn of(model: &'static RobotModel, camera: CameraId, width: u16, height: u16) -> Self {
         let size = Vec2::new(f32::from(width), f32::from(height));
-        Self { focal: M::DIMENSIONS.camera(camera).focal * size, centre: 0.5 * size }
+        Self { focal: model.dimensions.camera(camera).focal * size, centre: 0.5 * size }
     }
 
     /// Intrinsics of both cameras of a NAO V6 at an image size, px.
     #[must_use]
     pub fn nao_v6(width: u16, height: u16) -> Self {
-        Self::of::<Nao>(CameraId::Top, width, height)
+        Self::of(NAO, CameraId::Top, width, height)
     }
 }
 
@@ -84,9 +84,16 @@ impl Camera {
 
     /// Camera of a robot at these joint angles, standing on the sole of the `support` side; image size in px.
     #[must_use]
-    pub fn of<M: RobotModel>(id: CameraId, angles: &Joints, support: Side, width: u16, height: u16) -> Self {
-        let pose = kinematics::ground_from_robot::<M>(support, angles) * kinematics::camera::<M>(id, angles);
-        Self::new(pose, Intrinsics::of::<M>(id, width, height))
+    pub fn of(
+        model: &'static RobotModel,
+        id: CameraId,
+        angles: &Joints,
+        support: Side,
+        width: u16,
+        height: u16,
+    ) -> Self {
+        let pose = kinematics::ground_from_robot(model, support, angles) * kinematics::camera(model, id, angles);
+        Self::new(pose, Intrinsics::of(model, id, width, height))
     }
 
     /// The camera with its mounting corrected. Without a correction it is the same, bit for bit.

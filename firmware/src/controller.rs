@@ -2,10 +2,9 @@
 
 use bica::runner::Runner;
 use bica::{ComponentId, Instant, Tree};
-use bica_motion::model::RobotModel;
 use bica_motion::robot::{self, Command};
 use bica_motion::stiffness::Stiffness;
-use bica_player::Model;
+use bica_motion::model::NAO;
 use bica_player::input::{CameraInput, IMAGE_BYTES, RobotState};
 use bica_player::perception::{BallDetector, GoalDetector};
 #[cfg(not(feature = "monitor"))]
@@ -304,8 +303,8 @@ impl<B: Board> Controller<B> {
 /// Command of the safe stop: the robot stands with the stiffness for standing.
 fn stand() -> Command {
     Command {
-        targets: Model::STAND,
-        stiffness: Stiffness::Stand.joints::<Model>(),
+        targets: NAO.stand,
+        stiffness: Stiffness::Stand.joints(NAO),
         lights: robot::Lights::default(),
         camera: robot::CameraId::default(),
     }

@@ -13,7 +13,7 @@ use bica::runner::{Runner, World};
 use bica_app::STACK_BYTES;
 use bica_link::{Client, ClientOptions, LinkServer, ServerOptions};
 use bica_motion::robot::{Command, Sensors};
-use bica_player::Model;
+use bica_motion::model::simulation::NAO;
 use bica_player::tunable::Forward;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -56,7 +56,7 @@ impl World<Forward> for Standing {
 }
 
 fn standing() -> Standing {
-    let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
+    let mut world = KinematicWorld::new(NAO, &Setup { frame: Frame::Small, ..Setup::default() }).expect("valid");
     let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } =
         bica_sim::World::sensors(&mut world);
     let measured = Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, image: None };

@@ -19,6 +19,7 @@ pub mod behaviour;
 mod forward;
 pub mod info;
 pub mod input;
+pub mod model;
 pub mod motion;
 pub mod output;
 pub mod perception;
@@ -28,15 +29,13 @@ pub mod strategy;
 
 pub use forward::{Forward, tunable};
 
-/// Model of the robot that the forward controls. All components of this crate take limits, lengths and motions from it, and
-/// tools make worlds for it.
-pub type Model = bica_motion::model::Nao;
+/// Model of the robot that a new tree controls; [`set_model`](model::set_model) sets another one.
+pub const MODEL: &RobotModel = NAO;
 
 /// Field on which it plays.
 pub use bica_field::FIELD;
 
-/// Height of the cameras over the ground in a walking robot, m.
-const CAMERA_HEIGHT: f32 = 0.48;
+use bica_motion::model::{NAO, RobotModel};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -2,7 +2,6 @@
 
 use core::f32::consts::PI;
 
-use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use glam::Vec2;
 
@@ -13,9 +12,9 @@ use crate::world::World;
 
 /// Makes the actions of a world.
 macro_rules! operated {
-    ($world:ty, $model:ident: $bound:path) => {
+    ($world:ty) => {
         #[bica_macros::world_actions(crate = bica_core)]
-        impl<$model: $bound> $world {
+        impl $world {
             /// Puts the ball at a place, at rest.
             #[action(moves = "ball")]
             fn place_ball(
@@ -126,6 +125,6 @@ macro_rules! operated {
     };
 }
 
-operated!(KinematicWorld<M>, M: SimulatedModel);
+operated!(KinematicWorld);
 #[cfg(feature = "mujoco")]
-operated!(crate::mujoco::MujocoWorld<M>, M: bica_motion::model::simulation::MujocoModel);
+operated!(crate::mujoco::MujocoWorld);

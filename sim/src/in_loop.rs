@@ -3,7 +3,6 @@
 use bica_core::action::Actions;
 use bica_core::visual::Scene;
 use bica_field::FIELD;
-use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::{Command, Sensors};
 use bica_runner::Robot;
 
@@ -14,8 +13,8 @@ use crate::world::World;
 
 /// Implements the runner's trait by this crate's trait, for every robot with the sensors and the command of a humanoid.
 macro_rules! controlled {
-    ($world:ty $(, $model:ident: $bound:path)?) => {
-        impl<R, $($model: $bound)?> bica_runner::World<R> for $world
+    ($world:ty) => {
+        impl<R> bica_runner::World<R> for $world
         where
             R: Robot<Command = Command>,
             for<'a> R: Robot<Sensors<'a> = Sensors<'a>>,
@@ -55,7 +54,7 @@ macro_rules! controlled {
     };
 }
 
-controlled!(KinematicWorld<M>, M: SimulatedModel);
+controlled!(KinematicWorld);
 controlled!(dyn SpectatorView + '_);
 #[cfg(feature = "mujoco")]
-controlled!(crate::mujoco::MujocoWorld<M>, M: bica_motion::model::simulation::MujocoModel);
+controlled!(crate::mujoco::MujocoWorld);

@@ -93,7 +93,7 @@ fn distance_to_path(point: Vec2, from: Vec2, to: Vec2) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use crate::random::Stream;
 
     #[test]
@@ -105,7 +105,7 @@ mod tests {
             let Start { robot, ball } = layout.start;
             assert!((0.3..=1.6).contains(&ball.x) && ball.y.abs() <= 1.0);
             assert!((0.8..=2.2).contains(&robot.position.distance(ball)));
-            assert_eq!(Setup { start: Some(layout.start), ..setup }.check::<TestModel>(), Ok(()));
+            assert_eq!(Setup { start: Some(layout.start), ..setup }.check(TEST_MODEL), Ok(()));
             assert!(layout.others.len() >= 8, "seed {seed}: {}", layout.others.len());
             assert!((0.3..=0.4).contains(&layout.rolling_deceleration));
             yellow += usize::from(layout.attacks == GoalColour::Yellow);

@@ -50,7 +50,7 @@ pub use world::{CYCLE, CYCLE_SECONDS, World};
 
 /// Robot of the unit tests.
 #[cfg(test)]
-type TestModel = bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO as TEST_MODEL;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

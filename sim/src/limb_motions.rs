@@ -32,13 +32,13 @@ pub(crate) enum Limb {
 }
 
 impl Limb {
-    fn joints<M: RobotModel>(self) -> [Option<Joint>; LIMB_JOINTS] {
+    fn joints(self, model: &'static RobotModel) -> [Option<Joint>; LIMB_JOINTS] {
         match self {
             Self::Head => [Some(Joint::HeadYaw), Some(Joint::HeadPitch), None, None, None, None],
             Self::LeftArm => Side::Left.arm().map(Some),
             Self::RightArm => Side::Right.arm().map(Some),
-            Self::LeftLeg => M::leg_joints(Side::Left).map(Some),
-            Self::RightLeg => M::leg_joints(Side::Right).map(Some),
+            Self::LeftLeg => model.leg_joints(Side::Left).map(Some),
+            Self::RightLeg => model.leg_joints(Side::Right).map(Some),
         }
     }
 }
@@ -97,16 +97,16 @@ impl LimbMotions {
     }
 
     /// The command of a cycle, with these motions over that of the program. `angles` are measured.
-    pub(crate) fn over<M: RobotModel>(&mut self, command: &Command, angles: &Joints) -> Command {
+    pub(crate) fn over(&mut self, model: &'static RobotModel, command: &Command, angles: &Joints) -> Command {
         let mut command = *command;
         let limbs = [Limb::Head, Limb::LeftArm, Limb::RightArm, Limb::LeftLeg, Limb::RightLeg];
         for (limb, queue) in limbs.into_iter().zip(&mut self.0) {
-            let joints = limb.joints::<M>();
+            let joints = limb.joints(model);
             let now = joints.map(|joint| joint.map_or(0.0, |joint| angles[joint]));
             let Some((targets, stiffness)) = queue.step(now) else { continue };
             for (joint, target) in joints.into_iter().zip(targets).filter_map(|(joint, target)| Some((joint?, target)))
             {
-                command.targets[joint] = M::LIMITS[joint].clamp(target);
+                command.targets[joint] = model.limits[joint].clamp(target);
                 command.stiffness[joint] = stiffness;
             }
         }

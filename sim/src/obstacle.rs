@@ -32,16 +32,16 @@ impl Obstacle {
     }
 
     /// Returns the shape of the legs of a standing robot.
-    pub(crate) fn legs<M: SimulatedModel>(robot: &Pose2) -> Self {
-        let (hip, leg) = (M::DIMENSIONS.hip, M::EXTENTS.leg);
+    pub(crate) fn legs(model: &'static SimulatedModel, robot: &Pose2) -> Self {
+        let (hip, leg) = (model.dimensions.hip, model.extents.leg);
         let [from, to] = [hip.y, -hip.y].map(|y| robot.place(Vec2::new(hip.x + leg.ahead, y)));
         Self { from, to, radius: leg.radius, restitution: 0.4, tangential_loss: 0.2 }
     }
 
     /// Returns the shape of a robot lying on the ground, with this pose of the robot frame.
-    pub(crate) fn lying<M: SimulatedModel>(robot: &Affine3A) -> Self {
-        let [from, to] = [0.0, M::EXTENTS.trunk_length].map(|z| robot.transform_point3(z * Vec3::Z).truncate());
-        Self { from, to, radius: M::EXTENTS.trunk_radius, restitution: 0.3, tangential_loss: 0.3 }
+    pub(crate) fn lying(model: &'static SimulatedModel, robot: &Affine3A) -> Self {
+        let [from, to] = [0.0, model.extents.trunk_length].map(|z| robot.transform_point3(z * Vec3::Z).truncate());
+        Self { from, to, radius: model.extents.trunk_radius, restitution: 0.3, tangential_loss: 0.3 }
     }
 
     /// Returns the point of the segment nearest to `point`.

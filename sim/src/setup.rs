@@ -158,36 +158,41 @@ impl Setup {
     /// # Errors
     ///
     /// If a parameter is invalid; the error names it.
-    pub(crate) fn check<M: SimulatedModel>(&self) -> Result<(), SetupError> {
+    pub(crate) fn check(&self, model: &'static SimulatedModel) -> Result<(), SetupError> {
         if self.robots > MAX_ROBOTS {
             return Err(SetupError::TooManyRobots(self.robots));
         }
-        self.start.map_or(Ok(()), |start| start.check::<M>())
+        self.start.map_or(Ok(()), |start| start.check(model))
     }
 }
 
 impl Start {
-    fn check<M: SimulatedModel>(&self) -> Result<(), SetupError> {
+    fn check(&self, model: &'static SimulatedModel) -> Result<(), SetupError> {
         if !on_carpet(self.robot.position) || !self.robot.heading.is_finite() {
             return Err(SetupError::RobotOffCarpet(self.robot));
         }
-        let hits = |obstacle: &Obstacle| obstacle.overlap(self.robot.position, M::EXTENTS.standing).is_some();
+        let hits = |obstacle: &Obstacle| obstacle.overlap(self.robot.position, model.extents.standing).is_some();
         if GOALS.iter().any(hits) {
             return Err(SetupError::RobotInGoal(self.robot));
         }
-        check_ball::<M>(self.ball, Vec2::ZERO, self.robot)
+        check_ball(model, self.ball, Vec2::ZERO, self.robot)
     }
 }
 
 /// Checks that a ball can be at a position, m, with a velocity, m/s, beside the robot. Field frame.
-pub(crate) fn check_ball<M: SimulatedModel>(ball: Vec2, velocity: Vec2, robot: Pose2) -> Result<(), SetupError> {
+pub(crate) fn check_ball(
+    model: &'static SimulatedModel,
+    ball: Vec2,
+    velocity: Vec2,
+    robot: Pose2,
+) -> Result<(), SetupError> {
     if !on_carpet(ball) {
         return Err(SetupError::BallOffCarpet(ball));
     }
     if GOALS.iter().any(|obstacle| obstacle.overlap(ball, BALL_RADIUS).is_some()) {
         return Err(SetupError::BallInGoal(ball));
     }
-    if robot.position.distance(ball) < M::EXTENTS.standing {
+    if robot.position.distance(ball) < model.extents.standing {
         return Err(SetupError::BallUnderRobot(ball));
     }
     if velocity.is_finite() { Ok(()) } else { Err(SetupError::BallVelocity(velocity)) }
@@ -200,11 +205,11 @@ fn on_carpet(at: Vec2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
 
     fn start(x: f32, y: f32, heading: f32, ball: Vec2) -> Result<(), SetupError> {
         let start = Some(Start { robot: Pose2::new(x, y, heading), ball });
-        Setup { start, ..Setup::default() }.check::<TestModel>()
+        Setup { start, ..Setup::default() }.check(TEST_MODEL)
     }
 
     #[test]
@@ -218,7 +223,7 @@ mod tests {
         assert!(matches!(start(0.0, 0.0, 0.0, Vec2::new(4.0, 0.0)), Err(SetupError::BallOffCarpet(_))));
         assert!(matches!(start(0.0, 0.0, 0.0, Vec2::new(3.05, 0.72)), Err(SetupError::BallInGoal(_))));
         assert!(matches!(start(1.0, 0.1, 0.0, ball), Err(SetupError::BallUnderRobot(_))));
-        let error = Setup { robots: 9, ..Setup::default() }.check::<TestModel>();
+        let error = Setup { robots: 9, ..Setup::default() }.check(TEST_MODEL);
         assert_eq!(error, Err(SetupError::TooManyRobots(9)));
         assert!(SetupError::TooManyRobots(9).to_string().contains("at most 8"));
     }

@@ -2,7 +2,7 @@
 
 use bica_motion::health::Fault;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::HealthMonitor;
 use bica_sim::World;
@@ -32,9 +32,9 @@ fn hot_joint_loses_stiffness_before_the_robot_sits() {
         play(&mut game, 600);
         assert_eq!(game.robot().get::<HealthMonitor>().fault(), Some(Fault::Hot(joint)));
         let last = game.cycle().expect("the image fits");
-        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= Nao::SIT_STIFFNESS), "seed {seed}");
+        assert!(last.stiffness.0.iter().all(|stiffness| *stiffness <= NAO.sit_stiffness), "seed {seed}");
         let angles = game.world_mut().sensors().angles;
-        let off = Joint::ALL.map(|joint| (angles[joint] - Nao::SIT[joint]).abs());
+        let off = Joint::ALL.map(|joint| (angles[joint] - NAO.sit[joint]).abs());
         assert!(off[7..18].iter().all(|off| *off < 0.02), "seed {seed}: {off:?}");
         assert_eq!(game.world().referee().falls(), 0, "seed {seed}");
     }

@@ -4,8 +4,8 @@ use bica::prelude::*;
 use bica::runner::World;
 use bica::runner::harness::{Harness, InWorld};
 use bica_motion::robot::{Command, Light, Sensors};
+use bica_player::Forward;
 use bica_player::behaviour::{Player, SafetyGuard};
-use bica_player::{Forward, Model};
 use bica_sim::Referee;
 use bica_sim::World as SimulatedWorld;
 use bica_sim::kinematic::KinematicWorld;
@@ -16,7 +16,7 @@ use crate::forward::game::new_game;
 
 /// The kinematic world with a hand on the chest button.
 struct WithButton {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     pressed: bool,
     /// The last command.
     command: Option<Command>,

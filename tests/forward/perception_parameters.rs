@@ -11,10 +11,9 @@ use bica::runner::{Robot, Runner};
 use bica_field::GoalColour;
 use bica_motion::fall::Direction;
 use bica_motion::joints::Joint;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, FootPressure, Image, Inertial, Sensors};
-use bica_player::Model;
 use bica_player::input::{CameraInput, Colours, GameState, HealthMonitor, RobotProfile, RobotState};
 use bica_player::perception::{
     BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry, OwnBody,
@@ -99,7 +98,7 @@ impl Recording {
     }
 
     /// Adds a part of a game.
-    fn play(&mut self, world: KinematicWorld<Model>) {
+    fn play(&mut self, world: KinematicWorld) {
         let mut game = Runner::new(forward(self.attacks), world);
         for _ in 0..800 {
             self.cycles.push(Cycle::of(&World::sensors(&mut game.world_mut().clone())));
@@ -108,8 +107,8 @@ impl Recording {
     }
 
     /// Adds some cycles of a standing robot with a pitch of the head, rad.
-    fn look(&mut self, mut world: KinematicWorld<Model>, pitch: f32, cycles: usize) {
-        let mut targets = Model::STAND;
+    fn look(&mut self, mut world: KinematicWorld, pitch: f32, cycles: usize) {
+        let mut targets = NAO.stand;
         targets[Joint::HeadPitch] = pitch;
         for _ in 0..cycles {
             self.cycles.push(Cycle::of(&world.sensors()));
@@ -163,13 +162,13 @@ impl Recording {
     }
 }
 
-fn world(robots: usize, robot: Pose2, ball: Vec2) -> KinematicWorld<Model> {
+fn world(robots: usize, robot: Pose2, ball: Vec2) -> KinematicWorld {
     let setup = Setup { seed: 9, frame: Frame::Medium, robots, start: Some(Start { robot, ball }), ..Setup::default() };
-    KinematicWorld::<Model>::new(&setup).expect("the setup is valid")
+    KinematicWorld::new(NAO, &setup).expect("the setup is valid")
 }
 
 /// World without other robots, with the ball in a corner.
-fn world_without(robot: Pose2) -> KinematicWorld<Model> {
+fn world_without(robot: Pose2) -> KinematicWorld {
     world(0, robot, Vec2::new(-2.5, -1.5))
 }
 

@@ -3,7 +3,7 @@
 use bica::Value;
 use bica::prelude::*;
 use bica::runner::harness::{Harness, InWorld};
-use bica_player::Model;
+use bica_motion::model::simulation::NAO;
 use bica_player::behaviour::SearchBall;
 use bica_player::tunable::Forward;
 use bica_sim::World;
@@ -15,7 +15,7 @@ use bica_sim::setup::{Frame, Setup};
 fn slow_search_moves_on_after_a_full_turn() {
     for (seed, places) in [(1, 1), (2, 2)] {
         let setup = Setup { seed, frame: Frame::Small, robots: 4, ..Setup::default() };
-        let world = KinematicWorld::<Model>::new(&setup).expect("the setup is valid");
+        let world = KinematicWorld::new(NAO, &setup).expect("the setup is valid");
         let mut robot = Box::new(Forward::new());
         // The detector looks, and never confirms the ball.
         let (most, none) = (Value::U32(30), Value::F32(1.0));
@@ -24,7 +24,7 @@ fn slow_search_moves_on_after_a_full_turn() {
             robot.set_params(&[setting]).expect("in its range");
         }
         let mut test = Harness::of_box(robot).in_world(world);
-        let place = |test: &Harness<Forward, InWorld<KinematicWorld<Model>>>| test.world().referee().robot().position;
+        let place = |test: &Harness<Forward, InWorld<KinematicWorld>>| test.world().referee().robot().position;
         for _ in 0..places {
             let before = place(&test);
             test.reaches::<SearchBall>("walk_on", Duration::from_secs(50));

@@ -4,8 +4,8 @@ use bica::Value;
 use bica::params::{Kind, Param, Setting};
 use bica::prelude::*;
 use bica::runner::Runner;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
-use bica_player::Model;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
 use bica_sim::World;
@@ -13,10 +13,10 @@ use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
 use proptest::prelude::*;
 
-type Game = Runner<Box<Forward>, KinematicWorld<Model>>;
+type Game = Runner<Box<Forward>, KinematicWorld>;
 
 fn new_game(setup: &Setup) -> Game {
-    let world = KinematicWorld::<Model>::new(setup).expect("the setup is valid");
+    let world = KinematicWorld::new(NAO, setup).expect("the setup is valid");
     let mut robot = Box::new(Forward::new());
     robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
     Runner::new(robot, world)

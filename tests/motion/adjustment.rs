@@ -2,7 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::{Adjustment, Feedback, Parameters, Velocity, Walk};
@@ -10,7 +10,7 @@ use glam::Vec3;
 
 use crate::motion::world::CYCLE;
 
-const GAIT: &Parameters = &Nao::DYNAMIC_PROFILE.gait;
+const GAIT: &Parameters = &NAO.dynamic_profile.gait;
 const FORWARD: Velocity = Velocity::new(9.0, 0.0, 0.0);
 
 /// Both feet bear the same weight; the torso pitches at this rate, rad/s.
@@ -21,16 +21,16 @@ fn feedback(pitch_rate: f32) -> Feedback {
 
 /// Walk after some cycles, and all targets.
 fn walked(adjustment: Adjustment, request: Velocity, pitch_rate: f32) -> (Walk, Vec<Joints>) {
-    let mut walk = Walk::<Nao>::new(GAIT);
+    let mut walk = Walk::new(NAO, GAIT);
     walk.set_adjustment(adjustment);
-    let targets = (0..300).map(|_| walk.step(request, &feedback(pitch_rate), CYCLE).joints::<Nao>()).collect();
+    let targets = (0..300).map(|_| walk.step(request, &feedback(pitch_rate), CYCLE).joints(NAO)).collect();
     (walk, targets)
 }
 
 /// Largest height of one sole over the other, m.
 fn swing_height(targets: &[Joints]) -> f32 {
     let height = |targets: &Joints| {
-        let [left, right] = Side::BOTH.map(|side| kinematics::sole::<Nao>(side, targets).translation.z);
+        let [left, right] = Side::BOTH.map(|side| kinematics::sole(NAO, side, targets).translation.z);
         (left - right).abs()
     };
     targets.iter().map(height).fold(0.0, f32::max)
@@ -71,11 +71,11 @@ fn the_lean_turns_both_hips_and_no_other_joint() {
         // The same capture-point error: the torso is tilted as far as it leans.
         let mut tilted = feedback(0.0);
         tilted.pitch = lean;
-        let (mut plain, mut leaning) = (Walk::<Nao>::new(GAIT), Walk::<Nao>::new(GAIT));
+        let (mut plain, mut leaning) = (Walk::new(NAO, GAIT), Walk::new(NAO, GAIT));
         leaning.set_adjustment(Adjustment { torso_lean: lean, ..Adjustment::NONE });
         for cycle in 0..300 {
-            let from = plain.step(request, &feedback(0.0), CYCLE).joints::<Nao>();
-            let to = leaning.step(request, &tilted, CYCLE).joints::<Nao>();
+            let from = plain.step(request, &feedback(0.0), CYCLE).joints(NAO);
+            let to = leaning.step(request, &tilted, CYCLE).joints(NAO);
             for joint in Joint::ALL {
                 let expected = if matches!(joint, Joint::LHipPitch | Joint::RHipPitch) { -lean } else { 0.0 };
                 let found = to[joint] - from[joint];

@@ -1,26 +1,26 @@
 //! In-walk kicks.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::side::Side;
 use bica_motion::walk::{Parameters, Phase, Velocity, Walk, in_walk_kick_foot};
 use glam::Vec2;
 
 use crate::motion::world::{CYCLE, World};
 
-const GAIT: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
+const GAIT: &Parameters = &NAO.kinematic_profile.gait;
 
 /// A forward walk with a kick request after 1.5 s: maximum forward position of each sole relative to the hips, m, before and
 /// after the request, and the number of kick steps.
 fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints::<Nao>()));
-    let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand::<Nao>().joints::<Nao>());
+    let (mut walk, mut world) = (Walk::new(NAO, GAIT), World::standing(NAO, GAIT.stand(NAO).joints(NAO)));
+    let (mut farthest, mut kicks, mut before) = ([[0.0_f32; 2]; 2], 0, GAIT.stand(NAO).joints(NAO));
     for cycle in 0..400 {
         if cycle == 150 {
             walk.request_kick(foot);
         }
         let was = walk.phase();
-        let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints::<Nao>();
+        let targets = walk.step(Velocity::new(speed, 0.0, 0.0), &world.body(), CYCLE).joints(NAO);
         kicks += u32::from(walk.phase() == Phase::Kicking && was != Phase::Kicking);
         world.step(&targets);
         assert!(world.margin() >= 0.005, "{speed} m/s: the mass is {} m inside", world.margin());
@@ -39,7 +39,7 @@ fn walk_and_kick(speed: f32, foot: Side) -> ([[f32; 2]; 2], u32) {
 fn check_speeds(before: &Joints, after: &Joints) {
     for joint in Joint::ALL.into_iter().filter(|joint| (7..18).contains(&joint.index())) {
         let speed = (after[joint] - before[joint]).abs() / CYCLE;
-        assert!(speed <= 1.25 * Nao::MAX_SPEEDS[joint], "{joint:?} at {speed} rad/s");
+        assert!(speed <= 1.25 * NAO.max_speeds[joint], "{joint:?} at {speed} rad/s");
     }
 }
 
@@ -58,12 +58,12 @@ fn in_walk_kick_extends_one_swing() {
 
 #[test]
 fn a_kick_request_in_stand_changes_no_target() {
-    let (mut walk, mut world) = (Walk::<Nao>::new(GAIT), World::<Nao>::standing(GAIT.stand::<Nao>().joints::<Nao>()));
+    let (mut walk, mut world) = (Walk::new(NAO, GAIT), World::standing(NAO, GAIT.stand(NAO).joints(NAO)));
     walk.request_kick(Side::Left);
     for _ in 0..100 {
         let targets = walk.step(Velocity::ZERO, &world.body(), CYCLE);
-        assert_eq!((walk.phase(), targets), (Phase::Standing, GAIT.stand::<Nao>()));
-        world.step(&targets.joints::<Nao>());
+        assert_eq!((walk.phase(), targets), (Phase::Standing, GAIT.stand(NAO)));
+        world.step(&targets.joints(NAO));
     }
 }
 

@@ -3,7 +3,7 @@
 use bica_motion::head::{HeadAngles, look_at, look_at_over_ground, pitch_range};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{self, ground_from_robot};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::Vec3;
@@ -22,7 +22,7 @@ fn the_pitch_range_at_each_yaw_is_the_published_one() {
         // Halfway between two of them.
         (35.585, -34.95, 22.69),
     ] {
-        let range = pitch_range::<Nao>(f32::to_radians(yaw));
+        let range = pitch_range(NAO, f32::to_radians(yaw));
         let near = |found: f32, expected: f32| (found.to_degrees() - expected).abs() < 0.01;
         assert!(near(range.min, min) && near(range.max, max), "{yaw}°: {range:?}");
     }
@@ -37,11 +37,11 @@ proptest! {
 
     #[test]
     fn clamped_angles_are_within_the_limits(yaw in -9.0_f32..9.0, pitch in -9.0_f32..9.0) {
-        let clamped = HeadAngles { yaw, pitch }.clamped::<Nao>();
-        prop_assert!(Nao::LIMITS[Joint::HeadYaw].contains(clamped.yaw));
-        prop_assert!(Nao::LIMITS[Joint::HeadPitch].contains(clamped.pitch));
-        prop_assert!(pitch_range::<Nao>(clamped.yaw).contains(clamped.pitch));
-        prop_assert_eq!(clamped.clamped::<Nao>(), clamped);
+        let clamped = HeadAngles { yaw, pitch }.clamped(NAO);
+        prop_assert!(NAO.limits[Joint::HeadYaw].contains(clamped.yaw));
+        prop_assert!(NAO.limits[Joint::HeadPitch].contains(clamped.pitch));
+        prop_assert!(pitch_range(NAO, clamped.yaw).contains(clamped.pitch));
+        prop_assert_eq!(clamped.clamped(NAO), clamped);
     }
 
     #[test]
@@ -50,8 +50,8 @@ proptest! {
     ) {
         let point = Vec3::new(far * bearing.cos(), far * bearing.sin(), height);
         let mut angles = Joints::all(0.0);
-        look_at::<Nao>(camera, point).write(&mut angles);
-        let seen = kinematics::camera::<Nao>(camera, &angles).inverse().transform_point3(point);
+        look_at(NAO, camera, point).write(&mut angles);
+        let seen = kinematics::camera(NAO, camera, &angles).inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0, "{seen} is behind the camera");
         prop_assert!(seen.y.abs() < 1e-5 * far.max(1.0) && seen.z.abs() < 1e-5 * far.max(1.0), "{seen}");
     }
@@ -60,10 +60,10 @@ proptest! {
     fn look_at_over_ground_points_the_optical_axis(x in 0.3_f32..3.0, y in -2.0_f32..2.0, left in any::<bool>()) {
         let support = if left { Side::Left } else { Side::Right };
         let point = Vec3::new(x, y, 0.0325);
-        let mut angles = Nao::STAND;
+        let mut angles = NAO.stand;
         angles[Joint::LHipRoll] += 0.05;
-        look_at_over_ground::<Nao>(CameraId::Top, point, support, &angles).write(&mut angles);
-        let camera = ground_from_robot::<Nao>(support, &angles) * kinematics::camera::<Nao>(CameraId::Top, &angles);
+        look_at_over_ground(NAO, CameraId::Top, point, support, &angles).write(&mut angles);
+        let camera = ground_from_robot(NAO, support, &angles) * kinematics::camera(NAO, CameraId::Top, &angles);
         let seen = camera.inverse().transform_point3(point);
         prop_assert!(seen.x > 0.0 && seen.y.abs() < 1e-4 && seen.z.abs() < 1e-4, "{seen}");
     }
@@ -72,18 +72,18 @@ proptest! {
     fn head_reaches_its_target_within_maximum_speeds(
         from in (-2.1_f32..2.1, -0.7_f32..0.6), to in (-3.0_f32..3.0, -1.0_f32..1.0),
     ) {
-        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped::<Nao>();
+        let mut now = HeadAngles { yaw: from.0, pitch: from.1 }.clamped(NAO);
         let target = HeadAngles { yaw: to.0, pitch: to.1 };
-        let motion = Nao::HEAD_SPEED;
+        let motion = NAO.head_speed;
         for _ in 0..600 {
-            let next = motion.step::<Nao>(now, target, 0.01);
+            let next = motion.step(NAO, now, target, 0.01);
             prop_assert!((next.yaw - now.yaw).abs() <= 0.01 * motion.yaw + 1e-6);
             let most = motion.pitch + 0.5 * motion.yaw;
             prop_assert!((next.pitch - now.pitch).abs() <= 0.01 * most + 1e-6);
-            prop_assert!(pitch_range::<Nao>(next.yaw).contains(next.pitch));
+            prop_assert!(pitch_range(NAO, next.yaw).contains(next.pitch));
             now = next;
         }
-        prop_assert_eq!(now, target.clamped::<Nao>());
+        prop_assert_eq!(now, target.clamped(NAO));
     }
 }
 
@@ -91,9 +91,9 @@ proptest! {
 fn head_stays_in_limits_for_non_finite_inputs() {
     for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let target = HeadAngles { yaw: value, pitch: value };
-        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, target, 0.01);
-        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
-        let next = Nao::HEAD_SPEED.step::<Nao>(HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
-        assert!(next.yaw.is_finite() && pitch_range::<Nao>(next.yaw).contains(next.pitch), "{next:?}");
+        let next = NAO.head_speed.step(NAO, HeadAngles::AHEAD, target, 0.01);
+        assert!(next.yaw.is_finite() && pitch_range(NAO, next.yaw).contains(next.pitch), "{next:?}");
+        let next = NAO.head_speed.step(NAO, HeadAngles::AHEAD, HeadAngles { yaw: 1.0, pitch: 0.2 }, value);
+        assert!(next.yaw.is_finite() && pitch_range(NAO, next.yaw).contains(next.pitch), "{next:?}");
     }
 }

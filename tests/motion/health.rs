@@ -2,7 +2,7 @@
 
 use bica_motion::health::{Fault, Glimpse, Health, Senses};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
@@ -13,7 +13,7 @@ fn standing(cycle: u32) -> Sensors<'static> {
     let foot = FootPressure { front_left: 26.0, ..FootPressure::default() };
     let noise = 1e-3 * (cycle % 7) as f32;
     Sensors {
-        angles: Nao::STAND,
+        angles: NAO.stand,
         temperatures: Joints::all(40.0),
         currents: Joints::all(0.1),
         inertial: Inertial { gyro: Vec3::splat(noise), acceleration: Vec3::Z * 9.81, roll: 0.0, pitch: 0.0 },
@@ -26,8 +26,8 @@ fn standing(cycle: u32) -> Sensors<'static> {
 
 /// First fault in `cycles` with changed sensors, and the cycle in which it is reported.
 fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Option<(Fault, u32)> {
-    let mut health = Health::<Nao>::new();
-    let stiffness = Stiffness::Walk.joints::<Nao>();
+    let mut health = Health::new(NAO);
+    let stiffness = Stiffness::Walk.joints(NAO);
     (0..cycles).find_map(|cycle| {
         let mut sensors = standing(cycle);
         change(&mut sensors);
@@ -38,26 +38,26 @@ fn found(cycles: u32, targets: &Joints, change: impl Fn(&mut Sensors<'_>)) -> Op
 
 #[test]
 fn a_standing_robot_with_valid_sensors_has_no_fault() {
-    assert_eq!(found(2000, &Nao::STAND, |_| ()), None);
+    assert_eq!(found(2000, &NAO.stand, |_| ()), None);
 }
 
 #[test]
 fn a_stuck_leg_joint_is_a_fault_within_two_seconds() {
-    let mut targets = Nao::STAND;
+    let mut targets = NAO.stand;
     targets[Joint::RKneePitch] += 0.9;
     let (fault, cycle) = found(2000, &targets, |_| ()).expect("a fault is reported");
     assert_eq!(fault, Fault::Stuck(Joint::RKneePitch));
     assert!((90..200).contains(&cycle), "{cycle}");
-    targets[Joint::RKneePitch] = Nao::STAND[Joint::RKneePitch] + 0.3;
+    targets[Joint::RKneePitch] = NAO.stand[Joint::RKneePitch] + 0.3;
     assert_eq!(found(2000, &targets, |_| ()), None, "a small deviation is no fault");
     for (joint, deviation) in [(Joint::RKneePitch, 0.7), (Joint::HeadYaw, 0.7), (Joint::HeadPitch, 0.35)] {
-        let mut targets = Nao::STAND;
+        let mut targets = NAO.stand;
         targets[joint] += deviation;
         assert_eq!(found(200, &targets, |_| ()).map(|found| found.0), Some(Fault::Stuck(joint)), "{deviation}");
     }
     let silent = |sensors: &mut Sensors<'_>| sensors.angles[Joint::LHipRoll] = f32::NAN;
-    assert_eq!(found(200, &Nao::STAND, silent).map(|found| found.0), Some(Fault::Stuck(Joint::LHipRoll)));
-    let mut arms = Nao::STAND;
+    assert_eq!(found(200, &NAO.stand, silent).map(|found| found.0), Some(Fault::Stuck(Joint::LHipRoll)));
+    let mut arms = NAO.stand;
     arms[Joint::LShoulderPitch] -= 1.0;
     assert_eq!(found(2000, &arms, |_| ()), None, "arms are compliant");
 }
@@ -65,11 +65,11 @@ fn a_stuck_leg_joint_is_a_fault_within_two_seconds() {
 #[test]
 fn frozen_inertial_reading_is_a_fault() {
     let (fault, cycle) =
-        found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("a fault is reported");
+        found(2000, &NAO.stand, |sensors| sensors.inertial.gyro = Vec3::ZERO).expect("a fault is reported");
     assert_eq!(fault, Fault::Inertial);
     assert!((99..=101).contains(&cycle), "{cycle}");
     for odd in [f32::NAN, f32::INFINITY, 1e20] {
-        let found = found(2000, &Nao::STAND, |sensors| sensors.inertial.gyro.x = odd);
+        let found = found(2000, &NAO.stand, |sensors| sensors.inertial.gyro.x = odd);
         assert_eq!(found.map(|found| found.0), Some(Fault::Inertial), "{odd} rad/s");
     }
 }
@@ -77,7 +77,7 @@ fn frozen_inertial_reading_is_a_fault() {
 #[test]
 fn one_silent_foot_is_a_fault_and_two_are_not() {
     for side in Side::BOTH {
-        let silent = found(2000, &Nao::STAND, |sensors| {
+        let silent = found(2000, &NAO.stand, |sensors| {
             let loaded = FootPressure { front_left: 52.0, ..FootPressure::default() };
             (sensors.left_foot, sensors.right_foot) = (loaded, loaded);
             match side {
@@ -89,7 +89,7 @@ fn one_silent_foot_is_a_fault_and_two_are_not() {
         assert_eq!(fault, Fault::Foot(side));
         assert!((399..=401).contains(&cycle), "{cycle}");
     }
-    let lifted = found(2000, &Nao::STAND, |sensors| {
+    let lifted = found(2000, &NAO.stand, |sensors| {
         (sensors.left_foot, sensors.right_foot) = (FootPressure::default(), FootPressure::default());
     });
     assert_eq!(lifted, None);
@@ -101,11 +101,11 @@ fn unloaded_foot_is_no_fault() {
         sensors.left_foot = FootPressure::default();
         sensors.right_foot = FootPressure { front_left: 52.0, ..FootPressure::default() };
     };
-    let mut lifted = Nao::STAND;
+    let mut lifted = NAO.stand;
     lifted[Joint::LHipPitch] -= 0.1;
     lifted[Joint::LKneePitch] += 0.2;
     lifted[Joint::LAnklePitch] -= 0.1;
-    let mut shifted = Nao::STAND;
+    let mut shifted = NAO.stand;
     for (hip, ankle) in [(Joint::LHipRoll, Joint::LAnkleRoll), (Joint::RHipRoll, Joint::RAnkleRoll)] {
         shifted[hip] += 0.4;
         shifted[ankle] -= 0.4;
@@ -117,25 +117,25 @@ fn unloaded_foot_is_no_fault() {
         };
         assert_eq!(found(2000, &posture, upright), None);
     }
-    assert_eq!(found(2000, &Nao::STAND, on_right_foot).map(|found| found.0), Some(Fault::Foot(Side::Left)));
+    assert_eq!(found(2000, &NAO.stand, on_right_foot).map(|found| found.0), Some(Fault::Foot(Side::Left)));
 }
 
 #[test]
 fn joints_are_not_checked_while_the_robot_lies() {
-    let mut targets = Nao::STAND;
+    let mut targets = NAO.stand;
     targets[Joint::RKneePitch] += 0.9;
     assert_eq!(found(2000, &targets, |sensors| sensors.inertial.pitch = 1.5), None);
 }
 
 #[test]
 fn a_sensor_fault_is_permanent() {
-    let mut health = Health::<Nao>::new();
+    let mut health = Health::new(NAO);
     for cycle in 0..300 {
         let sensors = Sensors { inertial: standing(0).inertial, ..standing(cycle) };
-        health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
+        health.step(&sensors, &NAO.stand, &Stiffness::Walk.joints(NAO));
     }
     for cycle in 0..300 {
-        health.step(&standing(cycle), &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
+        health.step(&standing(cycle), &NAO.stand, &Stiffness::Walk.joints(NAO));
     }
     assert_eq!(health.fault(), Some(Fault::Inertial));
     assert_eq!(Fault::Stuck(Joint::LHipRoll).to_string(), "LHipRoll does not follow its target");
@@ -143,7 +143,7 @@ fn a_sensor_fault_is_permanent() {
 
 /// First fault in `cycles` with the left knee's motor at a temperature (°C) and a current (A).
 fn overloaded(cycles: u32, temperature: f32, current: f32) -> Option<(Fault, u32)> {
-    found(cycles, &Nao::STAND, |sensors| {
+    found(cycles, &NAO.stand, |sensors| {
         sensors.temperatures[Joint::LKneePitch] = temperature;
         sensors.currents[Joint::LKneePitch] = current;
     })
@@ -163,12 +163,12 @@ fn thermal_faults_end_when_all_motors_have_cooled() {
     let hot = |temperature| move |sensors: &mut Sensors<'_>| sensors.temperatures[Joint::LKneePitch] = temperature;
     let pushing = |sensors: &mut Sensors<'_>| sensors.currents[Joint::LKneePitch] = 2.0;
     let lying = |sensors: &mut Sensors<'_>| sensors.inertial.pitch = 1.2;
-    let mut health = Health::<Nao>::new();
+    let mut health = Health::new(NAO);
     let mut live = |change: &dyn Fn(&mut Sensors<'_>), cycles: u32| {
         for cycle in 0..cycles {
             let mut sensors = standing(cycle);
             change(&mut sensors);
-            health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
+            health.step(&sensors, &NAO.stand, &Stiffness::Walk.joints(NAO));
         }
         health.fault()
     };
@@ -187,11 +187,11 @@ fn thermal_faults_end_when_all_motors_have_cooled() {
 
 #[test]
 fn interrupted_high_temperatures_are_no_fault() {
-    let mut health = Health::<Nao>::new();
+    let mut health = Health::new(NAO);
     for cycle in 0..1000 {
         let mut sensors = standing(cycle);
         sensors.temperatures[Joint::LKneePitch] = if cycle % 50 == 0 { 40.0 } else { 90.0 };
-        health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
+        health.step(&sensors, &NAO.stand, &Stiffness::Walk.joints(NAO));
     }
     assert_eq!(health.fault(), None);
 }
@@ -203,7 +203,7 @@ fn only_a_long_overload_is_a_fault() {
     assert!((500..900).contains(&cycle), "{cycle}");
     assert_eq!(overloaded(300, 40.0, 2.0), None);
     assert_eq!(overloaded(20_000, 40.0, 1.2), None, "the current of a walk");
-    let getting_up = found(2000, &Nao::STAND, |sensors| {
+    let getting_up = found(2000, &NAO.stand, |sensors| {
         (sensors.inertial.pitch, sensors.currents[Joint::LKneePitch]) = (1.2, 2.0);
     });
     assert_eq!(getting_up, None);
@@ -212,27 +212,27 @@ fn only_a_long_overload_is_a_fault() {
 #[test]
 fn unknown_temperatures_and_currents_are_no_fault() {
     for odd in [f32::NAN, f32::NEG_INFINITY, f32::MIN_POSITIVE, -0.0] {
-        let unknown = found(2000, &Nao::STAND, |sensors| {
+        let unknown = found(2000, &NAO.stand, |sensors| {
             (sensors.temperatures, sensors.currents) = (Joints::all(odd), Joints::all(f32::NAN));
         });
         assert_eq!(unknown, None);
     }
-    let mut health = Health::<Nao>::new();
+    let mut health = Health::new(NAO);
     let silent = Sensors { temperatures: Joints::all(f32::NAN), currents: Joints::all(f32::NAN), ..standing(0) };
-    let stiffness = Stiffness::Walk.joints::<Nao>();
-    health.step(&silent, &Nao::STAND, &stiffness);
+    let stiffness = Stiffness::Walk.joints(NAO);
+    health.step(&silent, &NAO.stand, &stiffness);
     assert_eq!(health.derated(&stiffness), stiffness);
 }
 
 #[test]
 fn stiffness_falls_with_temperature_and_load() {
     let left = |temperature: f32, current: f32, cycles: u32| {
-        let mut health = Health::<Nao>::new();
+        let mut health = Health::new(NAO);
         for cycle in 0..cycles {
             let mut sensors = standing(cycle);
             sensors.temperatures[Joint::LKneePitch] = temperature;
             sensors.currents[Joint::LKneePitch] = current;
-            health.step(&sensors, &Nao::STAND, &Stiffness::Walk.joints::<Nao>());
+            health.step(&sensors, &NAO.stand, &Stiffness::Walk.joints(NAO));
         }
         let eased = health.derated(&Joints::all(1.0));
         assert!(eased[Joint::RKneePitch] > 0.999);
@@ -272,7 +272,7 @@ fn frozen_black_and_white_images_are_faults() {
 #[test]
 fn missing_images_are_a_fault_until_one_comes() {
     let mut senses = Senses::new();
-    (0..300).for_each(|cycle| senses.step(&standing(cycle), &Nao::STAND));
+    (0..300).for_each(|cycle| senses.step(&standing(cycle), &NAO.stand));
     assert_eq!(senses.fault(), Some(Fault::NoImages));
     senses.see(Glimpse { digest: 1, brightness: 100 });
     assert_eq!(senses.fault(), None);
@@ -285,7 +285,7 @@ fn gyroscope_offset_at_rest_is_a_fault() {
         for cycle in 0..400 {
             let mut sensors = standing(cycle);
             sensors.inertial.gyro += offset;
-            let mut targets = Nao::STAND;
+            let mut targets = NAO.stand;
             targets[Joint::LKneePitch] += if moving { 0.1 * (cycle % 40) as f32 } else { 0.0 };
             senses.step(&sensors, &targets);
             senses.see(Glimpse { digest: cycle, brightness: 100 });

@@ -1,7 +1,7 @@
 //! Ranges and speeds of the joints against the published tables.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use proptest::prelude::*;
 
 /// In the order of the joints: minimum and maximum, degrees (hands: 0 to 1); no-load speed and URDF speed, rad/s.
@@ -39,9 +39,9 @@ fn ranges_and_speeds_are_the_published_ones() {
         let (min, max, no_load, model) = TABLE[joint.index()];
         let hand = matches!(joint, Joint::LHand | Joint::RHand);
         let unit = |value: f32| if hand { value } else { value.to_radians() };
-        let range = Nao::LIMITS[joint];
+        let range = NAO.limits[joint];
         assert!((range.min - unit(min)).abs() < 1e-6 && (range.max - unit(max)).abs() < 1e-6, "{joint:?}");
-        assert!((Nao::MAX_SPEEDS[joint] - no_load.min(model)).abs() < 1e-6, "{joint:?}");
+        assert!((NAO.max_speeds[joint] - no_load.min(model)).abs() < 1e-6, "{joint:?}");
     }
 }
 
@@ -53,10 +53,10 @@ proptest! {
         from in prop::array::uniform25(-2.0_f32..2.0), to in prop::array::uniform25(-2.0_f32..2.0), dt in 0.001_f32..0.1,
     ) {
         let (from, to) = (Joints(from), Joints(to));
-        let moved = from.moved_toward::<Nao>(&to, dt);
+        let moved = from.moved_toward(NAO, &to, dt);
         for joint in Joint::ALL {
             let (way, done) = (to[joint] - from[joint], moved[joint] - from[joint]);
-            let most = Nao::MAX_SPEEDS[joint] * dt;
+            let most = NAO.max_speeds[joint] * dt;
             prop_assert!((done - way.signum() * way.abs().min(most)).abs() < 1e-5, "{joint:?}");
         }
     }
@@ -65,7 +65,7 @@ proptest! {
 #[test]
 fn nan_and_negative_inputs_move_no_joint() {
     let from = Joints::all(0.1);
-    assert_eq!(from.moved_toward::<Nao>(&Joints::all(f32::NAN), 0.01), from);
-    assert_eq!(from.moved_toward::<Nao>(&Joints::all(1.0), f32::NAN), from);
-    assert_eq!(from.moved_toward::<Nao>(&Joints::all(1.0), -1.0), from);
+    assert_eq!(from.moved_toward(NAO, &Joints::all(f32::NAN), 0.01), from);
+    assert_eq!(from.moved_toward(NAO, &Joints::all(1.0), f32::NAN), from);
+    assert_eq!(from.moved_toward(NAO, &Joints::all(1.0), -1.0), from);
 }

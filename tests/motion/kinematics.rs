@@ -2,7 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{self, LegAngles, Segment, Skeleton, YawFrom, ground_from_robot, legs_angles};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{NAO, RobotModel};
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use glam::{Affine3A, Mat3A, Vec3};
@@ -103,11 +103,11 @@ pub(crate) fn distance(a: &Affine3A, b: &Affine3A) -> f32 {
 }
 
 /// Any angles within the limits.
-pub(crate) fn any_angles<M: RobotModel>() -> impl Strategy<Value = Joints> {
+pub(crate) fn any_angles(model: &'static RobotModel) -> impl Strategy<Value = Joints> {
     prop::array::uniform25(0.0_f32..=1.0).prop_map(|shares| {
         let mut angles = Joints::all(0.0);
         for joint in Joint::ALL {
-            let range = M::LIMITS[joint];
+            let range = model.limits[joint];
             angles[joint] = range.min + (range.max - range.min) * shares[joint.index()];
         }
         angles
@@ -116,7 +116,7 @@ pub(crate) fn any_angles<M: RobotModel>() -> impl Strategy<Value = Joints> {
 
 /// Any angles within the limits with knees that do not bend backwards, which the inverse kinematics can return.
 fn any_bent_angles() -> impl Strategy<Value = Joints> {
-    any_angles::<Nao>().prop_map(|mut angles| {
+    any_angles(NAO).prop_map(|mut angles| {
         for joint in [Joint::LKneePitch, Joint::RKneePitch] {
             angles[joint] = angles[joint].max(0.0);
         }
@@ -139,7 +139,7 @@ const STANDS: [[f32; 8]; 4] = [
 ];
 
 fn flat_foot(side: Side, x: f32, outward: f32) -> Affine3A {
-    let place = Vec3::new(x, side.sign() * 0.05, Nao::DIMENSIONS.foot_height - 0.230);
+    let place = Vec3::new(x, side.sign() * 0.05, NAO.dimensions.foot_height - 0.230);
     Affine3A::from_translation(place) * Affine3A::from_rotation_z(side.sign() * outward)
 }
 
@@ -170,9 +170,9 @@ fn inverse_kinematics_agree_with_the_published_stands() {
         let [left, right] = Side::BOTH.map(|side| flat_foot(side, values[0], values[1]));
         for (side, foot) in [(Side::Left, left), (Side::Right, right)] {
             let expected = row(side, values);
-            assert_close(&Nao::leg_angles(side, &foot), &expected, 1e-5);
-            assert_close(&Nao::leg_angles_at(side, &foot, values[2]), &expected, 2e-5);
-            assert_close(&legs_angles::<Nao>(&left, &right, YawFrom::Mean)[side.index()], &expected, 2e-5);
+            assert_close(&NAO.leg_angles(side, &foot), &expected, 1e-5);
+            assert_close(&NAO.leg_angles_at(side, &foot, values[2]), &expected, 2e-5);
+            assert_close(&legs_angles(NAO, &left, &right, YawFrom::Mean)[side.index()], &expected, 2e-5);
         }
     }
 }
@@ -180,7 +180,7 @@ fn inverse_kinematics_agree_with_the_published_stands() {
 fn standing() -> Joints {
     let mut angles = Joints::all(0.0);
     for side in Side::BOTH {
-        row(side, STANDS[1]).write::<Nao>(side, &mut angles);
+        row(side, STANDS[1]).write(NAO, side, &mut angles);
         angles[side.arm()[0]] = FRAC_PI_2;
         angles[side.arm()[1]] = side.sign() * 7.0_f32.to_radians();
     }
@@ -189,12 +189,12 @@ fn standing() -> Joints {
 
 #[test]
 fn the_centre_of_mass_is_the_published_one() {
-    assert!((Nao::TOTAL_MASS - 5.359_43).abs() < 1e-5, "{}", Nao::TOTAL_MASS);
+    assert!((NAO.total_mass() - 5.359_43).abs() < 1e-5, "{}", NAO.total_mass());
     for (angles, expected) in [
         (Joints::all(0.0), Vec3::new(0.021_22, 0.000_18, 0.052_18)),
         (standing(), Vec3::new(0.003_86, 0.000_18, 0.035_38)),
     ] {
-        let found = kinematics::centre_of_mass::<Nao>(&angles);
+        let found = kinematics::centre_of_mass(NAO, &angles);
         assert!((found - expected).abs().max_element() < 1e-5, "{found} is not {expected}");
     }
 }
@@ -212,7 +212,7 @@ fn camera_poses_are_the_published_ones() {
         (CameraId::Bottom, 0.459_24, (500.0, 400.0), (0.3815, -0.159)),
     ];
     for (id, height, pixel, expected) in table {
-        let camera = kinematics::camera::<Nao>(id, &Joints::all(0.0));
+        let camera = kinematics::camera(NAO, id, &Joints::all(0.0));
         let above = camera.translation.z + 0.230;
         assert!((above - height).abs() < 1e-5, "{above} is not {height}");
         let ray = Vec3::new(1.0, -(pixel.0 - centre.0) / f.0, -(pixel.1 - centre.1) / f.1);
@@ -226,7 +226,7 @@ fn camera_poses_are_the_published_ones() {
 #[test]
 fn the_ground_lies_between_the_feet_in_stand() {
     for support in Side::BOTH {
-        let ground = ground_from_robot::<Nao>(support, &standing());
+        let ground = ground_from_robot(NAO, support, &standing());
         let expected = Affine3A::from_translation(Vec3::new(0.012, 0.0, 0.230));
         assert!(distance(&ground, &expected) < 2e-6, "{ground:?}");
     }
@@ -235,11 +235,11 @@ fn the_ground_lies_between_the_feet_in_stand() {
 #[test]
 fn target_out_of_reach_gives_the_straight_leg() {
     let far = Affine3A::from_translation(Vec3::new(0.3, 0.05, -0.4));
-    let leg = Nao::leg_angles(Side::Left, &far);
+    let leg = NAO.leg_angles(Side::Left, &far);
     assert!(leg.knee_pitch.abs() < 1e-6);
     let mut angles = Joints::all(0.0);
-    leg.write::<Nao>(Side::Left, &mut angles);
-    let reached = kinematics::ankle::<Nao>(Side::Left, &angles).translation - glam::Vec3A::new(0.0, 0.05, 0.0);
+    leg.write(NAO, Side::Left, &mut angles);
+    let reached = kinematics::ankle(NAO, Side::Left, &angles).translation - glam::Vec3A::new(0.0, 0.05, 0.0);
     assert!((reached.normalize() - glam::Vec3A::new(0.6, 0.0, -0.8)).length() < 1e-6, "{reached}");
 }
 
@@ -247,44 +247,44 @@ proptest! {
     #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
-    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles::<Nao>()) {
-        let skeleton = Skeleton::<Nao>::of(&angles);
+    fn forward_kinematics_agree_with_an_f64_reference(angles in any_angles(NAO)) {
+        let skeleton = Skeleton::of(NAO, &angles);
         for side in Side::BOTH {
             let foot = reference::foot(side, &angles);
-            prop_assert!(difference(&kinematics::ankle::<Nao>(side, &angles), foot) < 1e-6);
+            prop_assert!(difference(&kinematics::ankle(NAO, side, &angles), foot) < 1e-6);
             let sole = reference::multiply(foot, reference::shift(0.0, 0.0, -0.045_19));
-            prop_assert!(difference(&kinematics::sole::<Nao>(side, &angles), sole) < 1e-6);
+            prop_assert!(difference(&kinematics::sole(NAO, side, &angles), sole) < 1e-6);
             prop_assert!(difference(&skeleton.sole(side), sole) < 1e-6);
             prop_assert!(difference(&skeleton.pose(Segment::Hand(side)), reference::hand(side, &angles)) < 1e-6);
         }
         let top = reference::camera(&angles, 0.058_71, 0.063_64, 1.2);
         let bottom = reference::camera(&angles, 0.050_71, 0.017_74, 39.7);
-        prop_assert!(difference(&kinematics::camera::<Nao>(CameraId::Top, &angles), top) < 1e-6);
+        prop_assert!(difference(&kinematics::camera(NAO, CameraId::Top, &angles), top) < 1e-6);
         prop_assert!(difference(&skeleton.camera(CameraId::Bottom), bottom) < 1e-6);
     }
 
     #[test]
     fn inverse_kinematics_of_one_leg_are_inverse(angles in any_bent_angles()) {
         for side in Side::BOTH {
-            let expected = kinematics::ankle::<Nao>(side, &angles);
+            let expected = kinematics::ankle(NAO, side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles(side, &expected).write::<Nao>(side, &mut found);
-            let reached = kinematics::ankle::<Nao>(side, &found);
+            NAO.leg_angles(side, &expected).write(NAO, side, &mut found);
+            let reached = kinematics::ankle(NAO, side, &found);
             prop_assert!(distance(&reached, &expected) < 1e-5, "{} off", distance(&reached, &expected));
         }
     }
 
     #[test]
     fn inverse_kinematics_of_both_legs_are_inverse(angles in any_bent_angles()) {
-        let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Nao>(side, &angles));
+        let [left, right] = Side::BOTH.map(|side| kinematics::ankle(NAO, side, &angles));
         prop_assume!(off_roll_axis(Side::Left, &left) > 0.03 && off_roll_axis(Side::Right, &right) > 0.03);
         for yaw in [YawFrom::Mean, YawFrom::Leg(Side::Left), YawFrom::Leg(Side::Right)] {
             let mut found = Joints::all(0.0);
-            for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<Nao>(&left, &right, yaw)) {
-                leg.write::<Nao>(side, &mut found);
+            for (side, leg) in Side::BOTH.into_iter().zip(legs_angles(NAO, &left, &right, yaw)) {
+                leg.write(NAO, side, &mut found);
             }
             for (side, expected) in [(Side::Left, left), (Side::Right, right)] {
-                let reached = kinematics::ankle::<Nao>(side, &found);
+                let reached = kinematics::ankle(NAO, side, &found);
                 prop_assert!(distance(&reached, &expected) < 1e-5, "{} off", distance(&reached, &expected));
             }
         }
@@ -293,20 +293,20 @@ proptest! {
     #[test]
     fn a_given_yaw_pitch_changes_only_the_yaw_of_the_foot(angles in any_bent_angles(), other in -1.1_f32..0.7) {
         for side in Side::BOTH {
-            let expected = kinematics::ankle::<Nao>(side, &angles);
+            let expected = kinematics::ankle(NAO, side, &angles);
             let mut found = Joints::all(0.0);
-            Nao::leg_angles_at(side, &expected, other).write::<Nao>(side, &mut found);
-            let reached = kinematics::ankle::<Nao>(side, &found);
+            NAO.leg_angles_at(side, &expected, other).write(NAO, side, &mut found);
+            let reached = kinematics::ankle(NAO, side, &found);
             prop_assert!((reached.translation - expected.translation).length() < 1e-5);
             prop_assert!((reached.matrix3.z_axis - expected.matrix3.z_axis).length() < 1e-5);
         }
     }
 
     #[test]
-    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles::<Nao>()) {
+    fn a_mirrored_posture_has_mirrored_poses(angles in any_angles(NAO)) {
         let mirrored = angles.mirrored();
         prop_assert_eq!(mirrored.mirrored(), angles);
-        let (here, there) = (Skeleton::<Nao>::of(&angles), Skeleton::<Nao>::of(&mirrored));
+        let (here, there) = (Skeleton::of(NAO, &angles), Skeleton::of(NAO, &mirrored));
         for side in Side::BOTH {
             for (a, b) in [
                 (here.sole(side), there.sole(side.other())),
@@ -319,10 +319,10 @@ proptest! {
     }
 
     #[test]
-    fn the_support_sole_lies_flat_on_the_ground(angles in any_angles::<Nao>()) {
+    fn the_support_sole_lies_flat_on_the_ground(angles in any_angles(NAO)) {
         for support in Side::BOTH {
-            let ground = ground_from_robot::<Nao>(support, &angles);
-            let [own, other] = [support, support.other()].map(|side| ground * kinematics::sole::<Nao>(side, &angles));
+            let ground = ground_from_robot(NAO, support, &angles);
+            let [own, other] = [support, support.other()].map(|side| ground * kinematics::sole(NAO, side, &angles));
             prop_assert!(own.translation.z.abs() < 1e-6);
             prop_assert!((own.matrix3.z_axis - glam::Vec3A::Z).length() < 1e-6);
             let middle = own.translation + other.translation;

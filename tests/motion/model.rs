@@ -6,7 +6,7 @@ use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{self, Skeleton, YawFrom, legs_angles};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::{NAO, RobotModel};
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
@@ -15,7 +15,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
 use crate::motion::kinematics::{any_angles, distance};
-use crate::motion::tall::Tall;
+use crate::motion::tall::TALL;
 use crate::motion::world::{CYCLE, World, gap};
 
 /// The ankle of the tall model, from its own lengths, with elementary rotations in f64.
@@ -36,9 +36,9 @@ proptest! {
     #![proptest_config(crate::motion::cases(1000))]
 
     #[test]
-    fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles::<Tall>()) {
+    fn forward_kinematics_use_the_lengths_of_the_model(angles in any_angles(TALL)) {
         for side in Side::BOTH {
-            let found = kinematics::ankle::<Tall>(side, &angles).translation.to_array();
+            let found = kinematics::ankle(TALL, side, &angles).translation.to_array();
             let expected = reference_ankle(side, &angles);
             for (found, expected) in found.into_iter().zip(expected) {
                 prop_assert!((f64::from(found) - expected).abs() < 1e-6, "{side:?}: {found} is not {expected}");
@@ -47,30 +47,30 @@ proptest! {
     }
 
     #[test]
-    fn inverse_kinematics_of_the_model_are_inverse(angles in any_angles::<Tall>()) {
-        let [left, right] = Side::BOTH.map(|side| kinematics::ankle::<Tall>(side, &angles));
+    fn inverse_kinematics_of_the_model_are_inverse(angles in any_angles(TALL)) {
+        let [left, right] = Side::BOTH.map(|side| kinematics::ankle(TALL, side, &angles));
         for (side, expected) in [(Side::Left, &left), (Side::Right, &right)] {
             let mut found = Joints::all(0.0);
-            Tall::leg_angles(side, expected).write::<Tall>(side, &mut found);
-            let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
+            TALL.leg_angles(side, expected).write(TALL, side, &mut found);
+            let off = distance(&kinematics::ankle(TALL, side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
         }
         let shared = angles[Joint::LHipYawPitch];
-        let legs = legs_angles::<Tall>(&left, &right, YawFrom::Angle(shared));
+        let legs = legs_angles(TALL, &left, &right, YawFrom::Angle(shared));
         for (leg, side) in legs.iter().zip(Side::BOTH) {
             let mut found = Joints::all(0.0);
-            leg.write::<Tall>(side, &mut found);
+            leg.write(TALL, side, &mut found);
             let expected = if side == Side::Left { &left } else { &right };
-            let off = distance(&kinematics::ankle::<Tall>(side, &found), expected);
+            let off = distance(&kinematics::ankle(TALL, side, &found), expected);
             prop_assert!(off < 2e-5, "{off} off");
         }
     }
 
     #[test]
     fn clamping_uses_the_limits_of_the_model(wild in prop::array::uniform25(-10.0_f32..10.0)) {
-        let clamped = Joints(wild).clamp_to_limits::<Tall>();
+        let clamped = Joints(wild).clamp_to_limits(TALL);
         for (i, (&wild, clamped)) in wild.iter().zip(clamped.0).enumerate() {
-            let range = Tall::LIMITS.0[i];
+            let range = TALL.limits.0[i];
             prop_assert_eq!(clamped.to_bits(), wild.clamp(range.min, range.max).to_bits());
         }
     }
@@ -78,42 +78,42 @@ proptest! {
 
 #[test]
 fn total_mass_and_currents_follow_from_tables() {
-    assert!((Tall::TOTAL_MASS - 20.5).abs() < 1e-4, "{}", Tall::TOTAL_MASS);
+    assert!((TALL.total_mass() - 20.5).abs() < 1e-4, "{}", TALL.total_mass());
     // 0.08 Nm at 24 V / 600 rad/s = 0.04 Nm/A.
-    assert!((Tall::CONTINUOUS_CURRENTS[Joint::LKneePitch] - 2.0).abs() < 1e-6);
+    assert!((TALL.continuous_current(Joint::LKneePitch) - 2.0).abs() < 1e-6);
 }
 
 #[test]
 fn the_second_model_stands_as_its_gait_plans() {
-    let planned = Tall::KINEMATIC_PROFILE.gait.stand::<Tall>().joints::<Tall>();
+    let planned = TALL.kinematic_profile.gait.stand(TALL).joints(TALL);
     for joint in Joint::ALL {
         assert!(
-            (Tall::STAND[joint] - planned[joint]).abs() < 1e-5,
+            (TALL.stand[joint] - planned[joint]).abs() < 1e-5,
             "{joint:?}: {} is not {}",
-            Tall::STAND[joint],
+            TALL.stand[joint],
             planned[joint]
         );
     }
-    assert!(is_within_limits(&Tall::STAND));
-    let world = World::<Tall>::standing(Tall::STAND);
+    assert!(is_within_limits(&TALL.stand));
+    let world = World::standing(TALL, TALL.stand);
     assert!((world.robot.translation.z - 0.3225).abs() < 1e-5, "{}", world.robot.translation.z);
     assert!(world.margin() > 0.03, "the mass is {} m inside the soles", world.margin());
 }
 
 fn is_within_limits(angles: &Joints) -> bool {
-    Tall::JOINTS.iter().all(|&joint| Tall::LIMITS[joint].contains(angles[joint]))
+    TALL.joints.iter().all(|&joint| TALL.limits[joint].contains(angles[joint]))
 }
 
 #[test]
 fn second_model_walks_within_its_limits() {
-    let gait = &Tall::KINEMATIC_PROFILE.gait;
+    let gait = &TALL.kinematic_profile.gait;
     for (forward, left, turn) in
         [(0.25, 0.0, 0.0), (-0.15, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.8), (0.15, 0.05, -0.3)]
     {
         let request = Velocity::new(forward, left, turn);
-        let (mut walk, mut world) = (Walk::<Tall>::new(gait), World::<Tall>::standing(Tall::STAND));
-        let mut odometry = Odometry::<Tall>::new(&Tall::KINEMATIC_PROFILE.odometry);
-        let mut last = Tall::STAND;
+        let (mut walk, mut world) = (Walk::new(TALL, gait), World::standing(TALL, TALL.stand));
+        let mut odometry = Odometry::new(TALL, &TALL.kinematic_profile.odometry);
+        let mut last = TALL.stand;
         let (mut start, mut begin) = (world.ground(), odometry.pose());
         for cycle in 0..1200 {
             let feedback = world.body();
@@ -122,16 +122,16 @@ fn second_model_walks_within_its_limits() {
             if cycle == 200 {
                 (start, begin) = (world.ground(), odometry.pose());
             }
-            let targets = walk.step(request, &feedback, CYCLE).joints::<Tall>();
+            let targets = walk.step(request, &feedback, CYCLE).joints(TALL);
             assert!(is_within_limits(&targets), "{request:?}: {targets:?}");
-            for joint in Tall::JOINTS.iter().copied() {
+            for joint in TALL.joints.iter().copied() {
                 let speed = (targets[joint] - last[joint]).abs() / CYCLE;
-                assert!(speed <= 1.25 * Tall::MAX_SPEEDS[joint], "{request:?}: {joint:?} at {speed} rad/s");
+                assert!(speed <= 1.25 * TALL.max_speeds[joint], "{request:?}: {joint:?} at {speed} rad/s");
             }
             last = targets;
             world.step(&targets);
             assert!(world.margin() > 0.005, "{request:?}: the mass is {} m inside the soles", world.margin());
-            assert!(gap::<Tall>([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
+            assert!(gap(TALL, [&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
         }
         assert_eq!(walk.phase(), Phase::Walking);
         let moved = start.inverse() * world.ground();
@@ -148,19 +148,19 @@ fn second_model_walks_within_its_limits() {
 fn the_second_model_kicks_and_returns_to_its_stand() {
     for foot in Side::BOTH {
         let kick = Kick { foot, ..Kick::ALL[0] };
-        let mut motion = KickMotion::<Tall>::new(kick, Tall::KINEMATIC_PROFILE);
-        let mut world = World::<Tall>::standing(Tall::STAND);
+        let mut motion = KickMotion::new(TALL, kick, TALL.kinematic_profile);
+        let mut world = World::standing(TALL, TALL.stand);
         let mut farthest = 0.0_f32;
         while !motion.is_done() {
-            let targets = motion.step(&world.body(), CYCLE).joints::<Tall>();
+            let targets = motion.step(&world.body(), CYCLE).joints(TALL);
             assert!(is_within_limits(&targets), "{targets:?}");
             world.step(&targets);
             assert!(world.margin() > 0.005, "the mass is {} m inside the soles", world.margin());
             farthest = farthest.max(world.sole(foot).translation.x);
         }
         assert!((0.15..0.2).contains(&farthest), "the foot swings to {farthest} m");
-        for joint in Tall::JOINTS.iter().copied() {
-            assert!((world.angles[joint] - Tall::STAND[joint]).abs() < 0.02, "{joint:?}");
+        for joint in TALL.joints.iter().copied() {
+            assert!((world.angles[joint] - TALL.stand[joint]).abs() < 0.02, "{joint:?}");
         }
     }
 }
@@ -168,14 +168,14 @@ fn the_second_model_kicks_and_returns_to_its_stand() {
 #[test]
 fn the_head_uses_the_limits_and_cameras_of_the_model() {
     let near = |found: f32, expected: f32| (found.to_degrees() - expected).abs() < 1e-3;
-    assert!(near(pitch_range::<Tall>(0.0).max, 40.0) && near(pitch_range::<Tall>(f32::to_radians(45.0)).max, 30.0));
-    let clamped = HeadAngles { yaw: 3.0, pitch: 1.0 }.clamped::<Tall>();
+    assert!(near(pitch_range(TALL, 0.0).max, 40.0) && near(pitch_range(TALL, f32::to_radians(45.0)).max, 30.0));
+    let clamped = HeadAngles { yaw: 3.0, pitch: 1.0 }.clamped(TALL);
     assert!(near(clamped.yaw, 90.0) && near(clamped.pitch, 20.0), "{clamped:?}");
     let point = Vec3::new(1.0, 0.0, -0.3);
     for camera in [CameraId::Top, CameraId::Bottom] {
         let mut angles = Joints::all(0.0);
-        look_at::<Tall>(camera, point).write(&mut angles);
-        let seen = Skeleton::<Tall>::of(&angles).camera(camera).inverse().transform_point3(point);
+        look_at(TALL, camera, point).write(&mut angles);
+        let seen = Skeleton::of(TALL, &angles).camera(camera).inverse().transform_point3(point);
         assert!(seen.x > 0.0 && seen.y.abs() < 1e-5, "{seen}");
     }
 }
@@ -183,7 +183,7 @@ fn the_head_uses_the_limits_and_cameras_of_the_model() {
 #[test]
 fn fall_limits_belong_to_the_model() {
     let inertial = Inertial { pitch: 0.5, acceleration: Vec3::new(0.0, 0.0, 9.81), ..Inertial::default() };
-    let (mut nao, mut tall) = (FallDetector::<Nao>::new(), FallDetector::<Tall>::new());
+    let (mut nao, mut tall) = (FallDetector::new(NAO), FallDetector::new(TALL));
     for _ in 0..10 {
         nao.step(&inertial, CYCLE);
         tall.step(&inertial, CYCLE);
@@ -193,8 +193,8 @@ fn fall_limits_belong_to_the_model() {
 }
 
 /// The fault after 300 cycles in stand with a knee at this temperature, °C.
-fn fault<M: RobotModel>(temperature: f32) -> Option<Fault> {
-    let mut health = Health::<M>::new();
+fn fault(model: &'static RobotModel, temperature: f32) -> Option<Fault> {
+    let mut health = Health::new(model);
     let foot = FootPressure { front_left: 100.0, ..FootPressure::default() };
     let mut temperatures = Joints::all(40.0);
     temperatures[Joint::LKneePitch] = temperature;
@@ -203,7 +203,7 @@ fn fault<M: RobotModel>(temperature: f32) -> Option<Fault> {
         let gyro = Vec3::splat(if cycle % 2 == 0 { 0.01 } else { -0.01 });
         let inertial = Inertial { gyro, acceleration: Vec3::Z, ..Inertial::default() };
         let sensors = Sensors {
-            angles: M::STAND,
+            angles: model.stand,
             temperatures,
             currents: Joints::all(0.1),
             inertial,
@@ -212,14 +212,14 @@ fn fault<M: RobotModel>(temperature: f32) -> Option<Fault> {
             buttons: Buttons::default(),
             image: None,
         };
-        health.step(&sensors, &M::STAND, &Joints::all(1.0));
+        health.step(&sensors, &model.stand, &Joints::all(1.0));
     }
     health.fault()
 }
 
 #[test]
 fn health_uses_the_thermal_limits_of_the_model() {
-    assert_eq!(fault::<Nao>(76.0), Some(Fault::Hot(Joint::LKneePitch)));
-    assert_eq!(fault::<Tall>(76.0), None);
-    assert_eq!(fault::<Tall>(91.0), Some(Fault::Hot(Joint::LKneePitch)));
+    assert_eq!(fault(NAO, 76.0), Some(Fault::Hot(Joint::LKneePitch)));
+    assert_eq!(fault(TALL, 76.0), None);
+    assert_eq!(fault(TALL, 91.0), Some(Fault::Hot(Joint::LKneePitch)));
 }

@@ -1,7 +1,7 @@
 //! Odometry against the true motion in the quasi-static world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::odometry::{Calibration, MotionInput, Odometry};
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
@@ -18,9 +18,9 @@ proptest! {
         requests in prop::collection::vec(prop::array::uniform3(-1.0_f32..1.0), 1..6),
         with_commands: bool,
     ) {
-        let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
-        let mut world = World::<Nao>::standing(Nao::KINEMATIC_PROFILE.gait.stand::<Nao>().joints::<Nao>());
-        let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
+        let mut walk = Walk::new(NAO, &NAO.kinematic_profile.gait);
+        let mut world = World::standing(NAO, NAO.kinematic_profile.gait.stand(NAO).joints(NAO));
+        let mut odometry = Odometry::new(NAO, &Calibration::EXACT);
         let start = world.ground();
         let (mut way, mut commanded) = (0.0, None);
         for request in requests {
@@ -30,7 +30,7 @@ proptest! {
                 odometry.step(&MotionInput { commanded: commanded.as_ref(), ..input });
                 let request = Velocity::new(0.25 * request[0], 0.12 * request[1], 1.2 * request[2]);
                 let before = world.ground();
-                let targets = walk.step(request, &body, CYCLE).joints::<Nao>();
+                let targets = walk.step(request, &body, CYCLE).joints(NAO);
                 commanded = with_commands.then_some(targets);
                 world.step(&targets);
                 way += (start.inverse() * world.ground()).position.distance((start.inverse() * before).position);
@@ -57,8 +57,8 @@ fn ground(force: f32) -> FootPressure {
 
 #[test]
 fn lifted_feet_and_invalid_inputs_give_no_motion() {
-    let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
-    let mut angles = Nao::STAND;
+    let mut odometry = Odometry::new(NAO, &Calibration::EXACT);
+    let mut angles = NAO.stand;
     for i in 0..10 {
         angles.0[9] += 0.05;
         let motion = odometry.step(&measured(&angles, [&ground(0.0); 2]));
@@ -68,17 +68,17 @@ fn lifted_feet_and_invalid_inputs_give_no_motion() {
     let feet = [&ground(30.0), &ground(20.0)];
     odometry.step(&measured(&Joints::all(f32::NAN), feet));
     let nowhere = [&ground(30.0), &ground(f32::NAN)];
-    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..measured(&Nao::STAND, nowhere) });
-    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..measured(&Nao::STAND, feet) });
-    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..measured(&Nao::STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::NAN), ..measured(&NAO.stand, nowhere) });
+    odometry.step(&MotionInput { gyro_turn: Some(f32::INFINITY), ..measured(&NAO.stand, feet) });
+    odometry.step(&MotionInput { commanded: Some(&Joints::all(f32::NAN)), ..measured(&NAO.stand, feet) });
     assert_eq!(odometry.pose(), Pose2::ORIGIN);
-    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..measured(&Nao::STAND, feet) });
+    odometry.step(&MotionInput { gyro_turn: Some(0.05), ..measured(&NAO.stand, feet) });
     assert_eq!(odometry.pose(), Pose2::new(0.0, 0.0, 0.05), "the turn is that of the gyroscope");
 }
 
 /// Posture in a cycle of a motion in which the hips move forward over the left foot; the right one is lifted.
 fn leaning(cycle: usize) -> Joints {
-    let mut angles = Nao::STAND;
+    let mut angles = NAO.stand;
     angles[Joint::RKneePitch] += 0.3;
     for joint in [Joint::LAnklePitch, Joint::RAnklePitch] {
         angles[joint] -= 0.01 * cycle as f32;
@@ -90,7 +90,7 @@ fn leaning(cycle: usize) -> Joints {
 
 /// Forward displacement of the ground frame in 20 cycles of motion, after 20 cycles at rest, m.
 fn way(commanded: impl Fn(usize) -> Option<Joints>, is: impl Fn(usize) -> Joints, feet: [f32; 2]) -> f32 {
-    let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
+    let mut odometry = Odometry::new(NAO, &Calibration::EXACT);
     let feet = feet.map(ground);
     for cycle in 0..50 {
         let moving = |late: usize| cycle.clamp(20 + late, 40 + late) - 20 - late;
@@ -136,10 +136,10 @@ fn commanded_angles_replace_bad_measurements() {
 #[test]
 fn zero_gyroscope_turn_is_replaced_by_the_legs() {
     let gyro_turn = |gyroscope: Option<f32>| {
-        let mut odometry = Odometry::<Nao>::new(&Calibration::EXACT);
+        let mut odometry = Odometry::new(NAO, &Calibration::EXACT);
         let feet = [&ground(50.0), &ground(2.0)];
         for cycle in 0..20 {
-            let mut angles = Nao::STAND;
+            let mut angles = NAO.stand;
             angles[Joint::LHipYawPitch] = -0.01 * cycle as f32;
             odometry.step(&MotionInput { gyro_turn: gyroscope, ..measured(&angles, feet) });
         }

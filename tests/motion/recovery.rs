@@ -1,6 +1,6 @@
 //! Recovery steps against the quadratic program that they solve.
 
-use bica_motion::model::{K1, Nao, RobotModel, T1};
+use bica_motion::model::simulation::HUMANOIDS;
 use bica_motion::walk::recovery::Situation;
 use glam::Vec2;
 use proptest::prelude::*;
@@ -13,14 +13,14 @@ proptest! {
 
     #[test]
     fn recovery_steps_solve_the_quadratic_program(
-        robot in 0..3_usize,
+        robot in 0..HUMANOIDS.len(),
         dcm in (-0.3..0.3_f32, -0.2..0.2_f32),
         place in (-0.15..0.15_f32, 0.08..0.25_f32),
         offset in (-0.05..0.05_f32, -0.08..0.0_f32),
         elapsed in 0.0..0.25_f32,
         remaining in 0.03..0.3_f32,
     ) {
-        let gait = [&Nao::DYNAMIC_PROFILE.gait, &T1::DYNAMIC_PROFILE.gait, &K1::DYNAMIC_PROFILE.gait][robot];
+        let gait = &HUMANOIDS[robot].dynamic_profile.gait;
         let [dcm, place, offset] = [dcm, place, offset].map(|(x, y)| Vec2::new(x, y));
         let now = Situation { dcm, place, offset, elapsed, remaining, frequency: 4.5 };
         let (found, (displacement, time)) = (gait.recovery(&now), Program::of(gait, &now).best_step(&now));

@@ -3,26 +3,26 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::keyframes::Keyframe;
 use bica_motion::kick::Kicks;
-use bica_motion::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
+use bica_motion::model::simulation::{
+    self, Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid,
+};
 use bica_motion::model::{
-    Actuator, BodyShape, CameraMount, Dimensions, FallLimits, FallPostures, GetUpFrames, HeadPitchLimit, HeadSpeed,
-    KickFrame, Mass, Masses, Nao, Parameters, Profile, Range, RobotModel, StiffnessTable, Technique, ThermalLimits,
+    Actuator, ArmGeometry, CameraMount, Dimensions, FallLimits, FeedbackDelay, HeadPitchLimit, HeadSpeed, KickFrame,
+    LegGeometry, Mass, Masses, NAO, Parameters, Profile, Range, RobotModel, Senses, Technique, ThermalLimits,
     symmetric,
 };
 use bica_motion::segment::Segment;
 use bica_motion::walk::Velocity;
 use glam::{Vec2, Vec3};
 
-/// A humanoid of 0.87 m and 21 kg without wrists and hands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Tall;
-
 /// Length relative to the NAO, except that of thigh and tibia.
 const SCALE: f32 = 1.5;
 
-impl RobotModel for Tall {
-    const NAME: &'static str = "tall humanoid of the tests";
-    const JOINTS: &'static [Joint] = &[
+/// A humanoid of 0.87 m and 21 kg without wrists and hands.
+pub(crate) const ROBOT: &RobotModel = &RobotModel {
+    id: "tall",
+    name: "tall humanoid of the tests",
+    joints: &[
         Joint::HeadYaw,
         Joint::HeadPitch,
         Joint::LShoulderPitch,
@@ -44,21 +44,20 @@ impl RobotModel for Tall {
         Joint::RShoulderRoll,
         Joint::RElbowYaw,
         Joint::RElbowRoll,
-    ];
-    const LIMITS: &'static Joints<Range> = &LIMITS;
-    const MAX_SPEEDS: &'static Joints = &Joints([5.5; 25]);
-    const ACTUATORS: &'static Joints<Actuator> = &Joints([MOTOR; 25]);
-    const DEAD_TIME: f32 = 0.02;
-    const FEEDBACK_DELAY: usize = 2;
-    const THERMAL: ThermalLimits = ThermalLimits {
+    ],
+    limits: &LIMITS,
+    max_speeds: &Joints([5.5; 25]),
+    actuators: &Joints([MOTOR; 25]),
+    dead_time: 0.02,
+    feedback_delay: FeedbackDelay::new(2),
+    thermal: ThermalLimits {
         temperature: Range { min: 80.0, max: 90.0 },
         load: Range { min: 2.0, max: 2.5 },
         derated_stiffness: 0.5,
-    };
-    const HEAD_PITCH_LIMITS: &'static [HeadPitchLimit] =
-        &[HeadPitchLimit::degrees(0.0, -20.0, 40.0), HeadPitchLimit::degrees(90.0, -10.0, 20.0)];
-    const HEAD_SPEED: HeadSpeed = HeadSpeed { yaw: 2.0, pitch: 1.0 };
-    const DIMENSIONS: &'static Dimensions = &Dimensions {
+    },
+    head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -20.0, 40.0), HeadPitchLimit::degrees(90.0, -10.0, 20.0)],
+    head_speed: HeadSpeed { yaw: 2.0, pitch: 1.0 },
+    dimensions: &Dimensions {
         hip: Vec3::new(0.0, 0.075, 0.0),
         thigh: 0.17,
         tibia: 0.14,
@@ -76,27 +75,35 @@ impl RobotModel for Tall {
         sole_outline: &SOLE,
         left_pressure: PRESSURE,
         right_pressure: PRESSURE,
-    };
-    const BODY_SHAPE: &'static BodyShape = Nao::BODY_SHAPE;
-    const MASSES: &'static Masses = &MASSES;
-    const SUPPORT_FORCE: f32 = 120.0;
-    const FALL_LIMITS: FallLimits = FallLimits { backward_pitch: -0.3, forward_pitch: 0.45, roll: 0.4 };
-    const STIFFNESS: &'static StiffnessTable = Nao::STIFFNESS;
-    const STAND: Joints =
-        symmetric(0.0, [90.0, 6.990_085, 0.0, -5.729_578, 0.0], [0.0, 0.0, -27.428_39, 70.894_04, -43.465_65, 0.0]);
-    const SIT: Joints = Self::STAND;
-    const SIT_STIFFNESS: f32 = 0.3;
-    const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.5, posture: Self::STAND, stiffness: 1.0 }];
-    const TO_SIT: &'static [Keyframe] = Self::TO_STAND;
-    const GET_UP: &'static GetUpFrames = Nao::GET_UP;
-    const FALL_POSTURES: &'static FallPostures = Nao::FALL_POSTURES;
-    const KINEMATIC_PROFILE: &'static Profile = &PROFILE;
-    const DYNAMIC_PROFILE: &'static Profile = &PROFILE;
-}
+    },
+    camera_height: 0.75,
+    body_shape: NAO.body_shape,
+    masses: &MASSES,
+    support_force: 120.0,
+    fall_limits: FallLimits { backward_pitch: -0.3, forward_pitch: 0.45, roll: 0.4 },
+    stiffness: NAO.stiffness,
+    stand: STAND,
+    sit: STAND,
+    sit_stiffness: 0.3,
+    to_stand: &TO_STAND,
+    to_sit: &TO_STAND,
+    get_up: NAO.get_up,
+    fall_postures: NAO.fall_postures,
+    kinematic_profile: &PROFILE,
+    dynamic_profile: &PROFILE,
+    leg: LegGeometry::SharedYawPitch,
+    leg_lags: None,
+    arm: ArmGeometry::Forward,
+    senses: Senses::ALL,
+};
+
+const STAND: Joints =
+    symmetric(0.0, [90.0, 6.990_085, 0.0, -5.729_578, 0.0], [0.0, 0.0, -27.428_39, 70.894_04, -43.465_65, 0.0]);
+const TO_STAND: [Keyframe; 1] = [Keyframe { seconds: 1.5, posture: STAND, stiffness: 1.0 }];
 
 /// Limits of the legs are narrower than the NAO's, except those of the knees.
 const LIMITS: Joints<Range> = {
-    let mut limits = Nao::LIMITS.0;
+    let mut limits = NAO.limits.0;
     limits[Joint::HeadYaw.index()] = Range::degrees(-90.0, 90.0);
     limits[Joint::HeadPitch.index()] = Range::degrees(-20.0, 40.0);
     limits[Joint::LHipYawPitch.index()] = Range::degrees(-40.0, 30.0);
@@ -129,8 +136,9 @@ const SOLE: [Vec2; 4] =
 const PRESSURE: [Vec2; 4] =
     [Vec2::new(0.1, 0.04), Vec2::new(0.1, -0.04), Vec2::new(-0.04, 0.04), Vec2::new(-0.04, -0.04)];
 
-impl SimulatedModel for Tall {
-    const EXTENTS: &'static Extents = &Extents {
+pub(crate) const TALL: &SimulatedModel = &SimulatedModel {
+    robot: ROBOT,
+    extents: &Extents {
         standing: 0.22,
         lying: 0.6,
         torso: 0.14,
@@ -141,25 +149,33 @@ impl SimulatedModel for Tall {
         trunk_length: 0.38,
         trunk_radius: 0.14,
         min_hip_height: 0.22,
-    };
-    const LYING: &'static Lying =
-        &Lying { fall_length: 0.33, front_height: 0.12, back_height: 0.13, side_height: 0.16, ..*Nao::LYING };
-    const FIGURE: &'static Figure = &Figure {
+    },
+    lying: &Lying {
+        fall_length: 0.33,
+        front_height: 0.12,
+        back_height: 0.13,
+        side_height: 0.16,
+        ..*simulation::NAO.lying
+    },
+    figure: &Figure {
         trunk: &[Part(Segment::Torso, Paint::Shell, Solid::Block([0.0, 0.0, 0.2], [0.08, 0.12, 0.3]))],
         side: &[],
         head: &[],
         foot_shadow: Disc { ahead: 0.03, radius: 0.18 },
-    };
-}
+    },
+    thermal_ratings: ROBOT.actuators,
+    mujoco: MUJOCO,
+};
 
-impl MujocoModel for Tall {
-    const ROBOT: &'static str = include_str!("tall.xml");
-    const BYSTANDER: &'static str = "<geom type=\"cylinder\" size=\"0.2 0.4\" pos=\"0 0 0.4\" material=\"team\"/>";
-    const SHELLS: &'static str = "<body name=\"Torso\"><geom size=\"0.3\" material=\"team\"/></body>";
-    const GAINS: &'static Joints = &Joints([250.0; 25]);
-    const TORQUE_LIMITS: &'static Joints = &Joints([20.0; 25]);
-    const SHADOWS: [Vec2; 2] = [Vec2::new(0.15, 0.09), Vec2::new(0.2, 0.2)];
-}
+const MUJOCO: MujocoModel = MujocoModel {
+    robot: include_str!("tall.xml"),
+    bystander: "<geom type=\"cylinder\" size=\"0.2 0.4\" pos=\"0 0 0.4\" material=\"team\"/>",
+    shells: "<body name=\"Torso\"><geom size=\"0.3\" material=\"team\"/></body>",
+    gains: &Joints([250.0; 25]),
+    torque_limits: &Joints([20.0; 25]),
+    motors_damp: false,
+    shadows: [Vec2::new(0.15, 0.09), Vec2::new(0.2, 0.2)],
+};
 
 const MASSES: Masses = Masses::symmetric(
     [Mass::grams(5000.0, -6.0, 0.0, 190.0), Mass::grams(300.0, 0.0, 0.0, -40.0), Mass::grams(2000.0, 5.0, 0.0, 80.0)],
@@ -199,17 +215,17 @@ const PROFILE: Profile = Profile {
         toe_distance: 0.15,
         contact_force: 12.0,
         arm_swing_gain: 6.0 / SCALE,
-        ..Nao::KINEMATIC_PROFILE.gait
+        ..NAO.kinematic_profile.gait
     },
-    kicks: Kicks { front: Technique { ball: Vec2::new(0.255, 0.09), frames: &FRONT }, ..Nao::KINEMATIC_PROFILE.kicks },
-    odometry: Nao::KINEMATIC_PROFILE.odometry,
+    kicks: Kicks { front: Technique { ball: Vec2::new(0.255, 0.09), frames: &FRONT }, ..NAO.kinematic_profile.kicks },
+    odometry: NAO.kinematic_profile.odometry,
 };
 
 const FRONT: [KickFrame; 7] = {
-    let mut frames = [Nao::KINEMATIC_PROFILE.kicks.front.frames[0]; 7];
+    let mut frames = [NAO.kinematic_profile.kicks.front.frames[0]; 7];
     let mut i = 0;
     while i < frames.len() {
-        let KickFrame { duration, pose } = Nao::KINEMATIC_PROFILE.kicks.front.frames[i];
+        let KickFrame { duration, pose } = NAO.kinematic_profile.kicks.front.frames[i];
         let (hips, foot) = (pose.hips, pose.foot);
         frames[i] = KickFrame::new(
             1.3 * duration,

@@ -2,7 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::pose::{Pose2, rotate, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
@@ -12,14 +12,14 @@ use proptest::prelude::*;
 
 use crate::motion::world::{CYCLE, World, gap};
 
-const NAO: &Parameters = &Nao::KINEMATIC_PROFILE.gait;
+const GAIT: &Parameters = &NAO.kinematic_profile.gait;
 
 fn start() -> (Walk, World) {
-    (Walk::<Nao>::new(NAO), World::<Nao>::standing(NAO.stand::<Nao>().joints::<Nao>()))
+    (Walk::new(NAO, GAIT), World::standing(NAO, GAIT.stand(NAO).joints(NAO)))
 }
 
 fn cycle(walk: &mut Walk, world: &mut World, request: Velocity) -> Joints {
-    let targets = walk.step(request, &world.body(), CYCLE).joints::<Nao>();
+    let targets = walk.step(request, &world.body(), CYCLE).joints(NAO);
     world.step(&targets);
     targets
 }
@@ -57,7 +57,7 @@ fn walk_reaches_its_velocity_within_ten_percent() {
         (0.2, 0.0, -0.5),
     ] {
         let request = Velocity::new(forward, left, turn);
-        assert_eq!(request.clamped(NAO), request, "within the gait's means");
+        assert_eq!(request.clamped(GAIT), request, "within the gait's means");
         let (mut walk, mut world) = start();
         measure(&mut walk, &mut world, request, 200);
         let reached = measure(&mut walk, &mut world, request, 1000);
@@ -70,7 +70,7 @@ fn walk_reaches_its_velocity_within_ten_percent() {
 
 #[test]
 fn the_maximum_velocities_are_those_of_the_gait() {
-    let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(NAO);
+    let most = |forward, left, turn| Velocity::new(forward, left, turn).clamped(GAIT);
     let near = |found: f32, expected: f32| assert!((found - expected).abs() < 1e-4, "{found} is not {expected}");
     near(most(9.0, 0.0, 0.0).forward, 0.26);
     near(most(-9.0, 0.0, 0.0).forward, -0.15);
@@ -88,7 +88,7 @@ fn body_passes_the_support_foot_at_constant_speed() {
     for _ in 0..300 {
         let targets = cycle(&mut walk, &mut world, request);
         if let Some(side) = walk.support().filter(|_| support == walk.support()) {
-            let place = |angles| kinematics::sole::<Nao>(side, angles).translation.x;
+            let place = |angles| kinematics::sole(NAO, side, angles).translation.x;
             let speed = (place(&before) - place(&targets)) / CYCLE;
             assert!((speed - 0.2).abs() < 0.002, "{speed}");
         }
@@ -124,7 +124,7 @@ fn arms_swing_against_the_legs() {
     let mut product = 0.0;
     for _ in 0..500 {
         let targets = cycle(&mut walk, &mut world, Velocity::new(0.2, 0.0, 0.0));
-        let [left, right] = Side::BOTH.map(|side| kinematics::sole::<Nao>(side, &targets).translation.x);
+        let [left, right] = Side::BOTH.map(|side| kinematics::sole(NAO, side, &targets).translation.x);
         // Less pitch is further forward.
         product += (left - right) * (targets[Joint::LShoulderPitch] - targets[Joint::RShoulderPitch]);
     }
@@ -134,11 +134,11 @@ fn arms_swing_against_the_legs() {
 #[test]
 fn standing_is_exactly_still() {
     let (mut walk, mut world) = start();
-    let stand = NAO.stand::<Nao>();
+    let stand = GAIT.stand(NAO);
     for i in 0..300 {
         let body = Feedback { gyro: Vec3::splat(0.01 * (i as f32).sin()), ..world.body() };
         assert_eq!(walk.step(Velocity::ZERO, &body, CYCLE), stand);
-        world.step(&stand.joints::<Nao>());
+        world.step(&stand.joints(NAO));
     }
     assert_eq!(walk.phase(), Phase::Standing);
 }
@@ -183,10 +183,10 @@ fn cycles_until_switch(weight_comes: usize) -> usize {
 fn foot_pressure_ends_a_step_early() {
     let cycles = |seconds: f32| (seconds / CYCLE).round() as usize;
     for (weight_comes, ends) in [
-        (cycles(NAO.step_duration), cycles(NAO.step_duration)),
+        (cycles(GAIT.step_duration), cycles(GAIT.step_duration)),
         (24, 24),
-        (10, cycles(NAO.earliest_support_switch * NAO.step_duration)),
-        (1000, cycles(NAO.step_duration)),
+        (10, cycles(GAIT.earliest_support_switch * GAIT.step_duration)),
+        (1000, cycles(GAIT.step_duration)),
     ] {
         let found = cycles_until_switch(weight_comes);
         assert!(found.abs_diff(ends) <= 1, "{weight_comes}: {found} is not {ends}");
@@ -196,7 +196,7 @@ fn foot_pressure_ends_a_step_early() {
 #[test]
 fn the_step_rate_does_not_depend_on_the_cycle_time() {
     for cycle in [0.01, 0.012, 0.02] {
-        let mut walk = Walk::<Nao>::new(NAO);
+        let mut walk = Walk::new(NAO, GAIT);
         let body = forces(Side::Left, 26.0, 26.0);
         let (mut steps, mut side) = (0, None);
         for _ in 0..(28.0_f32 / cycle) as usize {
@@ -214,7 +214,7 @@ fn cycles_until_liftoff(touches: usize) -> usize {
     for count in 1..200 {
         let supporting = if count >= touches { 10.0 } else { 0.0 };
         let limbs = walk.step(Velocity::new(0.1, 0.0, 0.0), &forces(side, supporting, 50.0 - supporting), CYCLE);
-        let height = |side| kinematics::sole::<Nao>(side, &limbs.joints::<Nao>()).translation.z;
+        let height = |side| kinematics::sole(NAO, side, &limbs.joints(NAO)).translation.z;
         if height(side.other()) - height(side) > 1e-4 {
             return count;
         }
@@ -228,7 +228,7 @@ fn liftoff_waits_for_contact_of_the_support_foot() {
     assert!((4..=6).contains(&at_once), "{at_once}");
     assert!((20..=22).contains(&soon), "{soon}");
     let never = cycles_until_liftoff(1000) - at_once;
-    assert!(never.abs_diff((NAO.max_liftoff_delay / CYCLE) as usize) <= 1, "{never}");
+    assert!(never.abs_diff((GAIT.max_liftoff_delay / CYCLE) as usize) <= 1, "{never}");
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn targets_stay_finite_for_any_input() {
             pitch: pick(19),
             joints: Some(Joints::all(pick(23))),
         };
-        let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints::<Nao>();
+        let targets = walk.step(Velocity::new(pick(1), pick(2), pick(3)), &body, pick(5)).joints(NAO);
         assert!(targets.0.iter().all(|angle| angle.is_finite()), "{targets:?}");
         world.step(&targets);
     }
@@ -278,9 +278,9 @@ fn targets_stay_finite_for_any_input() {
 
 /// Position of a velocity in the walk volume; 1 is its surface.
 fn share(velocity: &Velocity) -> f32 {
-    let most = if velocity.forward < 0.0 { NAO.max_backward_speed } else { NAO.max_velocity.forward };
+    let most = if velocity.forward < 0.0 { GAIT.max_backward_speed } else { GAIT.max_velocity.forward };
     let (x, y, turn) =
-        (velocity.forward / most, velocity.left / NAO.max_velocity.left, velocity.turn / NAO.max_velocity.turn);
+        (velocity.forward / most, velocity.left / GAIT.max_velocity.left, velocity.turn / GAIT.max_velocity.turn);
     (x.abs().powf(1.5) + y.abs().powf(1.5)).powf(4.0 / 3.0) + turn * turn
 }
 
@@ -290,7 +290,7 @@ proptest! {
     #[test]
     fn requests_are_clamped_to_the_walk_volume(x in -1.0_f32..1.0, y in -1.0_f32..1.0, turn in -3.0_f32..3.0) {
         let asked = Velocity::new(x, y, turn);
-        let given = asked.clamped(NAO);
+        let given = asked.clamped(GAIT);
         prop_assert!(share(&given) <= 1.0001);
         prop_assert!((given.turn - turn.clamp(-1.2, 1.2)).abs() < 1e-6, "the turn has priority");
         prop_assert!(given.forward * x >= 0.0 && given.left * y >= 0.0);
@@ -306,18 +306,18 @@ proptest! {
     ) {
         let scale = |v: [f32; 3]| Velocity::new(0.25 * v[0], 0.12 * v[1], 1.2 * v[2]);
         let (now, expected) = (scale(now), scale(expected));
-        let next = now.toward(&expected, NAO);
+        let next = now.toward(&expected, GAIT);
         let parts = |v: &Velocity| [v.forward, v.left, v.turn];
         for i in 0..3 {
             let (now, expected, next) = (parts(&now)[i], parts(&expected)[i], parts(&next)[i]);
-            let (up, down) = (parts(&NAO.max_speed_up)[i], parts(&NAO.max_slow_down)[i]);
+            let (up, down) = (parts(&GAIT.max_speed_up)[i], parts(&GAIT.max_slow_down)[i]);
             prop_assert!(next.abs() - now.abs() <= up + 1e-6 && now.abs() - next.abs() <= down + 1e-6);
             prop_assert!(now * next >= 0.0, "a sign changes only at zero");
             prop_assert!((expected - next).abs() <= (expected - now).abs() + 1e-6);
         }
         let mut velocity = now;
         for _ in 0..20 {
-            velocity = velocity.toward(&expected, NAO);
+            velocity = velocity.toward(&expected, GAIT);
         }
         prop_assert_eq!(velocity, expected);
     }
@@ -332,18 +332,18 @@ struct Watch {
 impl Watch {
     fn check(&mut self, walk: &Walk, world: &World, targets: &Joints) -> Result<(), TestCaseError> {
         prop_assert!(world.margin() >= 0.005, "the mass is {} mm inside", 1e3 * world.margin());
-        prop_assert!(gap::<Nao>([&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
+        prop_assert!(gap(NAO, [&world.sole(Side::Left), &world.sole(Side::Right)]) > 0.002, "the feet touch");
         for joint in Joint::ALL.into_iter().filter(|joint| (7..18).contains(&joint.index())) {
             let speed = (targets[joint] - self.last[joint]).abs() / CYCLE;
-            prop_assert!(speed <= 1.25 * Nao::MAX_SPEEDS[joint], "{joint:?} at {speed} rad/s");
-            let range = Nao::LIMITS[joint];
+            prop_assert!(speed <= 1.25 * NAO.max_speeds[joint], "{joint:?} at {speed} rad/s");
+            let range = NAO.limits[joint];
             let beyond = (range.min - targets[joint]).max(targets[joint] - range.max);
             prop_assert!(beyond <= 0.0, "{joint:?} {beyond} rad beyond its limit");
         }
         if walk.phase() != Phase::Walking && self.phase == Phase::Walking {
-            let seen = |side| kinematics::sole::<Nao>(side, &self.last);
+            let seen = |side| kinematics::sole(NAO, side, &self.last);
             let between = seen(Side::Left).inverse() * seen(Side::Right);
-            let together = Affine3A::from_translation(Vec3::new(0.0, -2.0 * NAO.half_spacing, 0.0));
+            let together = Affine3A::from_translation(Vec3::new(0.0, -2.0 * GAIT.half_spacing, 0.0));
             prop_assert!(between.abs_diff_eq(together, 5e-3), "the walk stops with the feet apart: {between:?}");
         }
         self.phase = walk.phase();
@@ -363,7 +363,7 @@ proptest! {
         noise in prop::collection::vec(-0.1_f32..0.1, 97),
     ) {
         let (mut walk, mut world) = start();
-        let mut watch = Watch { last: NAO.stand::<Nao>().joints::<Nao>(), phase: Phase::Standing };
+        let mut watch = Watch { last: GAIT.stand(NAO).joints(NAO), phase: Phase::Standing };
         let stop = ([0.0; 3], true, 250);
         let mut count = 0;
         for (request, stands, cycles) in requests.into_iter().chain([stop]) {
@@ -373,13 +373,13 @@ proptest! {
                 count += 1;
                 let mut body = world.body();
                 body.gyro.y += noise[count % noise.len()];
-                let targets = walk.step(request, &body, CYCLE).joints::<Nao>();
+                let targets = walk.step(request, &body, CYCLE).joints(NAO);
                 world.step(&targets);
                 watch.check(&walk, &world, &targets)?;
             }
         }
         prop_assert_eq!(walk.phase(), Phase::Standing);
-        prop_assert_eq!(walk.step(Velocity::ZERO, &world.body(), CYCLE), NAO.stand::<Nao>());
+        prop_assert_eq!(walk.step(Velocity::ZERO, &world.body(), CYCLE), GAIT.stand(NAO));
         prop_assert!(world.pose() != Pose2::ORIGIN || count < 300);
     }
 }

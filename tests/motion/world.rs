@@ -3,14 +3,13 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::RobotModel;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::collections::VecDeque;
-use std::marker::PhantomData;
 
 pub(crate) const CYCLE: f32 = 0.01;
 /// Height difference at which the other sole becomes the support, m.
@@ -18,7 +17,7 @@ const HYSTERESIS: f32 = 0.001;
 /// Maximum height of a sole with contact, m.
 const CONTACT: f32 = 0.002;
 
-pub(crate) struct World<M = Nao> {
+pub(crate) struct World {
     pub(crate) angles: Joints,
     waiting: VecDeque<Joints>,
     pub(crate) support: Side,
@@ -29,12 +28,12 @@ pub(crate) struct World<M = Nao> {
     pub(crate) gyro: Vec3,
     /// Number of cycles in which a joint could not follow its target.
     pub(crate) late: usize,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> World<M> {
-    pub(crate) fn standing(angles: Joints) -> Self {
-        let sole = Skeleton::<M>::of(&angles).sole(Side::Left);
+impl World {
+    pub(crate) fn standing(model: &'static RobotModel, angles: Joints) -> Self {
+        let sole = Skeleton::of(model, &angles).sole(Side::Left);
         let anchor = flat(&Affine3A::from_translation(sole.translation.into()));
         let mut world = Self {
             angles,
@@ -44,21 +43,21 @@ impl<M: RobotModel> World<M> {
             robot: Affine3A::IDENTITY,
             gyro: Vec3::ZERO,
             late: 0,
-            model: PhantomData,
+            model,
         };
         world.robot = world.anchor * world.skeleton().sole(Side::Left).inverse();
         world
     }
 
-    pub(crate) fn skeleton(&self) -> Skeleton<M> {
-        Skeleton::<M>::of(&self.angles)
+    pub(crate) fn skeleton(&self) -> Skeleton {
+        Skeleton::of(self.model, &self.angles)
     }
 
     /// One cycle.
     pub(crate) fn step(&mut self, targets: &Joints) {
         self.waiting.push_back(*targets);
         let due = self.waiting.pop_front().expect("three commands are pending");
-        let moved = self.angles.moved_toward::<M>(&due, CYCLE).clamp_to_limits::<M>();
+        let moved = self.angles.moved_toward(self.model, &due, CYCLE).clamp_to_limits(self.model);
         self.late += usize::from(moved.0.iter().zip(due.0).any(|(a, b)| (a - b).abs() > 1e-6));
         self.angles = moved;
         let skeleton = self.skeleton();
@@ -117,7 +116,7 @@ impl<M: RobotModel> World<M> {
             if side == self.support { 1.0 } else { (1.0 - height / CONTACT).clamp(0.0, 1.0) }
         };
         let (left, right) = (touch(Side::Left) * (1.0 - to_right), touch(Side::Right) * to_right);
-        let weight = M::TOTAL_MASS * 9.81;
+        let weight = self.model.total_mass() * 9.81;
         match (left + right, self.support) {
             (0.0, Side::Left) => [weight, 0.0],
             (0.0, Side::Right) => [0.0, weight],
@@ -134,20 +133,25 @@ impl<M: RobotModel> World<M> {
     pub(crate) fn margin(&self) -> f32 {
         let mut corners = Vec::new();
         for side in Side::BOTH.into_iter().filter(|&side| self.touches(side)) {
-            corners.extend(outline::<M>(side, &self.sole(side)).into_iter().map(Vec3::truncate));
+            corners.extend(outline(self.model, side, &self.sole(side)).into_iter().map(Vec3::truncate));
         }
         inside(&corners, self.mass())
     }
 }
 
-pub(crate) fn outline<M: RobotModel>(side: Side, sole: &Affine3A) -> Vec<Vec3> {
-    M::DIMENSIONS.sole_outline.iter().map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0))).collect()
+pub(crate) fn outline(model: &'static RobotModel, side: Side, sole: &Affine3A) -> Vec<Vec3> {
+    model
+        .dimensions
+        .sole_outline
+        .iter()
+        .map(|p| sole.transform_point3(Vec3::new(p.x, side.sign() * p.y, 0.0)))
+        .collect()
 }
 
 /// Distance of both soles in the ground plane, m; not positive if they overlap.
-pub(crate) fn gap<M: RobotModel>(soles: [&Affine3A; 2]) -> f32 {
+pub(crate) fn gap(model: &'static RobotModel, soles: [&Affine3A; 2]) -> f32 {
     let [left, right] = [(Side::Left, soles[0]), (Side::Right, soles[1])]
-        .map(|(side, sole)| outline::<M>(side, sole).into_iter().map(Vec3::truncate).collect::<Vec<_>>());
+        .map(|(side, sole)| outline(model, side, sole).into_iter().map(Vec3::truncate).collect::<Vec<_>>());
     // Separating axes: the distance of convex polygons is at least the largest gap along the normals of their edges.
     let mut widest = f32::NEG_INFINITY;
     for (shape, other) in [(&left, &right), (&right, &left)] {

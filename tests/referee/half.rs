@@ -3,8 +3,8 @@
 use bica::prelude::*;
 use bica::runner::World;
 use bica::runner::harness::{Harness, InWorld};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, wrap};
-use bica_player::Model;
 use bica_player::perception::GoalDetector;
 use bica_player::referee::packet::{CONTROL_BYTES, Control, Penalty, PlayState, Team, Version};
 use bica_player::referee::{
@@ -24,7 +24,7 @@ const NOISE: u64 = 7;
 
 /// The kinematic world with a `GameController`, whose datagrams pass through the inbox of a player.
 struct Refereed {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     control: Control,
     cycle: u64,
     inbox: Inbox,
@@ -99,7 +99,7 @@ type Test = Harness<TeamForward, InWorld<Refereed>>;
 
 /// A robot in a world.
 fn start(setup: &Setup, version: Version) -> Test {
-    let world = KinematicWorld::<Model>::new(setup).expect("the setup is valid");
+    let world = KinematicWorld::new(NAO, setup).expect("the setup is valid");
     let mut robot = Box::new(TeamForward::new());
     robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
     let teams = [5, 23].map(|number| Team { number, goalkeeper: 1, ..Team::default() });

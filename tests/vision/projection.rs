@@ -2,7 +2,7 @@
 
 use bica_motion::joints::Joints;
 use bica_motion::kinematics;
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_vision::projection::{Camera, Intrinsics};
 use glam::{Affine3A, EulerRot, Quat, Vec2, Vec3};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 /// Camera with the hips 0.230 m above the ground and all joints at zero, as in the published values.
 fn standing(id: CameraId, width: u16, height: u16) -> Camera {
     let hips = Affine3A::from_translation(Vec3::new(0.0, 0.0, 0.230));
-    Camera::new(hips * kinematics::camera::<Nao>(id, &Joints::all(0.0)), Intrinsics::nao_v6(width, height))
+    Camera::new(hips * kinematics::camera(NAO, id, &Joints::all(0.0)), Intrinsics::nao_v6(width, height))
 }
 
 /// Published values: camera, pixel at 640 × 480, and its ground point, m.

@@ -1,9 +1,9 @@
 //! Frames of the kinematic world.
 
 use bica_motion::joints::{Joint, Joints};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
-use bica_player::Model;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup};
@@ -31,13 +31,13 @@ pub fn frame_set((width, height): (u16, u16), worlds: u64) -> FrameSet {
 }
 
 fn samples(setup: &Setup) -> Vec<Sample> {
-    let mut world = KinematicWorld::<Model>::new(setup).expect("a sound setup");
+    let mut world = KinematicWorld::new(NAO, setup).expect("a sound setup");
     let mut targets = world.sensors().angles;
     LOOKS.map(|look| sample(&mut world, &mut targets, look, setup.seed)).into()
 }
 
 /// Turns the head and waits until it rests and a frame is available.
-fn sample(world: &mut KinematicWorld<Model>, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Sample {
+fn sample(world: &mut KinematicWorld, targets: &mut Joints, (yaw, pitch): (f32, f32), seed: u64) -> Sample {
     targets[Joint::HeadYaw] = yaw;
     targets[Joint::HeadPitch] = pitch;
     let command = Command::new(*targets, 1.0);
@@ -49,7 +49,7 @@ fn sample(world: &mut KinematicWorld<Model>, targets: &mut Joints, (yaw, pitch):
     }
     let sensors = world.sensors();
     let image = sensors.image.expect("waited for");
-    let camera = Camera::of::<Model>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
+    let camera = Camera::of(NAO, image.camera, &sensors.angles, Side::Left, image.width, image.height);
     let name = format!("game {seed}, head at {yaw} {pitch}");
     Sample { name, width: image.width, height: image.height, yuyv: image.yuyv.to_vec(), camera: Some(camera) }
 }

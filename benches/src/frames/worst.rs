@@ -1,7 +1,7 @@
 //! Synthetic worst-case frames, as a defective camera may send them.
 
 use bica_motion::joints::Joints;
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_vision::profile::BUILT_IN_TABLE;
@@ -82,6 +82,6 @@ fn sample(name: String, (width, height): (u16, u16), colour: impl Fn(u16, u16, &
         [luma, cb, luma, cr]
     });
     let yuyv = yuyv.collect();
-    let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, width, height);
+    let camera = Camera::of(NAO, CameraId::Top, &Joints::all(0.0), Side::Left, width, height);
     Sample { name, width, height, yuyv, camera: Some(camera) }
 }

@@ -9,12 +9,10 @@ mod senses;
 pub use fault::Fault;
 pub use senses::{Glimpse, Senses};
 
-use core::marker::PhantomData;
-
 use self::motor_load::MotorLoad;
 use crate::joints::{JOINTS, Joint, Joints};
 use crate::kinematics::{centre_of_mass, sole};
-use crate::model::{Nao, RobotModel};
+use crate::model::RobotModel;
 use crate::robot::{Inertial, Sensors};
 use crate::side::Side;
 
@@ -51,7 +49,7 @@ pub const fn is_upright(inertial: &Inertial) -> bool {
 /// A fault is permanent, except those by heat: they end when all temperatures are below the derating range and no coil
 /// exceeds its continuous load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Health<M = Nao> {
+pub struct Health {
     fault: Option<Fault>,
     inertial: Inertial,
     same: u16,
@@ -59,19 +57,13 @@ pub struct Health<M = Nao> {
     /// Number of cycles for which each joint has deviated.
     stuck: [u8; JOINTS],
     motor_load: MotorLoad,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> Default for Health<M> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<M: RobotModel> Health<M> {
+impl Health {
     /// No fault.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn new(model: &'static RobotModel) -> Self {
         const STILL: Inertial =
             Inertial { gyro: glam::Vec3::ZERO, acceleration: glam::Vec3::ZERO, roll: 0.0, pitch: 0.0 };
         Self {
@@ -81,7 +73,7 @@ impl<M: RobotModel> Health<M> {
             silent: [0; 2],
             stuck: [0; JOINTS],
             motor_load: MotorLoad::new(),
-            model: PhantomData,
+            model,
         }
     }
 
@@ -112,7 +104,7 @@ impl<M: RobotModel> Health<M> {
             (self.silent, self.stuck) = ([0; 2], [0; JOINTS]);
             inertial
         };
-        self.motor_load.step::<M>(sensors, upright);
+        self.motor_load.step(self.model, sensors, upright);
         self.fault = self.fault.or(found);
     }
 
@@ -128,11 +120,11 @@ impl<M: RobotModel> Health<M> {
     fn check_feet(&mut self, sensors: &Sensors<'_>, targets: &Joints) -> Option<Fault> {
         let forces = [sensors.left_foot.total(), sensors.right_foot.total()];
         Side::BOTH.into_iter().find_map(|side| {
-            let silent = forces[side.index()] <= 0.0 && forces[side.other().index()] >= M::SUPPORT_FORCE;
+            let silent = forces[side.index()] <= 0.0 && forces[side.other().index()] >= self.model.support_force;
             let count = &mut self.silent[side.index()];
             *count = match silent {
                 false => 0,
-                true if *count >= POSTURE_CYCLES && !is_loaded::<M>(side, targets) => POSTURE_CYCLES,
+                true if *count >= POSTURE_CYCLES && !is_loaded(self.model, side, targets) => POSTURE_CYCLES,
                 true => count.saturating_add(1),
             };
             (*count >= SILENT_FOOT_CYCLES).then_some(Fault::Foot(side))
@@ -146,7 +138,7 @@ impl<M: RobotModel> Health<M> {
             // A measurement that is no number deviates, too.
             deviation > most || deviation.is_nan()
         };
-        let watched = M::JOINTS.iter().copied().filter(|&joint| follows(joint));
+        let watched = self.model.joints.iter().copied().filter(|&joint| follows(joint));
         watched.fold(None, |found, joint| {
             let count = &mut self.stuck[joint.index()];
             let is_stuck = stiffness[joint] >= FOLLOWING_STIFFNESS && deviates(joint);
@@ -158,9 +150,9 @@ impl<M: RobotModel> Health<M> {
 
 /// Whether a posture (rad) has both soles on the ground, and the centre of mass so near to one foot that it carries a part of the
 /// weight.
-fn is_loaded<M: RobotModel>(side: Side, posture: &Joints) -> bool {
-    let [own, other] = [side, side.other()].map(|side| sole::<M>(side, posture).translation);
-    let share = (centre_of_mass::<M>(posture).y - other.y) / (own.y - other.y);
+fn is_loaded(model: &'static RobotModel, side: Side, posture: &Joints) -> bool {
+    let [own, other] = [side, side.other()].map(|side| sole(model, side, posture).translation);
+    let share = (centre_of_mass(model, posture).y - other.y) / (own.y - other.y);
     (own.z - other.z).abs() < MAX_LIFT && share >= MIN_SHARE
 }
 

@@ -48,8 +48,8 @@ impl MotorLoad {
 
     /// Processes temperatures and currents of one cycle; NaN means unknown. Currents during a fall and a get-up, brief and
     /// high, are not counted.
-    pub(super) fn step<M: RobotModel>(&mut self, sensors: &Sensors<'_>, upright: bool) {
-        let limits = M::THERMAL;
+    pub(super) fn step(&mut self, model: &RobotModel, sensors: &Sensors<'_>, upright: bool) {
+        let limits = model.thermal;
         let (mut hot, mut overloaded, mut cool) = (None, None, true);
         for joint in Joint::ALL {
             let temperature = plausible_temperature(sensors.temperatures[joint]);
@@ -59,11 +59,11 @@ impl MotorLoad {
                 *load = 0.0;
             } else if !current.is_nan() {
                 let relative =
-                    clamp(current / M::CONTINUOUS_CURRENTS[joint], -MAX_RELATIVE_CURRENT, MAX_RELATIVE_CURRENT);
+                    clamp(current / model.continuous_current(joint), -MAX_RELATIVE_CURRENT, MAX_RELATIVE_CURRENT);
                 *load += LOAD_GAIN * (relative * relative - *load);
             }
             cool &= !(temperature >= limits.temperature.min || *load >= RECOVERED_LOAD);
-            self.shares[joint] = share::<M>(temperature, limits.temperature) * share::<M>(*load, limits.load);
+            self.shares[joint] = share(model, temperature, limits.temperature) * share(model, *load, limits.load);
             if temperature >= limits.temperature.max {
                 hot = Some(Fault::Hot(joint));
             }
@@ -78,9 +78,9 @@ impl MotorLoad {
 }
 
 /// Share of the stiffness that is left at a value; 1 for NaN.
-fn share<M: RobotModel>(value: f32, Range { min, max }: Range) -> f32 {
+fn share(model: &RobotModel, value: f32, Range { min, max }: Range) -> f32 {
     if value > min {
-        1.0 - (1.0 - M::THERMAL.derated_stiffness) * clamp((value - min) / (max - min), 0.0, 1.0)
+        1.0 - (1.0 - model.thermal.derated_stiffness) * clamp((value - min) / (max - min), 0.0, 1.0)
     } else {
         1.0
     }

@@ -1,11 +1,9 @@
 //! Playback of a kick.
 
-use core::marker::PhantomData;
-
 use super::{Kick, technique};
 use crate::easing::smooth;
 use crate::limbs::{LegAngles, Limbs};
-use crate::model::{KickFrame, KickPose, Nao, Profile, RobotModel, Technique};
+use crate::model::{KickFrame, KickPose, Profile, RobotModel, Technique};
 use crate::side::Side;
 use crate::walk::{Balance, Feedback};
 
@@ -16,22 +14,22 @@ const LIFTED: f32 = 0.015;
 
 /// A kick in progress: call [`step`](Self::step) once per control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KickMotion<M = Nao> {
+pub struct KickMotion {
     kick: Kick,
     profile: &'static Profile,
     index: usize,
     time: f32,
     from: KickPose,
     balance: Balance,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> KickMotion<M> {
+impl KickMotion {
     /// A kick that begins now; the robot is in the [`stand`](crate::walk::Parameters::stand) of its gait.
     #[must_use]
-    pub const fn new(kick: Kick, profile: &'static Profile) -> Self {
+    pub const fn new(model: &'static RobotModel, kick: Kick, profile: &'static Profile) -> Self {
         let from = KickPose::stand(&profile.gait);
-        Self { kick, profile, index: 0, time: 0.0, from, balance: Balance::new(), model: PhantomData }
+        Self { kick, profile, index: 0, time: 0.0, from, balance: Balance::new(), model }
     }
 
     /// The kick.
@@ -61,7 +59,7 @@ impl<M: RobotModel> KickMotion<M> {
     /// Advances by `dt` seconds; returns the targets of legs and arms; the stand when done.
     pub fn step(&mut self, feedback: &Feedback, dt: f32) -> Limbs {
         let gait = &self.profile.gait;
-        self.balance.update::<M>(feedback, gait, 0.0);
+        self.balance.update(self.model, feedback, gait, 0.0);
         if dt > 0.0 {
             self.time += dt;
         }
@@ -70,10 +68,10 @@ impl<M: RobotModel> KickMotion<M> {
             self.from = pose;
             self.index += 1;
         }
-        let stand = gait.stand::<M>();
+        let stand = gait.stand(self.model);
         let Some(KickFrame { duration, pose: to }) = self.frame() else { return stand };
         let pose = self.from.mix(&to, smooth(self.time / duration));
-        let mut legs = pose.legs::<M>(self.kick.foot, gait);
+        let mut legs = pose.legs(self.model, self.kick.foot, gait);
         self.stabilise(&mut legs, smooth(pose.foot.z / LIFTED));
         Limbs { legs, ..stand }
     }

@@ -33,11 +33,11 @@ impl KickPose {
 
     /// Leg angles, left first, of this pose with the given kicking foot.
     #[must_use]
-    pub fn legs<M: RobotModel>(&self, kicking: Side, gait: &Parameters) -> [LegAngles; 2] {
+    pub fn legs(&self, model: &RobotModel, kicking: Side, gait: &Parameters) -> [LegAngles; 2] {
         let side = kicking.sign();
         let on = |place: Vec3| Vec3::new(place.x, side * place.y, place.z);
         let torso = at(on(self.hips)) * Affine3A::from_rotation_z(0.5 * side * self.yaw);
-        let up = at(Vec3::new(0.0, 0.0, M::DIMENSIONS.foot_height));
+        let up = at(Vec3::new(0.0, 0.0, model.dimensions.foot_height));
         let turn = Affine3A::from_rotation_z(side * self.yaw)
             * Affine3A::from_rotation_y(self.pitch)
             * Affine3A::from_rotation_x(side * self.roll);
@@ -45,7 +45,7 @@ impl KickPose {
         let supports = at(Vec3::new(0.0, -side * gait.half_spacing, 0.0)) * up;
         let seen = torso.inverse();
         let (left, right) = if kicking == Side::Left { (kicks, supports) } else { (supports, kicks) };
-        legs_angles::<M>(&(seen * left), &(seen * right), YawFrom::Leg(kicking.other()))
+        legs_angles(model, &(seen * left), &(seen * right), YawFrom::Leg(kicking.other()))
     }
 }
 

@@ -17,8 +17,8 @@ use crate::side::Side;
 /// Its inverse maps points of the ground frame to the robot frame. Multiplied by [`camera`](super::camera) it is the pose of
 /// a camera over the ground.
 #[must_use]
-pub fn ground_from_robot<M: RobotModel>(support: Side, angles: &Joints) -> Affine3A {
-    ground_from_soles(support, &sole::<M>(Side::Left, angles), &sole::<M>(Side::Right, angles))
+pub fn ground_from_robot(model: &RobotModel, support: Side, angles: &Joints) -> Affine3A {
+    ground_from_soles(support, &sole(model, Side::Left, angles), &sole(model, Side::Right, angles))
 }
 
 /// As [`ground_from_robot`], from the poses of both soles in the robot frame.

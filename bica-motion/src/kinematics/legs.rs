@@ -26,18 +26,18 @@ pub enum YawFrom {
 ///
 /// Poses as in [`RobotModel::leg_angles`]. With two hip yaws, `yaw` has no meaning. The hip yaw-pitch is clamped to its range.
 #[must_use]
-pub fn legs_angles<M: RobotModel>(left: &Affine3A, right: &Affine3A, yaw: YawFrom) -> [LegAngles; 2] {
-    if !M::LEG.shares_hip_yaw() {
-        return [M::leg_angles(Side::Left, left), M::leg_angles(Side::Right, right)];
+pub fn legs_angles(model: &RobotModel, left: &Affine3A, right: &Affine3A, yaw: YawFrom) -> [LegAngles; 2] {
+    if !model.leg.shares_hip_yaw() {
+        return [model.leg_angles(Side::Left, left), model.leg_angles(Side::Right, right)];
     }
-    let of_left = || M::leg_angles(Side::Left, left).hip_yaw_pitch;
-    let of_right = || M::leg_angles(Side::Right, right).hip_yaw_pitch;
+    let of_left = || model.leg_angles(Side::Left, left).hip_yaw_pitch;
+    let of_right = || model.leg_angles(Side::Right, right).hip_yaw_pitch;
     let shared = match yaw {
         YawFrom::Mean => 0.5 * (of_left() + of_right()),
         YawFrom::Leg(Side::Left) => of_left(),
         YawFrom::Leg(Side::Right) => of_right(),
         YawFrom::Angle(angle) => angle,
     };
-    let shared = M::LIMITS[Joint::LHipYawPitch].clamp(shared);
-    [M::leg_angles_at(Side::Left, left, shared), M::leg_angles_at(Side::Right, right, shared)]
+    let shared = model.limits[Joint::LHipYawPitch].clamp(shared);
+    [model.leg_angles_at(Side::Left, left, shared), model.leg_angles_at(Side::Right, right, shared)]
 }

@@ -1,7 +1,5 @@
 //! Motor and gear of a joint.
 
-use crate::joints::{JOINTS, Joints};
-
 /// A motor and its gear.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Actuator {
@@ -49,15 +47,4 @@ impl Actuator {
     pub const fn current(&self, torque: f32) -> f32 {
         torque.abs() / (self.torque_constant() * self.gear_ratio * self.gear_efficiency)
     }
-}
-
-/// Continuous current of each joint's motor, A.
-pub(super) const fn continuous_currents(actuators: &Joints<Actuator>) -> Joints {
-    let mut currents = [0.0; JOINTS];
-    let mut i = 0;
-    while i < JOINTS {
-        currents[i] = actuators.0[i].continuous_current();
-        i += 1;
-    }
-    Joints(currents)
 }

@@ -6,10 +6,10 @@ use glam::Vec2;
 
 use crate::joints::{JOINTS, Joint, Joints};
 use crate::keyframes::Keyframe;
-use crate::model::simulation::{Disc, Extents, Lying, Paint, Part, SimulatedModel, Solid};
+use crate::model::simulation::{self, Disc, Extents, Lying, Paint, Part, Solid};
 use crate::model::{
-    Actuator, BodyShape, Capsule, FallLimits, FallPostures, HeadSpeed, LimbStiffness, Nao, Parameters, Range,
-    RobotModel, StiffnessTable, ThermalLimits, symmetric,
+    Actuator, BodyShape, Capsule, FallLimits, FallPostures, HeadSpeed, LimbStiffness, NAO, Parameters, Range,
+    StiffnessTable, ThermalLimits, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
@@ -151,7 +151,7 @@ pub(super) const GAIT: Parameters = Parameters {
     kick_swing: 0.16,
     kick_lateral_tolerance: 0.05,
     arm_swing_gain: 2.0,
-    ..Nao::DYNAMIC_PROFILE.gait
+    ..NAO.dynamic_profile.gait
 };
 
 /// Arms; trunk and legs are each robot's own. Radii are our estimates.
@@ -161,7 +161,7 @@ pub(super) const SHAPE: BodyShape = BodyShape {
         Capsule { from: [0.0, 0.05, 0.0], to: [0.0, 0.15, 0.0], radius: 0.04 },
     ],
     forearm: Capsule { from: [0.0; 3], to: [0.0, 0.2, 0.0], radius: 0.035 },
-    ..*Nao::BODY_SHAPE
+    ..*NAO.body_shape
 };
 
 /// Extents; sole and hips are each robot's own.
@@ -178,7 +178,7 @@ pub(super) const EXTENTS: Extents = Extents {
     min_hip_height: 0.0,
 };
 pub(super) const LYING: Lying =
-    Lying { fall_length: 0.45, front_height: 0.12, back_height: 0.12, side_height: 0.16, ..*Nao::LYING };
+    Lying { fall_length: 0.45, front_height: 0.12, back_height: 0.12, side_height: 0.16, ..*simulation::NAO.lying };
 pub(super) const TRUNK: [Part; 1] =
     [Part(Segment::Torso, Paint::Team, Solid::Block([0.0, 0.0, 0.235], [0.075, 0.1, 0.15]))];
 pub(super) const UPPER_ARM: Part =

@@ -73,7 +73,7 @@ pub struct Parameters {
     /// Additional hip roll of the support leg at mid-step, rad. It compensates the sag of the hip under the body's weight,
     /// without which the swing foot does not clear the ground.
     pub hip_roll_offset: f32,
-    /// Share of the legs' [lag](crate::model::RobotModel::LEG_LAGS) that the targets lead by; without an effect on a robot without lags.
+    /// Share of the legs' [lag](crate::model::RobotModel::leg_lags) that the targets lead by; without an effect on a robot without lags.
     pub lag_compensation: f32,
     /// Additional ankle pitch of the support leg, rad, against the lean that the legs' compliance causes; on a robot with lags only.
     pub ankle_pitch_offset: f32,

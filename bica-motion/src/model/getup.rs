@@ -50,7 +50,7 @@ impl GetUpFrame {
     /// Joint angles at the end, rad, or their mirror image. A robot with two hip yaws moves them symmetrically, keeps its waist
     /// straight and stays within its limits: similar robots share frames.
     #[must_use]
-    pub fn posture<M: RobotModel>(&self, mirrored: bool) -> Joints {
+    pub fn posture(&self, model: &RobotModel, mirrored: bool) -> Joints {
         let mut posture = Joints::all(0.0);
         for (angle, degrees) in posture.0.iter_mut().zip(self.degrees) {
             *angle = f32::from(degrees).to_radians();
@@ -58,9 +58,9 @@ impl GetUpFrame {
         if mirrored {
             posture = posture.mirrored();
         }
-        if !M::LEG.shares_hip_yaw() {
+        if !model.leg.shares_hip_yaw() {
             posture[Joint::RIGHT_HIP_YAW] = -posture[Joint::LEFT_HIP_YAW];
-            posture = posture.clamp_to_limits::<M>();
+            posture = posture.clamp_to_limits(model);
         }
         posture
     }

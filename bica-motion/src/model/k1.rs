@@ -10,62 +10,62 @@ use crate::keyframes::Keyframe;
 use crate::model::booster::{self, each_joint};
 use crate::model::booster_getup;
 use crate::model::booster_kicks;
-use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
+use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
-    GetUpFrames, HeadPitchLimit, HeadSpeed, LegGeometry, Mass, Masses, Parameters, PitchFirstLeg, Profile, Range,
-    RobotModel, Senses, SidewaysArm, StiffnessTable, ThermalLimits, symmetric,
+    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FeedbackDelay, HeadPitchLimit, LegGeometry,
+    Mass, Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
 use crate::velocity::Velocity;
 
 /// The K1 of Booster Robotics. Its waist is rigid.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct K1;
-
-impl RobotModel for K1 {
-    const NAME: &'static str = "Booster K1";
-    const JOINTS: &'static [Joint] = &booster::JOINTS_WITHOUT_WAIST;
-    const LIMITS: &'static Joints<Range> = &each_joint!(limit);
-    const MAX_SPEEDS: &'static Joints = &booster::MAX_SPEEDS;
-    const ACTUATORS: &'static Joints<Actuator> = &booster::actuators(Self::TORQUE_LIMITS);
-    /// Our estimate; in the league's server a command acts one cycle later.
-    const DEAD_TIME: f32 = 0.01;
-    const FEEDBACK_DELAY: usize = 2;
-    const THERMAL: ThermalLimits = booster::THERMAL;
-    const HEAD_PITCH_LIMITS: &'static [HeadPitchLimit] = &[HeadPitchLimit::degrees(0.0, -20.0, 48.0)];
-    const HEAD_SPEED: HeadSpeed = booster::HEAD_SPEED;
-    const DIMENSIONS: &'static Dimensions = &DIMENSIONS;
-    const BODY_SHAPE: &'static BodyShape = &SHAPE;
-    const MASSES: &'static Masses = &MASSES;
-    const SUPPORT_FORCE: f32 = 110.0;
-    const FALL_LIMITS: FallLimits = booster::FALL_LIMITS;
-    const STIFFNESS: &'static StiffnessTable = &booster::STIFFNESS;
-    const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -22.596_243, 46.388_466, -23.792_225, 0.0]);
-    const SIT: Joints = booster::SIT;
-    const SIT_STIFFNESS: f32 = 0.3;
-    const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.0, posture: Self::STAND, stiffness: 0.8 }];
-    const TO_SIT: &'static [Keyframe] = &[Keyframe { seconds: 2.0, posture: Self::SIT, stiffness: 0.8 }];
-    const GET_UP: &'static GetUpFrames = &booster_getup::K1;
-    const FALL_POSTURES: &'static FallPostures = &booster::FALL_POSTURES;
-    const KINEMATIC_PROFILE: &'static Profile = &PROFILE;
-    const DYNAMIC_PROFILE: &'static Profile = &PROFILE;
-    const LEG: LegGeometry = LegGeometry::PitchRollYaw(PitchFirstLeg {
+pub const K1: &RobotModel = &RobotModel {
+    id: "k1",
+    name: "Booster K1",
+    joints: &booster::JOINTS_WITHOUT_WAIST,
+    limits: &each_joint!(limit),
+    max_speeds: &booster::MAX_SPEEDS,
+    actuators: &booster::actuators(&TORQUE_LIMITS),
+    // Our estimate; in the league's server a command acts one cycle later.
+    dead_time: 0.01,
+    feedback_delay: FeedbackDelay::new(2),
+    thermal: booster::THERMAL,
+    head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -20.0, 48.0)],
+    head_speed: booster::HEAD_SPEED,
+    dimensions: &DIMENSIONS,
+    camera_height: 0.86,
+    body_shape: &SHAPE,
+    masses: &MASSES,
+    support_force: 110.0,
+    fall_limits: booster::FALL_LIMITS,
+    stiffness: &booster::STIFFNESS,
+    stand: STAND,
+    sit: booster::SIT,
+    sit_stiffness: 0.3,
+    to_stand: &[Keyframe { seconds: 1.0, posture: STAND, stiffness: 0.8 }],
+    to_sit: &[Keyframe { seconds: 2.0, posture: booster::SIT, stiffness: 0.8 }],
+    get_up: &booster_getup::K1,
+    fall_postures: &booster::FALL_POSTURES,
+    kinematic_profile: &PROFILE,
+    dynamic_profile: &PROFILE,
+    leg: LegGeometry::PitchRollYaw(PitchFirstLeg {
         roll: Vec3::new(0.0, 0.0, -0.026),
         yaw: Vec3::new(0.012, 0.0, -0.0485),
         knee: Vec3::new(-0.014, 0.0, -0.117),
         ankle: Vec3::new(0.000_197_06, 0.0002, -0.245_19),
         ankle_roll: Vec3::new(0.0, 0.0, 0.0),
-    });
-    const LEG_LAGS: Option<[f32; 6]> = Some([0.03, 0.05, 0.05, 0.0375, 0.015, 0.015]);
-    const ARM: ArmGeometry = ArmGeometry::Sideways(SidewaysArm {
+    }),
+    leg_lags: Some([0.03, 0.05, 0.05, 0.0375, 0.015, 0.015]),
+    arm: ArmGeometry::Sideways(SidewaysArm {
         biceps: Vec3::new(0.0025, 0.068, -0.0135),
         elbow: Vec3::new(0.0, 0.044_428, 0.0),
         forearm: Vec3::new(0.0, 0.1215, 0.0),
-    });
-    const SENSES: Senses = Senses::NONE;
-}
+    }),
+    senses: Senses::NONE,
+};
+
+const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -22.596_243, 46.388_466, -23.792_225, 0.0]);
 
 const fn limit(joint: Joint) -> Range {
     let (min, max) = match joint {
@@ -204,10 +204,12 @@ const SHAPE: BodyShape = BodyShape {
 };
 const KNEE: [f32; 3] = [-0.014, 0.0, -0.117];
 
-impl SimulatedModel for K1 {
-    const EXTENTS: &'static Extents = &Extents { sole_middle: 0.026, min_hip_height: 0.33, ..booster::EXTENTS };
-    const LYING: &'static Lying = &booster::LYING;
-    const FIGURE: &'static Figure = &Figure {
+/// The robot in simulators.
+pub const SIMULATED: &SimulatedModel = &SimulatedModel {
+    robot: K1,
+    extents: &Extents { sole_middle: 0.026, min_hip_height: 0.33, ..booster::EXTENTS },
+    lying: &booster::LYING,
+    figure: &Figure {
         trunk: &booster::TRUNK,
         side: &[
             booster::UPPER_ARM,
@@ -218,15 +220,20 @@ impl SimulatedModel for K1 {
         ],
         head: &booster::HEAD,
         foot_shadow: Disc { ahead: 0.026, radius: 0.15 },
-    };
-}
+    },
+    thermal_ratings: K1.actuators,
+    mujoco: MUJOCO,
+};
 
-impl MujocoModel for K1 {
-    const ROBOT: &'static str = include_str!("../../models/k1/robot.xml");
-    const BYSTANDER: &'static str = "<geom type=\"cylinder\" size=\"0.15 0.45\" pos=\"0 0 0.45\" material=\"team\" contype=\"8\" conaffinity=\"33\"/>";
-    const SHELLS: &'static str = Self::ROBOT;
-    const GAINS: &'static Joints = &booster::gains(400.0);
-    const TORQUE_LIMITS: &'static Joints = &each_joint!(torque);
-    const MOTORS_DAMP: bool = true;
-    const SHADOWS: [Vec2; 2] = booster::SHADOWS;
-}
+const ROBOT: &str = include_str!("../../models/k1/robot.xml");
+const TORQUE_LIMITS: Joints = each_joint!(torque);
+
+const MUJOCO: MujocoModel = MujocoModel {
+    robot: ROBOT,
+    bystander: "<geom type=\"cylinder\" size=\"0.15 0.45\" pos=\"0 0 0.45\" material=\"team\" contype=\"8\" conaffinity=\"33\"/>",
+    shells: ROBOT,
+    gains: &booster::gains(400.0),
+    torque_limits: &TORQUE_LIMITS,
+    motors_damp: true,
+    shadows: booster::SHADOWS,
+};

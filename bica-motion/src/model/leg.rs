@@ -1,6 +1,6 @@
 //! Kinematics of a leg with hip yaw-pitch, hip roll, hip pitch, knee pitch, ankle pitch and ankle roll, in closed form.
 //!
-//! These are the provided functions of [`RobotModel`](super::RobotModel). Inverse kinematics, own derivation: in the
+//! [`RobotModel`](super::RobotModel) calls these functions. Inverse kinematics, own derivation: in the
 //! frame of the foot, the distance to the hip gives the knee angle, and the direction to the hip gives both ankle
 //! angles. The remaining rotation belongs to the hip.
 
@@ -10,15 +10,16 @@ use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use libm::{atan2f, hypotf, sincosf, sqrtf};
 
 use crate::limbs::LegAngles;
-use crate::model::{Dimensions, RobotModel};
+use crate::model::Dimensions;
 use crate::side::Side;
 
 /// Poses of pelvis, hip, thigh, tibia, ankle and foot in the robot frame.
-pub(super) fn poses<M: RobotModel>(
+pub(super) fn poses(
+    dimensions: &Dimensions,
     side: Side,
     [yaw_pitch, hip_roll, hip_pitch, knee, pitch, roll]: [f32; 6],
 ) -> [Affine3A; 6] {
-    let Dimensions { hip, thigh, tibia, .. } = *M::DIMENSIONS;
+    let Dimensions { hip, thigh, tibia, .. } = *dimensions;
     let tilt = side.sign() * FRAC_PI_4;
     let at_hip = Vec3::new(hip.x, side.sign() * hip.y, hip.z);
     let pelvis = at(at_hip) * about_x(tilt) * Affine3A::from_rotation_z(-side.sign() * yaw_pitch) * about_x(-tilt);
@@ -30,15 +31,15 @@ pub(super) fn poses<M: RobotModel>(
 }
 
 /// Angles that bring a foot to a pose.
-pub(super) fn angles<M: RobotModel>(side: Side, ankle: &Affine3A) -> LegAngles {
-    let Dimensions { thigh, tibia, .. } = *M::DIMENSIONS;
-    let hip = hip::<M>(side);
+pub(super) fn angles(dimensions: &Dimensions, side: Side, ankle: &Affine3A) -> LegAngles {
+    let Dimensions { thigh, tibia, .. } = *dimensions;
+    let hip = hip(dimensions, side);
     let rotation = ankle.matrix3;
     let to_hip = -(rotation.transpose() * (ankle.translation - hip));
     // A crouch can bring the hip under the plane of the foot; the ankle's roll never passes 90° for it.
     let over = if to_hip.z < 0.0 { -1.0 } else { 1.0 };
     let lower = over * hypotf(to_hip.y, to_hip.z);
-    let knee_pitch = knee::<M>(hypotf(to_hip.x, lower));
+    let knee_pitch = knee(dimensions, hypotf(to_hip.x, lower));
     let ankle_roll = atan2f(over * to_hip.y, over * to_hip.z);
     let (sin, cos) = sincosf(knee_pitch);
     let lean = atan2f(thigh * sin, tibia + thigh * cos);
@@ -58,15 +59,15 @@ pub(super) fn angles<M: RobotModel>(side: Side, ankle: &Affine3A) -> LegAngles {
 }
 
 /// Angles that bring a foot to a place with its sole parallel to the given pose, at a given hip yaw-pitch.
-pub(super) fn angles_at<M: RobotModel>(side: Side, ankle: &Affine3A, hip_yaw_pitch: f32) -> LegAngles {
-    let Dimensions { thigh, tibia, .. } = *M::DIMENSIONS;
+pub(super) fn angles_at(dimensions: &Dimensions, side: Side, ankle: &Affine3A, hip_yaw_pitch: f32) -> LegAngles {
+    let Dimensions { thigh, tibia, .. } = *dimensions;
     let tilt = side.sign() * FRAC_PI_4;
     let pelvis = Mat3A::from_rotation_x(tilt)
         * Mat3A::from_rotation_z(-side.sign() * hip_yaw_pitch)
         * Mat3A::from_rotation_x(-tilt);
-    let to_ankle = pelvis.transpose() * (ankle.translation - hip::<M>(side));
+    let to_ankle = pelvis.transpose() * (ankle.translation - hip(dimensions, side));
     let lower = hypotf(to_ankle.y, to_ankle.z);
-    let knee_pitch = knee::<M>(hypotf(to_ankle.x, lower));
+    let knee_pitch = knee(dimensions, hypotf(to_ankle.x, lower));
     let hip_roll = atan2f(to_ankle.y, -to_ankle.z);
     let (sin, cos) = sincosf(knee_pitch);
     let lean = atan2f(tibia * sin, thigh + tibia * cos);
@@ -84,14 +85,14 @@ pub(super) fn angles_at<M: RobotModel>(side: Side, ankle: &Affine3A, hip_yaw_pit
     }
 }
 
-fn hip<M: RobotModel>(side: Side) -> Vec3A {
-    let hip = M::DIMENSIONS.hip;
+fn hip(dimensions: &Dimensions, side: Side) -> Vec3A {
+    let hip = dimensions.hip;
     Vec3A::new(hip.x, side.sign() * hip.y, hip.z)
 }
 
 /// Knee angle that sets hip and ankle `distance` apart. The half-angle form stays accurate near the straight leg.
-fn knee<M: RobotModel>(distance: f32) -> f32 {
-    let Dimensions { thigh, tibia, .. } = *M::DIMENSIONS;
+fn knee(dimensions: &Dimensions, distance: f32) -> f32 {
+    let Dimensions { thigh, tibia, .. } = *dimensions;
     let opened = (thigh + tibia - distance) * (thigh + tibia + distance);
     let closed = (distance - (tibia - thigh)) * (distance + (tibia - thigh));
     2.0 * atan2f(sqrtf(opened.max(0.0)), sqrtf(closed.max(0.0)))

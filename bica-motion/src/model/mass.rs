@@ -28,7 +28,10 @@ impl Mass {
 
 /// Masses of all segments, in the order of [`Segment::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Masses([Mass; SEGMENTS]);
+pub struct Masses {
+    segments: [Mass; SEGMENTS],
+    total: f32,
+}
 
 impl Masses {
     /// Masses of a symmetric body, from the trunk and the left side.
@@ -36,10 +39,10 @@ impl Masses {
     /// `trunk`: torso, neck, head. `arm`: shoulder, biceps, elbow, forearm, hand. `leg`: pelvis, hip, thigh, tibia, ankle, foot.
     #[must_use]
     pub const fn symmetric(trunk: [Mass; 3], arm: [Mass; 5], leg: [Mass; 6]) -> Self {
-        let mut masses = [trunk[0]; SEGMENTS];
+        let (mut segments, mut total) = ([trunk[0]; SEGMENTS], 0.0);
         let mut i = 0;
         while i < SEGMENTS {
-            masses[i] = match Segment::ALL[i] {
+            segments[i] = match Segment::ALL[i] {
                 Segment::Torso => trunk[0],
                 Segment::Neck => trunk[1],
                 Segment::Head => trunk[2],
@@ -55,26 +58,21 @@ impl Masses {
                 Segment::Ankle(side) => leg[4].on(side),
                 Segment::Foot(side) => leg[5].on(side),
             };
+            total += segments[i].mass;
             i += 1;
         }
-        Self(masses)
+        Self { segments, total }
     }
 
     /// Mass of a segment.
     #[must_use]
     pub const fn of(&self, segment: Segment) -> Mass {
-        self.0[segment.index()]
+        self.segments[segment.index()]
     }
 
     /// Mass of the whole robot, kg.
     #[must_use]
     pub const fn total(&self) -> f32 {
-        let mut total = 0.0;
-        let mut i = 0;
-        while i < SEGMENTS {
-            total += self.0[i].mass;
-            i += 1;
-        }
-        total
+        self.total
     }
 }

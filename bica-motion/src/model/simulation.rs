@@ -2,59 +2,80 @@
 //!
 //! A program for a real robot does not link them.
 
+use core::ops::Deref;
+
 use glam::Vec2;
 
 use super::{Actuator, Range, RobotModel};
 use crate::joints::Joints;
 use crate::segment::Segment;
 
-/// A humanoid that simulators can move and draw. Lengths in m.
-#[diagnostic::on_unimplemented(
-    message = "the robot model `{Self}` cannot be simulated",
-    note = "implement `bica_motion::model::simulation::SimulatedModel` for it: extents, postures on the ground, looks"
-)]
-pub trait SimulatedModel: RobotModel {
-    /// Extents in contacts.
-    const EXTENTS: &'static Extents;
-    /// Postures on the ground.
-    const LYING: &'static Lying;
-    /// Looks in rendered images.
-    const FIGURE: &'static Figure;
-    /// Motors whose continuous copper loss the motor of each joint bears. The default is that motor itself.
-    const THERMAL_RATINGS: &'static Joints<Actuator> = Self::ACTUATORS;
+pub use super::k1::SIMULATED as K1;
+pub use super::nao::SIMULATED as NAO;
+pub use super::t1::SIMULATED as T1;
+
+/// All humanoids of this crate. Programs offer these, and tests check each.
+pub const HUMANOIDS: &[&SimulatedModel] = &[NAO, T1, K1];
+
+/// The humanoid with this [`id`](RobotModel::id).
+#[must_use]
+pub fn humanoid(id: &str) -> Option<&'static SimulatedModel> {
+    HUMANOIDS.iter().copied().find(|model| model.id == id)
 }
 
-/// A humanoid with a body in `MuJoCo`.
-#[diagnostic::on_unimplemented(
-    message = "the robot model `{Self}` has no body in MuJoCo",
-    note = "implement `bica_motion::model::simulation::MujocoModel` for it, with an MJCF file of the robot"
-)]
-pub trait MujocoModel: SimulatedModel {
+/// A humanoid that simulators can move and draw. Lengths in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SimulatedModel {
+    /// What its own program knows of it.
+    pub robot: &'static RobotModel,
+    /// Extents in contacts.
+    pub extents: &'static Extents,
+    /// Postures on the ground.
+    pub lying: &'static Lying,
+    /// Looks in rendered images.
+    pub figure: &'static Figure,
+    /// Motors whose continuous copper loss the motor of each joint bears.
+    pub thermal_ratings: &'static Joints<Actuator>,
+    /// Its body in `MuJoCo`.
+    pub mujoco: MujocoModel,
+}
+
+impl Deref for SimulatedModel {
+    type Target = RobotModel;
+
+    fn deref(&self) -> &RobotModel {
+        self.robot
+    }
+}
+
+/// The body of a humanoid in `MuJoCo`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MujocoModel {
     /// MJCF file of the robot.
     ///
     /// Bodies have the names and frames of [`Segment`]s and joints and actuators (torque motors) the names of
-    /// [`RobotModel::JOINTS`], sides abbreviated: `LFoot`, `RHipPitch`. The root is the body `Torso` with a free joint of that
+    /// [`RobotModel::joints`], sides abbreviated: `LFoot`, `RHipPitch`. The root is the body `Torso` with a free joint of that
     /// name. A right hip yaw-pitch that shares its motor follows the left one; the names of joints in the place of others are
     /// `LHipYaw`, `RHipYaw` and `WaistYaw`. Further elements: a camera `Top` and one `Bottom`, the geoms `LSole`
     /// and `RSole` (friction) and `LFootShell` and `RFootShell`, a material `team`. Sensors, in this order: a gyroscope, an
     /// accelerometer, and, if [`Senses::soles`](super::Senses), the forces on the left and the right sole:
     /// front left, front right, rear left, rear right.
     /// Contact types: 1 body, 2 sole, 4 floor, 8 obstacle, 16 ball, 32 foot shell.
-    const ROBOT: &'static str;
+    pub robot: &'static str,
     /// Geoms in MJCF of a robot that stands still, from the ground below its robot frame. The material `team` is replaced by
     /// its team's; `shells` and `joints` exist.
-    const BYSTANDER: &'static str;
-    /// MJCF file of the looks in films: a body for each segment, named as in [`ROBOT`](Self::ROBOT). The material `team` is
+    pub bystander: &'static str,
+    /// MJCF file of the looks in films: a body for each segment, named as in [`robot`](Self::robot). The material `team` is
     /// replaced by the team's.
-    const SHELLS: &'static str;
+    pub shells: &'static str,
     /// Position gain of each motor at full stiffness, Nm/rad.
-    const GAINS: &'static Joints;
+    pub gains: &'static Joints,
     /// Torque limit of each joint, Nm.
-    const TORQUE_LIMITS: &'static Joints;
+    pub torque_limits: &'static Joints,
     /// Whether the joints' damping is the velocity gain of the motors, which the torque limit includes.
-    const MOTORS_DAMP: bool = false;
+    pub motors_damp: bool,
     /// Half length and half width of the shadows of foot and torso.
-    const SHADOWS: [Vec2; 2];
+    pub shadows: [Vec2; 2],
 }
 
 /// A disc whose centre lies on the x axis of its frame.

@@ -10,63 +10,63 @@ use crate::keyframes::Keyframe;
 use crate::model::booster::{self, each_joint};
 use crate::model::booster_getup;
 use crate::model::booster_kicks;
-use crate::model::simulation::{Disc, Extents, Figure, Lying, MujocoModel, Paint, Part, SimulatedModel, Solid};
+use crate::model::simulation::{Disc, Extents, Figure, MujocoModel, Paint, Part, SimulatedModel, Solid};
 use crate::model::{
-    Actuator, ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FallLimits, FallPostures,
-    GetUpFrames, HeadPitchLimit, HeadSpeed, LegGeometry, Mass, Masses, Parameters, PitchFirstLeg, Profile, Range,
-    RobotModel, Senses, SidewaysArm, StiffnessTable, ThermalLimits, symmetric,
+    ArmGeometry, BodyShape, Calibration, CameraMount, Capsule, Dimensions, FeedbackDelay, HeadPitchLimit, LegGeometry,
+    Mass, Masses, Parameters, PitchFirstLeg, Profile, Range, RobotModel, Senses, SidewaysArm, symmetric,
 };
 use crate::segment::Segment;
 use crate::side::Side::Left;
 use crate::velocity::Velocity;
 
 /// The T1 of Booster Robotics. It has a waist, which motions keep straight.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct T1;
-
-impl RobotModel for T1 {
-    const NAME: &'static str = "Booster T1";
-    const JOINTS: &'static [Joint] = &booster::JOINTS_WITH_WAIST;
-    const LIMITS: &'static Joints<Range> = &each_joint!(limit);
-    const MAX_SPEEDS: &'static Joints = &booster::MAX_SPEEDS;
-    const ACTUATORS: &'static Joints<Actuator> = &booster::actuators(Self::TORQUE_LIMITS);
-    /// Our estimate; in the league's server a command acts one cycle later.
-    const DEAD_TIME: f32 = 0.01;
-    const FEEDBACK_DELAY: usize = 2;
-    const THERMAL: ThermalLimits = booster::THERMAL;
-    const HEAD_PITCH_LIMITS: &'static [HeadPitchLimit] = &[HeadPitchLimit::degrees(0.0, -20.0, 69.0)];
-    const HEAD_SPEED: HeadSpeed = booster::HEAD_SPEED;
-    const DIMENSIONS: &'static Dimensions = &DIMENSIONS;
-    const BODY_SHAPE: &'static BodyShape = &SHAPE;
-    const MASSES: &'static Masses = &MASSES;
-    const SUPPORT_FORCE: f32 = 180.0;
-    const FALL_LIMITS: FallLimits = booster::FALL_LIMITS;
-    const STIFFNESS: &'static StiffnessTable = &booster::STIFFNESS;
-    /// The stand of the gait in the simulation league; the feet are 14 mm nearer to the middle than in that of `MuJoCo`.
-    const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.669_054, 47.964_893, -20.295_845, 0.0]);
-    const SIT: Joints = booster::SIT;
-    const SIT_STIFFNESS: f32 = 0.3;
-    const TO_STAND: &'static [Keyframe] = &[Keyframe { seconds: 1.0, posture: Self::STAND, stiffness: 0.8 }];
-    const TO_SIT: &'static [Keyframe] = &[Keyframe { seconds: 2.0, posture: Self::SIT, stiffness: 0.8 }];
-    const GET_UP: &'static GetUpFrames = &booster_getup::T1;
-    const FALL_POSTURES: &'static FallPostures = &booster::FALL_POSTURES;
-    const KINEMATIC_PROFILE: &'static Profile = &PROFILE;
-    const DYNAMIC_PROFILE: &'static Profile = &PROFILE;
-    const LEG: LegGeometry = LegGeometry::PitchRollYaw(PitchFirstLeg {
+pub const T1: &RobotModel = &RobotModel {
+    id: "t1",
+    name: "Booster T1",
+    joints: &booster::JOINTS_WITH_WAIST,
+    limits: &each_joint!(limit),
+    max_speeds: &booster::MAX_SPEEDS,
+    actuators: &booster::actuators(&TORQUE_LIMITS),
+    // Our estimate; in the league's server a command acts one cycle later.
+    dead_time: 0.01,
+    feedback_delay: FeedbackDelay::new(2),
+    thermal: booster::THERMAL,
+    head_pitch_limits: &[HeadPitchLimit::degrees(0.0, -20.0, 69.0)],
+    head_speed: booster::HEAD_SPEED,
+    dimensions: &DIMENSIONS,
+    camera_height: 1.08,
+    body_shape: &SHAPE,
+    masses: &MASSES,
+    support_force: 180.0,
+    fall_limits: booster::FALL_LIMITS,
+    stiffness: &booster::STIFFNESS,
+    stand: STAND,
+    sit: booster::SIT,
+    sit_stiffness: 0.3,
+    to_stand: &[Keyframe { seconds: 1.0, posture: STAND, stiffness: 0.8 }],
+    to_sit: &[Keyframe { seconds: 2.0, posture: booster::SIT, stiffness: 0.8 }],
+    get_up: &booster_getup::T1,
+    fall_postures: &booster::FALL_POSTURES,
+    kinematic_profile: &PROFILE,
+    dynamic_profile: &PROFILE,
+    leg: LegGeometry::PitchRollYaw(PitchFirstLeg {
         roll: Vec3::new(0.0, 0.0, -0.02),
         yaw: Vec3::new(0.0, 0.0, -0.081_854),
         knee: Vec3::new(-0.014, 0.0, -0.134),
         ankle: Vec3::new(0.0, 0.0, -0.28),
         ankle_roll: Vec3::new(0.0, 0.000_25, -0.012),
-    });
-    const LEG_LAGS: Option<[f32; 6]> = Some([0.0218, 0.0364, 0.0364, 0.0273, 0.0109, 0.0109]);
-    const ARM: ArmGeometry = ArmGeometry::Sideways(SidewaysArm {
+    }),
+    leg_lags: Some([0.0218, 0.0364, 0.0364, 0.0273, 0.0109, 0.0109]),
+    arm: ArmGeometry::Sideways(SidewaysArm {
         biceps: Vec3::new(0.0, 0.047, 0.0),
         elbow: Vec3::new(0.000_25, 0.0605, 0.0),
         forearm: Vec3::new(0.0, 0.1471, 0.0),
-    });
-    const SENSES: Senses = Senses::NONE;
-}
+    }),
+    senses: Senses::NONE,
+};
+
+/// The stand of the gait in the simulation league; the feet are 14 mm nearer to the middle than in that of `MuJoCo`.
+const STAND: Joints = symmetric(0.0, booster::ARM, [0.0, 0.0, -27.669_054, 47.964_893, -20.295_845, 0.0]);
 
 const fn limit(joint: Joint) -> Range {
     let (min, max) = match joint {
@@ -205,10 +205,12 @@ const SHAPE: BodyShape = BodyShape {
 };
 const KNEE: [f32; 3] = [-0.014, 0.0, -0.134];
 
-impl SimulatedModel for T1 {
-    const EXTENTS: &'static Extents = &Extents { sole_middle: 0.01, min_hip_height: 0.4, ..booster::EXTENTS };
-    const LYING: &'static Lying = &booster::LYING;
-    const FIGURE: &'static Figure = &Figure {
+/// The robot in simulators.
+pub const SIMULATED: &SimulatedModel = &SimulatedModel {
+    robot: T1,
+    extents: &Extents { sole_middle: 0.01, min_hip_height: 0.4, ..booster::EXTENTS },
+    lying: &booster::LYING,
+    figure: &Figure {
         trunk: &booster::TRUNK,
         side: &[
             booster::UPPER_ARM,
@@ -219,15 +221,20 @@ impl SimulatedModel for T1 {
         ],
         head: &booster::HEAD,
         foot_shadow: Disc { ahead: 0.01, radius: 0.15 },
-    };
-}
+    },
+    thermal_ratings: T1.actuators,
+    mujoco: MUJOCO,
+};
 
-impl MujocoModel for T1 {
-    const ROBOT: &'static str = include_str!("../../models/t1/robot.xml");
-    const BYSTANDER: &'static str = "<geom type=\"cylinder\" size=\"0.15 0.55\" pos=\"0 0 0.55\" material=\"team\" contype=\"8\" conaffinity=\"33\"/>";
-    const SHELLS: &'static str = Self::ROBOT;
-    const GAINS: &'static Joints = &booster::gains(550.0);
-    const TORQUE_LIMITS: &'static Joints = &each_joint!(torque);
-    const MOTORS_DAMP: bool = true;
-    const SHADOWS: [Vec2; 2] = booster::SHADOWS;
-}
+const ROBOT: &str = include_str!("../../models/t1/robot.xml");
+const TORQUE_LIMITS: Joints = each_joint!(torque);
+
+const MUJOCO: MujocoModel = MujocoModel {
+    robot: ROBOT,
+    bystander: "<geom type=\"cylinder\" size=\"0.15 0.55\" pos=\"0 0 0.55\" material=\"team\" contype=\"8\" conaffinity=\"33\"/>",
+    shells: ROBOT,
+    gains: &booster::gains(550.0),
+    torque_limits: &TORQUE_LIMITS,
+    motors_damp: true,
+    shadows: booster::SHADOWS,
+};

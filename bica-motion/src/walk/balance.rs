@@ -37,11 +37,11 @@ impl Balance {
 
     /// Processes the measurements of one cycle; `lean` is the lean of the torso, rad, in addition to the gait's. NaN
     /// and infinite values count as zero.
-    pub(crate) fn update<M: RobotModel>(&mut self, feedback: &Feedback, gait: &Parameters, lean: f32) {
+    pub(crate) fn update(&mut self, model: &RobotModel, feedback: &Feedback, gait: &Parameters, lean: f32) {
         let sane = |x: f32, most: f32| if x.is_finite() { clamp(x, -most, most) } else { 0.0 };
         let rates = Vec2::new(sane(feedback.gyro.x, MAX_RATE), sane(feedback.gyro.y, MAX_RATE));
         self.rates += (1.0 - gait.gyro_smoothing) * (rates - self.rates);
-        let height = gait.hip_height + M::DIMENSIONS.mass_over_hips;
+        let height = gait.hip_height + model.dimensions.mass_over_hips;
         let frequency = sqrtf(GRAVITY / height);
         let tilt = Vec2::new(sane(feedback.pitch, PI) - (gait.torso_pitch + lean), -sane(feedback.roll, PI));
         self.capture_error = height * (tilt + Vec2::new(rates.y, -rates.x) / frequency);

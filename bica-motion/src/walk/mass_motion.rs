@@ -34,8 +34,8 @@ impl MassMotion {
     }
 
     /// Processes the measurements of one cycle of `dt` s; `smoothing` is the weight of the old velocity.
-    pub(super) fn update<M: RobotModel>(&mut self, feedback: &Feedback, smoothing: f32, dt: f32) {
-        let skeleton = feedback.joints.as_ref().map(Skeleton::<M>::of);
+    pub(super) fn update(&mut self, model: &'static RobotModel, feedback: &Feedback, smoothing: f32, dt: f32) {
+        let skeleton = feedback.joints.as_ref().map(|angles| Skeleton::of(model, angles));
         let level = Mat3::from_rotation_y(feedback.pitch) * Mat3::from_rotation_x(feedback.roll);
         self.0 = Side::BOTH.map(|side| {
             let skeleton = skeleton.as_ref()?;

@@ -25,8 +25,6 @@ pub use adjustment::Adjustment;
 pub use feedback::Feedback;
 pub use in_walk_kick::in_walk_kick_foot;
 
-use core::marker::PhantomData;
-
 use glam::Vec2;
 
 pub(crate) use self::balance::Balance;
@@ -37,7 +35,7 @@ use self::sag_compensation::SagCompensation;
 use crate::bounds::clamp;
 use crate::feet::{Foot, Tilt};
 use crate::limbs::Limbs;
-use crate::model::{Nao, RobotModel};
+use crate::model::RobotModel;
 use crate::side::Side;
 
 /// Maximum cycle time that counts, s: a late call must not skip half a step.
@@ -73,7 +71,7 @@ pub enum Phase {
 
 /// A walk: call [`step`](Self::step) once per control cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Walk<M = Nao> {
+pub struct Walk {
     gait: &'static Parameters,
     adjustment: Adjustment,
     phase: Phase,
@@ -95,13 +93,13 @@ pub struct Walk<M = Nao> {
     /// Displacement of the swing foot from its plan by the capture step, m.
     capture_step: Vec2,
     sag_compensation: SagCompensation,
-    model: PhantomData<M>,
+    model: &'static RobotModel,
 }
 
-impl<M: RobotModel> Walk<M> {
+impl Walk {
     /// A walk in the phase [`Standing`](Phase::Standing).
     #[must_use]
-    pub const fn new(gait: &'static Parameters) -> Self {
+    pub const fn new(model: &'static RobotModel, gait: &'static Parameters) -> Self {
         Self {
             gait,
             adjustment: Adjustment::NONE,
@@ -117,7 +115,7 @@ impl<M: RobotModel> Walk<M> {
             kick: None,
             capture_step: Vec2::ZERO,
             sag_compensation: SagCompensation::new(),
-            model: PhantomData,
+            model,
         }
     }
 
@@ -164,7 +162,7 @@ impl<M: RobotModel> Walk<M> {
     /// stand. The estimate of the legs' strength and the adjustment are kept.
     pub const fn reset(&mut self) {
         let Self { adjustment, sag_compensation, .. } = *self;
-        *self = Self { adjustment, sag_compensation, ..Self::new(self.gait) };
+        *self = Self { adjustment, sag_compensation, ..Self::new(self.model, self.gait) };
     }
 
     /// Advances by one control cycle of `dt` seconds; returns the targets of legs and arms.
@@ -175,14 +173,14 @@ impl<M: RobotModel> Walk<M> {
         let lifted = feedback.weight() < self.gait.contact_force;
         let requested =
             if lifted { Velocity::ZERO } else { self.adjustment.clamped(request, self.gait).planned(self.gait) };
-        self.balance.update::<M>(feedback, self.gait, self.adjustment.torso_lean);
-        if let (Some(_), Some(smoothing)) = (M::LEG_LAGS, self.gait.velocity_smoothing) {
-            self.mass.update::<M>(feedback, smoothing, valid(dt));
+        self.balance.update(self.model, feedback, self.gait, self.adjustment.torso_lean);
+        if let (Some(_), Some(smoothing)) = (self.model.leg_lags, self.gait.velocity_smoothing) {
+            self.mass.update(self.model, feedback, smoothing, valid(dt));
         }
         self.advance_time(dt, feedback);
         self.advance_step(&requested, feedback);
         let Some(plan) = self.plan else { return self.stand() };
-        self.sag_compensation.measure::<M>(plan.support, feedback, self.gait);
+        self.sag_compensation.measure(self.model, plan.support, feedback, self.gait);
         self.update_capture_step(&plan, dt);
         let mut limbs = self.limbs(&plan, feedback, self.time);
         self.compensate_lag(&mut limbs, &plan, feedback);
@@ -200,7 +198,7 @@ impl<M: RobotModel> Walk<M> {
 
     /// Targets of the stand, with the balance of both ankles.
     fn stand(&self) -> Limbs {
-        let mut limbs = self.gait.stand::<M>();
+        let mut limbs = self.gait.stand(self.model);
         let [pitch, roll] = self.balance.standing(self.gait, self.adjustment.balance);
         for leg in &mut limbs.legs {
             leg.ankle_pitch += pitch;
@@ -212,13 +210,13 @@ impl<M: RobotModel> Walk<M> {
 
     /// Arms and legs at a time of the step, s.
     fn limbs(&self, plan: &Plan, feedback: &Feedback, time: f32) -> Limbs {
-        self.gait.limbs::<M>(&self.feet(plan, time), plan.roll(time), self.tilt(plan, feedback, time))
+        self.gait.limbs(self.model, &self.feet(plan, time), plan.roll(time), self.tilt(plan, feedback, time))
     }
 
     /// Moves the targets of the legs ahead by what their motors lag behind, and presses the toes of the support foot down against the
     /// compliance of the ankle.
     fn compensate_lag(&self, limbs: &mut Limbs, plan: &Plan, feedback: &Feedback) {
-        let Some(lags) = M::LEG_LAGS else { return };
+        let Some(lags) = self.model.leg_lags else { return };
         let ahead = self.limbs(plan, feedback, self.time + LOOK_AHEAD);
         let rate = self.gait.lag_compensation * self.pace / LOOK_AHEAD;
         for (leg, later) in limbs.legs.iter_mut().zip(&ahead.legs) {
@@ -266,7 +264,7 @@ impl<M: RobotModel> Walk<M> {
         let seen = |at: Vec2| Vec2::new(at.x, side * at.y);
         let (place, frequency) = (seen(plan.landing()), pendulum.frequency(plan.duration));
         let planned = seen(pendulum.dcm(&plan.hips, phase));
-        let (measured, offset) = if M::LEG_LAGS.is_some() {
+        let (measured, offset) = if self.model.leg_lags.is_some() {
             (self.mass.dcm(plan.support, frequency), self.gait.capture_offset)
         } else {
             (None, Vec2::ZERO)
@@ -332,7 +330,7 @@ impl<M: RobotModel> Walk<M> {
     fn begin(&mut self, support: Side, feet: &[Foot; 2], phase: Phase, purpose: Purpose) {
         self.phase = phase;
         let mut plan = Plan::new(support, feet, purpose, self.gait, self.adjustment.step_height);
-        if M::LEG_LAGS.is_some() && purpose == Purpose::Start {
+        if self.model.leg_lags.is_some() && purpose == Purpose::Start {
             plan.shift(self.gait.start_shift);
         }
         self.plan = Some(plan);

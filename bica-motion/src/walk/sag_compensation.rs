@@ -35,13 +35,13 @@ impl SagCompensation {
     }
 
     /// Compares the knee of the support leg with its delayed target, in single support only.
-    pub(super) fn measure<M: RobotModel>(&mut self, support: Side, feedback: &Feedback, gait: &Parameters) {
-        const { assert!(M::FEEDBACK_DELAY >= 1 && M::FEEDBACK_DELAY <= MAX_FEEDBACK_DELAY) }
-        let alone = feedback.force(support) >= M::SUPPORT_FORCE && feedback.force(support.other()) < gait.contact_force;
+    pub(super) fn measure(&mut self, model: &RobotModel, support: Side, feedback: &Feedback, gait: &Parameters) {
+        let alone =
+            feedback.force(support) >= model.support_force && feedback.force(support.other()) < gait.contact_force;
         let Some(joints) = feedback.joints.as_ref().filter(|_| alone) else { return };
         let side = support.index();
         let sag = joints[[Joint::LKneePitch, Joint::RKneePitch][side]]
-            - self.commanded[MAX_FEEDBACK_DELAY - M::FEEDBACK_DELAY][side];
+            - self.commanded[MAX_FEEDBACK_DELAY - model.feedback_delay.cycles()][side];
         // The comparison is false for NaN.
         if sag.abs() < MAX_SAG {
             self.sag[side] += NEW_WEIGHT * (sag - self.sag[side]);

@@ -15,21 +15,21 @@ impl Parameters {
 
     /// Stand in which this gait begins and ends.
     #[must_use]
-    pub fn stand<M: RobotModel>(&self) -> Limbs {
-        self.limbs::<M>(&self.together(), 0.0, None)
+    pub fn stand(&self, model: &RobotModel) -> Limbs {
+        self.limbs(model, &self.together(), 0.0, None)
     }
 
     /// Arms and legs over the given feet, with the torso rolled by `roll` rad, and the swing foot levelled against a `tilt`.
     /// The arms swing opposite to the legs.
-    pub(super) fn limbs<M: RobotModel>(&self, feet: &[Foot; 2], roll: f32, tilt: Option<Tilt>) -> Limbs {
+    pub(super) fn limbs(&self, model: &RobotModel, feet: &[Foot; 2], roll: f32, tilt: Option<Tilt>) -> Limbs {
         let behind = feet.map(|mut foot| {
             foot.pose.position.x -= self.torso_offset;
             foot
         });
         let arm = |side: Side| {
             let opposite = feet[side.other().index()].pose.position.x;
-            ArmAngles::hanging::<M>(side, -self.arm_swing_gain * opposite, self.arm_roll)
+            ArmAngles::hanging(model, side, -self.arm_swing_gain * opposite, self.arm_roll)
         };
-        Limbs { legs: tilted_legs::<M>(&behind, self.hip_height, roll, tilt), arms: Side::BOTH.map(arm) }
+        Limbs { legs: tilted_legs(model, &behind, self.hip_height, roll, tilt), arms: Side::BOTH.map(arm) }
     }
 }

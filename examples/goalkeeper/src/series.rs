@@ -9,7 +9,6 @@ use bica::visual::Scene;
 use bica::{Instant, Tree};
 use bica_app::Failure;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::Model;
 use bica_player::perception::GoalDetector;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::shot::Shot;
@@ -23,7 +22,7 @@ const SEARCH: Duration = Duration::from_secs(8);
 
 /// World in which the shots of a plan follow each other.
 pub(crate) struct Series {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     plan: Plan,
     attempt: Attempt,
     /// Shots that were drawn, also those that were not possible because the robot stood where the ball begins.

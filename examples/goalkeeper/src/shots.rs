@@ -7,9 +7,8 @@ use bica::runner::Runner;
 use bica::{Setting, Tree};
 use bica_app::{Batch, Failure};
 use bica_field::GoalColour;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
-use bica_player::Model;
 use bica_player::perception::GoalDetector;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -93,17 +92,17 @@ pub struct ShotResult {
 ///
 /// # Errors
 /// If the world refuses the setup.
-pub fn world(seed: u64, ball: Vec2, attacks: Option<GoalColour>) -> Result<KinematicWorld<Model>, Failure> {
+pub fn world(seed: u64, ball: Vec2, attacks: Option<GoalColour>) -> Result<KinematicWorld, Failure> {
     let start = Some(Start { robot: START, ball });
     let setup = Setup { seed, frame: FRAME, goalkeeper: false, start, attacks, ..Setup::default() };
-    KinematicWorld::<Model>::new(&setup).map_err(|error| refused(&error))
+    KinematicWorld::new(NAO, &setup).map_err(|error| refused(&error))
 }
 
 /// Makes the goalkeeper of a world, with parameters that are not the defaults.
 ///
 /// # Errors
 /// If a parameter is refused.
-pub fn goalkeeper(world: &KinematicWorld<Model>, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
+pub fn goalkeeper(world: &KinematicWorld, settings: &[Setting]) -> Result<Box<Keeper>, Failure> {
     let mut keeper = Box::new(Keeper::new());
     keeper.get_mut::<GoalDetector>().attack(world.referee().attacks());
     keeper.set_params(settings).map_err(|refusal| Failure::new(refusal.to_string(), "choose other values of --set"))?;
@@ -137,7 +136,7 @@ pub fn play(robot: Robot<'_>, seed: u64, shot: Shot) -> Result<ShotResult, Failu
 
 /// Command of a robot that stands still.
 fn stand() -> Command {
-    Command::new(Model::STAND, 1.0)
+    Command::new(NAO.stand, 1.0)
 }
 
 fn refused(error: &SetupError) -> Failure {
@@ -164,7 +163,7 @@ impl Attempt {
     ///
     /// # Errors
     /// If the world refuses the velocity.
-    pub fn advance(&mut self, world: &mut KinematicWorld<Model>) -> Result<bool, Failure> {
+    pub fn advance(&mut self, world: &mut KinematicWorld) -> Result<bool, Failure> {
         if !self.is_kicked && world.now() >= self.kick {
             self.is_kicked = true;
             world.set_ball(self.shot.from, self.shot.velocity()).map_err(|error| refused(&error))?;
@@ -174,14 +173,14 @@ impl Attempt {
     }
 
     /// Time of the goal, if the ball was let in.
-    fn goal(&self, world: &KinematicWorld<Model>) -> Option<Duration> {
+    fn goal(&self, world: &KinematicWorld) -> Option<Duration> {
         let events = world.referee().events().iter();
         events.filter(|timed| timed.at >= self.kick && timed.event == Event::OwnGoal).map(|timed| timed.at).next()
     }
 
     /// Result of the shot so far.
     #[must_use]
-    pub fn result(&self, seed: u64, world: &KinematicWorld<Model>) -> ShotResult {
+    pub fn result(&self, seed: u64, world: &KinematicWorld) -> ShotResult {
         let let_in = self.goal(world).is_some();
         let away = !let_in && world.referee().ball().distance(GOAL) > AWAY;
         ShotResult { seed, let_in, away, falls: world.referee().falls() }

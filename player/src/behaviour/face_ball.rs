@@ -75,7 +75,7 @@ impl FaceBall {
         };
         let before = camera.selected();
         camera.select(tuned.camera(before, down));
-        let tilt = down - Head::camera_tilt(camera.selected());
+        let tilt = down - head.camera_tilt(camera.selected());
         let (from_pan, from_tilt) = (head.pan(), head.tilt());
         self.error = HeadAngles { yaw: pan - from_pan, pitch: tilt - from_tilt };
         let gain = if camera.selected() == before { tuned.gain } else { 1.0 };

@@ -72,11 +72,10 @@ impl LineUp {
 #[cfg(test)]
 mod tests {
     use bica_motion::kick::KickKind;
-    use bica_motion::model::RobotModel;
     use bica_motion::side::Side;
 
     use super::*;
-    use crate::Model;
+    use crate::MODEL;
 
     #[test]
     fn tolerances_gains_and_limits_are_tuned_ones() {
@@ -89,7 +88,7 @@ mod tests {
 
     #[test]
     fn ball_offset_is_mirrored_for_right_foot() {
-        let kicks = &Model::KINEMATIC_PROFILE.kicks;
+        let kicks = &MODEL.kinematic_profile.kicks;
         let tuned = LineUp { ball_forward_offset: 0.01, ball_outward_offset: 0.02, ..LineUp::DEFAULT };
         for (foot, outward) in [(Side::Left, 0.02), (Side::Right, -0.02)] {
             let kick = Kick { kind: KickKind::Diagonal, foot };

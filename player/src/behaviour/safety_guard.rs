@@ -7,7 +7,7 @@ use bica_motion::health::Fault;
 use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::model::RobotModel;
 
-use crate::Model;
+use crate::MODEL;
 use crate::input::{GameState, HealthMonitor, RobotState};
 use crate::motion::Body;
 use crate::output::Motors;
@@ -18,7 +18,8 @@ use crate::perception::FallDetector;
 /// permanently, or until hot motors have cooled. One that is stopped stays down.
 #[derive(Debug)]
 pub struct SafetyGuard {
-    get_up: GetUp<Model>,
+    model: &'static RobotModel,
+    get_up: GetUp,
     /// Motion to the sitting posture, or from it to the stand.
     sit_or_rise: Motion,
     brace: Keyframe,
@@ -32,20 +33,30 @@ impl SafetyGuard {
     /// Creates the component without a motion.
     #[must_use]
     pub const fn new() -> Self {
+        Self::of(MODEL)
+    }
+
+    const fn of(model: &'static RobotModel) -> Self {
         Self {
-            get_up: GetUp::none(),
+            model,
+            get_up: GetUp::none(model),
             sit_or_rise: Motion::none(),
-            brace: getup::protection::<Model>(Direction::Front),
+            brace: getup::protection(model, Direction::Front),
             attempts: 0,
             stands: false,
         }
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        *self = Self::of(model);
     }
 
     /// During the fall: limbs drawn in, low stiffness.
     #[state(initial)]
     fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
         if let FallState::Falling(direction) = falls.state() {
-            self.brace = getup::protection::<Model>(direction);
+            self.brace = getup::protection(self.model, direction);
         }
         motors.set_all(&self.brace.posture, self.brace.stiffness);
     }
@@ -73,7 +84,7 @@ impl SafetyGuard {
     #[state]
     fn sit(&mut self, time: &Time, motors: &mut Motors) {
         let moving = self.sit_or_rise.step(time.dt()).filter(|_| !self.sit_or_rise.is_done());
-        let (posture, stiffness) = moving.unwrap_or((Model::SIT, Model::SIT_STIFFNESS));
+        let (posture, stiffness) = moving.unwrap_or((self.model.sit, self.model.sit_stiffness));
         motors.set_all(&posture, stiffness);
     }
 
@@ -169,7 +180,7 @@ impl SafetyGuard {
     #[entry(get_up)]
     fn begin_get_up(&mut self, falls: &FallDetector, state: &RobotState) {
         if let FallState::Fallen(direction) = falls.state() {
-            self.get_up = GetUp::new(direction, self.attempts, *state.angles());
+            self.get_up = GetUp::new(self.model, direction, self.attempts, *state.angles());
         }
     }
 
@@ -180,18 +191,18 @@ impl SafetyGuard {
 
     #[entry(sit)]
     fn begin_sit(&mut self, state: &RobotState) {
-        self.sit_or_rise = Motion::new(Model::TO_SIT, *state.angles());
+        self.sit_or_rise = Motion::new(self.model.to_sit, *state.angles());
     }
 
     #[entry(rise)]
     fn begin_rise(&mut self, state: &RobotState) {
-        self.sit_or_rise = Motion::new(Model::TO_STAND, *state.angles());
+        self.sit_or_rise = Motion::new(self.model.to_stand, *state.angles());
     }
 
     #[stop]
     fn reset(&mut self) {
         (self.stands, self.attempts) = (false, 0);
-        (self.get_up, self.sit_or_rise) = (GetUp::none(), Motion::none());
+        (self.get_up, self.sit_or_rise) = (GetUp::none(self.model), Motion::none());
     }
 
     /// Number of get-up movements since the fall.

@@ -3,10 +3,11 @@
 use bica::prelude::*;
 use bica_motion::health::{Fault, Health, Senses};
 use bica_motion::joints::{JOINTS, Joint, Joints};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::{Sensors, plausible_temperature};
 
 use super::{CameraInput, RobotState};
-use crate::Model;
+use crate::MODEL;
 use crate::output::JointCommand;
 use crate::perception::Odometry;
 
@@ -21,7 +22,7 @@ pub struct FaultReaction {
 /// Faults of joints, motors, sensors and camera, and the reduction of the stiffness of hot motors.
 #[derive(Clone, Copy, Debug)]
 pub struct HealthMonitor {
-    health: Health<Model>,
+    health: Health,
     senses: Senses,
     /// Number of the newest image.
     image: u32,
@@ -36,12 +37,17 @@ impl HealthMonitor {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            health: Health::new(),
+            health: Health::new(MODEL),
             senses: Senses::new(),
             image: 0,
             grace: FaultReaction::DEFAULT.grace_time,
             temperatures: Joints([f32::NAN; JOINTS]),
         }
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.health = Health::new(model);
     }
 
     /// Compares the measurements of this cycle with the command of the previous one.

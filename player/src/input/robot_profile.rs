@@ -3,7 +3,7 @@
 use bica::prelude::*;
 use bica_motion::model::{Profile, RobotModel};
 
-use crate::Model;
+use crate::MODEL;
 
 /// Profile of a body.
 #[derive(Clone, Copy, Debug, ParamEnum, PartialEq, Eq, serde::Serialize, postcard_schema::Schema)]
@@ -27,6 +27,7 @@ pub struct ProfileChoice {
 /// Gait, kicks and odometry calibration of the body that the forward controls.
 #[derive(Clone, Copy, Debug)]
 pub struct RobotProfile {
+    model: &'static RobotModel,
     /// Set by the program.
     set: &'static Profile,
     used: &'static Profile,
@@ -37,15 +38,24 @@ impl RobotProfile {
     /// The profile of the built-in world.
     #[must_use]
     pub const fn new() -> Self {
-        Self { set: Model::KINEMATIC_PROFILE, used: Model::KINEMATIC_PROFILE }
+        Self::of(MODEL)
+    }
+
+    const fn of(model: &'static RobotModel) -> Self {
+        Self { model, set: model.kinematic_profile, used: model.kinematic_profile }
     }
 
     fn step(&mut self, tuned: &Tuned<ProfileChoice>) {
         self.used = match tuned.profile {
             BodyProfile::Program => self.set,
-            BodyProfile::Kinematic => Model::KINEMATIC_PROFILE,
-            BodyProfile::Dynamic => Model::DYNAMIC_PROFILE,
+            BodyProfile::Kinematic => self.model.kinematic_profile,
+            BodyProfile::Dynamic => self.model.dynamic_profile,
         };
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        *self = Self::of(model);
     }
 
     /// Sets the profile of another body, for as long as the parameter `profile` is `Program`.
@@ -73,16 +83,16 @@ mod tests {
     #[test]
     fn program_profile_is_used_unless_tuned() {
         let mut profile = RobotProfile::new();
-        profile.set(Model::DYNAMIC_PROFILE);
+        profile.set(MODEL.dynamic_profile);
         for (choice, used) in [
-            (BodyProfile::Program, Model::DYNAMIC_PROFILE),
-            (BodyProfile::Kinematic, Model::KINEMATIC_PROFILE),
-            (BodyProfile::Program, Model::DYNAMIC_PROFILE),
+            (BodyProfile::Program, MODEL.dynamic_profile),
+            (BodyProfile::Kinematic, MODEL.kinematic_profile),
+            (BodyProfile::Program, MODEL.dynamic_profile),
         ] {
             profile.step(&Tuned::new(ProfileChoice { profile: choice }));
             assert_eq!(profile.get(), used, "{choice:?}");
         }
         assert_eq!(profile.used(), BodyProfile::Dynamic);
-        assert_ne!(Model::DYNAMIC_PROFILE, Model::KINEMATIC_PROFILE);
+        assert_ne!(MODEL.dynamic_profile, MODEL.kinematic_profile);
     }
 }

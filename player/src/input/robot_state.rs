@@ -5,12 +5,13 @@ use bica::visual::{self, Imu, Pose3};
 use bica_motion::health::{FOLLOWING_STIFFNESS, is_upright};
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::kinematics::{Skeleton, ground_from_robot};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::{FootPressure, Inertial, Sensors, is_plausible_angle};
 use bica_motion::segment::Segment;
 use bica_motion::side::Side;
 use bica_motion::walk::Feedback;
 
-use crate::Model;
+use crate::MODEL;
 use crate::info;
 use crate::output::JointCommand;
 
@@ -25,6 +26,7 @@ pub struct FootContact {
 /// Joint angles, inertial unit and foot pressure of this cycle, and the joint targets of the previous one.
 #[derive(Clone, Copy, Debug)]
 pub struct RobotState {
+    model: &'static RobotModel,
     angles: Joints<f32>,
     commanded: Joints<f32>,
     /// Whether the legs are stiff enough to follow `commanded`.
@@ -42,6 +44,7 @@ impl RobotState {
     pub const fn new() -> Self {
         const NONE: FootPressure = FootPressure { front_left: 0.0, front_right: 0.0, rear_left: 0.0, rear_right: 0.0 };
         Self {
+            model: MODEL,
             angles: Joints([0.0; JOINTS]),
             commanded: Joints([0.0; JOINTS]),
             firm: false,
@@ -53,6 +56,17 @@ impl RobotState {
 
     fn step(&mut self, tuned: &Tuned<FootContact>) {
         self.touch_force = tuned.touch_force;
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.model = model;
+    }
+
+    /// The model of the robot.
+    #[must_use]
+    pub const fn model(&self) -> &'static RobotModel {
+        self.model
     }
 
     /// Processes the measurements of this cycle and the command of the previous one. A measurement that is not finite or
@@ -121,13 +135,13 @@ impl RobotState {
     /// Pose of the torso, from the joint angles and the support foot.
     #[info(unit = "m", frame = "robot", child = "torso")]
     fn torso(&self) -> Pose3 {
-        info::pose_in_space(&ground_from_robot::<Model>(self.support(), &self.angles))
+        info::pose_in_space(&ground_from_robot(self.model, self.support(), &self.angles))
     }
 
     /// Pose of the head.
     #[info(unit = "m", frame = "torso", child = "head")]
     fn head(&self) -> Pose3 {
-        info::pose_in_space(&Skeleton::<Model>::of(&self.angles).pose(Segment::Head))
+        info::pose_in_space(&Skeleton::of(self.model, &self.angles).pose(Segment::Head))
     }
 
     /// Roll of the torso, positive to the right.

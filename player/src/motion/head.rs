@@ -6,7 +6,7 @@ use bica_motion::model::{HeadSpeed, RobotModel};
 use bica_motion::robot::CameraId;
 use libm::fabsf;
 
-use crate::Model;
+use crate::MODEL;
 use crate::input::RobotState;
 use crate::output::Motors;
 
@@ -33,6 +33,7 @@ pub struct HeadMotion {
 /// Pan and tilt of the head, with limited speed and within the limits of the shell.
 #[derive(Debug)]
 pub struct Head {
+    model: &'static RobotModel,
     target: HeadAngles,
     commanded: HeadAngles,
     /// Time for which the target has been commanded, s.
@@ -45,18 +46,23 @@ impl Head {
     /// Creates the component with the head straight ahead.
     #[must_use]
     pub const fn new() -> Self {
-        Self { target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, waited: 0.0, arrived: false }
+        Self { model: MODEL, target: HeadAngles::AHEAD, commanded: HeadAngles::AHEAD, waited: 0.0, arrived: false }
     }
 
     fn step(&mut self, tuned: &Tuned<HeadMotion>, time: &Time, state: &RobotState, motors: &mut Motors) {
         let speed = HeadSpeed { yaw: tuned.pan_speed, pitch: tuned.tilt_speed };
-        self.commanded = speed.step::<Model>(self.commanded, self.target, time.dt());
+        self.commanded = speed.step(self.model, self.commanded, self.target, time.dt());
         let measured = HeadAngles::read(state.angles());
         let near = |measured: f32, target: f32| fabsf(measured - target) < tuned.arrival_tolerance;
         self.waited = if self.commanded == self.target { self.waited + time.dt() } else { 0.0 };
         let is_near = near(measured.yaw, self.target.yaw) && near(measured.pitch, self.target.pitch);
         self.arrived = is_near || self.waited > tuned.max_wait;
         motors.set_head(self.commanded.yaw, self.commanded.pitch, tuned.stiffness);
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.model = model;
     }
 
     /// Sets the direction: `pan` rad to the left, `tilt` rad down, limited to the range of the joints. Values that are not
@@ -76,7 +82,7 @@ impl Head {
         tilt: f32,
     ) {
         if pan.is_finite() && tilt.is_finite() {
-            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped::<Model>();
+            let target = HeadAngles { yaw: pan, pitch: tilt }.clamped(self.model);
             self.arrived &= target == self.target;
             self.target = target;
         }
@@ -84,8 +90,8 @@ impl Head {
 
     /// Angle of a camera below the direction of the head, rad.
     #[must_use]
-    pub const fn camera_tilt(camera: CameraId) -> f32 {
-        Model::DIMENSIONS.camera(camera).tilt
+    pub const fn camera_tilt(&self, camera: CameraId) -> f32 {
+        self.model.dimensions.camera(camera).tilt
     }
 
     /// The commanded head pan, rad to the left.

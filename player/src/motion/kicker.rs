@@ -4,7 +4,6 @@ use bica::prelude::*;
 use bica_motion::kick::{Kick, KickMotion};
 
 use super::{KickChoice, SideChoice};
-use crate::Model;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
@@ -26,7 +25,7 @@ pub struct KickTuning {
 #[derive(Debug)]
 pub struct Kicker {
     kick: Option<Kick>,
-    motion: Option<KickMotion<Model>>,
+    motion: Option<KickMotion>,
 }
 
 #[component(budget_us = 15)]
@@ -46,7 +45,7 @@ impl Kicker {
         motors: &mut Motors,
     ) {
         if let Some(kick) = self.kick {
-            let motion = self.motion.get_or_insert(KickMotion::new(kick, profile.get()));
+            let motion = self.motion.get_or_insert(KickMotion::new(state.model(), kick, profile.get()));
             let scale = if motion.strikes() { tuned.strike_speed_scale } else { tuned.speed_scale };
             let mut limbs = motion.step(&state.feedback(), time.dt() * scale);
             limbs.lean(tuned.torso_lean);

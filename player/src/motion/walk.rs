@@ -5,7 +5,7 @@ use bica_motion::model::RobotModel;
 use bica_motion::side::Side;
 use bica_motion::walk::{Adjustment, Phase, Velocity, Walk as Gait};
 
-use crate::Model;
+use crate::MODEL;
 use crate::input::{RobotProfile, RobotState};
 use crate::output::Motors;
 
@@ -61,7 +61,7 @@ impl WalkTuning {
 /// Walks with the requested velocity; at zero velocity it brings the feet together and stands.
 #[derive(Debug)]
 pub struct Walk {
-    gait: Gait<Model>,
+    gait: Gait,
     request: Velocity,
 }
 
@@ -70,7 +70,7 @@ impl Walk {
     /// Creates the component in the stand.
     #[must_use]
     pub const fn new() -> Self {
-        Self { gait: Gait::new(&Model::KINEMATIC_PROFILE.gait), request: Velocity::ZERO }
+        Self { gait: Gait::new(MODEL, &MODEL.kinematic_profile.gait), request: Velocity::ZERO }
     }
 
     /// Every other motion ends in the stand, so the walk may be reset.
@@ -92,6 +92,11 @@ impl Walk {
         self.gait.set_adjustment(tuned.adjustment());
         let feedback = state.feedback();
         motors.set_limbs(&self.gait.step(tuned.trimmed(self.request), &feedback, time.dt()));
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.gait = Gait::new(model, &model.kinematic_profile.gait);
     }
 
     /// Requests a velocity, in the frame of the robot.

@@ -3,9 +3,10 @@
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::limbs::Limbs;
+use bica_motion::model::RobotModel;
 use bica_motion::stiffness::Stiffness;
 
-use crate::Model;
+use crate::MODEL;
 
 /// Targets and stiffness of all joints.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
@@ -21,6 +22,7 @@ pub struct JointCommand {
 /// A joint that no component writes keeps its last target. Values that are not finite are ignored.
 #[derive(Debug)]
 pub struct Motors {
+    model: &'static RobotModel,
     targets: Joints,
     stiffness: Joints,
     commanded: JointCommand,
@@ -32,7 +34,17 @@ impl Motors {
     #[must_use]
     pub const fn new() -> Self {
         const ZERO: Joints = Joints([0.0; JOINTS]);
-        Self { targets: ZERO, stiffness: ZERO, commanded: JointCommand { targets: ZERO, stiffness: ZERO } }
+        Self {
+            model: MODEL,
+            targets: ZERO,
+            stiffness: ZERO,
+            commanded: JointCommand { targets: ZERO, stiffness: ZERO },
+        }
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.model = model;
     }
 
     /// Sets the targets of the head, rad, and the stiffness of both joints, 0 to 1.
@@ -43,7 +55,7 @@ impl Motors {
 
     /// Sets the targets of arms and legs, rad, with the stiffness for walking.
     pub fn set_limbs(&mut self, limbs: &Limbs) {
-        let (targets, stiffness) = (limbs.joints::<Model>(), Stiffness::Walk.joints::<Model>());
+        let (targets, stiffness) = (limbs.joints(self.model), Stiffness::Walk.joints(self.model));
         for joint in Joint::ALL {
             if !matches!(joint, Joint::HeadYaw | Joint::HeadPitch) {
                 self.set(joint, targets[joint], stiffness[joint]);
@@ -81,7 +93,7 @@ impl Motors {
 
     /// Computes the command from the targets, within the joint limits, and this stiffness, 0 to 1.
     pub fn command(&mut self, stiffness: Joints) -> &JointCommand {
-        self.commanded = JointCommand { targets: self.targets.clamp_to_limits::<Model>(), stiffness };
+        self.commanded = JointCommand { targets: self.targets.clamp_to_limits(self.model), stiffness };
         &self.commanded
     }
 

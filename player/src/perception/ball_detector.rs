@@ -5,6 +5,7 @@ mod params;
 use bica::prelude::*;
 use bica::visual::{Ellipse, ImageCircle, Point2};
 use bica_field::FIELD;
+use bica_motion::model::RobotModel;
 use bica_motion::robot::CameraId;
 use bica_vision::ball::{Ball, BallFinder};
 use bica_vision::frame::Frame;
@@ -14,13 +15,14 @@ use glam::Vec2;
 
 use super::ego_motion::EgoMotion;
 use super::{Bearing, CameraPose, FieldBoundary, Odometry, OwnBody};
-use crate::info;
 use crate::input::{CameraInput, Colours};
+use crate::{MODEL, info};
 
 pub use params::{BallDetection, BallTracking};
 
 /// Finds the ball in the image and remembers its position while it is not seen.
 pub struct BallDetector {
+    model: &'static RobotModel,
     finder: BallFinder<512>,
     seen: Option<BallSighting>,
     in_row: u32,
@@ -50,6 +52,7 @@ impl BallDetector {
     #[must_use]
     pub const fn new() -> Self {
         Self {
+            model: MODEL,
             finder: BallFinder::new(FIELD.ball_radius()),
             seen: None,
             in_row: 0,
@@ -88,6 +91,7 @@ impl BallDetector {
         self.unseen_ms = self.unseen_ms.saturating_add(time.since_run.as_millis());
         let advance = |motion, seconds| self.memory.advance(motion, seconds);
         if self.ego_motion.begin_run(time, odometry, input, advance) {
+            self.model = pose.model();
             self.seen = self.look(detection, input, colours, end, pose, own);
             self.in_row = if self.seen.is_some() { self.in_row.saturating_add(1) } else { 0 };
             match self.seen {
@@ -191,7 +195,7 @@ impl BallDetector {
     #[info(unit = "rad")]
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
-        let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
+        let remembered = || self.position().map(|at| Bearing::of_ground(self.model, at, FIELD.ball_radius()));
         self.seen().map(|seen| seen.bearing).or_else(remembered)
     }
 

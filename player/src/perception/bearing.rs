@@ -1,9 +1,8 @@
 //! Bearings relative to the head.
 
+use bica_motion::model::RobotModel;
 use glam::{Vec2, Vec3};
 use libm::{atan2f, hypotf};
-
-use crate::CAMERA_HEIGHT;
 
 /// Direction from the head, relative to an upright torso.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, postcard_schema::Schema)]
@@ -21,9 +20,9 @@ impl Bearing {
         Self { pan: atan2f(direction.y, direction.x), down: atan2f(-direction.z, hypotf(direction.x, direction.y)) }
     }
 
-    /// The bearing of a point at height `height`, m, above a position on the ground, m.
+    /// The bearing of a point at height `height`, m, above a position on the ground, m, from a camera of this model.
     #[must_use]
-    pub fn of_ground(place: Vec2, height: f32) -> Self {
-        Self::of(place.extend(height - CAMERA_HEIGHT))
+    pub fn of_ground(model: &RobotModel, place: Vec2, height: f32) -> Self {
+        Self::of(place.extend(height - model.camera_height))
     }
 }

@@ -4,11 +4,12 @@ mod params;
 
 use bica::prelude::*;
 use bica::visual::{CameraCalibration, ImagePoint, ImageSegment, Pose3};
+use bica_motion::model::RobotModel;
 use bica_vision::projection::{Camera, Intrinsics, Mounting};
 use bica_vision::uncertainty::Errors;
 
 use super::ego_motion::LastImage;
-use crate::Model;
+use crate::MODEL;
 use crate::info;
 use crate::input::{CameraInput, RobotState};
 
@@ -17,6 +18,7 @@ pub use params::{CameraErrors, CameraMounting};
 /// The pose of the camera when it took the newest image, from the joint angles and the support foot.
 #[derive(Debug)]
 pub struct CameraPose {
+    model: &'static RobotModel,
     camera: Option<Camera>,
     /// Rotation since the previous image, rad.
     turned: f32,
@@ -32,7 +34,7 @@ impl CameraPose {
     #[must_use]
     pub const fn new() -> Self {
         let (mounting, errors) = (Mounting::EXACT, Errors::NAO);
-        Self { camera: None, turned: 0.0, is_steady: true, mounting, errors, image: LastImage::new() }
+        Self { model: MODEL, camera: None, turned: 0.0, is_steady: true, mounting, errors, image: LastImage::new() }
     }
 
     fn step(
@@ -43,15 +45,22 @@ impl CameraPose {
         state: &RobotState,
     ) {
         if self.image.take_new(input) {
+            self.model = state.model();
             let image = input.image();
             (self.mounting, self.errors) = (mounting.of(image.camera), errors.errors());
-            let camera = Camera::of::<Model>(image.camera, input.angles(), state.support(), image.width, image.height)
-                .corrected(&self.mounting);
+            let camera =
+                Camera::of(self.model, image.camera, input.angles(), state.support(), image.width, image.height)
+                    .corrected(&self.mounting);
             let [before, now] = [self.camera.unwrap_or(camera), camera].map(|camera| camera.pose().matrix3.x_axis);
             self.turned = now.distance(before);
             self.is_steady = self.turned < errors.max_rotation;
             self.camera = Some(camera);
         }
+    }
+
+    /// The model of the robot that carries the camera.
+    pub(super) const fn model(&self) -> &'static RobotModel {
+        self.model
     }
 
     /// Counts a cycle since the last image.

@@ -2,9 +2,9 @@
 
 use bica::prelude::*;
 use bica_motion::fall::{FallDetector as Detector, FallState, FallTuning};
-use bica_motion::model::{FallLimits, RobotModel};
+use bica_motion::model::FallLimits;
 
-use crate::Model;
+use crate::MODEL;
 use crate::input::RobotState;
 
 /// Detection of falls.
@@ -12,13 +12,13 @@ use crate::input::RobotState;
 #[params(check = Self::is_ordered)]
 pub struct FallDetection {
     /// Pitch of the torso above which the robot falls forward.
-    #[param(default = Model::FALL_LIMITS.forward_pitch, range = 0.1..=1.5, unit = "rad", step = 0.02)]
+    #[param(default = MODEL.fall_limits.forward_pitch, range = 0.1..=1.5, unit = "rad", step = 0.02)]
     forward_pitch: f32,
     /// Pitch of the torso below which the robot falls backward.
-    #[param(default = Model::FALL_LIMITS.backward_pitch, range = -1.5..=-0.1, unit = "rad", step = 0.02)]
+    #[param(default = MODEL.fall_limits.backward_pitch, range = -1.5..=-0.1, unit = "rad", step = 0.02)]
     backward_pitch: f32,
     /// Magnitude of the roll above which the robot falls to a side.
-    #[param(default = Model::FALL_LIMITS.roll, range = 0.1..=1.5, unit = "rad", step = 0.02)]
+    #[param(default = MODEL.fall_limits.roll, range = 0.1..=1.5, unit = "rad", step = 0.02)]
     side_roll: f32,
     /// Maximum tilt of a robot that has got up.
     #[param(default = 0.3, range = 0.05..=1.0, unit = "rad", step = 0.02)]
@@ -62,7 +62,7 @@ impl FallDetection {
 /// Detects a fall before its end, and the side on which the robot lies.
 #[derive(Debug)]
 pub struct FallDetector {
-    detector: Detector<Model>,
+    detector: Detector,
 }
 
 #[component(budget_us = 2)]
@@ -70,7 +70,7 @@ impl FallDetector {
     /// Creates the component with an upright robot.
     #[must_use]
     pub const fn new() -> Self {
-        Self { detector: Detector::new() }
+        Self { detector: Detector::new(MODEL) }
     }
 
     fn step(&mut self, tuned: &Tuned<FallDetection>, time: &Time, state: &RobotState) {
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn default_values_are_those_of_robot() {
-        assert_eq!(FallDetection::DEFAULT.tuning(), FallTuning::of::<Model>());
+        assert_eq!(FallDetection::DEFAULT.tuning(), FallTuning::of(MODEL));
     }
 
     #[test]

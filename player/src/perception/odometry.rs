@@ -2,13 +2,14 @@
 
 use bica::prelude::*;
 use bica::visual;
+use bica_motion::model::RobotModel;
 use bica_motion::odometry::{Calibration, MotionInput, Odometry as Estimator, OdometryTuning};
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::Vec2;
 
 use super::ego_motion::Age;
-use crate::Model;
+use crate::MODEL;
 use crate::info;
 use crate::input::{RobotProfile, RobotState};
 
@@ -50,7 +51,7 @@ impl OdometryCorrection {
 /// the gyroscope.
 #[derive(Debug)]
 pub struct Odometry {
-    estimator: Estimator<Model>,
+    estimator: Estimator,
     distance_error: f32,
     turn_error: f32,
     age: Age,
@@ -62,11 +63,16 @@ impl Odometry {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            estimator: Estimator::new(&Calibration::EXACT),
+            estimator: Estimator::new(MODEL, &Calibration::EXACT),
             distance_error: OdometryCorrection::DEFAULT.distance_error,
             turn_error: OdometryCorrection::DEFAULT.turn_error,
             age: Age::new(),
         }
+    }
+
+    /// Sets the model of the controlled robot, see [`set_model`](crate::model::set_model).
+    pub(crate) const fn set_model(&mut self, model: &'static RobotModel) {
+        self.estimator = Estimator::new(model, &Calibration::EXACT);
     }
 
     fn step(&mut self, tuned: &Tuned<OdometryCorrection>, time: &Time, state: &RobotState, profile: &RobotProfile) {

@@ -5,7 +5,6 @@ use bica_vision::own_body::OwnBody as Body;
 
 use super::CameraPose;
 use super::ego_motion::LastImage;
-use crate::Model;
 use crate::input::CameraInput;
 
 /// Shape of the robot's own body.
@@ -34,7 +33,7 @@ impl OwnBody {
     fn step(&mut self, tuned: &Tuned<OwnShape>, input: &CameraInput, pose: &CameraPose) {
         if self.image.take_new(input) {
             let body =
-                |camera| Body::of_mounted::<Model>(camera, input.image().camera, input.angles(), pose.mounting());
+                |camera| Body::of_mounted(pose.model(), camera, input.image().camera, input.angles(), pose.mounting());
             self.body = pose.camera().map_or(Body::NONE, |camera| body(camera).grown(tuned.margin));
         }
     }

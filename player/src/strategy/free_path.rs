@@ -49,7 +49,7 @@ mod tests {
     extern crate std;
 
     use bica_motion::joints::{Joint, Joints};
-    use bica_motion::model::Nao;
+    use bica_motion::model::NAO;
     use bica_motion::robot::CameraId;
     use bica_motion::side::Side;
     use bica_vision::colour::{Classify, Colour};
@@ -74,7 +74,7 @@ mod tests {
     fn camera() -> Camera {
         let mut angles = Joints::default();
         angles[Joint::HeadPitch] = 0.25;
-        Camera::of::<Nao>(CameraId::Top, &angles, Side::Left, SIZE.0, SIZE.1)
+        Camera::of(NAO, CameraId::Top, &angles, Side::Left, SIZE.0, SIZE.1)
     }
 
     /// The boundary in an image of a field that ends at a distance ahead, m.

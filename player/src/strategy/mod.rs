@@ -155,14 +155,14 @@ mod tests {
 
     use bica::prelude::*;
     use bica_motion::kick::KickKind;
-    use bica_motion::model::{Nao, RobotModel};
+    use bica_motion::model::NAO;
     use glam::Vec2;
 
     use super::obstacles::{Obstacle, Obstacles};
     use super::situation::Goal;
     use super::*;
 
-    const KICKS: Kicks = Nao::DYNAMIC_PROFILE.kicks;
+    const KICKS: Kicks = NAO.dynamic_profile.kicks;
     const BALL: Vec2 = Vec2::new(0.3, 0.0);
 
     /// A situation with the two posts of a goal, given by its middle and heading, and robots at these positions, m.

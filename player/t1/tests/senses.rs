@@ -5,7 +5,6 @@ use bica::{Instant, Tree};
 use bica_field::{SSIM_2026, league_mark};
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{camera, ground_from_robot};
-use bica_motion::model::RobotModel;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
@@ -13,7 +12,7 @@ use bica_player_t1::behaviour::Player;
 use bica_player_t1::input::GameState;
 use bica_player_t1::perception::{BallDetector, GoalDetector, Localization};
 use bica_player_t1::senses::{Object, Senses, Sight, View};
-use bica_player_t1::{Forward, Model};
+use bica_player_t1::{Forward, MODEL};
 use glam::{Vec2, Vec3};
 
 const MARKS: [&str; 14] = [
@@ -23,8 +22,8 @@ const MARKS: [&str; 14] = [
 
 /// What a standing robot sees from a pose, with a ball at a position, within the server's angles and rounding.
 fn sights(pose: Pose2, ball: Vec2) -> View {
-    let angles = Model::STAND;
-    let eye = ground_from_robot::<Model>(Side::Left, &angles) * camera::<Model>(CameraId::Top, &angles);
+    let angles = MODEL.stand;
+    let eye = ground_from_robot(MODEL, Side::Left, &angles) * camera(MODEL, CameraId::Top, &angles);
     let sight = |object: Object, at: Vec3| {
         let from_eye = eye.inverse().transform_point3(pose.locate(at.truncate()).extend(at.z));
         let round = |value: f32| (100.0 * value).trunc() / 100.0;
@@ -47,7 +46,7 @@ fn body(cycle: u64) -> Sensors<'static> {
     let inertial = Inertial { acceleration: Vec3::new(noise, 0.0, 9.81), ..Inertial::default() };
     let foot = FootPressure { front_left: 40.0, front_right: 40.0, rear_left: 40.0, rear_right: 40.0 };
     Sensors {
-        angles: Model::STAND,
+        angles: MODEL.stand,
         temperatures: Joints::all(f32::NAN),
         currents: Joints::all(f32::NAN),
         inertial,

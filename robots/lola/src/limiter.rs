@@ -3,7 +3,7 @@
 use bica_motion::bounds::clamp;
 use bica_motion::head::{HeadAngles, pitch_range};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 
 use crate::CYCLE_SECONDS;
 
@@ -65,9 +65,9 @@ impl Limiter {
         let goals = within_ranges(&goals, &from);
         // The head's pitch stays within the range at the yaw that is reached in this map: the range narrows by less than a step of the
         // pitch while the yaw makes one.
-        let mut next = from.moved_toward::<Nao>(&goals, CYCLE_SECONDS);
-        let pitch = pitch_range::<Nao>(next[Joint::HeadYaw]).clamp(goals[Joint::HeadPitch]);
-        let most = Nao::MAX_SPEEDS[Joint::HeadPitch] * CYCLE_SECONDS;
+        let mut next = from.moved_toward(NAO, &goals, CYCLE_SECONDS);
+        let pitch = pitch_range(NAO, next[Joint::HeadYaw]).clamp(goals[Joint::HeadPitch]);
+        let most = NAO.max_speeds[Joint::HeadPitch] * CYCLE_SECONDS;
         next[Joint::HeadPitch] = from[Joint::HeadPitch] + clamp(pitch - from[Joint::HeadPitch], -most, most);
         // Sums of rounded numbers may lie beyond a limit by their last digit.
         let next = within_ranges(&next, &from);
@@ -84,8 +84,8 @@ fn within_ranges(angles: &Joints, otherwise: &Joints) -> Joints {
             finite[joint] = otherwise[joint];
         }
     }
-    let mut clamped = finite.clamp_to_limits::<Nao>();
-    HeadAngles::read(&clamped).clamped::<Nao>().write(&mut clamped);
+    let mut clamped = finite.clamp_to_limits(NAO);
+    HeadAngles::read(&clamped).clamped(NAO).write(&mut clamped);
     clamped
 }
 
@@ -99,10 +99,9 @@ mod tests {
     fn check(before: Option<(Joints, Joints)>, (now, stiffness): (Joints, Joints), measured: &Joints) {
         let head = HeadAngles::read(&now);
         assert!(
-            pitch_range::<Nao>(head.yaw).min - 1e-4 <= head.pitch
-                && head.pitch <= pitch_range::<Nao>(head.yaw).max + 1e-4
+            pitch_range(NAO, head.yaw).min - 1e-4 <= head.pitch && head.pitch <= pitch_range(NAO, head.yaw).max + 1e-4
         );
-        assert!(now.within_limits::<Nao>(), "{now:?}");
+        assert!(now.within_limits(NAO), "{now:?}");
         for joint in Joint::ALL {
             assert!((0.0..=1.0).contains(&stiffness[joint]));
             let was_stiff = before.map_or(0.0, |(_, stiffness)| stiffness[joint]);
@@ -111,7 +110,7 @@ mod tests {
             }
             if let Some((before, _)) = before {
                 let way = (now[joint] - before[joint]).abs();
-                assert!(way <= 1.001 * Nao::MAX_SPEEDS[joint] * CYCLE_SECONDS + 1e-5, "{joint:?} moves by {way}");
+                assert!(way <= 1.001 * NAO.max_speeds[joint] * CYCLE_SECONDS + 1e-5, "{joint:?} moves by {way}");
             }
         }
     }
@@ -125,7 +124,7 @@ mod tests {
             ),
         ) {
             let mut limiter = Limiter::default();
-            let mut measured = Nao::STAND;
+            let mut measured = NAO.stand;
             let mut before = None;
             for (targets, stiffness, slip) in steps {
                 let targets = Joints(targets.try_into().expect("25 targets"));
@@ -134,7 +133,7 @@ mod tests {
                 check(before, now, &measured);
                 before = Some(now);
                 // The joints follow, and a person moves the robot.
-                measured = Joints(now.0.0.map(|angle| angle + slip)).clamp_to_limits::<Nao>();
+                measured = Joints(now.0.0.map(|angle| angle + slip)).clamp_to_limits(NAO);
             }
         }
     }
@@ -142,14 +141,14 @@ mod tests {
     #[test]
     fn limp_joint_becomes_stiff_where_it_is() {
         let mut limiter = Limiter::default();
-        let (mut measured, stiffness) = (Nao::SIT, Joints::all(0.8));
-        let (first, stiff) = limiter.limit(&Nao::STAND, &stiffness, &measured);
+        let (mut measured, stiffness) = (NAO.sit, Joints::all(0.8));
+        let (first, stiff) = limiter.limit(&NAO.stand, &stiffness, &measured);
         assert_eq!(first, within_ranges(&measured, &measured));
         assert!(stiff.0.iter().all(|&stiff| (stiff - MAX_RISE).abs() < 1e-6));
         // Limp again, and moved by hand: the targets follow before the joint becomes stiff.
-        limiter.limit(&Nao::STAND, &Joints::all(0.0), &measured);
+        limiter.limit(&NAO.stand, &Joints::all(0.0), &measured);
         measured[Joint::LKneePitch] -= 1.0;
-        let (_, stiff) = limiter.limit(&Nao::STAND, &stiffness, &measured);
+        let (_, stiff) = limiter.limit(&NAO.stand, &stiffness, &measured);
         assert_eq!((stiff[Joint::LKneePitch] > 0.0, stiff[Joint::RKneePitch] > 0.0), (false, true));
     }
 
@@ -158,11 +157,11 @@ mod tests {
         let mut limiter = Limiter::default();
         let wrong = Joints::all(f32::NAN);
         for _ in 0..60 {
-            limiter.limit(&Nao::STAND, &Joints::all(0.5), &Nao::STAND);
+            limiter.limit(&NAO.stand, &Joints::all(0.5), &NAO.stand);
         }
         let before = limiter.last.expect("it has limited");
-        assert_eq!(limiter.limit(&wrong, &wrong, &Nao::STAND), before);
+        assert_eq!(limiter.limit(&wrong, &wrong, &NAO.stand), before);
         let infinite = Joints::all(f32::INFINITY);
-        assert_eq!(limiter.limit(&infinite, &Joints::all(0.5), &Nao::STAND), before);
+        assert_eq!(limiter.limit(&infinite, &Joints::all(0.5), &NAO.stand), before);
     }
 }

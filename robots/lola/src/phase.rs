@@ -1,7 +1,7 @@
 //! What the driver does with the robot: it rises, follows the robot program, and sits down at the end.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 
 use crate::limiter::Limiter;
 use crate::posture::{Transition, is_in_leg, is_low, is_lying};
@@ -70,7 +70,7 @@ impl Rise {
             self.firm += 1;
             return Some(now);
         }
-        let motion = self.motion.get_or_insert_with(|| Transition::new(now, Nao::STAND, SECONDS));
+        let motion = self.motion.get_or_insert_with(|| Transition::new(now, NAO.stand, SECONDS));
         if motion.is_done() { None } else { Some(motion.step()) }
     }
 }
@@ -135,7 +135,7 @@ impl SitDown {
                 return Sitting::Moves(now);
             }
         }
-        let motion = self.motion.get_or_insert_with(|| Transition::new(now, Nao::SIT, SECONDS));
+        let motion = self.motion.get_or_insert_with(|| Transition::new(now, NAO.sit, SECONDS));
         if !motion.is_done() {
             return Sitting::Moves(motion.step());
         }
@@ -144,7 +144,7 @@ impl SitDown {
         match () {
             () if self.settled >= SETTLED => Sitting::IsLow,
             () if self.waited >= LONGEST_WAIT => Sitting::IsStuck,
-            () => Sitting::Moves(Nao::SIT),
+            () => Sitting::Moves(NAO.sit),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::sole;
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::side::Side;
 
 use crate::CYCLE_SECONDS;
@@ -16,7 +16,7 @@ const LYING: f32 = 0.7;
 /// Height of the hips over the lower sole, m, from angles of the joints, rad.
 #[must_use]
 pub fn hip_height(angles: &Joints) -> f32 {
-    let [left, right] = Side::BOTH.map(|side| -sole::<Nao>(side, angles).translation.z);
+    let [left, right] = Side::BOTH.map(|side| -sole(NAO, side, angles).translation.z);
     left.max(right)
 }
 
@@ -71,20 +71,19 @@ impl Transition {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::model::RobotModel;
 
     use super::*;
 
     #[test]
     fn sitting_posture_is_low_and_standing_is_not() {
-        assert!(hip_height(&Nao::SIT) <= SITTING_HEIGHT - 0.02, "{}", hip_height(&Nao::SIT));
-        assert!(hip_height(&Nao::STAND) > 0.2);
+        assert!(hip_height(&NAO.sit) <= SITTING_HEIGHT - 0.02, "{}", hip_height(&NAO.sit));
+        assert!(hip_height(&NAO.stand) > 0.2);
         assert!((hip_height(&Joints::all(0.0)) - 0.248_09).abs() < 1e-4, "straight legs, from the lengths of the NAO");
     }
 
     #[test]
     fn lifted_foot_does_not_lower_the_hips() {
-        let mut angles = Nao::STAND;
+        let mut angles = NAO.stand;
         for (joint, angle) in [(Joint::RHipPitch, -1.5), (Joint::RKneePitch, 2.1)] {
             angles[joint] = angle;
         }
@@ -93,15 +92,15 @@ mod tests {
 
     #[test]
     fn transition_begins_and_ends_at_rest() {
-        let mut transition = Transition::new(Nao::STAND, Nao::SIT, 2.0);
-        let (mut last, mut fastest) = (Nao::STAND, 0.0_f32);
+        let mut transition = Transition::new(NAO.stand, NAO.sit, 2.0);
+        let (mut last, mut fastest) = (NAO.stand, 0.0_f32);
         let first = transition.step();
-        assert!((first[Joint::LKneePitch] - Nao::STAND[Joint::LKneePitch]).abs() < 1e-3);
+        assert!((first[Joint::LKneePitch] - NAO.stand[Joint::LKneePitch]).abs() < 1e-3);
         while !transition.is_done() {
             let next = transition.step();
             fastest = fastest.max((next[Joint::LKneePitch] - last[Joint::LKneePitch]).abs());
             last = next;
         }
-        assert!(last == Nao::SIT && fastest < 0.012, "{fastest}");
+        assert!(last == NAO.sit && fastest < 0.012, "{fastest}");
     }
 }

@@ -41,4 +41,4 @@ pub enum Posture {
 
 /// Robot of the unit tests.
 #[cfg(test)]
-type TestModel = bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO as TEST_MODEL;

@@ -26,9 +26,9 @@ pub struct MotorHeat {
 impl MotorHeat {
     /// Returns motors at ambient temperature.
     #[must_use]
-    pub fn new<M: SimulatedModel>() -> Self {
+    pub fn new(model: &'static SimulatedModel) -> Self {
         let current =
-            |joint| libm::sqrtf(M::THERMAL_RATINGS[joint].continuous_loss() / M::ACTUATORS[joint].resistance());
+            |joint| libm::sqrtf(model.thermal_ratings[joint].continuous_loss() / model.actuators[joint].resistance());
         let continuous = Joints(Joint::ALL.map(current));
         Self { temperatures: Joints::all(AMBIENT), currents: Joints::all(0.0), continuous }
     }
@@ -64,13 +64,12 @@ impl MotorHeat {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
-    use bica_motion::model::RobotModel;
+    use crate::TEST_MODEL;
 
     #[test]
     fn high_load_heats_all_motors_of_arm_alike() {
-        let mut heat = MotorHeat::new::<TestModel>();
-        let loaded = Joints(Joint::ALL.map(|joint| TestModel::ACTUATORS[joint].current(1.3)));
+        let mut heat = MotorHeat::new(TEST_MODEL);
+        let loaded = Joints(Joint::ALL.map(|joint| TEST_MODEL.actuators[joint].current(1.3)));
         for _ in 0..6000 {
             heat.step(loaded);
         }
@@ -82,16 +81,17 @@ mod tests {
 
     #[test]
     fn temperature_approaches_its_steady_rise() {
-        let mut heat = MotorHeat::new::<TestModel>();
+        let mut heat = MotorHeat::new(TEST_MODEL);
         let minutes = |heat: &mut MotorHeat, minutes: u32, currents: Joints| {
             for _ in 0..6000 * minutes {
                 heat.step(currents);
             }
             heat.temperatures()[Joint::LKneePitch]
         };
-        let after_ten = minutes(&mut heat, 10, *TestModel::CONTINUOUS_CURRENTS);
+        let continuous = Joints(Joint::ALL.map(|joint| TEST_MODEL.continuous_current(joint)));
+        let after_ten = minutes(&mut heat, 10, continuous);
         assert!((60.0..65.0).contains(&after_ten), "{after_ten}");
-        let settled = minutes(&mut heat, 60, *TestModel::CONTINUOUS_CURRENTS);
+        let settled = minutes(&mut heat, 60, continuous);
         assert!((83.0..=85.0).contains(&settled), "{settled}");
         let rested = minutes(&mut heat, 10, Joints::all(0.0));
         assert!((45.0..50.0).contains(&rested), "{rested}");

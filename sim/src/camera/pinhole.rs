@@ -12,7 +12,7 @@ pub(crate) const NEAR: f32 = 0.01;
 
 /// Focal lengths in unit tests, relative to width and height of the image.
 #[cfg(test)]
-pub(crate) const FOCAL: Vec2 = <crate::TestModel as bica_motion::model::RobotModel>::DIMENSIONS.top_camera.focal;
+pub(crate) const FOCAL: Vec2 = bica_motion::model::NAO.dimensions.top_camera.focal;
 
 /// Pose and intrinsic parameters of a camera.
 #[derive(Clone, Copy, Debug)]

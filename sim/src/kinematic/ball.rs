@@ -73,7 +73,7 @@ impl Ball {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use crate::obstacle::GOALS;
     use crate::random::{Random, Stream};
     use bica_motion::pose::Pose2;
@@ -137,7 +137,7 @@ mod tests {
     fn no_ball_passes_through_standing_or_lying_robot() {
         let mut random = Random::new(6, Stream::Start);
         let lying = Affine3A::from_rotation_y(core::f32::consts::FRAC_PI_2);
-        for robot in [Obstacle::legs::<TestModel>(&Pose2::ORIGIN), Obstacle::lying::<TestModel>(&lying)] {
+        for robot in [Obstacle::legs(TEST_MODEL, &Pose2::ORIGIN), Obstacle::lying(TEST_MODEL, &lying)] {
             for _ in 0..500 {
                 let from = Vec2::new(random.between(-1.0, 1.0), random.between(0.5, 1.0));
                 let aim = Vec2::new(random.between(-0.05, 0.05), 0.0) - from;

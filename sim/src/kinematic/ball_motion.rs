@@ -15,14 +15,15 @@ const SUB_STEPS: u32 = 10;
 /// Moves the ball for one control cycle. Returns the foot that touched it last, if any did.
 ///
 /// `soles`: poses of both soles at the start and at the end of the cycle, field frame, left first. Obstacles do not move.
-pub(crate) fn advance<M: SimulatedModel>(
+pub(crate) fn advance(
+    model: &'static SimulatedModel,
     ball: &mut Ball,
     soles: [(Affine3A, Affine3A); 2],
     obstacles: &[Obstacle],
 ) -> Option<Side> {
     let feet = Side::BOTH.map(|side| {
         let (from, to) = &soles[side.index()];
-        (side, FootContact::new::<M>(side, from, to, CYCLE_SECONDS))
+        (side, FootContact::new(model, side, from, to, CYCLE_SECONDS))
     });
     let mut touching = None;
     for step in 1..=SUB_STEPS {

@@ -1,6 +1,5 @@
 //! Collisions of the robot with posts, nets and other robots.
 
-use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::Buttons;
 use bica_motion::side::Side;
 use glam::{Vec2, Vec3};
@@ -15,7 +14,7 @@ const BUMPER_COSINE: f32 = 0.5;
 
 /// Moves a body out of the obstacles that it overlaps, so that it slides along them. Returns the pressed bumpers and
 /// whether there was any contact.
-pub(crate) fn resolve<M: SimulatedModel>(body: &mut Body<M>, obstacles: &[Obstacle]) -> (Buttons, bool) {
+pub(crate) fn resolve(body: &mut Body, obstacles: &[Obstacle]) -> (Buttons, bool) {
     let mut buttons = Buttons::default();
     let mut hit = false;
     for _ in 0..ITERATIONS {
@@ -28,10 +27,10 @@ pub(crate) fn resolve<M: SimulatedModel>(body: &mut Body<M>, obstacles: &[Obstac
 }
 
 /// Returns the outward normal and the depth, m, of the deepest overlap.
-fn deepest<M: SimulatedModel>(body: &Body<M>, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
+fn deepest(body: &Body, obstacles: &[Obstacle]) -> Option<(Vec2, f32)> {
     let [left, right] = feet(body);
-    let foot = M::EXTENTS.foot_front.radius;
-    let parts = [(body.pose().position, M::EXTENTS.torso), (left, foot), (right, foot)];
+    let foot = body.model.extents.foot_front.radius;
+    let parts = [(body.pose().position, body.model.extents.torso), (left, foot), (right, foot)];
     let overlaps = parts
         .iter()
         .flat_map(|&(centre, radius)| obstacles.iter().filter_map(move |obstacle| obstacle.overlap(centre, radius)));
@@ -39,12 +38,13 @@ fn deepest<M: SimulatedModel>(body: &Body<M>, obstacles: &[Obstacle]) -> Option<
 }
 
 /// Presses the bumpers of feet that touch an obstacle in front of them.
-fn press<M: SimulatedModel>(buttons: &mut Buttons, body: &Body<M>, obstacles: &[Obstacle]) {
+fn press(buttons: &mut Buttons, body: &Body, obstacles: &[Obstacle]) {
     let feet = feet(body);
     for side in Side::BOTH {
         let ahead = (body.soles()[side.index()].matrix3.x_axis).truncate();
         let centre = feet[side.index()];
-        let pressed = obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, M::EXTENTS.foot_front.radius));
+        let pressed =
+            obstacles.iter().filter_map(|obstacle| obstacle.overlap(centre, body.model.extents.foot_front.radius));
         let pressed = pressed.into_iter().any(|(normal, _)| normal.dot(ahead) < -BUMPER_COSINE);
         match side {
             Side::Left => buttons.left_bumper |= pressed,
@@ -54,7 +54,7 @@ fn press<M: SimulatedModel>(buttons: &mut Buttons, body: &Body<M>, obstacles: &[
 }
 
 /// Returns the centres of the discs around both feet, left first. Field frame, m.
-fn feet<M: SimulatedModel>(body: &Body<M>) -> [Vec2; 2] {
-    let centre = Vec3::new(M::EXTENTS.foot_front.ahead, 0.0, 0.0);
+fn feet(body: &Body) -> [Vec2; 2] {
+    let centre = Vec3::new(body.model.extents.foot_front.ahead, 0.0, 0.0);
     body.soles().map(|sole| sole.transform_point3(centre).truncate())
 }

@@ -32,11 +32,11 @@ pub(crate) struct FootContact {
 
 impl FootContact {
     /// Returns a foot whose sole moves from one pose to another in `dt` s. Field frame.
-    pub(crate) fn new<M: SimulatedModel>(side: Side, from: &Affine3A, to: &Affine3A, dt: f32) -> Self {
-        let corners: Vec<_> = outline::<M>(side, from).zip(outline::<M>(side, to)).map(|(a, b)| [a, b]).collect();
+    pub(crate) fn new(model: &'static SimulatedModel, side: Side, from: &Affine3A, to: &Affine3A, dt: f32) -> Self {
+        let corners: Vec<_> = outline(model, side, from).zip(outline(model, side, to)).map(|(a, b)| [a, b]).collect();
         let edges = corners.iter().zip(corners.iter().cycle().skip(1));
         let longest = edges.fold(0.0_f32, |longest, (a, b)| longest.max(a[0].distance_squared(b[0])));
-        Self { corners, reach: MARGIN + sqrtf(longest) / 2.0, height: M::EXTENTS.foot_height, dt }
+        Self { corners, reach: MARGIN + sqrtf(longest) / 2.0, height: model.extents.foot_height, dt }
     }
 
     /// Returns false only if there is no contact.
@@ -110,8 +110,8 @@ fn contact_radius(sole: f32, height: f32) -> Option<f32> {
 }
 
 /// Returns the corners of a sole in the field frame, counter-clockwise seen from above.
-pub(crate) fn outline<M: RobotModel>(side: Side, sole: &Affine3A) -> impl Iterator<Item = Vec3> {
-    let corners = M::DIMENSIONS.sole_outline;
+pub(crate) fn outline(model: &'static RobotModel, side: Side, sole: &Affine3A) -> impl Iterator<Item = Vec3> {
+    let corners = model.dimensions.sole_outline;
     (0..corners.len()).map(move |i| {
         let corner = match side {
             Side::Left => corners[i],
@@ -124,7 +124,7 @@ pub(crate) fn outline<M: RobotModel>(side: Side, sole: &Affine3A) -> impl Iterat
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use crate::random::{Random, Stream};
 
     fn at(x: f32, y: f32, z: f32) -> Affine3A {
@@ -137,7 +137,7 @@ mod tests {
         for cycle in 0..60 {
             let x = |cycle| speed * 0.01 * cycle as f32;
             let foot =
-                FootContact::new::<TestModel>(side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
+                FootContact::new(TEST_MODEL, side, &at(x(cycle), 0.0, height), &at(x(cycle + 1), 0.0, height), 0.01);
             for step in 1..=10 {
                 ball.roll(0.001);
                 foot.push(&mut ball, step as f32 / 10.0);
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn ball_bounces_off_standing_foot_without_gain() {
         let mut random = Random::new(9, Stream::Start);
-        let foot = FootContact::new::<TestModel>(Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
+        let foot = FootContact::new(TEST_MODEL, Side::Left, &at(0.0, 0.0, 0.0), &at(0.0, 0.0, 0.0), 0.01);
         for _ in 0..500 {
             let angle = random.between(-3.0, 3.0);
             let direction = bica_motion::pose::rotate(Vec2::X, angle);

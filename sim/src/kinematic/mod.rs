@@ -16,7 +16,7 @@ mod world;
 
 pub use self::world::KinematicWorld;
 
-use bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO;
 use glam::Vec2;
 
 use crate::setup::{Setup, SetupError};
@@ -28,7 +28,7 @@ use crate::{SpectatorView, World};
 /// # Errors
 /// If the setup has no place for a robot or the ball, or the velocity is not finite.
 pub fn nao(setup: &Setup, velocity: Vec2) -> Result<Box<dyn SpectatorView>, SetupError> {
-    let mut world = KinematicWorld::<Nao>::new(setup)?;
+    let mut world = KinematicWorld::new(NAO, setup)?;
     if velocity != Vec2::ZERO {
         world.set_ball(world.referee().ball(), velocity)?;
     }

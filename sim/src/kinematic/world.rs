@@ -27,11 +27,12 @@ use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::world::{CYCLE, Pushes, World, frame, image_is_due};
 use bica_body::transform::angular_velocity;
 
-/// A robot of the model `M` on the field of 2009, simulated by kinematics.
+/// A humanoid on the field of 2009, simulated by kinematics.
 #[derive(Clone, Debug)]
-pub struct KinematicWorld<M> {
+pub struct KinematicWorld {
+    model: &'static SimulatedModel,
     cycle: u64,
-    body: Body<M>,
+    body: Body,
     buttons: Buttons,
     ball: Ball,
     rules: Rules,
@@ -49,21 +50,22 @@ pub struct KinematicWorld<M> {
     pushes: Pushes,
 }
 
-impl<M: SimulatedModel> KinematicWorld<M> {
+impl KinematicWorld {
     /// Builds a world in its start state.
     ///
     /// # Errors
     ///
     /// If the setup is invalid; the error names the parameter.
-    pub fn new(setup: &Setup) -> Result<Self, SetupError> {
-        setup.check::<M>()?;
+    pub fn new(model: &'static SimulatedModel, setup: &Setup) -> Result<Self, SetupError> {
+        setup.check(model)?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
-        let body = Body::standing(layout.start.robot, setup.seed);
+        let body = Body::standing(model, layout.start.robot, setup.seed);
         let others = layout.others.iter().map(|other| other.pose).collect();
         let referee = Referee::new(layout.attacks, body.pose(), layout.start.ball, others);
         let previous_cameras = cameras(&body);
         let (width, height) = setup.frame.size();
         let mut world = Self {
+            model,
             cycle: 0,
             body,
             buttons: Buttons::default(),
@@ -72,12 +74,12 @@ impl<M: SimulatedModel> KinematicWorld<M> {
             obstacles: GOALS
                 .iter()
                 .copied()
-                .chain(layout.others.iter().map(|other| Obstacle::legs::<M>(&other.pose)))
+                .chain(layout.others.iter().map(|other| Obstacle::legs(model, &other.pose)))
                 .collect(),
             referee,
             camera: CameraId::Top,
             previous_cameras,
-            renderer: Renderer::new(setup, &layout, PosedRobot::standing::<M>),
+            renderer: Renderer::new(setup, &layout, |at| PosedRobot::standing(model, at)),
             image: ImageMemory::new(2 * width * height),
             image_is_new: false,
             limbs: LimbMotions::default(),
@@ -100,7 +102,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
     /// If the position is not on the carpet, within a goal post or a net or under the robot, or if the velocity is not finite. The
     /// ball then stays as it is.
     pub fn set_ball(&mut self, position: Vec2, velocity: Vec2) -> Result<(), SetupError> {
-        check_ball::<M>(position, velocity, self.body.pose())?;
+        check_ball(self.model, position, velocity, self.body.pose())?;
         self.ball.position = position;
         self.ball.velocity = velocity;
         self.rules.cancel_return();
@@ -127,9 +129,9 @@ impl<M: SimulatedModel> KinematicWorld<M> {
         let motions = [(previous_soles[0], soles[0]), (previous_soles[1], soles[1])];
         let mut obstacles = self.obstacles.clone();
         if matches!(self.body.posture(), Posture::Down(_)) {
-            obstacles.push(Obstacle::lying::<M>(self.body.robot()));
+            obstacles.push(Obstacle::lying(self.model, self.body.robot()));
         }
-        let touching = ball_motion::advance::<M>(&mut self.ball, motions, &obstacles);
+        let touching = ball_motion::advance(self.model, &mut self.ball, motions, &obstacles);
         self.rules.record_touch(now, touching, self.ball.velocity.length(), &mut self.referee);
         if let Some(place) = self.rules.apply(now, self.ball.position, &mut self.referee) {
             self.ball = Ball::at(place, self.ball.rolling_deceleration);
@@ -142,11 +144,11 @@ impl<M: SimulatedModel> KinematicWorld<M> {
         let camera = self.body.camera(self.camera);
         Scene {
             camera,
-            focal: M::DIMENSIONS.camera(self.camera).focal,
+            focal: self.model.dimensions.camera(self.camera).focal,
             angular_velocity: angular_velocity(&previous.matrix3, &camera.matrix3),
             frame: frame(self.cycle),
             ball: self.ball.position,
-            robot: PosedRobot::new(*self.body.robot(), self.body.skeleton()),
+            robot: PosedRobot::new(self.model, *self.body.robot(), self.body.skeleton()),
         }
     }
 
@@ -156,7 +158,7 @@ impl<M: SimulatedModel> KinematicWorld<M> {
     }
 }
 
-impl<M: SimulatedModel> World for KinematicWorld<M> {
+impl World for KinematicWorld {
     fn now(&self) -> Duration {
         CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
     }
@@ -190,7 +192,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
         self.camera = command.camera;
         let now = self.now();
         let previous_soles = self.body.soles();
-        let command = self.limbs.over::<M>(command, &self.body.measurement().angles);
+        let command = self.limbs.over(self.model, command, &self.body.measurement().angles);
         if let Some(event) = self.body.step(&command) {
             self.referee.record(now, event);
         }
@@ -207,7 +209,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
     }
 
     fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
-        placement::check_ball::<M>(at, &self.referee)?;
+        placement::check_ball(self.model, at, &self.referee)?;
         self.ball = Ball::at(at, self.ball.rolling_deceleration);
         self.rules.cancel_return();
         self.referee.set_ball(at, Vec2::ZERO);
@@ -215,7 +217,7 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
     }
 
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
-        placement::check_robot::<M>(at.position, &self.referee)?;
+        placement::check_robot(self.model, at.position, &self.referee)?;
         self.body.stand_at(at);
         self.limbs = LimbMotions::default();
         self.buttons = Buttons::default();
@@ -241,13 +243,13 @@ impl<M: SimulatedModel> World for KinematicWorld<M> {
     }
 }
 
-impl<M: SimulatedModel> SpectatorView for KinematicWorld<M> {
+impl SpectatorView for KinematicWorld {
     fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
         let scene = self.scene(&self.body.camera(self.camera));
         Ok(self.renderer.render_from(&scene, camera, width, height))
     }
 }
 
-fn cameras<M: SimulatedModel>(body: &Body<M>) -> [Affine3A; 2] {
+fn cameras(body: &Body) -> [Affine3A; 2] {
     [CameraId::Top, CameraId::Bottom].map(|camera| body.camera(camera))
 }

@@ -5,15 +5,15 @@
 //! Dead time of the motors, sensor delay and sensor noise are modelled here; [`Physics`] holds their parameters.
 //!
 //! ```no_run
-//! use bica_motion::model::simulation::MujocoModel;
+//! use bica_motion::model::simulation::NAO;
 //! use bica_motion::robot::Command;
 //! use bica_sim::{World, setup::Setup, mujoco::{MujocoWorld, Physics}};
 //! use glam::Vec2;
 //!
-//! # fn run<M: MujocoModel>() -> Result<(), bica_sim::mujoco::Error> {
-//! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::of::<M>() };
-//! let mut world = MujocoWorld::<M>::new(&Setup { seed: 7, ..Setup::default() }, &physics)?;
-//! let stand = Command::new(M::STAND, 1.0);
+//! # fn run() -> Result<(), bica_sim::mujoco::Error> {
+//! let physics = Physics { friction: 0.7, dead_time: 0.04, cameras: false, ..Physics::of(NAO) };
+//! let mut world = MujocoWorld::new(NAO, &Setup { seed: 7, ..Setup::default() }, &physics)?;
+//! let stand = Command::new(NAO.stand, 1.0);
 //! for cycle in 0..500 {
 //!     if cycle == 200 {
 //!         world.add_velocity(Vec2::new(0.0, 0.2));
@@ -41,7 +41,7 @@ pub use error::Error;
 pub use stage::{Shown, Stage};
 pub use world::MujocoWorld;
 
-use bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO;
 use glam::Vec2;
 
 use crate::SpectatorView;
@@ -52,7 +52,7 @@ use crate::setup::Setup;
 /// # Errors
 /// If the setup has no place for a robot or the ball, or MuJoCo refuses.
 pub fn nao(setup: &Setup, velocity: Vec2) -> Result<Box<dyn SpectatorView>, Error> {
-    let mut world = MujocoWorld::<Nao>::new(setup, &Physics::of::<Nao>())?;
+    let mut world = MujocoWorld::new(NAO, setup, &Physics::of(NAO))?;
     if velocity != Vec2::ZERO {
         world.kick_ball(velocity);
     }

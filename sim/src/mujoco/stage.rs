@@ -6,7 +6,7 @@ use bica_body::mujoco::{FreeJoint, Humanoid, Model, Physics, write};
 use bica_field::{FieldDimensions, GoalColour};
 use bica_motion::joints::Joints;
 use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
@@ -26,8 +26,9 @@ const SEGMENT_RADIUS: f32 = 0.06;
 const LAMP: usize = 0;
 
 /// Draws a robot and a ball on a field from outside, for a world that has no pictures. Nothing is simulated.
-pub struct Stage<M: MujocoModel> {
-    robot: Humanoid<M>,
+pub struct Stage {
+    model: &'static SimulatedModel,
+    robot: Humanoid,
     ball: FreeJoint,
     /// Its radius, m.
     ball_radius: f32,
@@ -48,19 +49,24 @@ pub struct Shown<'a> {
     pub ball: Vec2,
 }
 
-impl<M: MujocoModel> Stage<M> {
+impl Stage {
     /// A stage for pictures of a size, pixels.
     ///
     /// # Errors
     ///
     /// If MuJoCo rejects the model, or no renderer is available.
-    pub fn new(field: &FieldDimensions, width: usize, height: usize) -> Result<Self, Error> {
-        let physics = Physics::of::<M>();
-        let model = Model::new::<M>(&xml(field), &physics)?;
-        let ball = FreeJoint::find(&model.physics, "Ball")?;
-        let renderer = renderer(&model.physics, width, height).map_err(|error| Error::Camera(error.to_string()))?;
-        let robot = Humanoid::new(model, Pose2::ORIGIN, Random::new(0, Stream::Sensors), &physics, |_| {});
-        Ok(Self { robot, ball, ball_radius: field.ball_radius(), renderer, size: (width, height) })
+    pub fn new(
+        model: &'static SimulatedModel,
+        field: &FieldDimensions,
+        width: usize,
+        height: usize,
+    ) -> Result<Self, Error> {
+        let physics = Physics::of(model);
+        let built = Model::new(model, &xml(field), &physics)?;
+        let ball = FreeJoint::find(&built.physics, "Ball")?;
+        let renderer = renderer(&built.physics, width, height).map_err(|error| Error::Camera(error.to_string()))?;
+        let robot = Humanoid::new(model, built, Pose2::ORIGIN, Random::new(0, Stream::Sensors), &physics, |_| {});
+        Ok(Self { model, robot, ball, ball_radius: field.ball_radius(), renderer, size: (width, height) })
     }
 
     /// Draws a picture.
@@ -69,7 +75,7 @@ impl<M: MujocoModel> Stage<M> {
     ///
     /// If the renderer fails.
     pub fn draw(&mut self, shown: &Shown<'_>, camera: &SpectatorCamera) -> Result<Picture, RenderError> {
-        self.robot.place(&robot::<M>(shown), shown.angles);
+        self.robot.place(&robot(self.model, shown), shown.angles);
         let data = self.robot.data_mut();
         let ball = [shown.ball.x, shown.ball.y, self.ball_radius, 1.0, 0.0, 0.0, 0.0];
         write(&mut data.qpos_mut()[self.ball.position..], &ball);
@@ -79,8 +85,8 @@ impl<M: MujocoModel> Stage<M> {
 }
 
 /// Returns the pose of the robot frame, field frame: the lowest part of the robot lies on the ground.
-fn robot<M: MujocoModel>(shown: &Shown<'_>) -> Affine3A {
-    let skeleton = Skeleton::<M>::of(shown.angles);
+fn robot(model: &'static SimulatedModel, shown: &Shown<'_>) -> Affine3A {
+    let skeleton = Skeleton::of(model, shown.angles);
     let (roll, pitch) = shown.tilt;
     let level = Quat::from_rotation_y(pitch) * Quat::from_rotation_x(roll);
     let soles = Side::BOTH.map(|side| level * skeleton.sole(side).translation);
@@ -113,7 +119,7 @@ fn xml(of: &FieldDimensions) -> String {
 #[cfg(test)]
 mod tests {
     use bica_field::SSIM_2026;
-    use bica_motion::model::{RobotModel, T1};
+    use bica_motion::model::simulation::T1;
 
     use super::*;
 
@@ -128,11 +134,11 @@ mod tests {
 
     #[test]
     fn a_robot_is_drawn_where_it_is() {
-        let mut stage = Stage::<T1>::new(&SSIM_2026, 160, 120).expect("a renderer");
+        let mut stage = Stage::new(T1, &SSIM_2026, 160, 120).expect("a renderer");
         let camera = SpectatorCamera { eye: Vec3::new(15.0, 0.0, 1.0), target: Vec3::new(20.0, 0.0, 0.6) };
         let mut draw = |y: f32, pitch: f32| {
             let at = Pose2::new(20.0, y, 0.0);
-            let shown = Shown { at, tilt: (0.0, pitch), angles: &T1::STAND, ball: Vec2::new(18.0, 1.0) };
+            let shown = Shown { at, tilt: (0.0, pitch), angles: &T1.stand, ball: Vec2::new(18.0, 1.0) };
             team(&stage.draw(&shown, &camera).expect("a picture"))
         };
         let [middle, left, lying] = [draw(0.0, 0.0), draw(1.0, 0.0), draw(0.0, 1.5)];

@@ -6,7 +6,7 @@ use bica_body::mujoco::{Data, Fault, FreeJoint, Humanoid, Physics, pose, write};
 use bica_body::transform::{angular_velocity, ground_pose};
 use bica_core::action::Actions;
 use bica_motion::joints::Joint;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Image, Sensors};
 use bica_motion::side::Side;
@@ -28,12 +28,13 @@ use crate::shared_image::SharedImage;
 use crate::spectator::{Picture, RenderError, SpectatorCamera, SpectatorView};
 use crate::world::{CYCLE, Pushes, World, frame, image_is_due};
 
-/// A robot of the model `M` on the field of 2009, simulated by rigid-body dynamics.
-pub struct MujocoWorld<M> {
+/// A humanoid on the field of 2009, simulated by rigid-body dynamics.
+pub struct MujocoWorld {
+    model: &'static SimulatedModel,
     setup: Setup,
     layout: Layout,
     cycle: u64,
-    body: Humanoid<M>,
+    body: Humanoid,
     ball: FreeJoint,
     robot_camera: Option<RobotCamera>,
     spectator: Option<SpectatorRenderer>,
@@ -48,23 +49,25 @@ pub struct MujocoWorld<M> {
     referee: Referee,
 }
 
-impl<M: MujocoModel> MujocoWorld<M> {
+impl MujocoWorld {
     /// Builds a world in its start state.
     ///
     /// # Errors
     ///
     /// If setup or physics is invalid, or no renderer is available; the error contains the reason.
-    pub fn new(setup: &Setup, physics: &Physics) -> Result<Self, Error> {
-        setup.check::<M>()?;
+    pub fn new(model: &'static SimulatedModel, setup: &Setup, physics: &Physics) -> Result<Self, Error> {
+        setup.check(model)?;
         let layout = Layout::new(setup, &mut Random::new(setup.seed, Stream::Start));
-        let (model, ball) = build::<M>(setup, &layout, physics)?;
-        let robot_camera = physics.cameras.then(|| RobotCamera::new(setup, &model.physics)).transpose()?;
+        let (built, ball) = build(model, setup, &layout, physics)?;
+        let robot_camera = physics.cameras.then(|| RobotCamera::new(setup, &built.physics)).transpose()?;
         let noise = Random::new(setup.seed, Stream::Sensors);
-        let body =
-            Humanoid::new(model, layout.start.robot, noise, physics, |data| place(data, ball, layout.start.ball));
+        let body = Humanoid::new(model, built, layout.start.robot, noise, physics, |data| {
+            place(data, ball, layout.start.ball);
+        });
         let others = layout.others.iter().map(|other| other.pose).collect();
         let referee = Referee::new(layout.attacks, layout.start.robot, layout.start.ball, others);
         let mut world = Self {
+            model,
             setup: *setup,
             layout,
             cycle: 0,
@@ -131,7 +134,7 @@ impl<M: MujocoModel> MujocoWorld<M> {
     fn place_shadows(&mut self) {
         let (robot, skeleton) = (self.body.pose(), self.body.skeleton());
         let soles = Side::BOTH.map(|side| ground_pose(&(robot * skeleton.sole(side))));
-        let middle = Vec2::new(M::EXTENTS.sole_middle, 0.0);
+        let middle = Vec2::new(self.model.extents.sole_middle, 0.0);
         let [left, right] = soles.map(|sole| Pose2 { position: sole.place(middle), ..sole });
         let ball = Pose2 { position: self.ball_state().0, heading: 0.0 };
         let shadows: [Pose2; SHADOWS] = [left, right, ground_pose(&robot), ball];
@@ -148,7 +151,7 @@ impl<M: MujocoModel> MujocoWorld<M> {
         }
         let (previous, pose) = (self.previous_cameras[self.camera as usize], self.cameras()[self.camera as usize]);
         let angular_velocity = angular_velocity(&previous.matrix3, &pose.matrix3);
-        let focal = M::DIMENSIONS.camera(self.camera).focal;
+        let focal = self.model.dimensions.camera(self.camera).focal;
         let exposure = Exposure { camera: self.camera, pose, focal, angular_velocity, frame: frame(self.cycle) };
         self.place_shadows();
         if let Some(robot_camera) = &mut self.robot_camera {
@@ -184,7 +187,7 @@ impl<M: MujocoModel> MujocoWorld<M> {
     }
 }
 
-impl<M: MujocoModel> World for MujocoWorld<M> {
+impl World for MujocoWorld {
     fn now(&self) -> Duration {
         CYCLE * u32::try_from(self.cycle).unwrap_or(u32::MAX)
     }
@@ -206,7 +209,7 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
         self.camera = command.camera;
         self.cycle += 1;
         self.pushes = Pushes::default();
-        let command = self.limbs.over::<M>(command, &self.body.sensors().angles);
+        let command = self.limbs.over(self.model, command, &self.body.sensors().angles);
         let change = self.body.act(&command);
         if self.body.failure().is_none() {
             self.update_referee(change);
@@ -218,7 +221,7 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
     }
 
     fn put_ball(&mut self, at: Vec2) -> Result<(), &'static str> {
-        placement::check_ball::<M>(at, &self.referee)?;
+        placement::check_ball(self.model, at, &self.referee)?;
         place(self.body.data_mut(), self.ball, at);
         // The next image is drawn from quantities that are derived from the positions.
         self.body.data_mut().forward();
@@ -228,7 +231,7 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
     }
 
     fn put_robot(&mut self, at: Pose2) -> Result<(), &'static str> {
-        placement::check_robot::<M>(at.position, &self.referee)?;
+        placement::check_robot(self.model, at.position, &self.referee)?;
         self.body.stand(at);
         self.limbs = LimbMotions::default();
         self.previous_cameras = self.cameras();
@@ -253,12 +256,12 @@ impl<M: MujocoModel> World for MujocoWorld<M> {
     }
 }
 
-impl<M: MujocoModel> SpectatorView for MujocoWorld<M> {
+impl SpectatorView for MujocoWorld {
     fn render_from(&mut self, camera: &SpectatorCamera, width: usize, height: usize) -> Result<Picture, RenderError> {
         let fits = |renderer: &SpectatorRenderer| renderer.size() == (width, height);
         let renderer = match self.spectator.take().filter(fits) {
             Some(renderer) => renderer,
-            None => SpectatorRenderer::new::<M>(&self.setup, &self.layout, width, height)?,
+            None => SpectatorRenderer::new(self.model, &self.setup, &self.layout, width, height)?,
         };
         let ball = pose(self.body.data(), self.ball).translation.into();
         let moving = Moving { robot: self.body.pose(), skeleton: self.body.skeleton(), ball };

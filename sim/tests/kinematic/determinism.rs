@@ -1,7 +1,7 @@
 use std::thread;
 
 use bica_motion::joints::{JOINTS, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{CameraId, Command};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -9,7 +9,7 @@ use bica_sim::setup::Setup;
 
 /// Runs a game with large motions. Returns all image bytes, all measurements and the final ground truth.
 fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
-    let mut world = KinematicWorld::<Nao>::new(&Setup { seed, robots: 2, ..Setup::default() }).expect("a valid setup");
+    let mut world = KinematicWorld::new(NAO, &Setup { seed, robots: 2, ..Setup::default() }).expect("a valid setup");
     let mut images = Vec::new();
     let mut words = Vec::new();
     for cycle in 0..400_u32 {
@@ -21,7 +21,7 @@ fn game(seed: u64, read_every: u32) -> (Vec<u8>, Vec<u32>, String) {
             words.push(sensors.left_foot.total().to_bits());
         }
         let wave = |i: usize| 0.2 * libm::sinf(cycle as f32 * 0.07 * (1.0 + i as f32 / JOINTS as f32));
-        let targets = Joints(core::array::from_fn(|i| Nao::STAND.0[i] + wave(i)));
+        let targets = Joints(core::array::from_fn(|i| NAO.stand.0[i] + wave(i)));
         let camera = if cycle % 100 < 50 { CameraId::Top } else { CameraId::Bottom };
         world.act(&Command { camera, ..Command::new(targets, 1.0) });
     }
@@ -55,7 +55,7 @@ fn reading_sensors_does_not_change_world() {
 
 #[test]
 fn repeated_reads_in_cycle_return_equal_measurements() {
-    let mut world = KinematicWorld::<Nao>::new(&Setup::default()).expect("a valid setup");
+    let mut world = KinematicWorld::new(NAO, &Setup::default()).expect("a valid setup");
     let mut images = 0;
     for _ in 0..10 {
         let first = world.sensors();
@@ -64,7 +64,7 @@ fn repeated_reads_in_cycle_return_equal_measurements() {
         let second = world.sensors();
         assert_eq!(second.inertial, inertial);
         assert_eq!(second.image.map(|image| image.yuyv.to_vec()), image);
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
     }
     assert_eq!(images, 3);
 }

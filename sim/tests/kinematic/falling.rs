@@ -3,7 +3,7 @@ use core::time::Duration;
 use bica_motion::fall::Direction;
 use bica_motion::getup::GetUp;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
@@ -14,13 +14,13 @@ use glam::Vec2;
 
 use crate::support::{TOGETHER, alone, glide};
 
-fn world() -> KinematicWorld<Nao> {
+fn world() -> KinematicWorld {
     alone(2, Pose2::new(-1.0, 0.3, 0.7), Vec2::new(2.0, 1.5))
 }
 
 /// Leans until the robot falls.
-fn fall(world: &mut KinematicWorld<Nao>, to: Direction) {
-    let mut posture = Nao::STAND;
+fn fall(world: &mut KinematicWorld, to: Direction) {
+    let mut posture = NAO.stand;
     match to {
         Direction::Front | Direction::Back => {
             let lean = if to == Direction::Front { -0.6 } else { 0.6 };
@@ -48,7 +48,7 @@ fn fall_goes_to_the_unbalanced_side() {
         assert_eq!(world.referee().posture(), Posture::Down(to));
         assert_eq!(world.referee().count(|event| *event == Event::Fall(to)), 1);
         for _ in 0..100 {
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
         }
         let inertial = world.sensors().inertial;
         assert!((inertial.acceleration - to.gravity()).length() < 0.5, "{to:?}: {}", inertial.acceleration);
@@ -74,7 +74,7 @@ fn robot_falls_after_fifteen_unbalanced_cycles() {
 fn legs_without_stiffness_do_not_carry_robot() {
     let mut world = world();
     for _ in 0..100 {
-        world.act(&Command { stiffness: Joints::all(0.0), ..Command::new(Nao::STAND, 1.0) });
+        world.act(&Command { stiffness: Joints::all(0.0), ..Command::new(NAO.stand, 1.0) });
     }
     assert_eq!(world.referee().falls(), 1);
 }
@@ -85,7 +85,7 @@ fn get_up_restores_stance_in_place() {
         let mut world = world();
         fall(&mut world, to);
         for _ in 0..100 {
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
         }
         let lying = world.referee().robot();
         get_up(&mut world, to);
@@ -97,7 +97,7 @@ fn get_up_restores_stance_in_place() {
         assert_eq!(last.event, Event::GotUp);
         assert!(last.at < end + Duration::from_millis(200));
         for _ in 0..300 {
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
         }
         assert_eq!(world.referee().posture(), Posture::Upright);
     }
@@ -108,18 +108,18 @@ fn standing_posture_alone_does_not_get_up() {
     let mut world = world();
     fall(&mut world, Direction::Front);
     for _ in 0..1_000 {
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
     }
     assert_eq!(world.referee().posture(), Posture::Down(Direction::Front));
 }
 
-fn get_up(world: &mut KinematicWorld<Nao>, lying: Direction) {
-    let mut movement = GetUp::<Nao>::new(lying, 0, world.sensors().angles);
+fn get_up(world: &mut KinematicWorld, lying: Direction) {
+    let mut movement = GetUp::new(NAO, lying, 0, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, 0.01);
         world.act(&Command { stiffness: Joints::all(stiffness), ..Command::new(targets, 1.0) });
     }
     for _ in 0..10 {
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
     }
 }

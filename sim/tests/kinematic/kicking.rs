@@ -1,4 +1,4 @@
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
@@ -11,7 +11,7 @@ use glam::Vec2;
 use crate::support::{TOGETHER, alone, glide, swayed};
 
 /// Stands on one foot, swings the other one back and then forward by 0.16 m in 0.12 s.
-fn kick(world: &mut KinematicWorld<Nao>, foot: Side) {
+fn kick(world: &mut KinematicWorld, foot: Side) {
     let swung = |x: f32, lift: f32| {
         let mut feet = swayed(foot.other());
         feet[foot.index()].0 += x;
@@ -25,9 +25,9 @@ fn kick(world: &mut KinematicWorld<Nao>, foot: Side) {
     glide(world, swung(0.0, 0.02), swung(0.0, 0.0), 30);
 }
 
-fn stand(world: &mut KinematicWorld<Nao>, seconds: u32) {
+fn stand(world: &mut KinematicWorld, seconds: u32) {
     for _ in 0..100 * seconds {
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
     }
 }
 
@@ -55,20 +55,20 @@ fn kicked_ball_follows_swing_and_scores() {
 #[test]
 fn kick_while_walking_moves_ball_straight_ahead() {
     for foot in Side::BOTH {
-        let half = Nao::KINEMATIC_PROFILE.gait.half_spacing;
+        let half = NAO.kinematic_profile.gait.half_spacing;
         let robot = Pose2::new(-1.5, 0.0, 0.0);
         let ball = robot.place(Vec2::new(0.44, foot.sign() * half));
         let mut world = alone(4, robot, ball);
-        let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
+        let mut walk = Walk::new(NAO, &NAO.kinematic_profile.gait);
         let mut kicked = false;
         for _ in 0..1000 {
             let at = world.referee().robot().locate(world.referee().ball());
-            if let Some(foot) = in_walk_kick_foot(at, &Nao::KINEMATIC_PROFILE.gait) {
+            if let Some(foot) = in_walk_kick_foot(at, &NAO.kinematic_profile.gait) {
                 walk.request_kick(foot);
             }
             kicked |= at.x > 0.5 || world.referee().ball_velocity().x > 0.3;
             let ahead = if kicked { Velocity::ZERO } else { Velocity::new(0.15, 0.0, 0.0) };
-            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints::<Nao>();
+            let targets = walk.step(ahead, &Feedback::from(&world.sensors()), CYCLE_SECONDS).joints(NAO);
             world.act(&Command::new(targets, 1.0));
         }
         let moved = world.referee().ball() - ball;

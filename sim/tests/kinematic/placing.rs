@@ -2,7 +2,7 @@
 
 use bica_core::action::perform;
 use bica_motion::joints::Joint;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_sim::World;
@@ -13,13 +13,13 @@ use glam::Vec2;
 
 use crate::support::alone;
 
-fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
-    (0..cycles).for_each(|_| world.act(&Command::new(Nao::STAND, 1.0)));
+fn wait(world: &mut KinematicWorld, cycles: u32) {
+    (0..cycles).for_each(|_| world.act(&Command::new(NAO.stand, 1.0)));
 }
 
 #[test]
 fn placed_ball_lies_still_and_is_no_event() {
-    let mut world = KinematicWorld::<Nao>::new(&Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
+    let mut world = KinematicWorld::new(NAO, &Setup { seed: 3, robots: 8, ..Setup::default() }).expect("valid");
     let (mut placed, mut refused) = (0, 0);
     for row in -22..=22 {
         for column in -32..=32 {
@@ -78,8 +78,7 @@ fn refused_placement_leaves_a_rolling_ball() {
 #[test]
 fn image_shows_ball_where_it_was_placed() {
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
-    let pixels =
-        |world: &mut KinematicWorld<Nao>| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
+    let pixels = |world: &mut KinematicWorld| world.sensors().image.expect("the first cycle has one").yuyv.to_vec();
     let mut placed = world.clone();
     placed.put_ball(Vec2::new(-1.0, 0.0)).expect("a free place");
     let mut there = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(-1.0, 0.0));
@@ -92,8 +91,8 @@ fn image_shows_ball_where_it_was_placed() {
 fn moved_limb_follows_operator_then_program() {
     use bica_core::Value::{Bool, Choice, F32};
     let mut world = alone(1, Pose2::new(-2.0, 0.0, 0.0), Vec2::new(2.0, 1.5));
-    let pitch = |world: &mut KinematicWorld<Nao>| world.sensors().angles[Joint::RShoulderPitch];
-    let stand = Nao::STAND[Joint::RShoulderPitch];
+    let pitch = |world: &mut KinematicWorld| world.sensors().angles[Joint::RShoulderPitch];
+    let stand = NAO.stand[Joint::RShoulderPitch];
     let up = |seconds| {
         [Choice(2), F32(seconds), F32(1.0), Bool(false), F32(-1.0), F32(-0.2), F32(0.5), F32(0.5), F32(0.0), F32(0.0)]
     };
@@ -102,7 +101,7 @@ fn moved_limb_follows_operator_then_program() {
     }
     wait(&mut world, 140);
     assert!((pitch(&mut world) + 1.0).abs() < 0.05, "{}", pitch(&mut world));
-    assert!((world.sensors().angles[Joint::LShoulderPitch] - Nao::STAND[Joint::LShoulderPitch]).abs() < 0.05);
+    assert!((world.sensors().angles[Joint::LShoulderPitch] - NAO.stand[Joint::LShoulderPitch]).abs() < 0.05);
     wait(&mut world, 150);
     assert!((pitch(&mut world) - stand).abs() < 0.05, "{}", pitch(&mut world));
     // A robot that is placed forgets what waits.

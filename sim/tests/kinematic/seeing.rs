@@ -1,6 +1,6 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{camera, ground_from_robot};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command};
 use bica_motion::side::Side;
@@ -18,11 +18,11 @@ const FOCAL: Vec2 = Vec2::new(618.66 / 2.0, 617.16 / 2.0);
 
 /// Returns the pose of a camera from joint angles, standing on the left foot.
 fn camera_pose(id: CameraId, robot: Pose2, angles: &Joints) -> Affine3A {
-    let from_ground = ground_from_robot::<Nao>(Side::Left, angles);
+    let from_ground = ground_from_robot(NAO, Side::Left, angles);
     let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
     let ground = robot * under_hips.inverse();
     let field = Affine3A::from_translation(ground.position.extend(0.0)) * Affine3A::from_rotation_z(ground.heading);
-    field * from_ground * camera::<Nao>(id, angles)
+    field * from_ground * camera(NAO, id, angles)
 }
 
 /// Projects a point in the camera frame to the image.
@@ -37,8 +37,8 @@ fn chroma(yuyv: &[u8], u: usize, v: usize) -> (i32, i32) {
 }
 
 /// Turns the head, waits until it is still, and returns the next image with the true joint angles.
-fn image_at(world: &mut KinematicWorld<Nao>, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
-    let mut targets = Nao::STAND;
+fn image_at(world: &mut KinematicWorld, id: CameraId, yaw: f32, pitch: f32) -> (Vec<u8>, Joints) {
+    let mut targets = NAO.stand;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     for _ in 0..60 {
         world.act(&Command { camera: id, ..Command::new(targets, 1.0) });

@@ -1,4 +1,4 @@
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command};
 use bica_sim::World;
@@ -12,7 +12,7 @@ use bica_motion::side::Side;
 #[test]
 fn selected_camera_delivers_thirty_images_second() {
     for frame in [Frame::Small, Frame::Medium, Frame::Large] {
-        let mut world = KinematicWorld::<Nao>::new(&Setup { frame, ..Setup::default() }).expect("a valid setup");
+        let mut world = KinematicWorld::new(NAO, &Setup { frame, ..Setup::default() }).expect("a valid setup");
         let (mut images, mut camera) = (0, CameraId::Top);
         for cycle in 0..200 {
             if let Some(image) = world.sensors().image {
@@ -22,7 +22,7 @@ fn selected_camera_delivers_thirty_images_second() {
                 assert_eq!(image.yuyv.len(), 2 * frame.size().0 * frame.size().1);
             }
             camera = if cycle < 100 { CameraId::Top } else { CameraId::Bottom };
-            world.act(&Command { camera, ..Command::new(Nao::STAND, 1.0) });
+            world.act(&Command { camera, ..Command::new(NAO.stand, 1.0) });
         }
         assert_eq!(images, 60);
     }
@@ -32,10 +32,10 @@ fn selected_camera_delivers_thirty_images_second() {
 fn standing_robot_measures_its_weight_and_gravity() {
     let mut world = alone(1, Pose2::new(-1.0, 0.5, 1.0), Vec2::ZERO);
     for _ in 0..100 {
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
         let sensors = world.sensors();
         let force = sensors.left_foot.total() + sensors.right_foot.total();
-        assert!((force - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{force}");
+        assert!((force - NAO.total_mass() * 9.81).abs() < 4.0, "{force}");
         assert!(sensors.inertial.roll.abs() < 0.02 && sensors.inertial.pitch.abs() < 0.02);
         assert!((sensors.inertial.acceleration.z - 9.81).abs() < 0.2);
         assert!(sensors.inertial.gyro.length() < 0.02);
@@ -49,7 +49,7 @@ fn consecutive_images_differ_by_noise() {
     let mut images = Vec::new();
     for _ in 0..20 {
         images.extend(world.sensors().image.map(|image| image.yuyv.to_vec()));
-        world.act(&Command::new(Nao::STAND, 1.0));
+        world.act(&Command::new(NAO.stand, 1.0));
     }
     assert_eq!(images.len(), 6);
     for pair in images.windows(2) {
@@ -66,7 +66,7 @@ fn pressure_moves_to_foot_under_hips() {
     glide(&mut world, swayed(Side::Right), swayed(Side::Right), 10);
     let sensors = world.sensors();
     let (left, right) = (sensors.left_foot.total(), sensors.right_foot.total());
-    assert!(right > 5.0 * left && (left + right - Nao::TOTAL_MASS * 9.81).abs() < 4.0, "{left} {right}");
+    assert!(right > 5.0 * left && (left + right - NAO.total_mass() * 9.81).abs() < 4.0, "{left} {right}");
     let mut lifted = swayed(Side::Right);
     lifted[0].2 = 0.03;
     glide(&mut world, swayed(Side::Right), lifted, 30);

@@ -1,6 +1,6 @@
 //! Balls that are put somewhere and kicked from outside, and shots at the own goal.
 
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_sim::World;
@@ -13,8 +13,8 @@ use glam::Vec2;
 use crate::support::alone;
 
 /// Lets a world run with a standing robot.
-fn wait(world: &mut KinematicWorld<Nao>, cycles: u32) {
-    (0..cycles).for_each(|_| world.act(&Command::new(Nao::STAND, 1.0)));
+fn wait(world: &mut KinematicWorld, cycles: u32) {
+    (0..cycles).for_each(|_| world.act(&Command::new(NAO.stand, 1.0)));
 }
 
 #[test]

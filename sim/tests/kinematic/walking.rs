@@ -1,4 +1,4 @@
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_motion::stiffness::Stiffness;
@@ -45,18 +45,18 @@ fn goal_post_stops_robot_and_presses_its_bumper() {
 
 /// Walks for some cycles and calls `watch` after each. Returns the final pose relative to the first.
 fn walk(
-    world: &mut KinematicWorld<Nao>,
+    world: &mut KinematicWorld,
     velocity: Velocity,
     cycles: u32,
-    mut watch: impl FnMut(&mut KinematicWorld<Nao>),
+    mut watch: impl FnMut(&mut KinematicWorld),
 ) -> Pose2 {
-    let mut walk = Walk::<Nao>::new(&Nao::KINEMATIC_PROFILE.gait);
+    let mut walk = Walk::new(NAO, &NAO.kinematic_profile.gait);
     let start = world.referee().robot();
     for _ in 0..cycles {
         let sensors = world.sensors();
         let limbs = walk.step(velocity, &Feedback::from(&sensors), 0.01);
-        let stiffness = Stiffness::Walk.joints::<Nao>();
-        world.act(&Command { stiffness, ..Command::new(limbs.joints::<Nao>(), 1.0) });
+        let stiffness = Stiffness::Walk.joints(NAO);
+        world.act(&Command { stiffness, ..Command::new(limbs.joints(NAO), 1.0) });
         watch(world);
     }
     assert_eq!(world.referee().falls(), 0, "{velocity:?}");

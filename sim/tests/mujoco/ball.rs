@@ -1,6 +1,5 @@
 //! Motion of the ball, and the rules.
 
-use bica_motion::model::Nao;
 use bica_motion::pose::Pose2;
 use bica_sim::World;
 use bica_sim::referee::Event;
@@ -9,7 +8,7 @@ use glam::Vec2;
 
 use crate::support::{blind, stand, world};
 
-fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWorld<Nao> {
+fn rolling(seed: u64, from: Vec2, velocity: Vec2) -> bica_sim::mujoco::MujocoWorld {
     let start = Some(Start { robot: Pose2::new(-2.0, 1.5, 0.0), ball: from });
     let mut world = world(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, &blind());
     world.kick_ball(velocity);

@@ -2,7 +2,7 @@
 
 use bica_motion::fall::{Direction, FallDetector, FallState};
 use bica_motion::getup::{GetUp, protection};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::referee::Posture;
@@ -13,10 +13,10 @@ use crate::support::{alone, blind, stand};
 
 /// Pushes the robot over. Checks that the fall is detected before the impact, commands the protective posture, and returns the
 /// detected side on which the robot lies.
-fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
+fn fall(world: &mut MujocoWorld, push: Vec2) -> Direction {
     stand(world, 50);
     world.add_velocity(push);
-    let (mut detector, mut detected, mut hit) = (FallDetector::<Nao>::new(), false, false);
+    let (mut detector, mut detected, mut hit) = (FallDetector::new(NAO), false, false);
     for _ in 0..300 {
         hit |= world.body_touches_floor();
         match detector.step(&world.sensors().inertial, CYCLE_SECONDS) {
@@ -24,7 +24,7 @@ fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
             FallState::Falling(direction) => {
                 assert!(detected || !hit, "{push}: impact before detection");
                 detected = true;
-                let brace = protection::<Nao>(direction);
+                let brace = protection(NAO, direction);
                 world.act(&Command::new(brace.posture, brace.stiffness));
             }
             FallState::Fallen(direction) => return direction,
@@ -33,8 +33,8 @@ fn fall(world: &mut MujocoWorld<Nao>, push: Vec2) -> Direction {
     panic!("{push}: no fall");
 }
 
-fn get_up(world: &mut MujocoWorld<Nao>, lying: Direction, failures: u8) {
-    let mut movement = GetUp::<Nao>::new(lying, failures, world.sensors().angles);
+fn get_up(world: &mut MujocoWorld, lying: Direction, failures: u8) {
+    let mut movement = GetUp::new(NAO, lying, failures, world.sensors().angles);
     while !movement.is_done() {
         let (targets, stiffness) = movement.step(&world.sensors().inertial, CYCLE_SECONDS);
         world.act(&Command::new(targets, stiffness));
@@ -74,7 +74,7 @@ fn robot_without_stiffness_after_motion_rolls_over() {
             assert_eq!(fall(&mut world, Vec2::new(push, 0.0)), lying);
             get_up(&mut world, lying, failures);
             for _ in 0..50 {
-                world.act(&Command::new(Nao::STAND, 0.0));
+                world.act(&Command::new(NAO.stand, 0.0));
             }
             let acceleration = world.sensors().inertial.acceleration;
             assert!((acceleration - turned.gravity()).length() < 7.0, "{lying:?}, {failures}: {acceleration}");

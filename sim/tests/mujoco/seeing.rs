@@ -1,7 +1,7 @@
 //! Images against the camera model of bica-vision.
 
 use bica_motion::joints::Joint;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, rotate};
 use bica_motion::robot::{CameraId, Command, Image};
 use bica_motion::side::Side;
@@ -27,8 +27,8 @@ impl View {
     /// Stands, turns the head, waits until it is still, and takes an image.
     fn new(seed: u64, start: Start, id: CameraId, (yaw, pitch): (f32, f32)) -> Self {
         let setup = Setup { seed, goalkeeper: false, start: Some(start), ..Setup::default() };
-        let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::of::<Nao>() });
-        let mut targets = Nao::STAND;
+        let mut world = world(&setup, &Physics { noise: 0.0, sensor_delay: 0.0, ..Physics::of(NAO) });
+        let mut targets = NAO.stand;
         (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
         let command = Command { camera: id, ..Command::new(targets, 1.0) };
         for _ in 0..100 {
@@ -40,16 +40,16 @@ impl View {
         Self::now(&mut world)
     }
 
-    fn now(world: &mut MujocoWorld<Nao>) -> Self {
+    fn now(world: &mut MujocoWorld) -> Self {
         let robot = world.referee().robot();
         let sensors = world.sensors();
         let Image { camera, width, height, yuyv } = sensors.image.unwrap();
-        let from_ground = bica_motion::kinematics::ground_from_robot::<Nao>(Side::Left, &sensors.angles);
+        let from_ground = bica_motion::kinematics::ground_from_robot(NAO, Side::Left, &sensors.angles);
         let under_hips = Pose2::new(from_ground.translation.x, from_ground.translation.y, 0.0);
         let ground = robot * under_hips.inverse();
         Self {
             yuyv: yuyv.to_vec(),
-            camera: Camera::of::<Nao>(camera, &sensors.angles, Side::Left, width, height),
+            camera: Camera::of(NAO, camera, &sensors.angles, Side::Left, width, height),
             ground,
         }
     }
@@ -140,10 +140,10 @@ fn line_pixels_are_bright_and_neighbours_dark() {
 #[test]
 fn rendering_images_does_not_change_physics() {
     let angles = |cameras| {
-        let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::of::<Nao>() });
+        let mut world = world(&Setup { seed: 5, ..Setup::default() }, &Physics { cameras, ..Physics::of(NAO) });
         let mut angles = Vec::new();
         for cycle in 0..100 {
-            let mut targets = Nao::STAND;
+            let mut targets = NAO.stand;
             targets[Joint::HeadYaw] = (cycle as f32 * 0.1).sin();
             assert!(cameras || world.sensors().image.is_none());
             world.act(&Command::new(targets, 1.0));
@@ -157,9 +157,9 @@ fn rendering_images_does_not_change_physics() {
 #[test]
 fn equal_seeds_give_equal_images() {
     let image = |seed| {
-        let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::of::<Nao>());
+        let mut world = world(&Setup { seed, ..Setup::default() }, &Physics::of(NAO));
         for _ in 0..10 {
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
         }
         world.sensors().image.unwrap().yuyv.to_vec()
     };
@@ -173,7 +173,7 @@ fn spectator_view_does_not_change_physics() {
     let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(0.4, 0.1) });
     let setup = Setup { seed: 5, start, ..Setup::default() };
     let angles = |films: bool| {
-        let mut world = world(&setup, &Physics { cameras: false, ..Physics::of::<Nao>() });
+        let mut world = world(&setup, &Physics { cameras: false, ..Physics::of(NAO) });
         let mut angles = Vec::new();
         for cycle in 0..50 {
             if films && cycle % 10 == 0 {
@@ -182,7 +182,7 @@ fn spectator_view_does_not_change_physics() {
                 assert!(count(|rgb| rgb[0] > 170 && rgb[2] < 90 && rgb[1] < 150) > 20, "no ball");
                 assert!(count(|rgb| rgb.iter().all(|part| *part > 150)) > 500, "no robot");
             }
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
             angles.push(world.sensors().angles);
         }
         angles

@@ -1,7 +1,7 @@
 //! Measurements against known states.
 
 use bica_motion::joints::Joint;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Command, FootPressure};
 use bica_motion::side::Side;
 use bica_sim::World;
@@ -22,7 +22,7 @@ fn standing_robot_measures_its_weight_and_gravity() {
         force += sensors.inertial.acceleration / 100.0;
         gyro += sensors.inertial.gyro / 100.0;
     }
-    assert!((weight - 9.81 * Nao::TOTAL_MASS).abs() < 0.5, "{weight} N");
+    assert!((weight - 9.81 * NAO.total_mass()).abs() < 0.5, "{weight} N");
     assert!((force.length() - 9.81).abs() < 0.05, "{force}");
     assert!(gyro.length() < 0.01, "{gyro}");
     let sensors = world.sensors();
@@ -33,7 +33,7 @@ fn standing_robot_measures_its_weight_and_gravity() {
 
 #[test]
 fn leaning_torso_changes_pitch_and_gravity() {
-    let mut targets = Nao::STAND;
+    let mut targets = NAO.stand;
     for ankle in [Joint::LAnklePitch, Joint::RAnklePitch] {
         targets[ankle] -= 0.08;
     }
@@ -49,7 +49,7 @@ fn leaning_torso_changes_pitch_and_gravity() {
 #[test]
 fn pressure_follows_the_centre_of_mass() {
     let pressed = |turns: &[(Joint, f32)]| {
-        let mut targets = Nao::STAND;
+        let mut targets = NAO.stand;
         for (joint, turn) in turns {
             targets[*joint] += turn;
         }
@@ -79,7 +79,7 @@ fn measured_joint_has_dead_time_and_delay() {
         let mut world = alone(1, &Physics { dead_time, sensor_delay, ..blind() });
         stand(&mut world, 50);
         let before = world.sensors().angles[Joint::HeadYaw];
-        let mut targets = Nao::STAND;
+        let mut targets = NAO.stand;
         targets[Joint::HeadYaw] = 1.0;
         let moved = (1..20).find(|_| {
             world.act(&Command::new(targets, 1.0));
@@ -112,7 +112,7 @@ fn failed_sensors_read_zero_and_failed_motors_stop() {
     for fault in [Fault::Gyroscope, Fault::SoleSensors(Side::Left), Fault::Motor(Joint::HeadYaw)] {
         world.inject_fault(fault);
     }
-    let mut targets = Nao::STAND;
+    let mut targets = NAO.stand;
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (1.0, 0.3);
     for _ in 0..100 {
         world.act(&Command::new(targets, 1.0));
@@ -121,6 +121,6 @@ fn failed_sensors_read_zero_and_failed_motors_stop() {
     assert_eq!(sensors.inertial.gyro, Vec3::ZERO);
     assert_eq!(sensors.left_foot, FootPressure::default());
     let force = sensors.right_foot.total();
-    assert!((10.0..9.81 * Nao::TOTAL_MASS).contains(&force), "{force} N");
+    assert!((10.0..9.81 * NAO.total_mass()).contains(&force), "{force} N");
     assert!(sensors.angles[Joint::HeadYaw].abs() < 0.1 && (sensors.angles[Joint::HeadPitch] - 0.3).abs() < 0.1);
 }

@@ -1,6 +1,6 @@
 //! A simulation that breaks ends with a reason, and never begins anew in silence.
 
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
 use bica_sim::World;
 use glam::Vec2;
@@ -12,7 +12,7 @@ fn pushes_of_a_cycle_do_not_break_the_simulation() {
     let mut world = alone(1, &blind());
     stand(&mut world, 50);
     (0..20).for_each(|_| world.add_velocity(Vec2::X * 0.8));
-    let speed = |world: &mut bica_sim::mujoco::MujocoWorld<Nao>| {
+    let speed = |world: &mut bica_sim::mujoco::MujocoWorld| {
         let before = world.referee().robot().position;
         stand(world, 1);
         100.0 * world.referee().robot().position.distance(before)
@@ -31,7 +31,7 @@ fn impossible_speed_ends_the_simulation() {
     let reason = world.failure().expect("a reason").to_owned();
     assert!(reason.contains("0.500 s") && reason.contains("qvel"), "{reason}");
     let (robot, ball) = (world.referee().robot(), world.referee().ball());
-    world.act(&Command::new(Nao::STAND, 1.0));
+    world.act(&Command::new(NAO.stand, 1.0));
     assert_eq!((world.failure(), world.referee().robot(), world.referee().ball()), (Some(&*reason), robot, ball));
     assert!(!std::path::Path::new("MUJOCO_LOG.TXT").exists());
 }

@@ -1,7 +1,7 @@
 //! Standing, pushes and falls.
 
 use bica_motion::fall::Direction;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
 use bica_sim::World;
 use bica_sim::mujoco::Physics;
@@ -40,7 +40,7 @@ fn robot_falls_in_direction_of_push() {
 fn legs_without_stiffness_do_not_carry_robot() {
     let mut world = alone(1, &blind());
     for _ in 0..300 {
-        world.act(&Command::new(Nao::STAND, 0.0));
+        world.act(&Command::new(NAO.stand, 0.0));
     }
     assert_eq!(world.referee().falls(), 1);
     assert_eq!(world.referee().count(|event| *event == Event::GotUp), 0);

@@ -1,6 +1,6 @@
 //! Outline of the robot's own body, in rendered frames with known joints and in recorded frames with known poses.
 
-use bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO;
 use std::ops::Range;
 
 use bica_field::{FIELD, GoalColour};
@@ -65,7 +65,7 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
         let robot = Pose2::new(0.0, 0.0, 0.1 * seed as f32);
         let start = Some(Start { robot, ball: robot.place(ball(seed)) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let mut world = KinematicWorld::<Nao>::new(&setup).expect("a place on the carpet");
+        let mut world = KinematicWorld::new(NAO, &setup).expect("a place on the carpet");
         if world.referee().attacks() != GoalColour::SkyBlue {
             continue;
         }
@@ -75,13 +75,13 @@ fn looks(seeds: Range<u64>, ball: impl Fn(u64) -> Vec2, mut look: impl FnMut(&Fr
             let sensors = world.sensors();
             let image = sensors.image.expect("waited for");
             let frame = Frame::from_image(&image).expect("a frame");
-            let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-            look(&frame, &camera, &OwnBody::of::<Nao>(&camera, image.camera, &sensors.angles));
+            let camera = Camera::of(NAO, image.camera, &sensors.angles, Side::Left, image.width, image.height);
+            look(&frame, &camera, &OwnBody::of(NAO, &camera, image.camera, &sensors.angles));
         }
     }
 }
 
-fn wait(world: &mut KinematicWorld<Nao>, targets: &mut Joints, yaw: f32, pitch: f32) {
+fn wait(world: &mut KinematicWorld, targets: &mut Joints, yaw: f32, pitch: f32) {
     (targets[Joint::HeadYaw], targets[Joint::HeadPitch]) = (yaw, pitch);
     let camera = CameraId::Bottom;
     let command = Command { camera, ..Command::new(*targets, 1.0) };
@@ -152,7 +152,7 @@ bica_test_data::images_test! {
         let (mut count, mut worst) = (Count::default(), (0.0_f32, String::new()));
         for image in Recorded::all() {
             let Some(camera) = image.pose.map(|pose| pose.camera(320, 240)) else { continue };
-            let own = OwnBody::standing::<Nao>(&camera, CameraId::Bottom);
+            let own = OwnBody::standing(NAO, &camera, CameraId::Bottom);
             let frame = image.frame();
             count.frame(&frame, &colours, &FieldBoundary::find_with(&frame, &colours, Some(&camera)), &own);
             for ball in &image.label.balls {
@@ -173,11 +173,11 @@ bica_test_data::images_test! {
 
 #[test]
 fn body_outline_of_a_non_finite_pose_is_empty() {
-    let camera = Camera::of::<Nao>(CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
+    let camera = Camera::of(NAO, CameraId::Top, &Joints::all(0.0), Side::Left, 320, 240);
     let nowhere = Camera::new(Affine3A::from_translation(Vec3::NAN), camera.intrinsics());
     let bodies = [
-        OwnBody::of::<Nao>(&camera, CameraId::Bottom, &Joints::all(f32::NAN)),
-        OwnBody::standing::<Nao>(&nowhere, CameraId::Top),
+        OwnBody::of(NAO, &camera, CameraId::Bottom, &Joints::all(f32::NAN)),
+        OwnBody::standing(NAO, &nowhere, CameraId::Top),
         OwnBody::NONE,
     ];
     for body in bodies {

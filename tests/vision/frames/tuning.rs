@@ -2,7 +2,7 @@
 
 use bica_field::FIELD;
 use bica_motion::joints::Joint;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
 use bica_vision::ball::{BallFinder, BallTuning};
@@ -23,10 +23,10 @@ fn camera(pitch: f32) -> Camera {
 
 /// Body of a standing robot that looks at its feet.
 fn own_body() -> OwnBody {
-    let mut angles = Nao::STAND;
+    let mut angles = NAO.stand;
     angles[Joint::HeadPitch] = 0.5;
-    let camera = Camera::of::<Nao>(CameraId::Bottom, &angles, Side::Left, 320, 240);
-    OwnBody::of::<Nao>(&camera, CameraId::Bottom, &angles)
+    let camera = Camera::of(NAO, CameraId::Bottom, &angles, Side::Left, 320, 240);
+    OwnBody::of(NAO, &camera, CameraId::Bottom, &angles)
 }
 
 fn has_ball(canvas: &Canvas, own: &OwnBody, tuning: &BallTuning) -> bool {

@@ -1,6 +1,6 @@
 //! Reproducible random numbers, and sightings with the errors of a projection.
 
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::CameraId;
 use bica_vision::projection::Camera;
 use bica_vision::uncertainty::{self, Covariance, Errors};
@@ -51,7 +51,7 @@ pub(crate) fn root(covariance: &Covariance) -> Mat2 {
 
 /// Covariance of a ball sighting at a position, for a standing NAO.
 pub(crate) fn spread(place: Vec2) -> Covariance {
-    let camera = Camera::of::<Nao>(CameraId::Top, &Nao::STAND, bica_motion::side::Side::Left, 320, 240);
+    let camera = Camera::of(NAO, CameraId::Top, &NAO.stand, bica_motion::side::Side::Left, 320, 240);
     let pixel = camera.pixel(place.extend(0.0325)).unwrap_or(Vec2::new(160.0, 239.0));
     let spread = uncertainty::of_ground(&camera, pixel, 0.0325, &Errors::NAO).expect("on the ground");
     spread + uncertainty::round(0.002)

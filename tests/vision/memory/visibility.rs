@@ -2,7 +2,7 @@
 
 use bica_field::FIELD;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::CameraId;
 use bica_motion::side::Side;
@@ -18,11 +18,11 @@ const RADIUS: f32 = FIELD.ball_radius();
 
 /// View of a NAO: camera, yaw and pitch.
 fn view(id: CameraId, yaw: f32, pitch: f32) -> (Camera, OwnBody) {
-    let mut angles: Joints = Nao::STAND;
+    let mut angles: Joints = NAO.stand;
     angles[Joint::HeadYaw] = yaw;
     angles[Joint::HeadPitch] = pitch;
-    let camera = Camera::of::<Nao>(id, &angles, Side::Left, 320, 240);
-    let body = OwnBody::of::<Nao>(&camera, id, &angles);
+    let camera = Camera::of(NAO, id, &angles, Side::Left, 320, 240);
+    let body = OwnBody::of(NAO, &camera, id, &angles);
     (camera, body)
 }
 

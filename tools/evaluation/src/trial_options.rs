@@ -1,5 +1,7 @@
 //! The options of trials of the body, which programs that are built without `MuJoCo` name, too.
 
+use bica_motion::model::simulation::{HUMANOIDS, SimulatedModel, humanoid};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 #[cfg(feature = "mujoco")]
@@ -12,8 +14,8 @@ pub struct TrialOptions {
     #[arg(value_name = "NAME")]
     pub names: Vec<Kind>,
     /// Robot; only a NAO has all trials
-    #[arg(long, value_name = "ROBOT", default_value = "nao")]
-    pub robot: Robot,
+    #[arg(long, value_name = "ROBOT", default_value = "nao", value_parser = robot_parser())]
+    pub robot: &'static SimulatedModel,
     /// Number of seeds of each trial
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     pub runs: u32,
@@ -43,19 +45,14 @@ pub struct TrialOptions {
     pub json: bool,
 }
 
-/// Robot of a trial.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Robot {
-    /// Aldebaran's NAO
-    Nao,
-    /// Booster's T1
-    T1,
-    /// Booster's K1
-    K1,
+/// Parser of the id of a humanoid.
+fn robot_parser() -> impl TypedValueParser<Value = &'static SimulatedModel> {
+    let known = HUMANOIDS.iter().map(|model| PossibleValue::new(model.id).help(model.name));
+    PossibleValuesParser::new(known).try_map(|id| humanoid(&id).ok_or("no such robot"))
 }
 
 /// Kind of a trial.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
     /// Single and combined velocities: mean velocity and falls
     Walk,

@@ -4,7 +4,8 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use bica::Tree;
-use bica_player::{Forward, Model};
+use bica_motion::model::simulation::NAO;
+use bica_player::Forward;
 use bica_player_program::emulator::{Controller, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -31,7 +32,7 @@ pub(crate) struct Played {
 
 /// Plays a game with camera images of a size until the first goal.
 pub(crate) fn play(image: &Path, seed: u64, frame: Frame) -> Result<Played, Box<dyn Error>> {
-    let mut world = KinematicWorld::<Model>::new(&Setup { seed, frame, ..Setup::default() })?;
+    let mut world = KinematicWorld::new(NAO, &Setup { seed, frame, ..Setup::default() })?;
     let mut reference = Reference::new(world.referee().attacks());
     let log = image.with_extension("log");
     let mut controller = Controller::start(image, Transport::Pipe, world.referee().attacks(), Some(&log))?;

@@ -4,10 +4,11 @@ use std::error::Error;
 use std::path::Path;
 
 use bica::{ComponentId, Tree};
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Image, Sensors};
+use bica_player::Forward;
 use bica_player::perception::{BallDetector, FieldBoundary, FieldLines, GoalDetector, RobotDetector};
-use bica_player::{Forward, Model};
 use bica_player_program::emulator::{Emulator, SensorsMessage, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -68,7 +69,7 @@ pub(crate) fn check(image: &Path, frame: Frame) -> Result<(), Box<dyn Error>> {
 impl CameraImage {
     pub(crate) fn new(frame: Frame) -> Result<Self, Box<dyn Error>> {
         let start = Start { robot: Pose2::ORIGIN, ball: [1.5, 0.0].into() };
-        let mut world = KinematicWorld::<Model>::new(&Setup { frame, start: Some(start), ..Setup::default() })?;
+        let mut world = KinematicWorld::new(NAO, &Setup { frame, start: Some(start), ..Setup::default() })?;
         let sensors = world.sensors();
         let image = sensors.image.as_ref().ok_or("the world begins without an image")?;
         Ok(Self { yuyv: image.yuyv.to_vec(), size: (image.width, image.height) })

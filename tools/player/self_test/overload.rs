@@ -5,11 +5,11 @@ use std::path::Path;
 use std::thread;
 
 use bica::{ComponentId, Tree};
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{CameraId, Command, Lights};
 use bica_motion::stiffness::Stiffness;
+use bica_player::Forward;
 use bica_player::perception::BallDetector;
-use bica_player::{Forward, Model};
 use bica_player_program::emulator::{SensorsMessage, Transport, Tx};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -135,8 +135,8 @@ fn ball_detector() -> ComponentId {
 
 /// Returns the sensor values of a standing robot in the first second of a game.
 fn samples() -> Result<Vec<SensorsMessage>, Box<dyn Error>> {
-    let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
-    let (targets, stiffness) = (Model::STAND, Stiffness::Stand.joints::<Model>());
+    let mut world = KinematicWorld::new(NAO, &Setup { frame: Frame::Small, ..Setup::default() })?;
+    let (targets, stiffness) = (NAO.stand, Stiffness::Stand.joints(NAO));
     let stand = Command { targets, stiffness, lights: Lights::default(), camera: CameraId::Top };
     let mut samples = Vec::new();
     while samples.len() < 30 {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bica::Tree;
 use bica_motion::joints::Joints;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command, Image, Sensors};
 use bica_motion::stiffness::Stiffness;
 use bica_player::Forward;
@@ -139,7 +139,7 @@ fn silence(image: &Path, transport: Transport) -> Outcome {
         return Err(format!("safe stop {} µs after the first cycle", stop_us - start_us).into());
     }
     let stop = link.receive(command())?;
-    expect_eq(&(stop.targets, stop.stiffness), &(Nao::STAND, Stiffness::Stand.joints::<Nao>()))?;
+    expect_eq(&(stop.targets, stop.stiffness), &(NAO.stand, Stiffness::Stand.joints(NAO)))?;
     link.send(&ToRobot::Monitor(&[0]))?;
     expect_eq(&link.receive(telemetry(|telemetry| telemetry.safe_stop))?, &true)?;
     link.send(&stands(0).message())?;

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::Path;
 
 use bica_motion::joints::JOINTS;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{FootPressure, Image, Sensors};
-use bica_player::Model;
 use bica_player_program::emulator::{Controller, Transport};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
@@ -70,8 +70,7 @@ impl Sequence {
         let mut random = Random::new(2009);
         let (mut both, mut cycles) = (None, 0);
         for &(seed, robots, length) in self.worlds {
-            let mut world =
-                KinematicWorld::<Model>::new(&Setup { seed, robots, frame: Frame::Small, ..Setup::default() })?;
+            let mut world = KinematicWorld::new(NAO, &Setup { seed, robots, frame: Frame::Small, ..Setup::default() })?;
             if both.is_none() {
                 let goal = world.referee().attacks();
                 both = Some((Reference::new(goal), Controller::start(image, self.transport, goal, None)?));
@@ -92,7 +91,7 @@ impl Sequence {
 }
 
 impl Sample {
-    fn new(world: &mut KinematicWorld<Model>, cycle: usize) -> Self {
+    fn new(world: &mut KinematicWorld, cycle: usize) -> Self {
         let sensors = world.sensors();
         let image = sensors.image.as_ref().map(|image| (Image { yuyv: &[], ..*image }, image.yuyv.to_vec()));
         Self { time_us: 10_000 * cycle as u64, sensors: Sensors { image: None, ..sensors }, image }

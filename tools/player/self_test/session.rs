@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use bica_motion::joints::Joints;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
 use bica_player_program::emulator::{Emulator, MESSAGES, SensorsMessage, Transport, decode_command};
 use bica_sim::setup::Frame;
@@ -78,7 +78,7 @@ pub(crate) fn telemetry<T>(read: impl Fn(Telemetry<'_>) -> T) -> impl FnMut(From
 pub(crate) fn standing() -> Sensors<'static> {
     let foot = FootPressure { front_left: 6.5, front_right: 6.5, rear_left: 6.5, rear_right: 6.5 };
     Sensors {
-        angles: Nao::STAND,
+        angles: NAO.stand,
         temperatures: Joints::all(30.0),
         currents: Joints::all(0.2),
         inertial: Inertial { acceleration: [0.0, 0.0, 9.81].into(), ..Inertial::default() },

@@ -8,9 +8,8 @@ use bica::Tree;
 use bica_app::{App, Failure, Outcome, RunArgs, WorldOptions, interrupt};
 use bica_field::GoalColour;
 use bica_lola::{LolaWorld, Options, Standing};
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Buttons, Command, Light};
-use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
@@ -150,7 +149,7 @@ fn maker(attacks: GoalColour) -> fn() -> Box<Forward> {
 /// The forward with the motions for a body with dynamics.
 fn forward(attacks: GoalColour) -> Box<Forward> {
     let mut forward = Box::new(Forward::new());
-    forward.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+    forward.get_mut::<RobotProfile>().set(NAO.dynamic_profile);
     forward.get_mut::<GoalDetector>().attack(attacks);
     forward
 }

@@ -2,18 +2,18 @@
 
 use glam::Vec2;
 
-use super::Nao;
 use crate::joints::{JOINTS, Joint, Joints};
 use crate::model::simulation::MujocoModel;
 
-impl MujocoModel for Nao {
-    const ROBOT: &'static str = include_str!("../../../models/nao/robot.xml");
-    const BYSTANDER: &'static str = include_str!("../../../models/nao/bystander.xml");
-    const SHELLS: &'static str = include_str!("../../../models/nao/shells.xml");
-    const GAINS: &'static Joints = &STRENGTHS.0;
-    const TORQUE_LIMITS: &'static Joints = &STRENGTHS.1;
-    const SHADOWS: [Vec2; 2] = [Vec2::new(0.1, 0.062), Vec2::new(0.15, 0.15)];
-}
+pub(super) const MUJOCO: MujocoModel = MujocoModel {
+    robot: include_str!("../../../models/nao/robot.xml"),
+    bystander: include_str!("../../../models/nao/bystander.xml"),
+    shells: include_str!("../../../models/nao/shells.xml"),
+    gains: &STRENGTHS.0,
+    torque_limits: &STRENGTHS.1,
+    motors_damp: false,
+    shadows: [Vec2::new(0.1, 0.062), Vec2::new(0.15, 0.15)],
+};
 
 const STRENGTHS: (Joints, Joints) = {
     let (mut gains, mut limits) = ([0.0; JOINTS], [0.0; JOINTS]);

@@ -1,6 +1,6 @@
 //! Extents, postures on the ground and looks in simulators. Without a source, numbers are our estimates from photographs.
 
-use super::{Nao, actuators::ACTUATORS, dimensions::DIMENSIONS};
+use super::{NAO, actuators::ACTUATORS, dimensions::DIMENSIONS, mujoco::MUJOCO};
 use crate::joints::{Joint, Joints};
 use crate::model::simulation::Paint::{Joint as Inner, Shell, Team};
 use crate::model::simulation::Solid::{Block, Sphere, Tube};
@@ -9,8 +9,10 @@ use crate::model::{Actuator, Range};
 use crate::segment::Segment::{Ankle, Biceps, Foot, Forearm, Hand, Head, Shoulder, Thigh, Tibia, Torso};
 use crate::side::Side::Left;
 
-impl SimulatedModel for Nao {
-    const EXTENTS: &'static Extents = &Extents {
+/// The robot in simulators.
+pub const SIMULATED: &SimulatedModel = &SimulatedModel {
+    robot: NAO,
+    extents: &Extents {
         standing: 0.15,
         lying: 0.4,
         torso: 0.09,
@@ -21,12 +23,12 @@ impl SimulatedModel for Nao {
         trunk_length: 0.25,
         trunk_radius: 0.09,
         min_hip_height: 0.15,
-    };
-    const LYING: &'static Lying = &LYING;
-    const FIGURE: &'static Figure =
-        &Figure { trunk: &TRUNK, side: &SIDE, head: &HEAD, foot_shadow: Disc { ahead: 0.02, radius: 0.12 } };
-    const THERMAL_RATINGS: &'static Joints<Actuator> = &RATINGS;
-}
+    },
+    lying: &LYING,
+    figure: &Figure { trunk: &TRUNK, side: &SIDE, head: &HEAD, foot_shadow: Disc { ahead: 0.02, radius: 0.12 } },
+    thermal_ratings: &RATINGS,
+    mujoco: MUJOCO,
+};
 
 /// Postures on the ground.
 ///

@@ -2,9 +2,8 @@
 
 use bica::prelude::*;
 use bica_motion::joints::Joints;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::side::Side;
-use bica_player::Model;
 use bica_player::motion::SideChoice;
 use bica_player::output::Motors;
 
@@ -56,7 +55,7 @@ impl Dive {
 
 /// The stand with one leg pulled up and the other one leaning to its side.
 fn posture(side: Side) -> Joints {
-    let mut posture = Model::STAND;
+    let mut posture = NAO.stand;
     let [_, _, hip, knee, ankle, _] = side.leg();
     (posture[hip], posture[knee], posture[ankle]) = (-1.0, 1.8, -0.8);
     let [_, roll, .., ankle_roll] = side.other().leg();

@@ -3,7 +3,6 @@
 use bica::runner::harness::{Harness, InWorld};
 use bica::{Duration, Tree};
 use bica_motion::side::Side;
-use bica_player::Model;
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use glam::Vec2;
@@ -25,14 +24,14 @@ fn with_stack(test: impl FnOnce() + Send + 'static) {
     }
 }
 
-fn start(ball: Vec2) -> Harness<Keeper, InWorld<KinematicWorld<Model>>> {
+fn start(ball: Vec2) -> Harness<Keeper, InWorld<KinematicWorld>> {
     let world = shots::world(7, ball, None).expect("a valid setup");
     let keeper = shots::goalkeeper(&world, &[]).expect("no settings");
     Harness::of_box(keeper).in_world(world)
 }
 
 /// A goalkeeper at its place, and a ball that was kicked at a point of the goal line from 2.5 m.
-fn shot(aim: f32, speed: f32) -> Harness<Keeper, InWorld<KinematicWorld<Model>>> {
+fn shot(aim: f32, speed: f32) -> Harness<Keeper, InWorld<KinematicWorld>> {
     let ball = GOAL + 2.5 * Vec2::X;
     let mut test = start(ball);
     test.reaches::<Goalkeeper>("watch", seconds(5));

@@ -4,10 +4,10 @@ use core::ops::RangeInclusive;
 
 use bica::prelude::*;
 use bica_motion::joints::{JOINTS, Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 
 /// Posture at rest: the stand, with the arms down.
-pub(crate) const REST: Joints = Nao::STAND;
+pub(crate) const REST: Joints = NAO.stand;
 
 /// Indices of the joints of the legs.
 const LEGS: RangeInclusive<usize> = Joint::LHipYawPitch.index()..=Joint::RAnkleRoll.index();
@@ -41,7 +41,7 @@ impl Motors {
     }
 
     fn write(&mut self, targets: &Joints, legs: bool) {
-        let targets = targets.clamp_to_limits::<Nao>();
+        let targets = targets.clamp_to_limits(NAO);
         for joint in (0..JOINTS).filter(|joint| LEGS.contains(joint) == legs) {
             self.targets.0[joint] = targets.0[joint];
         }

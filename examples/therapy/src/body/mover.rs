@@ -131,7 +131,7 @@ impl Running {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::model::Nao;
+    use bica_motion::model::NAO;
 
     use super::*;
 
@@ -144,7 +144,7 @@ mod tests {
             let (mut last, mut seconds, mut farthest) = (REST, 0.0, 0.0_f32);
             while mover.is_running() {
                 mover.step(&Tuned::new(Tempo::DEFAULT), &time, &mut motors);
-                assert!(mover.targets.within_limits::<Nao>(), "{name} {seconds}");
+                assert!(mover.targets.within_limits(NAO), "{name} {seconds}");
                 let speed = 100.0 * way(&last, &mover.targets);
                 assert!(speed <= 65.0, "{name}: {speed} °/s");
                 farthest = farthest.max(way(&REST, &mover.targets));

@@ -2,7 +2,7 @@
 
 use bica::prelude::*;
 use bica_motion::joints::Joints;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::walk::{Feedback, Parameters, Phase, Velocity, Walk as Gait};
@@ -17,7 +17,7 @@ const GAIT: &Parameters = &Parameters {
     step_height: 0.018,
     velocity_drift: Velocity::ZERO,
     max_capture_step: Vec2::splat(0.02),
-    ..Nao::DYNAMIC_PROFILE.gait
+    ..NAO.dynamic_profile.gait
 };
 /// Forward and lateral speed, m/s, and turn rate, rad/s: slow, beside people.
 const SPEED: [f32; 3] = [0.06, 0.02, 0.2];
@@ -38,10 +38,10 @@ const BRAKE: f32 = 0.4;
 /// Walks a little, in steps so short that a stop can bring the feet together at once: a robot that froze in a step would fall.
 #[derive(Debug)]
 pub struct Walk {
-    gait: Gait<Nao>,
+    gait: Gait,
     /// What the robot measures in this cycle: feedback of the gait, and all angles.
     measured: Option<(Feedback, Joints)>,
-    odometry: Odometry<Nao>,
+    odometry: Odometry,
     /// Where the walk began, and its way: forward and left, m, and a turn to the left, rad.
     from: Pose2,
     way: [f32; 3],
@@ -53,7 +53,7 @@ pub struct Walk {
 #[component(hz = 100, budget_us = 20)]
 impl Walk {
     pub(crate) const fn new() -> Self {
-        let (gait, odometry) = (Gait::new(GAIT), Odometry::new(&Nao::DYNAMIC_PROFILE.odometry));
+        let (gait, odometry) = (Gait::new(NAO, GAIT), Odometry::new(NAO, &NAO.dynamic_profile.odometry));
         Self { gait, measured: None, odometry, from: Pose2::ORIGIN, way: [0.0; 3], left: None, stiffness: STANDING }
     }
 
@@ -69,13 +69,13 @@ impl Walk {
         let mut legs = *motors.targets();
         if let Some(left) = self.left {
             let share = (time.dt() / left).min(1.0);
-            for (leg, stand) in legs.0.iter_mut().zip(GAIT.stand::<Nao>().joints::<Nao>().0) {
+            for (leg, stand) in legs.0.iter_mut().zip(GAIT.stand(NAO).joints(NAO).0) {
                 *leg += share * (stand - *leg);
             }
             self.left = Some(left - time.dt()).filter(|left| *left > 0.0);
         } else if self.gait.phase() != Phase::Standing || (self.has_way() && motors.arms_rest()) {
             let request = self.request();
-            legs = self.gait.step(request, &feedback, time.dt()).joints::<Nao>();
+            legs = self.gait.step(request, &feedback, time.dt()).joints(NAO);
             self.stiffness = WALKING;
         } else {
             self.stiffness = (self.stiffness + time.dt() * STIFFENING).min(STANDING);

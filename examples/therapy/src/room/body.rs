@@ -9,7 +9,7 @@ use bica_body::{
 };
 use bica_motion::joints::{JOINTS, Joints};
 use bica_motion::kinematics::sole;
-use bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Buttons, FootPressure, Inertial, Sensors};
 use bica_motion::side::Side;
 #[cfg(feature = "mujoco")]
@@ -31,7 +31,7 @@ pub(super) enum Body {
     Ideal { angles: Joints, fallen: bool },
     /// Rigid bodies in MuJoCo.
     #[cfg(feature = "mujoco")]
-    Forces(Box<Humanoid<Nao>>),
+    Forces(Box<Humanoid>),
 }
 
 impl Default for Body {
@@ -45,7 +45,7 @@ impl Body {
     /// dead time 20 to 40 ms. Our choice: robots and floors that differ more than the noise of the sensors.
     #[cfg(feature = "mujoco")]
     pub(super) fn with_forces(seed: u64) -> Result<Self, Failure> {
-        let (mut random, usual) = (Random::new(seed, 1_u64), Physics::of::<Nao>());
+        let (mut random, usual) = (Random::new(seed, 1_u64), Physics::of(NAO));
         let mut between = |low, high| random.between(low, high);
         let physics = Physics {
             friction: between(0.6, 1.2),
@@ -56,8 +56,8 @@ impl Body {
             ..usual
         };
         let failed = |error: Error| Failure::new(error.to_string(), "install it anew");
-        let (model, noise) = (Model::on_floor::<Nao>(&physics).map_err(failed)?, Random::new(seed, 0_u64));
-        Ok(Self::Forces(Box::new(Humanoid::new(model, Pose2::ORIGIN, noise, &physics, |_| ()))))
+        let (model, noise) = (Model::on_floor(NAO, &physics).map_err(failed)?, Random::new(seed, 0_u64));
+        Ok(Self::Forces(Box::new(Humanoid::new(NAO, model, Pose2::ORIGIN, noise, &physics, |_| ()))))
     }
 
     /// An error: there is no MuJoCo.
@@ -74,7 +74,7 @@ impl Body {
             #[cfg(feature = "mujoco")]
             Self::Forces(humanoid) => return humanoid.sensors(),
         };
-        let [left, right] = Side::BOTH.map(|side| sole::<Nao>(side, &angles).translation.z);
+        let [left, right] = Side::BOTH.map(|side| sole(NAO, side, &angles).translation.z);
         let foot = |higher: f32| {
             let load = if higher > SWING { 0.0 } else { LOAD };
             FootPressure { front_left: load, front_right: load, rear_left: load, rear_right: load }
@@ -95,7 +95,7 @@ impl Body {
     pub(super) fn act(&mut self, command: &Command) -> bool {
         match self {
             Self::Ideal { angles, .. } => {
-                *angles = angles.moved_toward::<Nao>(&command.targets, 0.01);
+                *angles = angles.moved_toward(NAO, &command.targets, 0.01);
                 false
             }
             #[cfg(feature = "mujoco")]

@@ -2,6 +2,7 @@
 
 use bica::prelude::*;
 use bica::visual::{Ellipse, Point2};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::CameraId;
 use bica_vision::memory::ball::BallMemory;
 use bica_vision::memory::{BallMemoryTuning, MemoryTuning, PositionEstimate};
@@ -13,7 +14,7 @@ use super::{Bearing, CameraPose, Odometry};
 use crate::input::CameraInput;
 use crate::output::CameraSelector;
 use crate::senses::Object;
-use crate::{FIELD, info};
+use crate::{FIELD, MODEL, info};
 
 /// Memory of the ball.
 #[derive(Debug, Params)]
@@ -35,6 +36,7 @@ pub struct BallTracking {
 /// Sees the ball and remembers its position while it is not seen.
 #[derive(Debug)]
 pub struct BallDetector {
+    model: &'static RobotModel,
     seen: Option<BallSighting>,
     in_row: u32,
     confirmations: u32,
@@ -59,6 +61,7 @@ impl BallDetector {
     #[must_use]
     pub const fn new() -> Self {
         Self {
+            model: MODEL,
             seen: None,
             in_row: 0,
             confirmations: BallTracking::DEFAULT.confirmations,
@@ -100,6 +103,7 @@ impl BallDetector {
         if !self.ego_motion.begin_run(time, odometry, input, advance) {
             return;
         }
+        self.model = pose.model();
         let ball = input.sights().iter().find(|sight| sight.object == Object::Ball);
         self.seen = ball.and_then(|ball| {
             let bearing = Bearing::of(pose.direction(ball.at)?);
@@ -150,7 +154,7 @@ impl BallDetector {
     #[info(unit = "rad")]
     #[must_use]
     pub fn bearing(&self) -> Option<Bearing> {
-        let remembered = || self.position().map(|at| Bearing::of_ground(at, FIELD.ball_radius()));
+        let remembered = || self.position().map(|at| Bearing::of_ground(self.model, at, FIELD.ball_radius()));
         self.seen().map(|seen| seen.bearing).or_else(remembered)
     }
 

@@ -3,16 +3,18 @@
 use bica::prelude::*;
 use bica::visual::Pose3;
 use bica_motion::kinematics::{camera, ground_from_robot};
+use bica_motion::model::RobotModel;
 use bica_motion::robot::CameraId;
 use glam::{Affine3A, Vec2, Vec3};
 
 use super::ego_motion::LastImage;
 use crate::input::{CameraInput, RobotState};
-use crate::{Model, info};
+use crate::{MODEL, info};
 
 /// The pose of the camera when it took the newest view, from the joint angles and the support foot.
 #[derive(Debug)]
 pub struct CameraPose {
+    model: &'static RobotModel,
     pose: Option<Affine3A>,
     image: LastImage,
 }
@@ -22,14 +24,16 @@ impl CameraPose {
     /// Creates the component with an unknown pose.
     #[must_use]
     pub const fn new() -> Self {
-        Self { pose: None, image: LastImage::new() }
+        Self { model: MODEL, pose: None, image: LastImage::new() }
     }
 
     fn step(&mut self, input: &CameraInput, state: &RobotState) {
         if self.image.take_new(input) {
+            self.model = state.model();
             let angles = input.angles();
-            self.pose =
-                Some(ground_from_robot::<Model>(state.support(), angles) * camera::<Model>(CameraId::Top, angles));
+            self.pose = Some(
+                ground_from_robot(self.model, state.support(), angles) * camera(self.model, CameraId::Top, angles),
+            );
         }
     }
 
@@ -37,6 +41,11 @@ impl CameraPose {
     #[info(frame = "robot", child = "camera")]
     fn camera_pose(&self) -> Option<Pose3> {
         self.pose.as_ref().map(info::pose_in_space)
+    }
+
+    /// The model of the robot that carries the camera.
+    pub(super) const fn model(&self) -> &'static RobotModel {
+        self.model
     }
 
     /// Counts a cycle since the last image.

@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use bica_lola::{LolaWorld, Reason, hip_height};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::Command;
 
 use crate::stand_in::{RISE, StandIn, stand};
@@ -21,7 +21,7 @@ fn robot_stands_up_slowly_from_where_it_is() {
     let mut robot = StandIn::start(stand);
     robot.cycles(20);
     assert!(robot.knee_stiffness() < 0.5);
-    assert_eq!(Joints(robot.map.position), Nao::SIT, "it becomes stiff where it is");
+    assert_eq!(Joints(robot.map.position), NAO.sit, "it becomes stiff where it is");
     robot.cycles(RISE);
     assert!(hip_height(&Joints(robot.map.position)) > 0.2);
     assert!(robot.knee_stiffness() > 0.7);
@@ -42,7 +42,7 @@ fn wild_commands_are_limited() {
 #[test]
 fn head_stays_out_of_its_shell() {
     fn look_aside(_cycle: u32, _world: &mut LolaWorld) -> Command {
-        let mut command = Command::new(Nao::STAND, 0.8);
+        let mut command = Command::new(NAO.stand, 0.8);
         (command.targets[Joint::HeadYaw], command.targets[Joint::HeadPitch]) = (FRAC_PI_2, 0.5);
         command
     }
@@ -56,7 +56,7 @@ fn head_stays_out_of_its_shell() {
 #[test]
 fn standing_robot_is_not_made_limp_by_a_program() {
     fn limp(cycle: u32, _world: &mut LolaWorld) -> Command {
-        Command::new(Nao::STAND, if cycle < 50 { 0.8 } else { 0.0 })
+        Command::new(NAO.stand, if cycle < 50 { 0.8 } else { 0.0 })
     }
     let mut robot = StandIn::start(limp);
     robot.cycles(RISE + 150);
@@ -75,7 +75,7 @@ fn measurements_have_our_units_and_signs() {
         assert_eq!((sensors.inertial.roll, sensors.inertial.pitch), (0.125, -0.25));
         assert_eq!((sensors.currents[Joint::HeadYaw], sensors.temperatures[Joint::RHand]), (0.5, 38.0));
         assert!(sensors.buttons.left_bumper && !sensors.buttons.right_bumper && !sensors.buttons.chest);
-        Command::new(Nao::STAND, 0.8)
+        Command::new(NAO.stand, 0.8)
     }
     let mut robot = StandIn::start(check);
     robot.map.fsr = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];

@@ -2,7 +2,7 @@
 
 use bica_lola::{LolaWorld, Reason, SITTING_HEIGHT, hip_height};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::Command;
 
 use crate::stand_in::{Program, RISE, StandIn, stand};
@@ -64,7 +64,7 @@ fn critical_joint_lets_the_robot_sit_down() {
 fn panic_of_the_program_lets_the_robot_sit_down() {
     fn panics(cycle: u32, _world: &mut LolaWorld) -> Command {
         assert!(cycle < 30, "the program of this test panics");
-        Command::new(Nao::STAND, 0.8)
+        Command::new(NAO.stand, 0.8)
     }
     let mut robot = StandIn::start(panics);
     robot.cycles(220);
@@ -81,7 +81,7 @@ fn end_of_the_time_lets_the_robot_sit_down() {
 #[test]
 fn program_can_end_its_motion_before_the_robot_sits() {
     fn moves(cycle: u32, world: &mut LolaWorld) -> Command {
-        let mut command = Command::new(Nao::STAND, 0.8);
+        let mut command = Command::new(NAO.stand, 0.8);
         if !world.sense().buttons.chest {
             command.targets[Joint::LHipRoll] = 0.1 * (cycle as f32 * 0.2).sin();
         }

@@ -2,7 +2,7 @@
 
 use bica_lola::SensorMap;
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 
 use crate::stand_in::{RISE, StandIn, stand};
 
@@ -87,16 +87,16 @@ fn maps_in_pieces_are_answered() {
 fn robot_that_was_moved_starts_from_where_it_is() {
     let mut robot = StandIn::start(stand);
     robot.cycles(RISE);
-    robot.map.position = Nao::SIT.0;
+    robot.map.position = NAO.sit.0;
     robot.map.position[Joint::HeadYaw.index()] = 1.5;
     robot.restart();
     robot.cycles(10);
     let (targets, _) = robot.last.expect("an answer");
-    let mut expected = Nao::SIT;
+    let mut expected = NAO.sit;
     expected[Joint::HeadYaw] = 1.5;
     assert_eq!(targets, expected);
     robot.cycles(RISE);
-    assert!((Joints(robot.map.position)[Joint::LKneePitch] - Nao::STAND[Joint::LKneePitch]).abs() < 0.01);
+    assert!((Joints(robot.map.position)[Joint::LKneePitch] - NAO.stand[Joint::LKneePitch]).abs() < 0.01);
 }
 
 #[test]
@@ -127,5 +127,5 @@ fn late_maps_are_all_answered() {
 /// Size of one answer, bytes.
 fn answer_bytes() -> usize {
     let lights = bica_motion::robot::Lights::default();
-    bica_lola::ActuatorMap { position: Nao::STAND, stiffness: Joints::all(0.5), lights }.encode().len()
+    bica_lola::ActuatorMap { position: NAO.stand, stiffness: Joints::all(0.5), lights }.encode().len()
 }

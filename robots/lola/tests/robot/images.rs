@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
 use bica_lola::LolaWorld;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command};
 
 use crate::stand_in::{RISE, StandIn, frame};
@@ -21,7 +21,7 @@ fn look(_cycle: u32, world: &mut LolaWorld) -> Command {
         SEEN[0].fetch_add(1, Ordering::Relaxed);
         SEEN[1].store(u32::from(image.yuyv[0]), Ordering::Relaxed);
     }
-    Command { camera: CameraId::Bottom, ..Command::new(Nao::STAND, 0.8) }
+    Command { camera: CameraId::Bottom, ..Command::new(NAO.stand, 0.8) }
 }
 
 #[test]

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use bica_lola::{ActuatorMap, LolaWorld, Options, SensorMap, Standing, Undecoded};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Command};
 
 /// Longest wait for an answer.
@@ -40,7 +40,7 @@ pub(crate) type Program = fn(u32, &mut LolaWorld) -> Command;
 
 /// A program that stands.
 pub(crate) fn stand(_cycle: u32, _world: &mut LolaWorld) -> Command {
-    Command::new(Nao::STAND, 0.8)
+    Command::new(NAO.stand, 0.8)
 }
 
 impl StandIn {
@@ -77,7 +77,7 @@ impl StandIn {
             }
         });
         let stream = accept(&listener);
-        let position = Nao::SIT.0;
+        let position = NAO.sit.0;
         let map = SensorMap {
             accelerometer: [0.0, 0.0, -9.81],
             battery: [0.8, 0.0, 0.0, 30.0],
@@ -141,13 +141,13 @@ impl StandIn {
     /// Checks the rules for an answer, then moves the joints.
     fn execute(&mut self, targets: Joints, stiffness: Joints) {
         let measured = Joints(self.map.position);
-        assert!(targets.within_limits::<Nao>(), "{targets:?}");
+        assert!(targets.within_limits(NAO), "{targets:?}");
         for joint in Joint::ALL {
             let (target, stiff) = (targets[joint], stiffness[joint]);
             assert!((0.0..=1.0).contains(&stiff), "{joint:?}: stiffness {stiff}");
             let last = self.last.map(|(targets, stiffness)| (targets[joint], stiffness[joint]));
             if let Some((last, _)) = last {
-                let most = 1.5 * Nao::MAX_SPEEDS[joint] * 0.012 + 0.02;
+                let most = 1.5 * NAO.max_speeds[joint] * 0.012 + 0.02;
                 assert!((target - last).abs() <= most, "{joint:?} jumps from {last} to {target}");
             }
             if stiff > 0.0 && last.is_none_or(|(_, last)| last <= 0.0) {

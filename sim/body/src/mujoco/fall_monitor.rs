@@ -32,9 +32,9 @@ impl FallMonitor {
 
     /// Updates with the pose of the robot frame, once per cycle; `floor`: whether a part other than the feet touches the floor.
     /// Returns the new posture if the robot falls or gets up.
-    pub(crate) fn step<M: SimulatedModel>(&mut self, robot: &Affine3A, floor: bool) -> Option<Posture> {
+    pub(crate) fn step(&mut self, model: &'static SimulatedModel, robot: &Affine3A, floor: bool) -> Option<Posture> {
         let up = robot.matrix3.z_axis.z;
-        let upright = up > UPRIGHT_COSINE && robot.translation.z > M::EXTENTS.min_hip_height && !floor;
+        let upright = up > UPRIGHT_COSINE && robot.translation.z > model.extents.min_hip_height && !floor;
         self.standing = if upright { self.standing + 1 } else { 0 };
         if self.posture == Posture::Upright && up > FALLEN_COSINE {
             self.heading = heading(robot);

@@ -1,10 +1,8 @@
 //! A robot in MuJoCo with motors and sensors.
 
-use core::marker::PhantomData;
-
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Command, Sensors};
 use glam::{Affine3A, Vec2, Vec3};
@@ -25,9 +23,9 @@ use crate::{CYCLE_SECONDS, Posture};
 /// Number of steps of the physics per control cycle.
 const STEPS: usize = (CYCLE_SECONDS / STEP + 0.5) as usize;
 
-/// A robot of the model `M`, and the state of all that MuJoCo simulates with it.
-pub struct Humanoid<M> {
-    model: PhantomData<M>,
+/// A robot, and the state of all that MuJoCo simulates with it.
+pub struct Humanoid {
+    model: &'static SimulatedModel,
     data: Data,
     torso: FreeJoint,
     drives: Vec<Drive>,
@@ -42,28 +40,35 @@ pub struct Humanoid<M> {
     failure: Option<String>,
 }
 
-impl<M: MujocoModel> Humanoid<M> {
+impl Humanoid {
     /// Puts the robot on its feet at a pose on the ground, world frame. `noise` draws the noise of its sensors; `arrange` puts everything
     /// else where it begins.
     #[must_use]
-    pub fn new(model: Model, at: Pose2, noise: Random, physics: &Physics, arrange: impl FnOnce(&mut Data)) -> Self {
-        let Model { physics: model, torso, drives, feet } = model;
-        let owners = GeomOwners::of(&model);
-        let mut data = MjData::new(model);
-        stand::<M>(&mut data, torso, &drives, at);
+    pub fn new(
+        model: &'static SimulatedModel,
+        built: Model,
+        at: Pose2,
+        noise: Random,
+        physics: &Physics,
+        arrange: impl FnOnce(&mut Data),
+    ) -> Self {
+        let Model { physics: compiled, torso, drives, feet } = built;
+        let owners = GeomOwners::of(&compiled);
+        let mut data = MjData::new(compiled);
+        stand(model, &mut data, torso, &drives, at);
         arrange(&mut data);
         data.forward();
         let mut sensor_model = SensorModel::new(ideal_measurement(&data, torso, &drives), noise, physics);
         let measurement = sensor_model.measure();
         Self {
-            model: PhantomData,
+            model,
             data,
             torso,
             drives,
             feet,
             owners,
-            motors: Motors::holding::<M>(M::STAND, physics),
-            heat: MotorHeat::new::<M>(),
+            motors: Motors::holding(model, model.stand, physics),
+            heat: MotorHeat::new(model),
             sensor_model,
             measurement,
             contacts: Contacts::default(),
@@ -86,7 +91,7 @@ impl<M: MujocoModel> Humanoid<M> {
             self.failure = Some(failure);
             return None;
         }
-        self.motors.command::<M>(command);
+        self.motors.command(self.model, command);
         self.contacts = Contacts::default();
         let mut mean_currents = Joints::all(0.0);
         for _ in 0..STEPS {
@@ -95,13 +100,13 @@ impl<M: MujocoModel> Humanoid<M> {
             if self.failure.is_some() {
                 return None;
             }
-            for (mean, current) in mean_currents.0.iter_mut().zip(currents::<M>(&torques).0) {
+            for (mean, current) in mean_currents.0.iter_mut().zip(currents(self.model, &torques).0) {
                 *mean += current / STEPS as f32;
             }
         }
         self.heat.step(mean_currents);
         self.measurement = self.sensor_model.measure();
-        self.fall_monitor.step::<M>(&self.pose(), self.contacts.floor)
+        self.fall_monitor.step(self.model, &self.pose(), self.contacts.floor)
     }
 
     /// Advances by one step of the physics. Returns the torques of the joints, Nm.
@@ -141,7 +146,7 @@ impl<M: MujocoModel> Humanoid<M> {
 
     /// Puts the robot on its feet at a pose on the ground, world frame, at rest.
     pub fn stand(&mut self, at: Pose2) {
-        stand::<M>(&mut self.data, self.torso, &self.drives, at);
+        stand(self.model, &mut self.data, self.torso, &self.drives, at);
         let trees = self.data.model().dof_treeid().to_vec();
         for (velocity, tree) in self.data.qvel_mut().iter_mut().zip(&trees) {
             if *tree == trees[self.torso.velocity] {
@@ -149,7 +154,7 @@ impl<M: MujocoModel> Humanoid<M> {
             }
         }
         self.data.forward();
-        self.motors.hold(M::STAND);
+        self.motors.hold(self.model.stand);
         self.fall_monitor = FallMonitor::new(at.heading);
     }
 
@@ -215,8 +220,8 @@ impl<M: MujocoModel> Humanoid<M> {
 
     /// Poses of all segments in the robot frame.
     #[must_use]
-    pub fn skeleton(&self) -> Skeleton<M> {
-        Skeleton::of(&self.angles())
+    pub fn skeleton(&self) -> Skeleton {
+        Skeleton::of(self.model, &self.angles())
     }
 
     /// State of all that is simulated.

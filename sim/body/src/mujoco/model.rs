@@ -3,7 +3,7 @@
 use bica_motion::joints::Joint;
 use bica_motion::kinematics::Segment;
 use bica_motion::model::RobotModel;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 use mujoco_rs::prelude::{MjModel, MjtDisableBit, MjtObjBase};
 use mujoco_rs::wrappers::mj_auxiliary::MjVfs;
@@ -58,14 +58,14 @@ impl Model {
     /// # Errors
     ///
     /// If a parameter of the physics is invalid, or MuJoCo rejects the text; the error contains the reason.
-    pub fn new<M: MujocoModel>(world: &str, physics: &Physics) -> Result<Self, Error> {
+    pub fn new(model: &'static SimulatedModel, world: &str, physics: &Physics) -> Result<Self, Error> {
         physics.check()?;
         let failed = |error: &dyn std::fmt::Display| Error::Model(error.to_string());
         let mut files = MjVfs::new();
-        files.add_from_buffer("robot.xml", M::ROBOT.as_bytes()).map_err(|error| failed(&error))?;
+        files.add_from_buffer("robot.xml", model.mujoco.robot.as_bytes()).map_err(|error| failed(&error))?;
         files.add_from_buffer("world.xml", world.as_bytes()).map_err(|error| failed(&error))?;
-        let model = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
-        let mut model = Self::index::<M>(model)?;
+        let built = MjModel::from_xml_vfs("world.xml", &files).map_err(|error| failed(&error))?;
+        let mut model = Self::index(model, built)?;
         // MuJoCo would put everything to its start, print a warning, and go on.
         model.physics.opt_mut().disableflags |= MjtDisableBit::mjDSBL_AUTORESET as i32;
         for sole in ["LSole", "RSole"] {
@@ -80,22 +80,22 @@ impl Model {
     /// # Errors
     ///
     /// As for [`new`](Self::new).
-    pub fn on_floor<M: MujocoModel>(physics: &Physics) -> Result<Self, Error> {
+    pub fn on_floor(model: &'static SimulatedModel, physics: &Physics) -> Result<Self, Error> {
         let world = format!("<mujoco><include file=\"robot.xml\"/><worldbody>{FLOOR}</worldbody></mujoco>");
-        Self::new::<M>(&world, physics)
+        Self::new(model, &world, physics)
     }
 
-    fn index<M: MujocoModel>(physics: MjModel) -> Result<Self, Error> {
+    fn index(model: &'static SimulatedModel, physics: MjModel) -> Result<Self, Error> {
         let torso = FreeJoint::find(&physics, "Torso")?;
         let drive = |&joint: &Joint| -> Result<Drive, Error> {
-            let name = joint_name::<M>(joint);
+            let name = joint_name(model, joint);
             let index = find(&physics, MjtObjBase::mjOBJ_JOINT, &name)?;
             let (position, velocity) = (physics.jnt_qposadr()[index] as usize, physics.jnt_dofadr()[index] as usize);
-            let velocity_gain = if M::MOTORS_DAMP { physics.dof_damping()[velocity] as f32 } else { 0.0 };
+            let velocity_gain = if model.mujoco.motors_damp { physics.dof_damping()[velocity] as f32 } else { 0.0 };
             let actuator = find(&physics, MjtObjBase::mjOBJ_ACTUATOR, &name)?;
             Ok(Drive { joint, position, velocity, velocity_gain, actuator })
         };
-        let drives = M::JOINTS.iter().map(drive).collect::<Result<_, _>>()?;
+        let drives = model.joints.iter().map(drive).collect::<Result<_, _>>()?;
         let foot = |side| find(&physics, MjtObjBase::mjOBJ_BODY, &body_name(Segment::Foot(side)));
         let feet = [foot(Side::Left)?, foot(Side::Right)?];
         Ok(Self { physics: Box::new(physics), torso, drives, feet })
@@ -125,9 +125,9 @@ pub fn find(model: &MjModel, kind: MjtObjBase, name: &str) -> Result<usize, Erro
 }
 
 /// Returns the name of a joint and its motor, for example `LKneePitch`.
-pub(crate) fn joint_name<M: RobotModel>(joint: Joint) -> String {
+pub(crate) fn joint_name(model: &'static RobotModel, joint: Joint) -> String {
     let own = match joint {
-        _ if M::LEG.shares_hip_yaw() => None,
+        _ if model.leg.shares_hip_yaw() => None,
         Joint::LEFT_HIP_YAW => Some("LHipYaw"),
         Joint::RIGHT_HIP_YAW => Some("RHipYaw"),
         Joint::WAIST_YAW => Some("WaistYaw"),

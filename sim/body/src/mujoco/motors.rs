@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use bica_motion::head::HeadAngles;
 use bica_motion::joints::{JOINTS, Joint, Joints};
 use bica_motion::model::RobotModel;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::Command;
 use bica_motion::side::Side;
 
@@ -30,10 +30,10 @@ pub(crate) struct Motors {
 
 impl Motors {
     /// Returns motors that hold these angles at full stiffness.
-    pub(crate) fn holding<M: MujocoModel>(angles: Joints, physics: &Physics) -> Self {
-        let (mut gains, mut limits) = (*M::GAINS, *M::TORQUE_LIMITS);
-        let knee = M::TORQUE_LIMITS[Joint::LKneePitch];
-        let [left, right] = Side::BOTH.map(M::leg_joints);
+    pub(crate) fn holding(model: &'static SimulatedModel, angles: Joints, physics: &Physics) -> Self {
+        let (mut gains, mut limits) = (*model.mujoco.gains, *model.mujoco.torque_limits);
+        let knee = model.mujoco.torque_limits[Joint::LKneePitch];
+        let [left, right] = Side::BOTH.map(|side| model.leg_joints(side));
         // Both legs may share the hip yaw-pitch.
         for joint in left.into_iter().chain(right.into_iter().filter(|joint| !left.contains(joint))) {
             gains[joint] *= physics.leg_gain;
@@ -51,14 +51,14 @@ impl Motors {
 
     /// Accepts a command. Targets are clamped to the joint limits; a joint with a target or stiffness that is not finite gets no
     /// stiffness.
-    pub(crate) fn command<M: RobotModel>(&mut self, command: &Command) {
+    pub(crate) fn command(&mut self, model: &'static RobotModel, command: &Command) {
         let (mut targets, mut stiffness) = (command.targets, command.stiffness);
         for joint in 0..JOINTS {
             let usable = targets.0[joint].is_finite() && stiffness.0[joint].is_finite();
             stiffness.0[joint] = if usable { stiffness.0[joint].clamp(0.0, 1.0) } else { 0.0 };
         }
-        targets = targets.clamp_to_limits::<M>();
-        HeadAngles::read(&targets).clamped::<M>().write(&mut targets);
+        targets = targets.clamp_to_limits(model);
+        HeadAngles::read(&targets).clamped(model).write(&mut targets);
         self.pending.push_back((self.delay, (targets, stiffness)));
     }
 
@@ -86,14 +86,14 @@ impl Motors {
 }
 
 /// Returns the currents for these joint torques, A.
-pub(crate) fn currents<M: RobotModel>(torques: &Joints) -> Joints {
-    Joints(core::array::from_fn(|i| M::ACTUATORS[Joint::ALL[i]].current(torques.0[i])))
+pub(crate) fn currents(model: &'static RobotModel, torques: &Joints) -> Joints {
+    Joints(core::array::from_fn(|i| model.actuators[Joint::ALL[i]].current(torques.0[i])))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
 
     fn command(target: f32, stiffness: f32) -> Command {
         Command::new(Joints::all(target), stiffness)
@@ -107,8 +107,8 @@ mod tests {
     fn command_acts_after_dead_time() {
         for (dead_time, steps) in [(0.0, 0), (0.03, 15), (0.04, 20)] {
             let mut motors =
-                Motors::holding::<TestModel>(Joints::all(0.0), &Physics { dead_time, ..Physics::of::<TestModel>() });
-            motors.command::<TestModel>(&command(0.05, 1.0));
+                Motors::holding(TEST_MODEL, Joints::all(0.0), &Physics { dead_time, ..Physics::of(TEST_MODEL) });
+            motors.command(TEST_MODEL, &command(0.05, 1.0));
             for _ in 0..steps {
                 assert_eq!(torque(&mut motors), 0.0);
             }
@@ -118,10 +118,10 @@ mod tests {
 
     #[test]
     fn torque_is_proportional_to_stiffness_up_to_limit() {
-        let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::of::<TestModel>() };
+        let physics = Physics { dead_time: 0.0, torque_limit: 3.0, ..Physics::of(TEST_MODEL) };
         for (target, stiffness, expected) in [(1.0, 1.0, 3.0), (0.05, 0.5, 1.0), (0.05, 0.0, 0.0), (0.05, 7.0, 2.0)] {
-            let mut motors = Motors::holding::<TestModel>(Joints::all(0.0), &physics);
-            motors.command::<TestModel>(&command(target, stiffness));
+            let mut motors = Motors::holding(TEST_MODEL, Joints::all(0.0), &physics);
+            motors.command(TEST_MODEL, &command(target, stiffness));
             assert!((torque(&mut motors) - expected).abs() < 1e-6, "{target} {stiffness}");
         }
     }
@@ -129,11 +129,9 @@ mod tests {
     #[test]
     fn joint_with_invalid_command_has_no_torque() {
         for wrong in [command(f32::NAN, 1.0), command(0.1, f32::NAN), command(f32::INFINITY, 1.0)] {
-            let mut motors = Motors::holding::<TestModel>(
-                Joints::all(0.0),
-                &Physics { dead_time: 0.0, ..Physics::of::<TestModel>() },
-            );
-            motors.command::<TestModel>(&wrong);
+            let mut motors =
+                Motors::holding(TEST_MODEL, Joints::all(0.0), &Physics { dead_time: 0.0, ..Physics::of(TEST_MODEL) });
+            motors.command(TEST_MODEL, &wrong);
             assert_eq!(torque(&mut motors), 0.0);
         }
     }

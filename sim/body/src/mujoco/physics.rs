@@ -1,7 +1,7 @@
 //! Parameters of the physics, and faults for experiments.
 
 use bica_motion::joints::Joint;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 
 use super::error::Error;
@@ -40,12 +40,12 @@ pub enum Fault {
 impl Physics {
     /// Returns the physics of a robot model on a carpet, with camera images.
     #[must_use]
-    pub fn of<M: MujocoModel>() -> Self {
+    pub fn of(model: &'static SimulatedModel) -> Self {
         Self {
             friction: 1.0,
             leg_gain: 1.0,
-            torque_limit: M::TORQUE_LIMITS[Joint::LKneePitch],
-            dead_time: M::DEAD_TIME,
+            torque_limit: model.mujoco.torque_limits[Joint::LKneePitch],
+            dead_time: model.dead_time,
             sensor_delay: 0.006,
             noise: 1.0,
             cameras: true,
@@ -78,11 +78,11 @@ impl Physics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
 
     #[test]
     fn latency_is_that_of_nao() {
-        let Physics { dead_time, sensor_delay, noise, .. } = Physics::of::<TestModel>();
+        let Physics { dead_time, sensor_delay, noise, .. } = Physics::of(TEST_MODEL);
         // Dead time: B-Human 2015, 4.1.1.1. Latency from command to measurement: B-Human 2023, `minDelay`.
         assert_eq!((dead_time, noise), (0.030, 1.0));
         assert!((dead_time + sensor_delay - 0.036).abs() < 1e-6);
@@ -90,11 +90,11 @@ mod tests {
 
     #[test]
     fn parameter_outside_its_range_is_rejected_by_name() {
-        assert_eq!(Physics::of::<TestModel>().check(), Ok(()));
+        assert_eq!(Physics::of(TEST_MODEL).check(), Ok(()));
         for (name, wrong) in [
-            ("friction", Physics { friction: f32::NAN, ..Physics::of::<TestModel>() }),
-            ("torque_limit", Physics { torque_limit: -1.0, ..Physics::of::<TestModel>() }),
-            ("dead_time", Physics { dead_time: 30.0, ..Physics::of::<TestModel>() }),
+            ("friction", Physics { friction: f32::NAN, ..Physics::of(TEST_MODEL) }),
+            ("torque_limit", Physics { torque_limit: -1.0, ..Physics::of(TEST_MODEL) }),
+            ("dead_time", Physics { dead_time: 30.0, ..Physics::of(TEST_MODEL) }),
         ] {
             let error = wrong.check().unwrap_err();
             assert!(error.to_string().contains(name), "{error}");

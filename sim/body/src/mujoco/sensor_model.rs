@@ -108,7 +108,7 @@ impl SensorModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use crate::sensor_model::GRAVITY;
     use bica_motion::joints::Joint;
 
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn each_measurement_has_age_of_delay() {
         for (sensor_delay, steps) in [(0.0, 0), (0.006, 3), (0.04, 20)] {
-            let physics = Physics { sensor_delay, noise: 0.0, ..Physics::of::<TestModel>() };
+            let physics = Physics { sensor_delay, noise: 0.0, ..Physics::of(TEST_MODEL) };
             let mut sensors = SensorModel::new(ideal(0), Random::new(1, 2_u64), &physics);
             for step in 1..=100 {
                 sensors.step(ideal(step));
@@ -157,7 +157,7 @@ mod tests {
             let still = IdealMeasurement { up: Vec3::Z, ..ideal(0) };
             let still = IdealMeasurement { feet: ideal(10).feet, ..still };
             let mut sensors =
-                SensorModel::new(still, Random::new(1, 2_u64), &Physics { noise, ..Physics::of::<TestModel>() });
+                SensorModel::new(still, Random::new(1, 2_u64), &Physics { noise, ..Physics::of(TEST_MODEL) });
             let mut squares = [0.0_f32; 10];
             for _ in 0..3_000 {
                 let Measurement { inertial, feet, .. } = sensors.measure();
@@ -181,12 +181,10 @@ mod tests {
         let hit =
             IdealMeasurement { acceleration: Vec3::new(100.0, -100.0, GRAVITY), feet: Default::default(), ..ideal(0) };
         let measured =
-            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 0.0, ..Physics::of::<TestModel>() })
-                .measure();
+            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 0.0, ..Physics::of(TEST_MODEL) }).measure();
         assert!((measured.inertial.acceleration - Vec3::new(19.62, -19.62, GRAVITY)).length() < 1e-3);
         let noisy =
-            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 10.0, ..Physics::of::<TestModel>() })
-                .measure();
+            SensorModel::new(hit, Random::new(1, 2_u64), &Physics { noise: 10.0, ..Physics::of(TEST_MODEL) }).measure();
         assert_eq!(noisy.feet, <[FootPressure; 2]>::default());
     }
 }

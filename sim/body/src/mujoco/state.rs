@@ -16,10 +16,10 @@ use super::sensor_model::IdealMeasurement;
 pub type Data = MjData<Box<MjModel>>;
 
 /// Sets the robot to its standing posture above a pose on the ground.
-pub(crate) fn stand<M: RobotModel>(data: &mut Data, torso: FreeJoint, drives: &[Drive], at: Pose2) {
-    let sole = Skeleton::<M>::of(&M::STAND).sole(Side::Left);
+pub(crate) fn stand(model: &'static RobotModel, data: &mut Data, torso: FreeJoint, drives: &[Drive], at: Pose2) {
+    let sole = Skeleton::of(model, &model.stand).sole(Side::Left);
     let (turn, at) = (Quat::from_rotation_z(at.heading), at.position.extend(-sole.translation.z));
-    place(data, torso, drives, (turn, at), &M::STAND);
+    place(data, torso, drives, (turn, at), &model.stand);
 }
 
 /// Sets the rotation and the position of the robot frame, and the joint angles.

@@ -2,8 +2,8 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton, YawFrom, ankle, legs_angles};
-use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{K1, Nao, RobotModel, T1};
+use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::{HUMANOIDS, NAO, SimulatedModel};
 use bica_motion::robot::{CameraId, Command};
 use bica_motion::side::Side;
 use glam::{Vec3, Vec3A};
@@ -14,8 +14,8 @@ use super::motors::Motors;
 use super::{Data, Model, Physics, body_name, find};
 use crate::random::Random;
 
-fn model<M: MujocoModel>() -> Model {
-    Model::on_floor::<M>(&Physics::of::<M>()).unwrap()
+fn built(model: &'static SimulatedModel) -> Model {
+    Model::on_floor(model, &Physics::of(model)).unwrap()
 }
 
 /// Returns the model with the robot frame at the origin of the field and these angles.
@@ -34,13 +34,16 @@ fn posed(model: Model, angles: &Joints) -> Data {
     data
 }
 
-fn any_angles<M: RobotModel>(random: &mut Random) -> Joints {
+fn any_angles(model: &'static RobotModel, random: &mut Random) -> Joints {
     let mut angles = Joints::all(0.0);
     // Fingers have mass but are not part of the kinematics; neither is the waist, in the place of one.
-    for joint in
-        M::JOINTS.iter().copied().filter(|joint| !HANDS.contains(joint) || M::leg_joints(Side::Right)[0] == *joint)
+    for joint in model
+        .joints
+        .iter()
+        .copied()
+        .filter(|joint| !HANDS.contains(joint) || model.leg_joints(Side::Right)[0] == *joint)
     {
-        let range = M::LIMITS[joint];
+        let range = model.limits[joint];
         angles[joint] = random.between(range.min, range.max);
     }
     angles
@@ -57,9 +60,7 @@ macro_rules! of_each_robot {
     ($($test:ident: $check:ident;)*) => {$(
         #[test]
         fn $test() {
-            $check::<Nao>();
-            $check::<T1>();
-            $check::<K1>();
+            HUMANOIDS.iter().copied().for_each($check);
         }
     )*};
 }
@@ -71,15 +72,15 @@ of_each_robot! {
     joint_ranges_are_those_of_robot_model: check_ranges;
 }
 
-fn check_inverse<M: MujocoModel>() {
+fn check_inverse(model: &'static SimulatedModel) {
     let mut random = Random::new(3, 0_u64);
     for _ in 0..30 {
-        let mut angles = any_angles::<M>(&mut random);
+        let mut angles = any_angles(model, &mut random);
         // Beyond, another posture reaches the same pose.
         for joint in [Joint::LHipRoll, Joint::RHipRoll, Joint::LHipPitch, Joint::RHipPitch] {
             angles[joint] = angles[joint].clamp(-1.2, 1.2);
         }
-        let data = posed(model::<M>(), &angles);
+        let data = posed(built(model), &angles);
         let [left, right] = Side::BOTH.map(|side| {
             let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &body_name(Segment::Foot(side))).unwrap();
             let turn = &data.xmat()[body];
@@ -90,24 +91,24 @@ fn check_inverse<M: MujocoModel>() {
             }
         });
         let mut found = Joints::all(0.0);
-        for (side, leg) in Side::BOTH.into_iter().zip(legs_angles::<M>(&left, &right, YawFrom::Mean)) {
-            leg.write::<M>(side, &mut found);
+        for (side, leg) in Side::BOTH.into_iter().zip(legs_angles(model, &left, &right, YawFrom::Mean)) {
+            leg.write(model, side, &mut found);
         }
         for (side, wanted) in Side::BOTH.into_iter().zip([left, right]) {
-            assert!(ankle::<M>(side, &found).abs_diff_eq(wanted, 2e-4), "{}: {angles:?}", M::NAME);
+            assert!(ankle(model, side, &found).abs_diff_eq(wanted, 2e-4), "{}: {angles:?}", model.name);
         }
     }
 }
 
-fn check_poses<M: MujocoModel>() {
+fn check_poses(model: &'static SimulatedModel) {
     let mut random = Random::new(1, 0_u64);
     for _ in 0..30 {
-        let (angles, model) = (any_angles::<M>(&mut random), model::<M>());
-        let data = posed(model, &angles);
-        let skeleton = Skeleton::<M>::of(&angles);
+        let angles = any_angles(model, &mut random);
+        let data = posed(built(model), &angles);
+        let skeleton = Skeleton::of(model, &angles);
         // A robot without wrists has no body for its hands.
         let has_body =
-            |segment: &Segment| !matches!(segment, Segment::Hand(_)) || M::JOINTS.contains(&Joint::LWristYaw);
+            |segment: &Segment| !matches!(segment, Segment::Hand(_)) || model.joints.contains(&Joint::LWristYaw);
         for segment in Segment::ALL.into_iter().filter(has_body) {
             let body = find(data.model(), MjtObjBase::mjOBJ_BODY, &body_name(segment)).unwrap();
             let (expected, turn) = (skeleton.pose(segment), &data.xmat()[body]);
@@ -125,37 +126,37 @@ fn check_poses<M: MujocoModel>() {
     }
 }
 
-fn check_masses<M: MujocoModel>() {
+fn check_masses(model: &'static SimulatedModel) {
     let mut random = Random::new(2, 0_u64);
     for _ in 0..30 {
-        let angles = any_angles::<M>(&mut random);
-        let mut data = posed(model::<M>(), &angles);
+        let angles = any_angles(model, &mut random);
+        let mut data = posed(built(model), &angles);
         data.forward();
         let torso = find(data.model(), MjtObjBase::mjOBJ_BODY, "Torso").unwrap();
         let centre = Vec3::from(vector(&data.subtree_com()[torso]));
-        assert!(centre.distance(Skeleton::<M>::of(&angles).centre_of_mass()) < 2e-5, "{centre}");
-        assert!((data.model().body_subtreemass()[torso] as f32 - M::TOTAL_MASS).abs() < 1e-4);
+        assert!(centre.distance(Skeleton::of(model, &angles).centre_of_mass()) < 2e-5, "{centre}");
+        assert!((data.model().body_subtreemass()[torso] as f32 - model.total_mass()).abs() < 1e-4);
     }
 }
 
-fn check_ranges<M: MujocoModel>() {
-    let model = model::<M>().physics;
-    for &joint in M::JOINTS {
-        let id = find(&model, MjtObjBase::mjOBJ_JOINT, &joint_name::<M>(joint)).unwrap();
-        let [min, max] = model.jnt_range()[id].map(|end| end as f32);
-        let range = M::LIMITS[joint];
+fn check_ranges(model: &'static SimulatedModel) {
+    let physics = built(model).physics;
+    for &joint in model.joints {
+        let id = find(&physics, MjtObjBase::mjOBJ_JOINT, &joint_name(model, joint)).unwrap();
+        let [min, max] = physics.jnt_range()[id].map(|end| end as f32);
+        let range = model.limits[joint];
         assert!((min - range.min).abs() < 1e-4 && (max - range.max).abs() < 1e-4, "{joint:?}");
     }
 }
 
 #[test]
 fn no_load_speed_is_near_published_one() {
-    let model = model::<Nao>().physics;
-    let physics = Physics { dead_time: 0.0, ..Physics::of::<Nao>() };
+    let model = built(NAO).physics;
+    let physics = Physics { dead_time: 0.0, ..Physics::of(NAO) };
     let end = |far: fn(Joint) -> f32| Joints(Joint::ALL.map(far));
-    let (least, most) = (end(|joint| Nao::LIMITS[joint].min), end(|joint| Nao::LIMITS[joint].max));
-    let mut motors = Motors::holding::<Nao>(least, &physics);
-    motors.command::<Nao>(&Command::new(most, 1.0));
+    let (least, most) = (end(|joint| NAO.limits[joint].min), end(|joint| NAO.limits[joint].max));
+    let mut motors = Motors::holding(NAO, least, &physics);
+    motors.command(NAO, &Command::new(most, 1.0));
     let torques = motors.step(&least, &Joints::all(0.0));
     // The speed of the hands is between two values published for other models.
     for joint in Joint::ALL.into_iter().filter(|joint| !HANDS.contains(joint)) {
@@ -163,7 +164,7 @@ fn no_load_speed_is_near_published_one() {
         let at = model.jnt_dofadr()[id] as usize;
         let (damping, friction) = (model.dof_damping()[at] as f32, model.dof_frictionloss()[at] as f32);
         let speed = (torques[joint] - friction) / damping;
-        let motor = Nao::ACTUATORS[joint];
+        let motor = NAO.actuators[joint];
         let share = speed / (motor.no_load_speed / motor.gear_ratio);
         assert!((0.65..1.3).contains(&share), "{joint:?}: {speed} rad/s, {share} of the robot's");
     }

@@ -1,7 +1,5 @@
 //! Static balance: the centre of mass over the support polygon, and the distribution of the weight on the soles.
 
-use core::marker::PhantomData;
-
 use bica_motion::model::RobotModel;
 use bica_motion::robot::FootPressure;
 use bica_motion::side::Side;
@@ -16,8 +14,8 @@ const CONTACT_HEIGHT: f32 = 0.002;
 
 /// Both soles and the centre of mass. Field frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Balance<M> {
-    model: PhantomData<M>,
+pub(crate) struct Balance {
+    model: &'static RobotModel,
     /// Poses of the soles, left first.
     soles: [Affine3A; 2],
     /// The support foot, which always has contact.
@@ -26,10 +24,10 @@ pub(crate) struct Balance<M> {
     mass: Vec3,
 }
 
-impl<M: RobotModel> Balance<M> {
+impl Balance {
     /// Returns the state of these soles, left first, and this centre of mass, m.
-    pub(crate) const fn new(soles: [Affine3A; 2], support: Side, mass: Vec3) -> Self {
-        Self { model: PhantomData, soles, support, mass }
+    pub(crate) const fn new(model: &'static RobotModel, soles: [Affine3A; 2], support: Side, mass: Vec3) -> Self {
+        Self { model, soles, support, mass }
     }
 
     /// Returns the offset from the support polygon to the projected centre of mass, m; `None` if that lies inside.
@@ -37,7 +35,7 @@ impl<M: RobotModel> Balance<M> {
         let mut corners = Vec::with_capacity(26);
         for side in Side::BOTH {
             let touching = |corner: &Vec3| side == self.support || corner.z < CONTACT_HEIGHT;
-            let points = outline::<M>(side, &self.soles[side.index()]);
+            let points = outline(self.model, side, &self.soles[side.index()]);
             corners.extend(points.filter(touching).map(Vec3::truncate));
         }
         offset_outside(&convex_hull(corners), self.mass.truncate())
@@ -67,14 +65,18 @@ impl<M: RobotModel> Balance<M> {
     }
 
     fn sole_pressure(&self, side: Side, share: f32) -> FootPressure {
-        let places = if side == Side::Left { &M::DIMENSIONS.left_pressure } else { &M::DIMENSIONS.right_pressure };
+        let places = if side == Side::Left {
+            &self.model.dimensions.left_pressure
+        } else {
+            &self.model.dimensions.right_pressure
+        };
         let [front_left, front_right, rear_left, rear_right] = *places;
         let centre = self.soles[side.index()].inverse().transform_point3(self.mass.with_z(0.0)).truncate();
         let between = |value: f32, low: f32, high: f32| ((value - low) / (high - low)).clamp(0.0, 1.0);
         let front = between(centre.x, rear_left.x, front_left.x);
         let left = between(centre.y, front_right.y, front_left.y);
         let rear_share = between(centre.y, rear_right.y, rear_left.y);
-        let force = share * M::TOTAL_MASS * GRAVITY;
+        let force = share * self.model.total_mass() * GRAVITY;
         FootPressure {
             front_left: force * front * left,
             front_right: force * front * (1.0 - left),
@@ -100,11 +102,11 @@ fn offset_outside(polygon: &[Vec2], point: Vec2) -> Option<Vec2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
 
-    fn standing(mass: Vec3, right_height: f32) -> Balance<TestModel> {
+    fn standing(mass: Vec3, right_height: f32) -> Balance {
         let at = |y, z| Affine3A::from_translation(Vec3::new(0.0, y, z));
-        Balance::new([at(0.05, 0.0), at(-0.05, right_height)], Side::Left, mass)
+        Balance::new(TEST_MODEL, [at(0.05, 0.0), at(-0.05, right_height)], Side::Left, mass)
     }
 
     #[test]
@@ -123,7 +125,7 @@ mod tests {
         let offset = lifted.offset_outside_support().unwrap();
         assert!((offset - Vec2::new(0.0, -0.0112)).length() < 1e-5, "{offset}");
         assert_eq!(lifted.pressure()[1].total(), 0.0);
-        assert!((lifted.pressure()[0].total() - TestModel::TOTAL_MASS * GRAVITY).abs() < 1e-3);
+        assert!((lifted.pressure()[0].total() - TEST_MODEL.total_mass() * GRAVITY).abs() < 1e-3);
     }
 
     #[test]

@@ -27,8 +27,8 @@ impl InertialUnit {
     }
 
     /// Measures at the end of a cycle in which the robot frame moved to this pose.
-    pub(crate) fn step<M: RobotModel>(&mut self, robot: &Affine3A, random: &mut Random) -> Inertial {
-        let place = |pose: &Affine3A| pose.transform_point3(M::DIMENSIONS.inertial_unit);
+    pub(crate) fn step(&mut self, model: &'static RobotModel, robot: &Affine3A, random: &mut Random) -> Inertial {
+        let place = |pose: &Affine3A| pose.transform_point3(model.dimensions.inertial_unit);
         let velocity = (place(robot) - place(&self.previous)) / CYCLE_SECONDS;
         let acceleration = ((velocity - self.velocity) / CYCLE_SECONDS).clamp_length_max(ACCELEROMETER_RANGE);
         self.acceleration += ACCELERATION_GAIN * (acceleration - self.acceleration);
@@ -45,18 +45,18 @@ impl InertialUnit {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use crate::random::Stream;
 
     #[test]
     fn unit_measures_gravity_and_angular_velocity() {
         let mut random = Random::new(3, Stream::Sensors);
         let mut unit = InertialUnit::still(Affine3A::from_rotation_y(0.2));
-        let still = unit.step::<TestModel>(&Affine3A::from_rotation_y(0.2), &mut random);
+        let still = unit.step(TEST_MODEL, &Affine3A::from_rotation_y(0.2), &mut random);
         let lean = 0.2_f32;
         assert!((still.acceleration - GRAVITY * Vec3::new(-lean.sin(), 0.0, lean.cos())).length() < 0.1);
         assert!((still.pitch - 0.2).abs() < 0.01 && still.roll.abs() < 0.01);
-        let turning = unit.step::<TestModel>(&Affine3A::from_rotation_y(0.21), &mut random);
+        let turning = unit.step(TEST_MODEL, &Affine3A::from_rotation_y(0.21), &mut random);
         assert!((turning.gyro - Vec3::new(0.0, 1.0, 0.0)).length() < 0.02, "{}", turning.gyro);
     }
 
@@ -68,7 +68,7 @@ mod tests {
         for cycle in 1..=40 {
             let time = cycle as f32 * CYCLE_SECONDS;
             let offset = Vec3::new(0.5 * 1.5 * time * time, 0.0, 0.0);
-            measured = unit.step::<TestModel>(&Affine3A::from_translation(offset), &mut random).acceleration;
+            measured = unit.step(TEST_MODEL, &Affine3A::from_translation(offset), &mut random).acceleration;
         }
         assert!((measured - Vec3::new(1.5, 0.0, GRAVITY)).length() < 0.15, "{measured}");
     }

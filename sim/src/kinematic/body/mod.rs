@@ -40,10 +40,11 @@ const SLIP_HEADING: f32 = 0.010_5;
 
 /// State of the robot's body on the field.
 #[derive(Clone, Debug)]
-pub(crate) struct Body<M> {
+pub(crate) struct Body {
+    pub(crate) model: &'static SimulatedModel,
     motors: Motors,
-    skeleton: Skeleton<M>,
-    state: State<M>,
+    skeleton: Skeleton,
+    state: State,
     robot: Affine3A,
     inertial_unit: InertialUnit,
     measurement: Measurement,
@@ -52,10 +53,10 @@ pub(crate) struct Body<M> {
 }
 
 #[derive(Clone, Debug)]
-enum State<M> {
+enum State {
     /// On its feet, and the number of consecutive cycles without balance.
     Standing(Stance, u32),
-    Fallen(Fallen<M>),
+    Fallen(Fallen),
 }
 
 /// Measurements of the body's sensors in one cycle.
@@ -82,11 +83,11 @@ impl Measurement {
     }
 }
 
-impl<M: SimulatedModel> Body<M> {
+impl Body {
     /// Returns a body that stands with its robot frame above `place`.
-    pub(crate) fn standing(place: Pose2, seed: u64) -> Self {
-        let motors = Motors::holding::<M>(M::STAND);
-        let skeleton = Skeleton::<M>::of(motors.angles());
+    pub(crate) fn standing(model: &'static SimulatedModel, place: Pose2, seed: u64) -> Self {
+        let motors = Motors::holding(model, model.stand);
+        let skeleton = Skeleton::of(model, motors.angles());
         let stance = Stance::under(place, &skeleton);
         let robot = stance.robot(&skeleton);
         let slips = Random::new(seed, Stream::Slip);
@@ -94,6 +95,7 @@ impl<M: SimulatedModel> Body<M> {
         let measurement = Measurement::of_motors(&motors);
         let state = State::Standing(stance, 0);
         let mut body = Self {
+            model,
             motors,
             skeleton,
             state,
@@ -109,12 +111,12 @@ impl<M: SimulatedModel> Body<M> {
 
     /// Advances by one control cycle without obstacles. Returns the event if the robot falls or gets up.
     pub(crate) fn step(&mut self, command: &Command) -> Option<Event> {
-        self.motors.step::<M>(command);
-        self.skeleton = Skeleton::<M>::of(self.motors.angles());
+        self.motors.step(self.model, command);
+        self.skeleton = Skeleton::of(self.model, self.motors.angles());
         let event = match &mut self.state {
             State::Standing(stance, _) => {
                 let random = &mut self.slips;
-                stance.step(&self.skeleton, || draw_slip(random));
+                stance.step(self.model, &self.skeleton, || draw_slip(random));
                 self.robot = stance.robot(&self.skeleton);
                 self.check_balance()
             }
@@ -138,8 +140,8 @@ impl<M: SimulatedModel> Body<M> {
 
     /// Puts the body on its feet with its robot frame above `place`, at rest. Its motors stay as warm as they are.
     pub(crate) fn stand_at(&mut self, place: Pose2) {
-        self.motors.hold(M::STAND);
-        self.skeleton = Skeleton::<M>::of(self.motors.angles());
+        self.motors.hold(self.model.stand);
+        self.skeleton = Skeleton::of(self.model, self.motors.angles());
         self.state = State::Standing(Stance::under(place, &self.skeleton), 0);
         self.update_pose();
         self.inertial_unit = InertialUnit::still(self.robot);
@@ -154,7 +156,7 @@ impl<M: SimulatedModel> Body<M> {
             && velocity.length() >= TOPPLING_SPEED
         {
             let fall = fall_direction(rotate(velocity, -heading));
-            self.state = State::Fallen(Fallen::new(fall, self.robot, heading));
+            self.state = State::Fallen(Fallen::new(self.model, fall, self.robot, heading));
             return Some(Event::Fall(fall));
         }
         self.shift(SLIDING * velocity);
@@ -163,7 +165,7 @@ impl<M: SimulatedModel> Body<M> {
 
     /// Reads all sensors; to be called once per cycle, at its end.
     pub(crate) fn measure(&mut self) {
-        let inertial = self.inertial_unit.step::<M>(&self.robot, &mut self.noise);
+        let inertial = self.inertial_unit.step(self.model, &self.robot, &mut self.noise);
         let forces = self.balance().map_or_else(Default::default, |balance| balance.pressure());
         let feet = forces.map(|foot| measure_pressure(&foot, || PRESSURE_NOISE * self.noise.normal()));
         self.measurement = Measurement {
@@ -190,7 +192,7 @@ impl<M: SimulatedModel> Body<M> {
     }
 
     /// Poses of all segments in the robot frame.
-    pub(crate) const fn skeleton(&self) -> &Skeleton<M> {
+    pub(crate) const fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
@@ -229,10 +231,10 @@ impl<M: SimulatedModel> Body<M> {
     }
 
     /// Soles and centre of mass; `None` unless the robot stands.
-    fn balance(&self) -> Option<Balance<M>> {
+    fn balance(&self) -> Option<Balance> {
         let State::Standing(stance, _) = &self.state else { return None };
         let mass = self.robot.transform_point3(self.skeleton.centre_of_mass());
-        Some(Balance::new(self.soles(), stance.support(), mass))
+        Some(Balance::new(self.model, self.soles(), stance.support(), mass))
     }
 
     /// Counts cycles without balance and lets the robot fall after too many.
@@ -250,7 +252,7 @@ impl<M: SimulatedModel> Body<M> {
             return None;
         }
         let fall = lost_toward.map_or(Direction::Back, |offset| fall_direction(rotate(offset, -heading)));
-        self.state = State::Fallen(Fallen::new(fall, self.robot, heading));
+        self.state = State::Fallen(Fallen::new(self.model, fall, self.robot, heading));
         Some(Event::Fall(fall))
     }
 

@@ -5,7 +5,6 @@
 //! before. Its tilt and height at touchdown decay exponentially, so that the pose of the torso is continuous.
 
 use bica_motion::kinematics::Skeleton;
-use bica_motion::model::RobotModel;
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
@@ -40,7 +39,7 @@ pub(crate) struct Stance {
 
 impl Stance {
     /// Returns a stance in which the robot frame projects to `place`.
-    pub(crate) fn under<M: RobotModel>(place: Pose2, skeleton: &Skeleton<M>) -> Self {
+    pub(crate) fn under(place: Pose2, skeleton: &Skeleton) -> Self {
         let support = Side::Left;
         let mut standing = Self {
             support,
@@ -62,14 +61,19 @@ impl Stance {
     }
 
     /// Pose of the robot frame in the field frame.
-    pub(crate) fn robot<M: RobotModel>(&self, skeleton: &Skeleton<M>) -> Affine3A {
+    pub(crate) fn robot(&self, skeleton: &Skeleton) -> Affine3A {
         let residue = Affine3A::from_rotation_translation(self.tilt, Vec3::new(0.0, 0.0, self.height));
         level_pose(&self.anchor) * residue * skeleton.sole(self.support).inverse()
     }
 
     /// Advances by one cycle with the current joint angles. `draw_slip` supplies the slip at touchdown.
-    pub(crate) fn step<M: SimulatedModel>(&mut self, skeleton: &Skeleton<M>, draw_slip: impl FnOnce() -> Pose2) {
-        let middle = Vec3::new(M::EXTENTS.sole_middle, 0.0, 0.0);
+    pub(crate) fn step(
+        &mut self,
+        model: &'static SimulatedModel,
+        skeleton: &Skeleton,
+        draw_slip: impl FnOnce() -> Pose2,
+    ) {
+        let middle = Vec3::new(model.extents.sole_middle, 0.0, 0.0);
         self.tilt = Quat::IDENTITY.slerp(self.tilt, DECAY);
         self.height *= DECAY;
         if self.slip_cycles > 0 {
@@ -106,18 +110,18 @@ impl Stance {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
     use bica_motion::feet::{Foot, level_legs};
 
     /// Returns the body with level feet: x from the hips and lift, m, left first.
-    fn body(feet: [(f32, f32); 2]) -> Skeleton<TestModel> {
+    fn body(feet: [(f32, f32); 2]) -> Skeleton {
         let foot = |(x, lift), y| Foot { pose: Pose2::new(x, y, 0.0), lift };
-        let mut angles = TestModel::STAND;
-        let legs = level_legs::<TestModel>(&[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
+        let mut angles = TEST_MODEL.stand;
+        let legs = level_legs(TEST_MODEL, &[foot(feet[0], 0.05), foot(feet[1], -0.05)], 0.215, 0.0);
         for (side, leg) in Side::BOTH.into_iter().zip(legs) {
-            leg.write::<TestModel>(side, &mut angles);
+            leg.write(TEST_MODEL, side, &mut angles);
         }
-        Skeleton::<TestModel>::of(&angles)
+        Skeleton::of(TEST_MODEL, &angles)
     }
 
     /// Takes steps of 4 cm with alternating feet, 20 cycles each; returns robot frame and support sole of each cycle.
@@ -130,7 +134,7 @@ mod tests {
                 let (swinging, carrying) = ((0.04 * part - 0.02, lift), (0.02 - 0.04 * part, 0.0));
                 let feet = if step % 2 == 0 { [carrying, swinging] } else { [swinging, carrying] };
                 let skeleton = body(feet);
-                stance.step(&skeleton, || Pose2::ORIGIN);
+                stance.step(TEST_MODEL, &skeleton, || Pose2::ORIGIN);
                 let robot = stance.robot(&skeleton);
                 poses.push((stance.support(), robot, robot * skeleton.sole(stance.support())));
             }
@@ -159,24 +163,24 @@ mod tests {
 
     #[test]
     fn weight_shift_does_not_move_robot() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<TestModel>::of(&TestModel::STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(TEST_MODEL, &TEST_MODEL.stand));
         for cycle in 0..1_000 {
             let skeleton = body([(0.001 * (cycle % 7) as f32, 0.0004 * (cycle % 3) as f32), (0.0, 0.0)]);
-            stance.step(&skeleton, || Pose2::new(1.0, 1.0, 1.0));
+            stance.step(TEST_MODEL, &skeleton, || Pose2::new(1.0, 1.0, 1.0));
         }
         assert_eq!(stance.support(), Side::Left);
-        let robot = ground_pose(&stance.robot(&Skeleton::<TestModel>::of(&TestModel::STAND)));
+        let robot = ground_pose(&stance.robot(&Skeleton::of(TEST_MODEL, &TEST_MODEL.stand)));
         assert!(robot.position.length() < 1e-5 && robot.heading.abs() < 1e-5, "{robot:?}");
     }
 
     #[test]
     fn slip_is_distributed_over_cycles_and_complete() {
-        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::<TestModel>::of(&TestModel::STAND));
+        let mut stance = Stance::under(Pose2::ORIGIN, &Skeleton::of(TEST_MODEL, &TEST_MODEL.stand));
         let right = body([(0.0, 0.01), (0.0, 0.0)]);
         let before = ground_pose(&stance.robot(&right));
         for cycle in 0..20 {
             let was = ground_pose(&stance.robot(&right));
-            stance.step(&right, || Pose2::new(0.008, 0.0, 0.0));
+            stance.step(TEST_MODEL, &right, || Pose2::new(0.008, 0.0, 0.0));
             let step = ground_pose(&stance.robot(&right)).position.distance(was.position);
             assert!(step < 0.002, "cycle {cycle}: {step}");
         }

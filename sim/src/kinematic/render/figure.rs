@@ -46,18 +46,18 @@ pub(crate) struct PosedRobot {
 
 impl PosedRobot {
     /// Returns a robot with this pose of the robot frame in the field frame.
-    pub(crate) fn new<M: SimulatedModel>(robot: Affine3A, skeleton: &Skeleton<M>) -> Self {
+    pub(crate) fn new(model: &'static SimulatedModel, robot: Affine3A, skeleton: &Skeleton) -> Self {
         let segments = Segment::ALL.map(|segment| robot * skeleton.pose(segment));
         let soles = Side::BOTH.map(|side| robot * skeleton.sole(side));
-        Self { figure: M::FIGURE, robot, segments, soles }
+        Self { figure: model.figure, robot, segments, soles }
     }
 
     /// Returns a robot that stands on the ground.
-    pub(crate) fn standing<M: SimulatedModel>(at: &Pose2) -> Self {
-        let skeleton = Skeleton::<M>::of(&M::STAND);
+    pub(crate) fn standing(model: &'static SimulatedModel, at: &Pose2) -> Self {
+        let skeleton = Skeleton::of(model, &model.stand);
         let sole = skeleton.sole(Side::Left);
         let robot = level_pose(at) * Affine3A::from_translation(Vec3::new(0.0, 0.0, -sole.translation.z));
-        Self::new(robot, &skeleton)
+        Self::new(model, robot, &skeleton)
     }
 
     /// Returns all solids, field frame.

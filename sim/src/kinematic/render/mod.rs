@@ -82,7 +82,7 @@ impl Scene {
 
 impl Renderer {
     /// Returns the renderer of a game; `standing`: the posture of the other robots.
-    pub(crate) fn new(setup: &Setup, layout: &Layout, standing: fn(&Pose2) -> PosedRobot) -> Self {
+    pub(crate) fn new(setup: &Setup, layout: &Layout, standing: impl Fn(&Pose2) -> PosedRobot) -> Self {
         let mut camera = Random::new(setup.seed, Stream::Camera);
         let mut hall = Random::new(setup.seed, Stream::Hall);
         let palette = Palette::new(&mut camera);

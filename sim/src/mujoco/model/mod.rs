@@ -8,7 +8,7 @@ use std::fmt::Write;
 
 use bica_body::mujoco::{Error, FreeJoint, Model, Physics, find};
 use bica_field::FIELD;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::robot::CameraId;
 use mujoco_rs::prelude::{MjModel, MjtObjBase};
 
@@ -22,14 +22,15 @@ use crate::setup::Setup;
 use bica_body::sensor_model::GRAVITY;
 
 /// Builds the model of a game, and finds its ball.
-pub(crate) fn build<M: MujocoModel>(
+pub(crate) fn build(
+    robot: &'static SimulatedModel,
     setup: &Setup,
     layout: &Layout,
     physics: &Physics,
 ) -> Result<(Model, FreeJoint), Error> {
-    let mut model = Model::new::<M>(&world::<M>(setup, layout), physics)?;
+    let mut model = Model::new(robot, &world(robot, setup, layout), physics)?;
     adjust(&mut model.physics, layout)?;
-    set_intrinsics::<M>(&mut model.physics, setup)?;
+    set_intrinsics(robot, &mut model.physics, setup)?;
     let ball = FreeJoint::find(&model.physics, "Ball")?;
     Ok((model, ball))
 }
@@ -45,12 +46,12 @@ fn adjust(model: &mut MjModel, layout: &Layout) -> Result<(), Error> {
 
 /// Sets the intrinsic parameters of both cameras from the pinhole model. There the centre of the first pixel is at
 /// 0, in MuJoCo its edge is.
-fn set_intrinsics<M: MujocoModel>(model: &mut MjModel, setup: &Setup) -> Result<(), Error> {
+fn set_intrinsics(robot: &'static SimulatedModel, model: &mut MjModel, setup: &Setup) -> Result<(), Error> {
     let (width, height) = setup.frame.size();
     let (width, height) = (width as f32, height as f32);
     for id in [CameraId::Top, CameraId::Bottom] {
         let camera = find(model, MjtObjBase::mjOBJ_CAMERA, &format!("{id:?}"))?;
-        let focal = M::DIMENSIONS.camera(id).focal;
+        let focal = robot.dimensions.camera(id).focal;
         model.cam_sensorsize_mut()[camera] = [width, height];
         model.cam_intrinsic_mut()[camera] = [focal.x * width, focal.y * height, -0.5, -0.5];
     }
@@ -66,7 +67,7 @@ fn rolling_friction(rolling_deceleration: f32) -> f32 {
 }
 
 /// Generates the XML of the world, which includes the robot.
-fn world<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
+fn world(model: &'static SimulatedModel, setup: &Setup, layout: &Layout) -> String {
     let light = Light::new(&mut Random::new(setup.seed, Stream::Hall));
     let paint = Paint::of(layout);
     let mut xml = String::from("<mujoco model=\"field\">\n<include file=\"robot.xml\"/>\n");
@@ -75,10 +76,10 @@ fn world<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
     paint.write(&mut xml);
     xml.push_str("</asset>\n<worldbody>\n");
     paint::lamps(&mut xml, light);
-    shadows::write::<M>(&mut xml);
+    shadows::write(model, &mut xml);
     field::write(&mut xml, &FIELD);
     for other in &layout.others {
-        bystander::<M>(&mut xml, other);
+        bystander(model, &mut xml, other);
     }
     let _ = writeln!(
         xml,
@@ -91,8 +92,8 @@ fn world<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
 }
 
 /// Writes a robot that stands still.
-fn bystander<M: MujocoModel>(xml: &mut String, other: &OtherRobot) {
+fn bystander(model: &'static SimulatedModel, xml: &mut String, other: &OtherRobot) {
     let (at, heading) = (other.pose.position, other.pose.heading);
-    let geoms = paint::in_team_colour(M::BYSTANDER, other.teammate);
+    let geoms = paint::in_team_colour(model.mujoco.bystander, other.teammate);
     let _ = writeln!(xml, "<body pos=\"{} {} 0\" euler=\"0 0 {heading}\">\n{geoms}</body>", at.x, at.y);
 }

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use glam::Vec2;
 
 /// Half length and half width of the shadow of the ball, m.
@@ -19,8 +19,8 @@ const HEIGHT: f32 = 0.0013;
 pub(crate) const SHADOWS: usize = 4;
 
 /// Writes the shadows in this order, as mocap bodies.
-pub(crate) fn write<M: MujocoModel>(xml: &mut String) {
-    let [foot, torso] = M::SHADOWS;
+pub(crate) fn write(model: &'static SimulatedModel, xml: &mut String) {
+    let [foot, torso] = model.mujoco.shadows;
     let sizes: [Vec2; SHADOWS] = [foot, foot, torso, BALL];
     for Vec2 { x: length, y: width } in sizes {
         let _ = writeln!(xml, "<body mocap=\"true\">");

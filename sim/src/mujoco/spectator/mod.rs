@@ -5,7 +5,7 @@ mod hall;
 pub(super) mod scene;
 
 use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use glam::{Affine3A, Vec3};
 use mujoco_rs::prelude::{MjData, MjModel, MjvCamera};
 use mujoco_rs::renderer::RendererError;
@@ -28,23 +28,24 @@ pub(crate) struct SpectatorRenderer {
 }
 
 /// Poses of the moving objects, field frame.
-pub(crate) struct Moving<M> {
+pub(crate) struct Moving {
     /// Robot frame.
     pub(crate) robot: Affine3A,
     /// Segments in the robot frame.
-    pub(crate) skeleton: Skeleton<M>,
+    pub(crate) skeleton: Skeleton,
     /// Centre of the ball, m.
     pub(crate) ball: Vec3,
 }
 
 impl SpectatorRenderer {
-    pub(crate) fn new<M: MujocoModel>(
+    pub(crate) fn new(
+        model: &'static SimulatedModel,
         setup: &Setup,
         layout: &Layout,
         width: usize,
         height: usize,
     ) -> Result<Self, RenderError> {
-        let model = MjModel::from_xml_string(&scene::write::<M>(setup, layout))
+        let model = MjModel::from_xml_string(&scene::write(model, setup, layout))
             .map_err(|error| RenderError(format!("MuJoCo rejects the model of the spectator view: {error}")))?;
         let renderer = renderer(&model, width, height)?;
         Ok(Self { renderer, data: MjData::new(Box::new(model)), width, height })
@@ -56,11 +57,7 @@ impl SpectatorRenderer {
     }
 
     /// Renders a picture.
-    pub(crate) fn render<M: MujocoModel>(
-        &mut self,
-        moving: &Moving<M>,
-        spectator: &SpectatorCamera,
-    ) -> Result<Picture, RenderError> {
+    pub(crate) fn render(&mut self, moving: &Moving, spectator: &SpectatorCamera) -> Result<Picture, RenderError> {
         self.place(scene::BALL, &Affine3A::from_translation(moving.ball));
         self.place(scene::LAMP, &Affine3A::from_translation(spectator.target));
         for segment in Segment::ALL {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use bica_field::FIELD;
 use bica_motion::kinematics::{Segment, Skeleton};
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat};
 
@@ -40,21 +40,21 @@ pub(super) const LAMP: usize = 1;
 pub(super) const ROBOT: usize = 2;
 
 /// Generates the XML of the model.
-pub(super) fn write<M: MujocoModel>(setup: &Setup, layout: &Layout) -> String {
+pub(super) fn write(model: &'static SimulatedModel, setup: &Setup, layout: &Layout) -> String {
     let mut xml = String::from("<mujoco model=\"film\">\n<compiler angle=\"radian\"/>\n");
     render_options(&mut xml);
     let _ = writeln!(xml, "<asset>\n{BACKGROUND}");
     Paint::of(layout).write(&mut xml);
     hall::materials(&mut xml);
-    xml.push_str(between(M::SHELLS, "<asset>", "</asset>"));
+    xml.push_str(between(model.mujoco.shells, "<asset>", "</asset>"));
     xml.push_str("</asset>\n<worldbody>\n");
     let _ =
         writeln!(xml, "<body mocap=\"true\"><geom type=\"sphere\" size=\"{BALL_RADIUS}\" material=\"ball\"/></body>");
     lamps(&mut xml, &Light::new(&mut Random::new(setup.seed, Stream::Hall)));
     for segment in Segment::ALL {
-        let _ = writeln!(xml, "<body mocap=\"true\">{}</body>", shell::<M>(segment, true));
+        let _ = writeln!(xml, "<body mocap=\"true\">{}</body>", shell(model, segment, true));
     }
-    layout.others.iter().for_each(|other| standing::<M>(&mut xml, other));
+    layout.others.iter().for_each(|other| standing(model, &mut xml, other));
     field::write(&mut xml, &FIELD);
     hall::write(&mut xml);
     xml.push_str("</worldbody>\n</mujoco>\n");
@@ -90,8 +90,8 @@ pub(crate) fn lamps(xml: &mut String, light: &Light) {
 }
 
 /// Writes a robot that stands still.
-fn standing<M: MujocoModel>(xml: &mut String, other: &OtherRobot) {
-    let skeleton = Skeleton::<M>::of(&M::STAND);
+fn standing(model: &'static SimulatedModel, xml: &mut String, other: &OtherRobot) {
+    let skeleton = Skeleton::of(model, &model.stand);
     let hips = other.pose.position.extend(-skeleton.sole(Side::Left).translation.z);
     let robot = Affine3A::from_rotation_translation(Quat::from_rotation_z(other.pose.heading), hips);
     for segment in Segment::ALL {
@@ -106,15 +106,15 @@ fn standing<M: MujocoModel>(xml: &mut String, other: &OtherRobot) {
             turn.x,
             turn.y,
             turn.z,
-            shell::<M>(segment, other.teammate)
+            shell(model, segment, other.teammate)
         );
     }
 }
 
 /// Returns the geoms of a segment of a robot.
-fn shell<M: MujocoModel>(segment: Segment, teammate: bool) -> String {
+fn shell(model: &'static SimulatedModel, segment: Segment, teammate: bool) -> String {
     let body = format!("<body name=\"{}\">", body_name(segment));
-    in_team_colour(between(M::SHELLS, &body, "</body>"), teammate)
+    in_team_colour(between(model.mujoco.shells, &body, "</body>"), teammate)
 }
 
 /// Returns the text between two others; empty if one is missing.
@@ -130,16 +130,16 @@ mod tests {
     use mujoco_rs::prelude::{MjData, MjModel};
 
     use super::*;
-    use crate::TestModel;
+    use crate::TEST_MODEL;
 
     #[test]
     fn mocap_indices_and_height_are_those_of_nao() {
         let setup = Setup { goalkeeper: false, ..Setup::default() };
         let layout = Layout::new(&setup, &mut Random::new(0, Stream::Start));
-        let model = Box::new(MjModel::from_xml_string(&write::<TestModel>(&setup, &layout)).unwrap());
+        let model = Box::new(MjModel::from_xml_string(&write(TEST_MODEL, &setup, &layout)).unwrap());
         let mut data = MjData::new(model);
         assert_eq!(data.mocap_pos().len(), ROBOT + SEGMENTS);
-        let skeleton = Skeleton::<TestModel>::of(&Joints::all(0.0));
+        let skeleton = Skeleton::of(TEST_MODEL, &Joints::all(0.0));
         for segment in Segment::ALL {
             let at = skeleton.pose(segment).translation.to_array().map(f64::from);
             data.mocap_pos_mut()[ROBOT + segment.index()] = at;

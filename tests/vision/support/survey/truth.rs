@@ -2,7 +2,7 @@
 
 use bica_field::{FIELD, GoalColour};
 use bica_motion::kinematics;
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::side::Side;
 use bica_sim::PixelLabel;
@@ -32,8 +32,8 @@ impl Truth {
         let things = view.world.segmentation_mask();
         let sensors = view.world.sensors();
         let image = sensors.image.expect("there is a new one");
-        let camera = Camera::of::<Nao>(image.camera, &sensors.angles, Side::Left, image.width, image.height);
-        let hips = kinematics::ground_from_robot::<Nao>(Side::Left, &sensors.angles).translation;
+        let camera = Camera::of(NAO, image.camera, &sensors.angles, Side::Left, image.width, image.height);
+        let hips = kinematics::ground_from_robot(NAO, Side::Left, &sensors.angles).translation;
         let referee = view.world.referee();
         Self {
             pose: referee.robot() * Pose2::new(-hips.x, -hips.y, 0.0),

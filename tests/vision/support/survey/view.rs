@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use bica_motion::joints::Joint;
-use bica_motion::model::Nao;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command};
 use bica_sim::World;
@@ -20,7 +20,7 @@ const REST: u32 = 70;
 pub(crate) struct View {
     /// Seed of the view.
     pub(crate) number: u64,
-    pub(crate) world: KinematicWorld<Nao>,
+    pub(crate) world: KinematicWorld,
 }
 
 struct Rng32(Pcg32);
@@ -48,7 +48,7 @@ impl View {
     pub(crate) fn new(number: u64) -> Option<Self> {
         let mut rng = Rng32(Pcg32::new(number, 2009));
         let setup = Setup { seed: number, robots: 4, start: Some(rng.start()), ..Setup::default() };
-        let mut world = KinematicWorld::<Nao>::new(&setup).ok()?;
+        let mut world = KinematicWorld::new(NAO, &setup).ok()?;
         let mut targets = world.sensors().angles;
         targets[Joint::HeadYaw] = rng.between(-1.2, 1.2);
         targets[Joint::HeadPitch] = rng.between(-0.2, 0.4);

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::pictures::Marks;
 use bica_field::{CrossingKind, FIELD, GoalColour};
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::robot::{CameraId, Image};
 use bica_vision::centre_circle::CentreCircle;
 use bica_vision::crossings;
@@ -151,7 +151,7 @@ impl Detectors {
         let camera = trusted.map(|pose| pose.camera(frame.width().into(), frame.height().into()));
         let camera = camera.as_ref();
         let began = Instant::now();
-        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing::<Nao>(camera, CAMERA));
+        let own = camera.map_or(OwnBody::NONE, |camera| OwnBody::standing(NAO, camera, CAMERA));
         let seen = match &self.colours {
             ColourTable::Compact(table) => self.pipeline.detect_with_body(&frame, &**table, camera, &own),
             ColourTable::Full(cells) => {

@@ -1,25 +1,35 @@
 //! What each robot has to do in the trials of its walk.
 
-use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{K1, Nao, T1};
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::walk::Velocity;
 
 use super::get_up::TIME_LIMIT;
 
-/// A robot model with requirements for its walk.
-pub(super) trait Course: MujocoModel {
+/// What a robot has to do.
+pub(super) struct Course {
     /// Commanded velocities.
-    const VELOCITIES: &'static [VelocityCase];
+    pub(super) velocities: &'static [VelocityCase],
     /// Pushes in walking.
-    const PUSHES: &'static [PushCase];
+    pub(super) pushes: &'static [PushCase],
     /// Forward velocity while it is pushed, m/s.
-    const PUSHED_VELOCITY: f32;
+    pub(super) pushed_velocity: f32,
     /// Least distance of a kicked ball if the kick counts, m; the robot must stand, too.
-    const LEAST_KICK: f32 = 1.0;
+    pub(super) least_kick: f32,
     /// Least median distance of a ball kicked in the walk, m.
-    const LEAST_DRIBBLE: f32 = 1.5;
+    pub(super) least_dribble: f32,
     /// Time in which it has to get up, s.
-    const TIME_TO_RISE: f32 = TIME_LIMIT;
+    pub(super) time_to_rise: f32,
+}
+
+impl Course {
+    /// The course of a robot; one without a course of its own has the [`K1`]'s.
+    pub(super) fn of(model: &SimulatedModel) -> &'static Self {
+        match model.id {
+            "nao" => &NAO,
+            "t1" => &T1,
+            _ => &K1,
+        }
+    }
 }
 
 /// A velocity, and what is required.
@@ -65,8 +75,8 @@ const fn ten(name: &'static str, speed: f32, needed: u32) -> PushCase {
     PushCase { name, speed, direction: None, times: 10, needed }
 }
 
-impl Course for Nao {
-    const VELOCITIES: &'static [VelocityCase] = &[
+const NAO: Course = Course {
+    velocities: &[
         exact("forward 0.2 m/s", 0.2, 0.0, 0.0),
         exact("backward 0.1 m/s", -0.1, 0.0, 0.0),
         exact("left 0.1 m/s", 0.0, 0.1, 0.0),
@@ -78,18 +88,19 @@ impl Course for Nao {
         exact("backward, left turn", -0.06, 0.0, 0.3),
         exact("all three", 0.1, 0.03, 0.2),
         upright("forward 0.3 m/s", 0.3, 0.0, 0.0, 20),
-    ];
-    const PUSHES: &'static [PushCase] = &[
+    ],
+    pushes: &[
         once("one of 0.6 m/s, behind", 0.6, 0.0, 18),
         ten("ten of 0.4 m/s", 0.4, 19),
         ten("ten of 0.5 m/s", 0.5, 15),
         ten("ten of 0.6 m/s", 0.6, 0),
         ten("ten of 0.8 m/s", 0.8, 0),
-    ];
-    const PUSHED_VELOCITY: f32 = 0.1;
-    const LEAST_KICK: f32 = 0.0;
-    const LEAST_DRIBBLE: f32 = 0.5;
-}
+    ],
+    pushed_velocity: 0.1,
+    least_kick: 0.0,
+    least_dribble: 0.5,
+    time_to_rise: TIME_LIMIT,
+};
 
 /// Velocities and pushes of both Booster robots.
 const BOOSTER_PUSHES: [PushCase; 6] = [
@@ -101,8 +112,8 @@ const BOOSTER_PUSHES: [PushCase; 6] = [
     ten("ten of 0.5 m/s", 0.5, 0),
 ];
 
-impl Course for T1 {
-    const VELOCITIES: &'static [VelocityCase] = &[
+const T1: Course = Course {
+    velocities: &[
         exact("forward 0.4 m/s", 0.4, 0.0, 0.0),
         mostly("forward 0.6 m/s", 0.6, 0.0, 0.0),
         mostly("backward 0.2 m/s", -0.2, 0.0, 0.0),
@@ -110,19 +121,24 @@ impl Course for T1 {
         mostly("right 0.2 m/s", 0.0, -0.2, 0.0),
         mostly("left turn 0.7 rad/s", 0.0, 0.0, 0.7),
         mostly("right turn 0.7 rad/s", 0.0, 0.0, -0.7),
-    ];
-    const PUSHES: &'static [PushCase] = &BOOSTER_PUSHES;
-    const PUSHED_VELOCITY: f32 = 0.2;
-    const TIME_TO_RISE: f32 = 4.0;
-}
+    ],
+    pushes: &BOOSTER_PUSHES,
+    pushed_velocity: 0.2,
+    time_to_rise: 4.0,
+    least_kick: 1.0,
+    least_dribble: 1.5,
+};
 
-impl Course for K1 {
-    const VELOCITIES: &'static [VelocityCase] = &[
+const K1: Course = Course {
+    velocities: &[
         mostly("forward 0.3 m/s", 0.3, 0.0, 0.0),
         upright("backward 0.15 m/s", -0.15, 0.0, 0.0, 0),
         upright("left 0.15 m/s", 0.0, 0.15, 0.0, 0),
         upright("left turn 0.6 rad/s", 0.0, 0.0, 0.6, 0),
-    ];
-    const PUSHES: &'static [PushCase] = &BOOSTER_PUSHES;
-    const PUSHED_VELOCITY: f32 = 0.2;
-}
+    ],
+    pushes: &BOOSTER_PUSHES,
+    pushed_velocity: 0.2,
+    least_kick: 1.0,
+    least_dribble: 1.5,
+    time_to_rise: TIME_LIMIT,
+};

@@ -5,12 +5,12 @@ use bica::runner::Runner;
 use bica_app::Failure;
 use bica_motion::fall::FallState;
 use bica_motion::joints::Joint;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
+use bica_player::Forward;
 use bica_player::behaviour::SafetyGuard;
 use bica_player::input::RobotProfile;
 use bica_player::perception::{FallDetector, GoalDetector};
-use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
@@ -25,7 +25,7 @@ const RELAXED: f32 = 0.35;
 
 /// A forward in a world, and its first fall.
 pub(super) struct FallSubject {
-    runner: Runner<Box<Forward>, MujocoWorld<Model>>,
+    runner: Runner<Box<Forward>, MujocoWorld>,
     /// Time at which the robot detected a fall, s.
     pub(super) fall_detected: Option<f32>,
     /// First contact of the ground with another part than the feet.
@@ -62,10 +62,10 @@ impl FallSubject {
 
     /// A robot at the start of a game.
     pub(super) fn in_game(setup: &Setup, physics: &Physics, cameras: bool) -> Result<Self, Failure> {
-        let world = MujocoWorld::<Model>::new(setup, &Physics { cameras, ..*physics })
+        let world = MujocoWorld::new(NAO, setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
+        robot.get_mut::<RobotProfile>().set(NAO.dynamic_profile);
         robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Ok(Self { runner: Runner::new(robot, world), fall_detected: None, impact: None, attempts: 0, gets_up: false })
     }

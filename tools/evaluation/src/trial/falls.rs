@@ -3,10 +3,9 @@
 use bica_app::Failure;
 use bica_motion::fall::{FallDetector, FallState};
 use bica_motion::kick::{Kick, KickMotion};
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::{Feedback, Velocity};
-use bica_player::Model;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
@@ -87,8 +86,8 @@ fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
 }
 
 fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::<Model>::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::<Model>::new());
+    let mut walker = Walker::new(NAO, seed, Pose2::ORIGIN, &series.physics)?;
+    let (mut rng, mut balance) = (Rng::new(seed), FallDetector::new(NAO));
     for _ in 0..WALKS {
         let velocity =
             Velocity { forward: rng.between(-0.1, 0.25), left: rng.between(-0.1, 0.1), turn: rng.between(-0.8, 0.8) };
@@ -103,10 +102,10 @@ fn walk(series: &Series, seed: u64) -> Result<bool, Failure> {
 }
 
 fn kick(series: &Series, seed: u64) -> Result<bool, Failure> {
-    let mut walker = Walker::<Model>::new(seed, Pose2::ORIGIN, &series.physics)?;
-    let mut balance = FallDetector::<Model>::new();
+    let mut walker = Walker::new(NAO, seed, Pose2::ORIGIN, &series.physics)?;
+    let mut balance = FallDetector::new(NAO);
     for kick in Kick::ALL {
-        let mut motion = KickMotion::<Model>::new(kick, Model::DYNAMIC_PROFILE);
+        let mut motion = KickMotion::new(NAO, kick, NAO.dynamic_profile);
         while !motion.is_done() {
             let limbs = motion.step(&Feedback::from(&walker.world.sensors()), CYCLE_SECONDS);
             walker.act(&limbs);

@@ -19,41 +19,30 @@ mod walking;
 use bica_app::{Console, Failure, Outcome, interrupt};
 use clap::ValueEnum;
 
-use bica_motion::model::{K1, Nao, T1};
-use course::Course;
+use bica_motion::model::simulation::NAO;
 pub use kicks::{KickResult, kick_ball};
 use series::Series;
 use table::Table;
 
-use crate::trial_options::{Kind, Robot, TrialOptions};
+use crate::trial_options::{Kind, TrialOptions};
 
 /// Runs trials and prints their tables.
 ///
 /// # Errors
 /// If the physics are out of range, the robot has no such trial, or the output cannot be written.
 pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
-    match options.robot {
-        Robot::Nao => run_with(options, &Series::new::<Nao>(options), Kind::value_variants(), nao),
-        Robot::T1 => run_with(options, &Series::new::<T1>(options), &BOOSTER, booster::<T1>),
-        Robot::K1 => run_with(options, &Series::new::<K1>(options), &BOOSTER, booster::<K1>),
-    }
-}
-
-fn run_with(
-    options: &TrialOptions,
-    series: &Series,
-    all: &[Kind],
-    trial: fn(Kind) -> Option<Trial>,
-) -> Result<Outcome, Failure> {
+    let series = Series::new(options.robot, options);
+    let has_forward = options.robot == NAO;
+    let all = if has_forward { Kind::value_variants() } else { &WITHOUT_FORWARD };
     let console = Console::new(options.json);
     let mut tables = Vec::new();
     for kind in if options.names.is_empty() { all } else { &options.names } {
         let name = kind.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
-        let trial = trial(*kind).ok_or_else(|| {
+        if !has_forward && !WITHOUT_FORWARD.contains(kind) {
             let help = "this robot has the trials `walk`, `pushes`, `kicks` and `get-up`; `--robot nao` has all";
-            Failure::new(format!("this robot has no trial `{name}`"), help)
-        })?;
-        let table = Table { trial: name, rows: trial(series)? };
+            return Err(Failure::new(format!("this robot has no trial `{name}`"), help));
+        }
+        let table = Table { trial: name, rows: rows(*kind, &series)? };
         table.print(console)?;
         tables.push(table);
         if interrupt::requested() {
@@ -64,34 +53,21 @@ fn run_with(
     Ok(if tables.iter().all(Table::holds) { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-type Trial = fn(&Series) -> Result<Vec<table::Row>, Failure>;
-
 /// Trials of a robot without the forward.
-const BOOSTER: [Kind; 4] = [Kind::Walk, Kind::Pushes, Kind::Kicks, Kind::GetUp];
+const WITHOUT_FORWARD: [Kind; 4] = [Kind::Walk, Kind::Pushes, Kind::Kicks, Kind::GetUp];
 
-/// A trial of a robot without the forward.
-fn booster<M: Course>(kind: Kind) -> Option<Trial> {
+fn rows(kind: Kind, series: &Series) -> Result<Vec<table::Row>, Failure> {
     match kind {
-        Kind::Walk => Some(walking::velocities::<M>),
-        Kind::Pushes => Some(walking::pushes::<M>),
-        Kind::Kicks => Some(kicks::rows::<M>),
-        Kind::GetUp => Some(rising::rows::<M>),
-        _ => None,
+        Kind::Walk => walking::velocities(series),
+        Kind::Commands => walking::commands(series),
+        Kind::Pushes => walking::pushes(series),
+        Kind::Bodies => walking::bodies(series),
+        Kind::Odometry => odometry::rows(series),
+        Kind::Kicks => kicks::rows(series),
+        Kind::Falls => falls::rows(series),
+        Kind::GetUp if series.model == NAO => get_up::rows(series),
+        Kind::GetUp => rising::rows(series),
+        Kind::Obstacles => obstacles::rows(series),
+        Kind::Comeback => comeback::rows(series),
     }
-}
-
-#[expect(clippy::unnecessary_wraps, reason = "it has the type of the trials of the other robots")]
-fn nao(kind: Kind) -> Option<Trial> {
-    Some(match kind {
-        Kind::Walk => walking::velocities::<Nao>,
-        Kind::Commands => walking::commands,
-        Kind::Pushes => walking::pushes::<Nao>,
-        Kind::Bodies => walking::bodies,
-        Kind::Odometry => odometry::rows,
-        Kind::Kicks => kicks::rows::<Nao>,
-        Kind::Falls => falls::rows,
-        Kind::GetUp => get_up::rows,
-        Kind::Obstacles => obstacles::rows,
-        Kind::Comeback => comeback::rows,
-    })
 }

@@ -4,8 +4,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use bica_app::Failure;
 use bica_field::FIELD;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
-use bica_player::Model;
 use bica_sim::World;
 use bica_sim::mujoco::MujocoWorld;
 use bica_sim::setup::{Setup, Start};
@@ -86,7 +86,7 @@ fn push_over(series: &Series, seed: u64, place: Place) -> Result<Option<GetUp>, 
 }
 
 fn keeper(setup: &Setup, series: &Series) -> Result<Vec2, Failure> {
-    let world = MujocoWorld::<Model>::new(setup, &series.physics)
+    let world = MujocoWorld::new(NAO, setup, &series.physics)
         .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
     Ok(world.referee().others().first().map_or(Vec2::ZERO, |keeper| keeper.position))
 }

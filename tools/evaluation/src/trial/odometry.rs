@@ -3,9 +3,9 @@
 use std::f32::consts::PI;
 
 use bica_app::Failure;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::walk::Velocity;
-use bica_player::Model;
 
 use super::rng::Rng;
 use super::series::Series;
@@ -25,7 +25,7 @@ const MAX_HEADING_ERROR: f32 = 8.0;
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
-        let mut walker = Walker::<Model>::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), &series.physics)?;
+        let mut walker = Walker::new(NAO, seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), &series.physics)?;
         let (start, start_estimate) = (walker.pose(), walker.odometry_pose());
         let mut path = 0.0;
         for _ in 0..60 {

@@ -11,7 +11,6 @@ use bica_sim::referee::Event;
 use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
-use super::course::Course;
 use super::get_up::{GREATEST_PUSH, LEAST_PUSH, TIME_LIMIT};
 use super::rng::Rng;
 use super::series::Series;
@@ -24,15 +23,15 @@ const REST: f32 = 0.5;
 const FALL: f32 = 2.0;
 
 /// Falls to the front and the back.
-pub(super) fn rows<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let row = |(name, direction)| {
-        let times = series.each(|seed| push_over::<M>(series, seed, direction))?;
+        let times = series.each(|seed| push_over(series, seed, direction))?;
         let up: Vec<f32> = times.iter().flatten().copied().collect();
-        let good = up.iter().filter(|time| **time <= M::TIME_TO_RISE).count();
+        let good = up.iter().filter(|time| **time <= series.course.time_to_rise).count();
         let (stood, slowest) = (up.len(), up.iter().copied().fold(0.0, f32::max));
         let figures = format!(
             "within {:.0} s; {stood} stand, median {:.1} s after the first movement, slowest {slowest:.1} s",
-            M::TIME_TO_RISE,
+            series.course.time_to_rise,
             median(up)
         );
         Ok(Row::new(format!("from the {name}"), times.len(), good, series.needed(18), figures))
@@ -41,11 +40,11 @@ pub(super) fn rows<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
 }
 
 /// Returns the time from the first movement until the robot has stood for half a second and stands until the end, s.
-fn push_over<M: Course>(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
-    let mut walker = Walker::<M>::new(seed, Pose2::ORIGIN, &series.physics)?;
+fn push_over(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
+    let mut walker = Walker::new(series.model, seed, Pose2::ORIGIN, &series.physics)?;
     walker.world.add_velocity(Rng::new(seed).between(LEAST_PUSH, GREATEST_PUSH) * direction);
-    let mut falls = FallDetector::<M>::new();
-    let (mut movement, mut failures, mut rest, mut began) = (GetUp::<M>::none(), 0, REST, None);
+    let mut falls = FallDetector::new(series.model);
+    let (mut movement, mut failures, mut rest, mut began) = (GetUp::none(series.model), 0, REST, None);
     for _ in 0..cycles(FALL + TIME_LIMIT) {
         let sensors = walker.sense();
         let state = falls.step(&sensors.inertial, CYCLE_SECONDS);
@@ -57,10 +56,10 @@ fn push_over<M: Course>(series: &Series, seed: u64, direction: Vec2) -> Result<O
                 walker.stand();
             }
         } else if let FallState::Falling(side) | FallState::Fallen(side) = state {
-            walker.command(protection::<M>(side).posture, Stiffness::Fall.joints::<M>());
+            walker.command(protection(series.model, side).posture, Stiffness::Fall.joints(series.model));
             rest -= if matches!(state, FallState::Fallen(_)) { CYCLE_SECONDS } else { 0.0 };
             if rest <= 0.0 {
-                movement = GetUp::new(side, failures, sensors.angles);
+                movement = GetUp::new(series.model, side, failures, sensors.angles);
                 began = began.or(Some(walker.world.now().as_secs_f32()));
             }
         } else {

@@ -1,20 +1,23 @@
 //! The same trial with many seeds.
 
 use bica_app::{Batch, Failure};
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_sim::mujoco::Physics;
 
+use super::course::Course;
 use crate::trial_options::TrialOptions;
 
 /// Seeds and physics of the trials.
 pub(super) struct Series {
+    pub(super) model: &'static SimulatedModel,
+    pub(super) course: &'static Course,
     batch: Batch,
     pub(super) physics: Physics,
 }
 
 impl Series {
-    pub(super) fn new<M: MujocoModel>(options: &TrialOptions) -> Self {
-        let default = Physics { cameras: false, ..Physics::of::<M>() };
+    pub(super) fn new(model: &'static SimulatedModel, options: &TrialOptions) -> Self {
+        let default = Physics { cameras: false, ..Physics::of(model) };
         let physics = Physics {
             friction: options.friction.unwrap_or(default.friction),
             leg_gain: options.leg_gain.unwrap_or(default.leg_gain),
@@ -23,7 +26,12 @@ impl Series {
             noise: options.noise.unwrap_or(default.noise),
             ..default
         };
-        Self { batch: Batch::new(options.seed, options.runs, options.threads), physics }
+        Self {
+            model,
+            course: Course::of(model),
+            batch: Batch::new(options.seed, options.runs, options.threads),
+            physics,
+        }
     }
 
     /// Number of seeds.

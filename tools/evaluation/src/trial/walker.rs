@@ -3,7 +3,7 @@
 use bica_app::Failure;
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::limbs::Limbs;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{CameraId, Command, Lights, Sensors};
@@ -11,7 +11,6 @@ use bica_motion::senses::SenseEstimator;
 use bica_motion::side::Side;
 use bica_motion::stiffness::Stiffness;
 use bica_motion::walk::{Feedback, Velocity, Walk};
-use bica_player::Model;
 use bica_sim::mujoco::{MujocoWorld, Physics};
 use bica_sim::referee::Event;
 use bica_sim::setup::{Setup, Start};
@@ -19,28 +18,34 @@ use bica_sim::{CYCLE_SECONDS, World};
 use glam::Vec2;
 
 /// A robot alone on the field, with a gait and odometry.
-pub(super) struct Walker<M = Model> {
-    pub(super) world: MujocoWorld<M>,
-    senses: SenseEstimator<M>,
-    gait: Walk<M>,
-    odometry: Odometry<M>,
+pub(super) struct Walker {
+    pub(super) model: &'static SimulatedModel,
+    pub(super) world: MujocoWorld,
+    senses: SenseEstimator,
+    gait: Walk,
+    odometry: Odometry,
     /// Joint targets of the last cycle, rad.
     commanded: Joints,
     /// Where the ball was put, and its farthest way from there, m.
     ball: [Vec2; 2],
 }
 
-impl<M: MujocoModel> Walker<M> {
+impl Walker {
     /// A standing robot; the ball lies in a corner.
-    pub(super) fn new(seed: u64, robot: Pose2, physics: &Physics) -> Result<Self, Failure> {
+    pub(super) fn new(
+        model: &'static SimulatedModel,
+        seed: u64,
+        robot: Pose2,
+        physics: &Physics,
+    ) -> Result<Self, Failure> {
         let start = Some(Start { robot, ball: Vec2::new(-2.8, 1.8) });
         let setup = Setup { seed, goalkeeper: false, start, ..Setup::default() };
-        let world = MujocoWorld::<M>::new(&setup, physics)
+        let world = MujocoWorld::new(model, &setup, physics)
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
-        let (gait, odometry) = (&M::DYNAMIC_PROFILE.gait, Odometry::new(&M::DYNAMIC_PROFILE.odometry));
-        let commanded = gait.stand::<M>().joints::<M>();
-        let (senses, gait, ball) = (SenseEstimator::new(), Walk::new(gait), [Vec2::ZERO; 2]);
-        let mut walker = Self { world, senses, gait, odometry, commanded, ball };
+        let (gait, odometry) = (&model.dynamic_profile.gait, Odometry::new(model, &model.dynamic_profile.odometry));
+        let commanded = gait.stand(model).joints(model);
+        let (senses, gait, ball) = (SenseEstimator::new(model), Walk::new(model, gait), [Vec2::ZERO; 2]);
+        let mut walker = Self { model, world, senses, gait, odometry, commanded, ball };
         walker.go(Velocity::ZERO, 1.0);
         Ok(walker)
     }
@@ -91,11 +96,11 @@ impl<M: MujocoModel> Walker<M> {
 
     /// Moves the limbs for one control cycle.
     pub(super) fn act(&mut self, limbs: &Limbs) {
-        let mut stiffness = Stiffness::Walk.joints::<M>();
+        let mut stiffness = Stiffness::Walk.joints(self.model);
         for joint in [Joint::HeadYaw, Joint::HeadPitch] {
             stiffness[joint] = 0.7;
         }
-        self.command(limbs.joints::<M>(), stiffness);
+        self.command(limbs.joints(self.model), stiffness);
     }
 
     /// Moves all joints for one control cycle.
@@ -121,8 +126,8 @@ impl<M: MujocoModel> Walker<M> {
     }
 
     /// Begins a new gait from the stand.
-    pub(super) const fn stand(&mut self) {
-        self.gait = Walk::new(&M::DYNAMIC_PROFILE.gait);
+    pub(super) fn stand(&mut self) {
+        self.gait = Walk::new(self.model, &self.model.dynamic_profile.gait);
     }
 
     /// Returns the time of the first fall, s.

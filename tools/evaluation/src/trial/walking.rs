@@ -3,14 +3,14 @@
 use std::f32::consts::{PI, TAU};
 
 use bica_app::Failure;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::Pose2;
 use bica_motion::walk::Velocity;
-use bica_player::Model;
 use bica_sim::World;
 use bica_sim::mujoco::Physics;
 use glam::Vec2;
 
-use super::course::{Course, PushCase, VelocityCase};
+use super::course::{PushCase, VelocityCase};
 use super::rng::Rng;
 use super::series::Series;
 use super::table::{Row, mean};
@@ -34,11 +34,11 @@ const BESIDE_GOALS: f32 = 1.4;
 const INTERVAL: f32 = 2.0;
 
 /// Single and combined velocities.
-pub(super) fn velocities<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
-    M::VELOCITIES.iter().map(|case| velocity_row::<M>(series, case)).collect()
+pub(super) fn velocities(series: &Series) -> Result<Vec<Row>, Failure> {
+    series.course.velocities.iter().map(|case| velocity_row(series, case)).collect()
 }
 
-fn velocity_row<M: Course>(series: &Series, case: &VelocityCase) -> Result<Row, Failure> {
+fn velocity_row(series: &Series, case: &VelocityCase) -> Result<Row, Failure> {
     let VelocityCase { name, velocity: commanded, exact, needed } = *case;
     let way = Vec2::new(commanded.forward, commanded.left);
     let mut start = if commanded.turn == 0.0 { -0.5 * (START + MEASUREMENT) * way } else { Vec2::ZERO };
@@ -47,7 +47,7 @@ fn velocity_row<M: Course>(series: &Series, case: &VelocityCase) -> Result<Row, 
     }
     let start = Pose2 { position: start, heading: 0.0 };
     let reached = series.each(|seed| {
-        let mut walker = Walker::<M>::new(seed, start, &series.physics)?;
+        let mut walker = Walker::new(series.model, seed, start, &series.physics)?;
         walker.go(commanded, START);
         let mut sum = Pose2::ORIGIN;
         for _ in 0..cycles(MEASUREMENT) {
@@ -106,7 +106,7 @@ pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
 fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -> Result<Row, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);
-        let mut walker = Walker::<Model>::new(seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
+        let mut walker = Walker::new(NAO, seed, Pose2::new(0.0, 0.0, rng.between(-PI, PI)), physics)?;
         for _ in 0..30 {
             walker.go(inward(&mut rng, walker.pose()), INTERVAL);
         }
@@ -134,13 +134,14 @@ fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
 }
 
 /// Pushes in walking: one, or one every two seconds.
-pub(super) fn pushes<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
+pub(super) fn pushes(series: &Series) -> Result<Vec<Row>, Failure> {
     let row = |case: &PushCase| {
         let runs = series.each(|seed| {
             let mut rng = Rng::new(seed);
-            let ahead = Velocity::new(M::PUSHED_VELOCITY, 0.0, 0.0);
-            let start = Vec2::new(-0.5 * INTERVAL * (case.times + 1) as f32 * M::PUSHED_VELOCITY, BESIDE_GOALS);
-            let mut walker = Walker::<M>::new(seed, Pose2 { position: start, heading: 0.0 }, &series.physics)?;
+            let ahead = Velocity::new(series.course.pushed_velocity, 0.0, 0.0);
+            let start =
+                Vec2::new(-0.5 * INTERVAL * (case.times + 1) as f32 * series.course.pushed_velocity, BESIDE_GOALS);
+            let mut walker = Walker::new(series.model, seed, Pose2 { position: start, heading: 0.0 }, &series.physics)?;
             // The phase of the step in which the push comes is random.
             walker.go(ahead, rng.between(0.0, 1.0));
             for _ in 0..case.times {
@@ -153,7 +154,7 @@ pub(super) fn pushes<M: Course>(series: &Series) -> Result<Vec<Row>, Failure> {
         })?;
         Ok(fall_row(case.name, &runs, series.needed(case.needed)))
     };
-    M::PUSHES.iter().map(row).collect()
+    series.course.pushes.iter().map(row).collect()
 }
 
 fn fall_row(name: &str, falls: &[Option<f32>], needed: usize) -> Row {

@@ -3,13 +3,14 @@
 use bica::prelude::*;
 use bica::runner::Runner;
 use bica_motion::kinematics;
+use bica_motion::model::simulation::NAO;
 use bica_motion::pose::{Pose2, wrap};
 use bica_motion::robot::{Command, Sensors};
 use bica_motion::side::Side;
+use bica_player::Forward;
 use bica_player::behaviour::{LookAround, Player};
 use bica_player::motion::Body;
 use bica_player::perception::{GoalDetector, Localization};
-use bica_player::{Forward, Model};
 use bica_sim::World;
 use bica_sim::kinematic::KinematicWorld;
 use bica_sim::setup::{Frame, Setup, Start};
@@ -23,7 +24,7 @@ const MAX_HEADING_ERROR: f32 = 0.174_533;
 
 /// World that can be replaced while the clock goes on.
 struct Stage {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     cycle: u64,
 }
 
@@ -94,7 +95,7 @@ fn setup(seed: u64, robots: usize, size: Frame) -> Setup {
 impl Lookout {
     /// A robot at a pose drawn from the seed, with this number of others on the field and images of this size.
     pub(crate) fn new(seed: u64, robots: usize, size: Frame) -> Self {
-        let world = KinematicWorld::<Model>::new(&setup(seed, robots, size)).expect("a start on the carpet");
+        let world = KinematicWorld::new(NAO, &setup(seed, robots, size)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
         robot.hold::<Player>(Hold::Latent);
         robot.hold::<LookAround>(Hold::Active);
@@ -106,16 +107,15 @@ impl Lookout {
     /// Moves the robot to the pose of another seed without notice.
     pub(crate) fn kidnap(&mut self, seed: u64, robots: usize) {
         let mine = self.runner.world().world.referee().attacks();
-        let other =
-            |seed| KinematicWorld::<Model>::new(&setup(seed, robots, self.size)).expect("a start on the carpet");
+        let other = |seed| KinematicWorld::new(NAO, &setup(seed, robots, self.size)).expect("a start on the carpet");
         let world = (seed..seed + 100).map(other).find(|world| world.referee().attacks() == mine).expect("half of all");
         self.runner.world_mut().world = world;
     }
 
     /// Returns the true pose of the ground between the feet.
     fn truth(&mut self) -> Pose2 {
-        let hips = kinematics::ground_from_robot::<Model>(Side::Left, &self.runner.world_mut().world.sensors().angles)
-            .translation;
+        let hips =
+            kinematics::ground_from_robot(NAO, Side::Left, &self.runner.world_mut().world.sensors().angles).translation;
         self.runner.world().world.referee().robot() * Pose2::new(-hips.x, -hips.y, 0.0)
     }
 

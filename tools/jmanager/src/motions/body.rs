@@ -49,12 +49,12 @@ struct Mesh {
 }
 
 impl Body {
-    pub(super) fn of<M: SimulatedModel>() -> Self {
-        let Figure { trunk, side, head, .. } = M::FIGURE;
+    pub(super) fn of(model: &'static SimulatedModel) -> Self {
+        let Figure { trunk, side, head, .. } = model.figure;
         let right = side.iter().map(Part::mirrored);
         let parts: Vec<Part> = trunk.iter().chain(*side).chain(*head).copied().chain(right).collect();
-        let links = (0..SEGMENTS).map(|index| link::<M>(index, &parts)).collect();
-        Self { frame: "torso", joints: M::JOINTS.iter().map(|joint| format!("{joint:?}")).collect(), links }
+        let links = (0..SEGMENTS).map(|index| link(model, index, &parts)).collect();
+        Self { frame: "torso", joints: model.joints.iter().map(|joint| format!("{joint:?}")).collect(), links }
     }
 }
 
@@ -67,9 +67,9 @@ fn parent(index: usize) -> Option<usize> {
     }
 }
 
-fn link<M: SimulatedModel>(index: usize, parts: &[Part]) -> Link {
+fn link(model: &'static SimulatedModel, index: usize, parts: &[Part]) -> Link {
     let in_parent = |angles: &Joints| {
-        let skeleton = Skeleton::<M>::of(angles);
+        let skeleton = Skeleton::of(model, angles);
         let above = parent(index).map_or(Affine3A::IDENTITY, |parent| skeleton.pose(Segment::ALL[parent]));
         above.inverse() * skeleton.pose(Segment::ALL[index])
     };
@@ -81,7 +81,7 @@ fn link<M: SimulatedModel>(index: usize, parts: &[Part]) -> Link {
         let turn = Quat::from_mat3a(&(pose.matrix3.transpose() * in_parent(&moved).matrix3)).to_scaled_axis();
         (turn.length() > LEAST).then(|| (format!("{joint:?}"), turn.normalize()))
     };
-    let (joint, axis) = M::JOINTS.iter().find_map(turn).unzip();
+    let (joint, axis) = model.joints.iter().find_map(turn).unzip();
     let own = |part: &&Part| part.0 == Segment::ALL[index];
     Link {
         parent: parent(index),
@@ -156,7 +156,7 @@ fn block(centre: Vec3, half: Vec3) -> Vec<Vec3> {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::model::{K1, Nao, T1};
+    use bica_motion::model::simulation::HUMANOIDS;
 
     use super::*;
 
@@ -172,21 +172,21 @@ mod tests {
         poses
     }
 
-    fn follows<M: SimulatedModel>() {
-        let body = Body::of::<M>();
+    fn follows(model: &'static SimulatedModel) {
+        let body = Body::of(model);
         for number in 0..50_u16 {
             let mut angles = Joints::all(0.0);
-            for (index, &joint) in M::JOINTS.iter().enumerate() {
+            for (index, &joint) in model.joints.iter().enumerate() {
                 angles[joint] = ((f32::from(number) + 1.0) * (index as f32 + 1.0) * 0.618).sin();
             }
-            let skeleton = Skeleton::<M>::of(&angles);
+            let skeleton = Skeleton::of(model, &angles);
             let of = |name: &str| {
-                let joint = M::JOINTS.iter().find(|joint| format!("{joint:?}") == name);
+                let joint = model.joints.iter().find(|joint| format!("{joint:?}") == name);
                 angles[*joint.expect("a joint of the robot")]
             };
             for (segment, pose) in Segment::ALL.into_iter().zip(posed(&body, of)) {
                 let expected = skeleton.pose(segment);
-                assert!(pose.abs_diff_eq(expected, 1e-3), "{} {segment:?} {pose:?} {expected:?}", M::NAME);
+                assert!(pose.abs_diff_eq(expected, 1e-3), "{} {segment:?} {pose:?} {expected:?}", model.name);
             }
         }
         let volume = |mesh: &Mesh| {
@@ -194,14 +194,12 @@ mod tests {
             corners.chunks(3).map(|at| at[0].dot(at[1].cross(at[2]))).sum::<f32>()
         };
         let meshes: Vec<_> = body.links.iter().flat_map(|link| &link.meshes).collect();
-        assert!(meshes.len() > 10, "{} parts of {}", meshes.len(), M::NAME);
-        assert!(meshes.iter().all(|mesh| volume(mesh) > 0.0), "a surface of {} is inside out", M::NAME);
+        assert!(meshes.len() > 10, "{} parts of {}", meshes.len(), model.name);
+        assert!(meshes.iter().all(|mesh| volume(mesh) > 0.0), "a surface of {} is inside out", model.name);
     }
 
     #[test]
     fn links_of_each_robot_follow_its_kinematics() {
-        follows::<Nao>();
-        follows::<T1>();
-        follows::<K1>();
+        HUMANOIDS.iter().copied().for_each(follows);
     }
 }

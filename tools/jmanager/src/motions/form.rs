@@ -6,13 +6,12 @@ use std::collections::BTreeMap;
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::KickKind;
-use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{K1, KickPose, Nao, RobotModel, T1};
+use bica_motion::model::simulation::{HUMANOIDS, NAO, SimulatedModel};
+use bica_motion::model::{KickPose, RobotModel};
 use bica_motion::side::Side;
 use glam::Vec3;
 use serde::Serialize;
 
-use super::robot::Robot;
 use super::session::MOVE_LIMB;
 
 /// Names of the six joints of a leg, and of the five of an arm, in the order of `symmetric`.
@@ -25,11 +24,11 @@ const GET_UP_JOINTS: usize = 23;
 #[derive(Serialize)]
 pub(super) struct Form {
     /// Name, by which messages address it.
-    name: &'static str,
+    name: String,
     /// Type of the rows.
     ty: &'static str,
     /// Part of the paths of the files to which it applies.
-    within: &'static str,
+    within: String,
     /// The cell with the duration, and its unit, s.
     #[serde(skip_serializing_if = "Option::is_none")]
     time: Option<(&'static str, f32)>,
@@ -47,7 +46,7 @@ pub(super) struct Form {
     /// By the key of a motion: where it begins, and the motions of the file that belong together.
     sequences: BTreeMap<&'static str, (Start, Vec<&'static str>)>,
     #[serde(skip)]
-    pub(super) robot: Robot,
+    pub(super) robot: &'static SimulatedModel,
     /// Whether the rows are poses of a kick.
     #[serde(skip)]
     pub(super) kicks: bool,
@@ -103,9 +102,9 @@ struct Channel {
 
 impl Channel {
     /// A channel in degrees. Its factors lead from it to the angles of joints, without the unit.
-    fn degrees<M: RobotModel>(cell: String, name: String, joints: Vec<(Joint, f32)>, step: f32) -> Self {
+    fn degrees(model: &'static RobotModel, cell: String, name: String, joints: Vec<(Joint, f32)>, step: f32) -> Self {
         let (joint, sign) = joints[0];
-        let limits = [M::LIMITS[joint].min, M::LIMITS[joint].max].map(|limit| sign * limit.to_degrees());
+        let limits = [model.limits[joint].min, model.limits[joint].max].map(|limit| sign * limit.to_degrees());
         let round = |value: f32| (value / step).round() * step;
         Self {
             cell,
@@ -114,7 +113,7 @@ impl Channel {
             min: limits[0].min(limits[1]).floor(),
             max: limits[0].max(limits[1]).ceil(),
             step,
-            rest: round(sign * M::STAND[joint].to_degrees()),
+            rest: round(sign * model.stand[joint].to_degrees()),
             mirror: (0, false),
             moves: joints.iter().map(|(joint, _)| format!("{joint:?}")).collect(),
             joints: joints.into_iter().map(|(joint, sign)| (joint, sign.to_radians())).collect(),
@@ -131,11 +130,11 @@ impl Channel {
 }
 
 impl Form {
-    fn new<M: MujocoModel>(name: &'static str, ty: &'static str, within: &'static str) -> Self {
+    fn new(model: &'static SimulatedModel, what: &str, ty: &'static str, within: impl Into<String>) -> Self {
         Self {
-            name,
+            name: format!("{what} of {}", model.name),
             ty,
-            within,
+            within: within.into(),
             time: None,
             pace: None,
             linear: false,
@@ -143,37 +142,28 @@ impl Form {
             channels: Vec::new(),
             row: None,
             sequences: BTreeMap::new(),
-            robot: Robot::of::<M>(),
+            robot: model,
             kicks: false,
-            plays: (M::NAME == Nao::NAME).then_some(MOVE_LIMB),
+            plays: (model == NAO).then_some(MOVE_LIMB),
             only: None,
         }
     }
 
     /// All forms.
     pub(super) fn all() -> Vec<Self> {
-        vec![
-            Self::get_up(),
-            Self::pairs(),
-            Self::kick(),
-            Self::posture::<Nao>("posture of the NAO", "model/nao/"),
-            Self::keyframe::<Nao>("keyframe of the NAO", "model/nao/"),
-            Self::posture::<T1>("posture of the T1", "model/t1"),
-            Self::keyframe::<T1>("keyframe of the T1", "model/t1"),
-            Self::posture::<K1>("posture of the K1", "model/k1"),
-            Self::keyframe::<K1>("keyframe of the K1", "model/k1"),
-        ]
+        let of_each = HUMANOIDS.iter().flat_map(|model| [Self::posture(model), Self::keyframe(model)]);
+        [Self::get_up(), Self::pairs(), Self::kick()].into_iter().chain(of_each).collect()
     }
 
     fn get_up() -> Self {
         let joints = &Joint::ALL[..GET_UP_JOINTS];
         let channel = |(index, joint): (usize, &Joint)| {
             let cell = format!("1.{index}");
-            let channel = Channel::degrees::<Nao>(cell, format!("{joint:?}"), vec![(*joint, 1.0)], 1.0);
+            let channel = Channel::degrees(NAO, cell, format!("{joint:?}"), vec![(*joint, 1.0)], 1.0);
             // The angles are stored in `i8`.
             Channel { min: channel.min.max(-128.0), max: channel.max.min(127.0), ..mirrored(channel, joints) }
         };
-        let angles: Vec<_> = joints.iter().map(|joint| Nao::STAND[*joint].to_degrees().round().to_string()).collect();
+        let angles: Vec<_> = joints.iter().map(|joint| NAO.stand[*joint].to_degrees().round().to_string()).collect();
         let rise = |first| vec![first, "RISE"];
         let front = (Start::Front, rise("SIT_UP_FROM_FRONT"));
         Self {
@@ -189,7 +179,7 @@ impl Form {
                 ("TURN_FROM_FRONT", (Start::Front, vec!["TURN_FROM_FRONT"])),
                 ("TURN_FROM_BACK", (Start::Back, vec!["TURN_FROM_BACK"])),
             ]),
-            ..Self::new::<Nao>("get-up of the NAO", "GetUpFrame", "nao/")
+            ..Self::new(NAO, "get-up", "GetUpFrame", "nao/")
         }
     }
 
@@ -197,19 +187,19 @@ impl Form {
     fn pairs() -> Self {
         let joints = &Joint::ALL[..GET_UP_JOINTS];
         let channel = |joint: &Joint| {
-            let channel = Channel::degrees::<Nao>(format!("{joint:?}"), format!("{joint:?}"), vec![(*joint, 1.0)], 1.0);
+            let channel = Channel::degrees(NAO, format!("{joint:?}"), format!("{joint:?}"), vec![(*joint, 1.0)], 1.0);
             mirrored(channel, joints)
         };
         Self {
             pace: Some(Pace { speed: 60.0, shortest: 0.6 }),
             channels: joints.iter().map(channel).collect(),
             row: Some("&[]".to_owned()),
-            ..Self::new::<Nao>("key of joints of the NAO", "Key", "")
+            ..Self::new(NAO, "key of joints", "Key", "")
         }
     }
 
     /// Channels of a posture that is the same on both sides.
-    fn symmetric<M: RobotModel>(prefix: &str) -> Vec<Channel> {
+    fn symmetric(model: &'static RobotModel, prefix: &str) -> Vec<Channel> {
         let both = |left: Joint| {
             let right = left.mirrored();
             let sign = if left.changes_sign_mirrored() { -1.0 } else { 1.0 };
@@ -217,37 +207,46 @@ impl Form {
         };
         let limbs = |cell: usize, names: &'static [&'static str], joints: Vec<Joint>| {
             let of = move |(index, (name, joint)): (usize, (&&str, Joint))| {
-                let joints = if cell == 2 && index == 0 && !M::LEG.shares_hip_yaw() {
+                let joints = if cell == 2 && index == 0 && !model.leg.shares_hip_yaw() {
                     vec![(Joint::LEFT_HIP_YAW, 1.0), (Joint::RIGHT_HIP_YAW, -1.0)]
                 } else {
                     both(joint)
                 };
-                Channel::degrees::<M>(format!("{prefix}{cell}.{index}"), (*name).to_owned(), joints, 0.1)
+                Channel::degrees(model, format!("{prefix}{cell}.{index}"), (*name).to_owned(), joints, 0.1)
             };
             names.iter().zip(joints).enumerate().map(of).collect::<Vec<_>>()
         };
         let head = vec![(Joint::HeadPitch, 1.0)];
-        let head = Channel::degrees::<M>(format!("{prefix}0"), "head pitch".to_owned(), head, 0.1);
+        let head = Channel::degrees(model, format!("{prefix}0"), "head pitch".to_owned(), head, 0.1);
         let (arm, leg) = (limbs(1, &ARM, Side::Left.arm()[..5].to_vec()), limbs(2, &LEG, Side::Left.leg().to_vec()));
         let mut channels: Vec<_> = [head].into_iter().chain(arm).chain(leg).collect();
         (0..channels.len()).for_each(|own| channels[own].mirror = (own, false));
         channels
     }
 
-    fn posture<M: MujocoModel>(name: &'static str, within: &'static str) -> Self {
-        Self { channels: Self::symmetric::<M>(""), ..Self::new::<M>(name, "Joints", within) }
+    /// Files with postures and keyframes of a robot, by their paths.
+    fn sources(model: &SimulatedModel) -> String {
+        format!("model/{}", model.id)
     }
 
-    fn keyframe<M: MujocoModel>(name: &'static str, within: &'static str) -> Self {
-        let mut channels = Self::symmetric::<M>("posture/");
+    fn posture(model: &'static SimulatedModel) -> Self {
+        Self { channels: Self::symmetric(model, ""), ..Self::new(model, "posture", "Joints", Self::sources(model)) }
+    }
+
+    fn keyframe(model: &'static SimulatedModel) -> Self {
+        let mut channels = Self::symmetric(model, "posture/");
         let own = channels.len();
         channels.push(Channel::plain(own, "stiffness".to_owned(), "stiffness", "", [0.0, 1.0, 0.05, 1.0]));
-        Self { time: Some(("seconds", 1.0)), channels, ..Self::new::<M>(name, "Keyframe", within) }
+        Self {
+            time: Some(("seconds", 1.0)),
+            channels,
+            ..Self::new(model, "keyframe", "Keyframe", Self::sources(model))
+        }
     }
 
     fn kick() -> Self {
         let names = ["hips x", "hips y", "hips z", "foot x", "foot y", "foot z", "foot yaw", "foot roll", "foot pitch"];
-        let gait = &Nao::DYNAMIC_PROFILE.gait;
+        let gait = &NAO.dynamic_profile.gait;
         let rest = [gait.torso_offset, 0.0, gait.hip_height, 0.0, gait.half_spacing, 0.0, 0.0, 0.0, 0.0];
         let ranges = [
             (-0.1, 0.1),
@@ -271,13 +270,13 @@ impl Form {
             row: Some("KickFrame::new(0.4, [0.0, 0.0, 0.225], [0.0, 0.05, 0.0], [0.0, 0.0, 0.0])".to_owned()),
             kicks: true,
             only: Some("MuJoCo, left foot, ball in front"),
-            ..Self::new::<Nao>("kick of the NAO", "KickFrame", "nao/kick")
+            ..Self::new(NAO, "kick", "KickFrame", "nao/kick")
         }
     }
 
     /// The name by which messages address it.
-    pub(super) const fn name(&self) -> &'static str {
-        self.name
+    pub(super) fn name(&self) -> &str {
+        &self.name
     }
 
     /// The numbers of a row at rest.
@@ -295,9 +294,9 @@ impl Form {
     /// The joint angles of a row, rad.
     pub(super) fn posture_of(&self, row: &BTreeMap<String, f32>) -> Joints {
         if self.kicks {
-            let mut limbs = Nao::DYNAMIC_PROFILE.gait.stand::<Nao>();
-            limbs.legs = self.kick_pose(row).legs::<Nao>(Side::Left, &Nao::DYNAMIC_PROFILE.gait);
-            return limbs.joints::<Nao>();
+            let mut limbs = NAO.dynamic_profile.gait.stand(NAO);
+            limbs.legs = self.kick_pose(row).legs(NAO, Side::Left, &NAO.dynamic_profile.gait);
+            return limbs.joints(NAO);
         }
         let mut posture = self.robot.stand;
         for channel in &self.channels {
@@ -330,8 +329,10 @@ pub(super) fn kick_kind(key: &str) -> Option<KickKind> {
 mod tests {
     use std::path::Path;
 
-    use super::*;
+    use bica_motion::model::{K1, T1};
     use bica_vicode::model::{Row, Table};
+
+    use super::*;
 
     fn tables(file: &str) -> Vec<Table> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
@@ -340,7 +341,7 @@ mod tests {
 
     /// The form of a table, and the numbers of a row.
     fn form<'a>(forms: &'a [Form], file: &str, table: &Table) -> Option<&'a Form> {
-        forms.iter().find(|form| form.ty == table.ty && file.contains(form.within))
+        forms.iter().find(|form| form.ty == table.ty && file.contains(&form.within))
     }
 
     fn cells(row: &Row) -> BTreeMap<String, f32> {
@@ -378,13 +379,13 @@ mod tests {
             let far = Joint::ALL.into_iter().find(|joint| (found[*joint] - expected[*joint]).abs() > 1e-5);
             assert_eq!(far, None, "{file} {name}");
         };
-        check("bica-motion/src/model/nao/postures.rs", "STAND", &Nao::STAND);
-        check("bica-motion/src/model/nao/postures.rs", "SIT", &Nao::SIT);
-        check("bica-motion/src/model/t1.rs", "STAND", &T1::STAND);
-        check("bica-motion/src/model/k1.rs", "STAND", &K1::STAND);
+        check("bica-motion/src/model/nao/postures.rs", "STAND", &NAO.stand);
+        check("bica-motion/src/model/nao/postures.rs", "SIT", &NAO.sit);
+        check("bica-motion/src/model/t1.rs", "STAND", &T1.stand);
+        check("bica-motion/src/model/k1.rs", "STAND", &K1.stand);
         let kick = forms.iter().find(|form| form.kicks).expect("kicks");
         let front = &tables("bica-motion/src/model/nao/kick_dynamic.rs")[0];
-        for (row, frame) in front.rows.iter().zip(Nao::DYNAMIC_PROFILE.kicks.front.frames) {
+        for (row, frame) in front.rows.iter().zip(NAO.dynamic_profile.kicks.front.frames) {
             assert_eq!(kick.kick_pose(&cells(row)), frame.pose);
         }
     }

@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 
 use bica_evaluation::trial_options::{KickResult, kick_ball};
 use bica_motion::kick::{Kick, KickKind, technique};
-use bica_motion::model::{KickFrame, Kicks, Nao, Profile, RobotModel as _, Technique};
+use bica_motion::model::simulation::NAO;
+use bica_motion::model::{KickFrame, Kicks, Profile, Technique};
 use bica_motion::side::Side;
 use bica_wire::model::Invalid;
 use serde::Serialize;
@@ -36,7 +37,7 @@ static KNOWN: Mutex<BTreeMap<(u8, u32), Outcome>> = Mutex::new(BTreeMap::new());
 pub(super) fn tried(kind: KickKind, frames: Vec<KickFrame>, runs: u32) -> Result<Verdict, Invalid> {
     let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let found = known().get(&(kind as u8, runs)).cloned();
-    let own = found.map_or_else(|| kicked(kind, Nao::DYNAMIC_PROFILE, runs), Ok)?;
+    let own = found.map_or_else(|| kicked(kind, NAO.dynamic_profile, runs), Ok)?;
     known().insert((kind as u8, runs), own.clone());
     let Outcome { way, off, falls } = kicked(kind, changed(kind, frames), runs)?;
     let gain = 100.0 * (way / own.way - 1.0);
@@ -49,8 +50,8 @@ pub(super) fn tried(kind: KickKind, frames: Vec<KickFrame>, runs: u32) -> Result
 
 fn kicked(kind: KickKind, profile: &'static Profile, runs: u32) -> Result<Outcome, Invalid> {
     let run = |seed: u64| {
-        let physics = super::play::physics::<Nao>(seed, &mut super::play::Draw(seed));
-        kick_ball::<Nao>(&physics, seed, Kick { kind, foot: Side::Left }, profile)
+        let physics = super::play::physics(NAO, seed, &mut super::play::Draw(seed));
+        kick_ball(NAO, &physics, seed, Kick { kind, foot: Side::Left }, profile)
     };
     let failed = |failure| Invalid::new(format!("the kick cannot be tried: {failure:?}"), "install MuJoCo anew");
     let found: Vec<_> = (0..u64::from(runs)).map(run).collect::<Result<_, _>>().map_err(failed)?;
@@ -68,7 +69,7 @@ static TRIED: Mutex<Vec<&Profile>> = Mutex::new(Vec::new());
 
 /// The profile with other poses of one kick.
 fn changed(kind: KickKind, frames: Vec<KickFrame>) -> &'static Profile {
-    let Profile { kicks, .. } = *Nao::DYNAMIC_PROFILE;
+    let Profile { kicks, .. } = *NAO.dynamic_profile;
     let mut tried = TRIED.lock().unwrap_or_else(PoisonError::into_inner);
     let is_same = |profile: &&&Profile| technique(&profile.kicks, kind).frames == frames;
     if let Some(known) = tried.iter().find(is_same) {
@@ -81,7 +82,7 @@ fn changed(kind: KickKind, frames: Vec<KickFrame>) -> &'static Profile {
         KickKind::Diagonal => Kicks { diagonal: with(kicks.diagonal), ..kicks },
         KickKind::Lateral => Kicks { lateral: with(kicks.lateral), ..kicks },
     };
-    let profile = Box::leak(Box::new(Profile { kicks, ..*Nao::DYNAMIC_PROFILE }));
+    let profile = Box::leak(Box::new(Profile { kicks, ..*NAO.dynamic_profile }));
     tried.push(profile);
     profile
 }
@@ -98,10 +99,10 @@ mod tests {
         let tutorial = include_str!("../../../../docs/motions.md");
         assert!(tutorial.contains("\n-    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.111, 0.025], "));
         assert!(tutorial.contains("\n+    KickFrame::new(0.36, [0.012, -0.042, 0.236], [0.095, 0.125, 0.025], "));
-        let mut frames = Nao::DYNAMIC_PROFILE.kicks.lateral.frames.to_vec();
+        let mut frames = NAO.dynamic_profile.kicks.lateral.frames.to_vec();
         assert!((frames[2].pose.foot.y - 0.111).abs() < 1e-6);
         frames[2].pose.foot.y = 0.125;
-        let own = kicked(KickKind::Lateral, Nao::DYNAMIC_PROFILE, RUNS).expect("valid physics");
+        let own = kicked(KickKind::Lateral, NAO.dynamic_profile, RUNS).expect("valid physics");
         let farther =
             kicked(KickKind::Lateral, changed(KickKind::Lateral, frames.clone()), RUNS).expect("valid physics");
         assert_eq!((own.falls, farther.falls), (0, 0));

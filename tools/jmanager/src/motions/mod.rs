@@ -16,7 +16,8 @@ use bica_monitor::protocol::Failed;
 use bica_motion::joints::Joint;
 #[cfg(not(feature = "mujoco"))]
 use bica_motion::kick::KickKind;
-use bica_motion::model::{K1, KickFrame, Nao, T1};
+use bica_motion::model::KickFrame;
+use bica_motion::model::simulation::HUMANOIDS;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -93,9 +94,9 @@ impl Motions {
         let shapes = keys.iter().map(|key| {
             let to = form.posture_of(&key.cells);
             let peak = if form.linear { 1.0 } else { 1.5 };
-            let limits = (form.robot.limits)(&from, &to, peak / key.seconds);
+            let limits = robot::limits(form.robot, &from, &to, peak / key.seconds);
             from = to;
-            let shape = (form.robot.shape)(&to);
+            let shape = robot::shape(form.robot, &to);
             let anchor = if form.kicks { shape.right_sole } else { shape.torso };
             json!({ "shape": shape, "handles": form.handles(&to), "anchor": anchor, "limits": limits })
         });
@@ -180,7 +181,7 @@ impl Extension for Motions {
                 let play = Play { mujoco, runs, ..form.play(&keys, start) };
                 let robot = form.robot;
                 asked.later(Box::new(move || {
-                    Ok(json!({ "runs": (robot.play)(&play)?, "joints": Joint::ALL.map(|joint| format!("{joint:?}")) }))
+                    Ok(json!({ "runs": play::play(robot, &play)?, "joints": Joint::ALL.map(|joint| format!("{joint:?}")) }))
                 }))
             }
         }
@@ -188,8 +189,7 @@ impl Extension for Motions {
 }
 
 fn body_with(joints: &[String]) -> Option<Body> {
-    let all = [Body::of::<Nao>, Body::of::<T1>, Body::of::<K1>];
-    all.into_iter().map(|of| of()).find(|body| body.joints == joints)
+    HUMANOIDS.iter().copied().map(Body::of).find(|body| body.joints == joints)
 }
 
 fn check(keys: &[Row]) -> Result<(), Failed> {

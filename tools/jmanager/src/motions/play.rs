@@ -1,7 +1,7 @@
 //! Motions in simulated bodies.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::Command;
 use bica_sim::kinematic::KinematicWorld;
@@ -50,8 +50,8 @@ pub(super) struct Play {
 
 impl Play {
     /// Duration of the motion from angles to a key posture, s.
-    pub(super) fn seconds<M: MujocoModel>(&self, from: &Joints, key: &Key) -> f32 {
-        let turn = |joint: Joint| (key.posture[joint] - from[joint]).abs() / M::MAX_SPEEDS[joint];
+    pub(super) fn seconds(&self, model: &'static SimulatedModel, from: &Joints, key: &Key) -> f32 {
+        let turn = |joint: Joint| (key.posture[joint] - from[joint]).abs() / model.max_speeds[joint];
         let least = if self.stretches { Joint::ALL.into_iter().map(turn).fold(0.0, f32::max) } else { 0.0 };
         key.seconds.max(least)
     }
@@ -87,11 +87,11 @@ impl Draw {
 }
 
 /// Tries a motion.
-pub(super) fn play<M: MujocoModel>(play: &Play) -> Result<Vec<Run>, Invalid> {
-    (0..play.runs).map(|seed| run::<M>(play, seed.into())).collect()
+pub(super) fn play(model: &'static SimulatedModel, play: &Play) -> Result<Vec<Run>, Invalid> {
+    (0..play.runs).map(|seed| run(model, play, seed.into())).collect()
 }
 
-fn run<M: MujocoModel>(play: &Play, seed: u64) -> Result<Run, Invalid> {
+fn run(model: &'static SimulatedModel, play: &Play, seed: u64) -> Result<Run, Invalid> {
     let start = Some(Places { robot: Pose2::new(-1.0, 0.0, 0.0), ball: Vec2::new(-2.8, 1.8) });
     let setup = Setup { seed, goalkeeper: false, start, frame: Frame::Small, ..Setup::default() };
     let mut draw = Draw(seed);
@@ -99,9 +99,8 @@ fn run<M: MujocoModel>(play: &Play, seed: u64) -> Result<Run, Invalid> {
     if seed > 0 {
         offsets.0.iter_mut().for_each(|offset| *offset = draw.between(-0.5, 0.5).to_radians());
     }
-    let mut world = if play.mujoco { mujoco::<M>(&setup, &mut draw)? } else { built_in::<M>(&setup)? };
-    let mut player =
-        Player::<M> { world: &mut *world, offsets, run: Run::default(), time: 0.0, model: core::marker::PhantomData };
+    let mut world = if play.mujoco { mujoco(model, &setup, &mut draw)? } else { built_in(model, &setup)? };
+    let mut player = Player { world: &mut *world, offsets, run: Run::default(), time: 0.0, model };
     player.begin(play.start);
     let mut from = player.last(play.start);
     for key in &play.keys {
@@ -111,8 +110,8 @@ fn run<M: MujocoModel>(play: &Play, seed: u64) -> Result<Run, Invalid> {
     }
     let lay = play.start != Start::Stand;
     if lay {
-        player.move_to(from, &Key { seconds: STRETCH, posture: M::STAND, stiffness: 1.0 }, play);
-        from = M::STAND;
+        player.move_to(from, &Key { seconds: STRETCH, posture: model.stand, stiffness: 1.0 }, play);
+        from = model.stand;
     }
     let last = play.keys.last().map_or(1.0, |key| key.stiffness);
     player.hold(from, last, AFTER);
@@ -127,21 +126,21 @@ fn run<M: MujocoModel>(play: &Play, seed: u64) -> Result<Run, Invalid> {
     Ok(run)
 }
 
-fn built_in<M: MujocoModel>(setup: &Setup) -> Result<Box<dyn World>, Invalid> {
-    let world = KinematicWorld::<M>::new(setup);
+fn built_in(model: &'static SimulatedModel, setup: &Setup) -> Result<Box<dyn World>, Invalid> {
+    let world = KinematicWorld::new(model, setup);
     world.map(|world| Box::new(world) as _).map_err(|error| Invalid::new(error.to_string(), "reload the page"))
 }
 
 #[cfg(feature = "mujoco")]
-fn mujoco<M: MujocoModel>(setup: &Setup, draw: &mut Draw) -> Result<Box<dyn World>, Invalid> {
-    let world = bica_sim::mujoco::MujocoWorld::<M>::new(setup, &physics::<M>(setup.seed, draw));
+fn mujoco(model: &'static SimulatedModel, setup: &Setup, draw: &mut Draw) -> Result<Box<dyn World>, Invalid> {
+    let world = bica_sim::mujoco::MujocoWorld::new(model, setup, &physics(model, setup.seed, draw));
     world.map(|world| Box::new(world) as _).map_err(|error| Invalid::new(error.to_string(), "install MuJoCo anew"))
 }
 
 /// The physics of a run: as they are for the seed 0, else drawn.
 #[cfg(feature = "mujoco")]
-pub(super) fn physics<M: MujocoModel>(seed: u64, draw: &mut Draw) -> bica_sim::mujoco::Physics {
-    let usual = bica_sim::mujoco::Physics { cameras: false, ..bica_sim::mujoco::Physics::of::<M>() };
+pub(super) fn physics(model: &'static SimulatedModel, seed: u64, draw: &mut Draw) -> bica_sim::mujoco::Physics {
+    let usual = bica_sim::mujoco::Physics { cameras: false, ..bica_sim::mujoco::Physics::of(model) };
     if seed == 0 {
         return usual;
     }
@@ -156,8 +155,7 @@ pub(super) fn physics<M: MujocoModel>(seed: u64, draw: &mut Draw) -> bica_sim::m
 }
 
 #[cfg(not(feature = "mujoco"))]
-#[expect(clippy::extra_unused_type_parameters, reason = "it is called as the function with MuJoCo")]
-fn mujoco<M: MujocoModel>(_: &Setup, _: &mut Draw) -> Result<Box<dyn World>, Invalid> {
+fn mujoco(_: &'static SimulatedModel, _: &Setup, _: &mut Draw) -> Result<Box<dyn World>, Invalid> {
     Err(without_mujoco())
 }
 
@@ -168,23 +166,23 @@ pub(super) fn without_mujoco() -> Invalid {
 }
 
 /// A robot that plays keys.
-struct Player<'a, M> {
+struct Player<'a> {
     world: &'a mut dyn World,
     /// Error of the zero of each joint, rad.
     offsets: Joints,
     run: Run,
     /// Time since the start, s.
     time: f32,
-    model: core::marker::PhantomData<M>,
+    model: &'static SimulatedModel,
 }
 
-impl<M: MujocoModel> Player<'_, M> {
+impl Player<'_> {
     fn begin(&mut self, start: Start) {
-        self.hold(M::STAND, 1.0, BEFORE);
+        self.hold(self.model.stand, 1.0, BEFORE);
         let (direction, key) = match start {
             Start::Stand => return self.forget(),
-            Start::Front => (1.0, M::FALL_POSTURES.front),
-            Start::Back => (-1.0, M::FALL_POSTURES.other),
+            Start::Front => (1.0, self.model.fall_postures.front),
+            Start::Back => (-1.0, self.model.fall_postures.other),
         };
         self.world.add_velocity(Vec2::new(direction * PUSH, 0.0));
         self.hold(key.posture, key.stiffness, FALL);
@@ -198,11 +196,11 @@ impl<M: MujocoModel> Player<'_, M> {
 
     /// Angles from which the motion begins.
     fn last(&mut self, start: Start) -> Joints {
-        if start == Start::Stand { M::STAND } else { self.world.sensors().angles }
+        if start == Start::Stand { self.model.stand } else { self.world.sensors().angles }
     }
 
     fn move_to(&mut self, from: Joints, key: &Key, play: &Play) {
-        let cycles = (play.seconds::<M>(&from, key) / CYCLE_SECONDS).round().max(1.0);
+        let cycles = (play.seconds(self.model, &from, key) / CYCLE_SECONDS).round().max(1.0);
         for cycle in 1..=cycles as usize {
             let share = cycle as f32 / cycles;
             let share = if play.linear { share } else { share * share * (3.0 - 2.0 * share) };
@@ -231,10 +229,10 @@ impl<M: MujocoModel> Player<'_, M> {
         }
         let sensors = self.world.sensors();
         let (angles, currents) = (sensors.angles, sensors.currents);
-        self.run.load.resize(M::JOINTS.len(), (String::new(), 0.0));
-        for (joint, (name, most)) in M::JOINTS.iter().zip(&mut self.run.load) {
+        self.run.load.resize(self.model.joints.len(), (String::new(), 0.0));
+        for (joint, (name, most)) in self.model.joints.iter().zip(&mut self.run.load) {
             *name = format!("{joint:?}");
-            let load = currents[*joint] / M::CONTINUOUS_CURRENTS[*joint];
+            let load = currents[*joint] / self.model.continuous_current(*joint);
             *most = if load.is_finite() { most.max(load) } else { *most };
         }
         if number.is_multiple_of(SAMPLE) {
@@ -247,18 +245,18 @@ impl<M: MujocoModel> Player<'_, M> {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::model::{Nao, RobotModel as _};
+    use bica_motion::model::simulation::NAO;
 
     use super::*;
 
     fn tried(keys: Vec<Key>, start: Start) -> Run {
         let play = Play { keys, linear: false, stretches: false, start, mujoco: false, runs: 1 };
-        super::play::<Nao>(&play).expect("a valid set-up").remove(0)
+        super::play(NAO, &play).expect("a valid set-up").remove(0)
     }
 
     #[test]
     fn measured_angles_follow_at_motor_speed() {
-        let mut posture = Nao::STAND;
+        let mut posture = NAO.stand;
         posture[Joint::RShoulderPitch] = -1.0;
         let at = |seconds: f32| tried(vec![Key { seconds, posture, stiffness: 1.0 }], Start::Stand);
         let error = |run: &Run| {
@@ -275,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_robot_that_is_to_lie_does_not_stand() {
-        let run = tried(vec![Key { seconds: 0.5, posture: Nao::SIT, stiffness: 1.0 }], Start::Front);
+        let run = tried(vec![Key { seconds: 0.5, posture: NAO.sit, stiffness: 1.0 }], Start::Front);
         assert!(run.fell.is_none());
     }
 }

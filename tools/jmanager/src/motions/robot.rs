@@ -3,12 +3,10 @@
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton, ground_from_robot};
 use bica_motion::model::RobotModel;
-use bica_motion::model::simulation::MujocoModel;
+use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::side::Side;
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3Swizzles as _};
 use serde::Serialize;
-
-use super::play::{self, Play, Run};
 
 /// Distance of points of the soles from the ground below which they bear weight, m.
 const CONTACT: f32 = 0.005;
@@ -20,16 +18,6 @@ const GRAVITY: f32 = 9.81;
 const STEP: f32 = 0.005;
 /// Distance of a handle from the axis of a joint below which the joint does not move it, m.
 const LEVER: f32 = 0.02;
-
-/// A model of a robot as values.
-#[derive(Clone, Copy)]
-pub(super) struct Robot {
-    pub(super) stand: Joints,
-    pub(super) shape: fn(&Joints) -> Shape,
-    pub(super) handles: fn(&Joints) -> Vec<Handle>,
-    pub(super) limits: fn(&Joints, &Joints, f32) -> Limits,
-    pub(super) play: fn(&Play) -> Result<Vec<Run>, bica_wire::model::Invalid>,
-}
 
 /// A posture in space. Frame: on the ground under the lower foot, x ahead, y to the left, z up; m.
 #[derive(Serialize)]
@@ -83,30 +71,24 @@ pub(super) struct Limits {
     least: f32,
 }
 
-impl Robot {
-    pub(super) const fn of<M: MujocoModel>() -> Self {
-        Self { stand: M::STAND, shape: shape::<M>, handles: handles::<M>, limits: limits::<M>, play: play::play::<M> }
-    }
-}
-
-fn shape<M: MujocoModel>(angles: &Joints) -> Shape {
-    let skeleton = Skeleton::<M>::of(angles);
+pub(super) fn shape(model: &'static SimulatedModel, angles: &Joints) -> Shape {
+    let skeleton = Skeleton::of(model, angles);
     let [left, right] = Side::BOTH.map(|side| skeleton.sole(side).translation.z);
-    let ground = ground_from_robot::<M>(if left <= right { Side::Left } else { Side::Right }, angles);
+    let ground = ground_from_robot(model, if left <= right { Side::Left } else { Side::Right }, angles);
     let place = |pose: Affine3A, point: Vec3| (ground * pose).transform_point3(point);
     let at = |segment| place(skeleton.pose(segment), Vec3::ZERO);
     let neck = at(Segment::Neck);
     let hips = place(Affine3A::IDENTITY, Vec3::ZERO);
-    let mut lines = vec![vec![hips, neck, place(skeleton.pose(Segment::Head), M::DIMENSIONS.top_camera.position)]];
+    let mut lines = vec![vec![hips, neck, place(skeleton.pose(Segment::Head), model.dimensions.top_camera.position)]];
     for side in Side::BOTH {
-        let hand = M::DIMENSIONS.hand * Vec3::new(1.0, side.sign(), 1.0);
+        let hand = model.dimensions.hand * Vec3::new(1.0, side.sign(), 1.0);
         let hand = place(skeleton.pose(Segment::Hand(side)), hand);
         lines.push(vec![neck, at(Segment::Shoulder(side)), at(Segment::Elbow(side)), at(Segment::Hand(side)), hand]);
         lines.push(vec![hips, at(Segment::Thigh(side)), at(Segment::Tibia(side)), at(Segment::Ankle(side))]);
     }
     let sole = |side: Side| -> Vec<Vec3> {
         let point = |point: &Vec2| place(skeleton.sole(side), Vec3::new(point.x, side.sign() * point.y, 0.0));
-        M::DIMENSIONS.sole_outline.iter().map(point).collect()
+        model.dimensions.sole_outline.iter().map(point).collect()
     };
     let soles = Side::BOTH.map(sole);
     let centre = ground.transform_point3(skeleton.centre_of_mass());
@@ -120,7 +102,7 @@ fn shape<M: MujocoModel>(angles: &Joints) -> Shape {
         torso: rows(ground),
         right_sole: rows(ground * skeleton.sole(Side::Right)),
         margin,
-        load: if margin > 0.0 { load::<M>(angles, &skeleton, ground) } else { Vec::new() },
+        load: if margin > 0.0 { load(model, angles, &skeleton, ground) } else { Vec::new() },
     }
 }
 
@@ -130,27 +112,27 @@ pub(super) fn rows(pose: Affine3A) -> [f32; 12] {
     core::array::from_fn(|index| [x, y, z, at][index % 4][index / 4])
 }
 
-fn handles<M: MujocoModel>(angles: &Joints) -> Vec<Handle> {
-    let skeleton = Skeleton::<M>::of(angles);
+pub(super) fn handles(model: &'static SimulatedModel, angles: &Joints) -> Vec<Handle> {
+    let skeleton = Skeleton::of(model, angles);
     let origin = |segment| Vec3::from(skeleton.pose(segment).translation);
     let on = |segment, point: Vec3| skeleton.pose(segment).transform_point3(point);
-    let toes = M::DIMENSIONS.sole_outline.iter().map(|point| point.x).fold(0.0, f32::max);
-    let face = on(Segment::Head, M::DIMENSIONS.top_camera.position);
+    let toes = model.dimensions.sole_outline.iter().map(|point| point.x).fold(0.0, f32::max);
+    let face = on(Segment::Head, model.dimensions.top_camera.position);
     let head = &[Joint::HeadYaw, Joint::HeadPitch];
     let mut handles = vec![
-        handle::<M>(angles, Point::Hips, Segment::Torso, Vec3::ZERO, &[]),
-        handle::<M>(angles, Point::Face, Segment::Head, face, head),
+        handle(model, angles, Point::Hips, Segment::Torso, Vec3::ZERO, &[]),
+        handle(model, angles, Point::Face, Segment::Head, face, head),
     ];
     for side in Side::BOTH {
-        let (arm, leg) = (side.arm(), M::leg_joints(side));
-        let hand = on(Segment::Hand(side), M::DIMENSIONS.hand * Vec3::new(1.0, side.sign(), 1.0));
+        let (arm, leg) = (side.arm(), model.leg_joints(side));
+        let hand = on(Segment::Hand(side), model.dimensions.hand * Vec3::new(1.0, side.sign(), 1.0));
         let tip = skeleton.sole(side).transform_point3(Vec3::X * toes);
         handles.extend([
-            handle::<M>(angles, Point::Elbow, Segment::Biceps(side), origin(Segment::Elbow(side)), &arm[..2]),
-            handle::<M>(angles, Point::Hand, Segment::Hand(side), hand, &arm[2..5]),
-            handle::<M>(angles, Point::Knee, Segment::Thigh(side), origin(Segment::Tibia(side)), &leg[..3]),
-            handle::<M>(angles, Point::Ankle(side), Segment::Tibia(side), origin(Segment::Ankle(side)), &leg[3..4]),
-            handle::<M>(angles, Point::Toes(side), Segment::Foot(side), tip, &leg[4..]),
+            handle(model, angles, Point::Elbow, Segment::Biceps(side), origin(Segment::Elbow(side)), &arm[..2]),
+            handle(model, angles, Point::Hand, Segment::Hand(side), hand, &arm[2..5]),
+            handle(model, angles, Point::Knee, Segment::Thigh(side), origin(Segment::Tibia(side)), &leg[..3]),
+            handle(model, angles, Point::Ankle(side), Segment::Tibia(side), origin(Segment::Ankle(side)), &leg[3..4]),
+            handle(model, angles, Point::Toes(side), Segment::Foot(side), tip, &leg[4..]),
         ]);
     }
     handles
@@ -158,12 +140,19 @@ fn handles<M: MujocoModel>(angles: &Joints) -> Vec<Handle> {
 
 /// A handle at a point of a segment. The axes are those of the motion of the segment by small steps of the joints, so that any order of
 /// joints and any direction of axes is right.
-fn handle<M: MujocoModel>(angles: &Joints, point: Point, segment: Segment, at: Vec3, joints: &[Joint]) -> Handle {
+fn handle(
+    model: &'static SimulatedModel,
+    angles: &Joints,
+    point: Point,
+    segment: Segment,
+    at: Vec3,
+    joints: &[Joint],
+) -> Handle {
     let of = |&joint: &Joint| {
         let pose = |step: f32| {
             let mut moved = *angles;
             moved[joint] += step;
-            Skeleton::<M>::of(&moved).pose(segment)
+            Skeleton::of(model, &moved).pose(segment)
         };
         let own = pose(0.0).inverse().transform_point3(at);
         let [after, before] = [pose(STEP), pose(-STEP)];
@@ -178,8 +167,8 @@ fn handle<M: MujocoModel>(angles: &Joints, point: Point, segment: Segment, at: V
 /// Loads of a posture at rest, by the principle of virtual work: the torque of a joint is the derivative by its angle of the potential
 /// energy of all masses less that of the forces of the ground at the feet, while the torso stands still. Two feet on the ground share
 /// the weight so that the centre of pressure is below the centre of mass, with no moments against each other.
-fn load<M: MujocoModel>(angles: &Joints, skeleton: &Skeleton<M>, ground: Affine3A) -> Vec<(String, f32)> {
-    let middle = |side: Side| (ground * skeleton.sole(side)).transform_point3(Vec3::X * M::EXTENTS.sole_middle);
+fn load(model: &'static SimulatedModel, angles: &Joints, skeleton: &Skeleton, ground: Affine3A) -> Vec<(String, f32)> {
+    let middle = |side: Side| (ground * skeleton.sole(side)).transform_point3(Vec3::X * model.extents.sole_middle);
     let [left, right] = Side::BOTH.map(middle);
     let centre = ground.transform_point3(skeleton.centre_of_mass()).with_z(0.0);
     let between = (left - right).with_z(0.0);
@@ -194,10 +183,10 @@ fn load<M: MujocoModel>(angles: &Joints, skeleton: &Skeleton<M>, ground: Affine3
         [(Side::Left, share, to_sole(Side::Left, left)), (Side::Right, 1.0 - share, to_sole(Side::Right, right))];
     let up = ground.inverse().transform_vector3(Vec3::Z);
     let energy = |angles: &Joints| {
-        let moved = Skeleton::<M>::of(angles);
+        let moved = Skeleton::of(model, angles);
         let ground =
             feet.iter().map(|(side, share, point)| *share * up.dot(moved.sole(*side).transform_point3(*point)));
-        M::TOTAL_MASS * GRAVITY * (up.dot(moved.centre_of_mass()) - ground.sum::<f32>())
+        model.total_mass() * GRAVITY * (up.dot(moved.centre_of_mass()) - ground.sum::<f32>())
     };
     let of = |joint: &Joint| {
         let at = |step: f32| {
@@ -205,11 +194,11 @@ fn load<M: MujocoModel>(angles: &Joints, skeleton: &Skeleton<M>, ground: Affine3
             moved[*joint] += step;
             energy(&moved)
         };
-        let actuator = &M::ACTUATORS[*joint];
+        let actuator = &model.actuators[*joint];
         let current = actuator.current((at(STEP) - at(-STEP)) / (2.0 * STEP));
         (format!("{joint:?}"), current / actuator.continuous_current())
     };
-    M::JOINTS.iter().map(of).filter(|(_, load)| load.is_finite()).collect()
+    model.joints.iter().map(of).filter(|(_, load)| load.is_finite()).collect()
 }
 
 /// Distance of a point from the edge of the convex hull of others: positive inside.
@@ -237,11 +226,11 @@ fn margin(mut points: Vec<Vec2>, point: Vec2) -> f32 {
 }
 
 /// `peak`: greatest speed of the motion as a multiple of its mean, over its duration: 1/s.
-fn limits<M: RobotModel>(from: &Joints, to: &Joints, peak: f32) -> Limits {
+pub(super) fn limits(model: &'static RobotModel, from: &Joints, to: &Joints, peak: f32) -> Limits {
     let named = |joint: Joint, found: f32, limit: f32| (format!("{joint:?}"), found.to_degrees(), limit.to_degrees());
     let (mut beyond, mut fast, mut least) = (Vec::new(), Vec::new(), 0.0_f32);
-    for &joint in M::JOINTS {
-        let (range, angle, most) = (M::LIMITS[joint], to[joint], M::MAX_SPEEDS[joint]);
+    for &joint in model.joints {
+        let (range, angle, most) = (model.limits[joint], to[joint], model.max_speeds[joint]);
         let nearest = range.clamp(angle);
         if (nearest - angle).abs() > ROUNDING {
             beyond.push(named(joint, angle, nearest));
@@ -257,7 +246,7 @@ fn limits<M: RobotModel>(from: &Joints, to: &Joints, peak: f32) -> Limits {
 
 #[cfg(test)]
 mod tests {
-    use bica_motion::model::Nao;
+    use bica_motion::model::simulation::NAO;
 
     use super::*;
 
@@ -272,42 +261,42 @@ mod tests {
 
     #[test]
     fn load_is_the_moment_of_the_carried_masses() {
-        let mut posture = Nao::STAND;
+        let mut posture = NAO.stand;
         posture[Joint::LShoulderPitch] = 0.0;
-        let skeleton = Skeleton::<Nao>::of(&posture);
+        let skeleton = Skeleton::of(NAO, &posture);
         let shoulder = skeleton.pose(Segment::Shoulder(Side::Left)).translation;
         // In the stand the torso is upright.
         let moment = |segment: &Segment| {
-            let mass = Nao::MASSES.of(*segment);
+            let mass = NAO.masses.of(*segment);
             mass.mass * GRAVITY * (skeleton.pose(*segment).transform_point3(mass.centre).x - shoulder.x)
         };
         let torque: f32 = Segment::ALL[3..8].iter().map(moment).sum();
-        let actuator = &Nao::ACTUATORS[Joint::LShoulderPitch];
+        let actuator = &NAO.actuators[Joint::LShoulderPitch];
         let expected = actuator.current(torque) / actuator.continuous_current();
         let of = |posture: &Joints, joint: Joint| {
             let name = format!("{joint:?}");
-            shape::<Nao>(posture).load.into_iter().find(|(one, _)| *one == name).expect("a load").1
+            shape(NAO, posture).load.into_iter().find(|(one, _)| *one == name).expect("a load").1
         };
         let found = of(&posture, Joint::LShoulderPitch);
         assert!((found / expected - 1.0).abs() < 0.05, "{found} {expected}");
         // Both legs bear the same; on one leg it bears more, and a leg in the air little.
-        let [left, right] = [Joint::LHipRoll, Joint::RHipRoll].map(|joint| of(&Nao::STAND, joint));
+        let [left, right] = [Joint::LHipRoll, Joint::RHipRoll].map(|joint| of(&NAO.stand, joint));
         assert!((left - right).abs() < 0.02 && left < 0.1, "{left} {right}");
-        let kick = Nao::DYNAMIC_PROFILE.kicks.front.frames[1].pose.legs::<Nao>(Side::Left, &Nao::DYNAMIC_PROFILE.gait);
-        let mut limbs = Nao::DYNAMIC_PROFILE.gait.stand::<Nao>();
+        let kick = NAO.dynamic_profile.kicks.front.frames[1].pose.legs(NAO, Side::Left, &NAO.dynamic_profile.gait);
+        let mut limbs = NAO.dynamic_profile.gait.stand(NAO);
         limbs.legs = kick;
-        let lifted = limbs.joints::<Nao>();
+        let lifted = limbs.joints(NAO);
         let [free, bears] = [Joint::LHipRoll, Joint::RHipRoll].map(|joint| of(&lifted, joint));
         assert!(bears > 3.0 * free && bears > 3.0 * right, "{free} {bears}");
     }
 
     #[test]
     fn the_stand_stands_and_a_fast_far_motion_is_reported() {
-        let shape = shape::<Nao>(&Nao::STAND);
+        let shape = shape(NAO, &NAO.stand);
         assert!(shape.margin > 0.03 && shape.centre[2] > 0.2, "{} {:?}", shape.margin, shape.centre);
-        let mut far = Nao::STAND;
+        let mut far = NAO.stand;
         far[Joint::LShoulderPitch] = -2.5;
-        let limits = limits::<Nao>(&Nao::STAND, &far, 1.0 / 0.1);
+        let limits = limits(NAO, &NAO.stand, &far, 1.0 / 0.1);
         assert_eq!((&*limits.beyond[0].0, &*limits.fast[0].0), ("LShoulderPitch", "LShoulderPitch"));
         assert!(limits.least > 0.3, "{}", limits.least);
     }

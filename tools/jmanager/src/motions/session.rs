@@ -1,7 +1,7 @@
 //! A motion on the robot of a session, as actions of its simulated world.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel as _};
+use bica_motion::model::simulation::NAO;
 use bica_motion::side::Side;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -52,15 +52,15 @@ impl Plan {
         let mut from = plan.begin(play.start);
         plan.before = plan.seconds;
         for (number, key) in (1..).zip(&play.keys) {
-            plan.hold(&key.posture, key.stiffness, play.seconds::<Nao>(&from, key), play.linear);
+            plan.hold(&key.posture, key.stiffness, play.seconds(NAO, &from, key), play.linear);
             if number % every == 0 {
                 plan.ends.push(plan.seconds - plan.before);
             }
             from = key.posture;
         }
         if lies {
-            plan.hold(&Nao::STAND, 1.0, STRETCH, false);
-            from = Nao::STAND;
+            plan.hold(&NAO.stand, 1.0, STRETCH, false);
+            from = NAO.stand;
         }
         plan.hold(&from, play.keys.last().map_or(1.0, |key| key.stiffness), AFTER, true);
         plan
@@ -70,11 +70,11 @@ impl Plan {
     fn begin(&mut self, start: Start) -> Joints {
         let (direction, key) = match start {
             Start::Stand => {
-                self.hold(&Nao::STAND, 1.0, BEFORE, true);
-                return Nao::STAND;
+                self.hold(&NAO.stand, 1.0, BEFORE, true);
+                return NAO.stand;
             }
-            Start::Front => (0.0, Nao::FALL_POSTURES.front),
-            Start::Back => (core::f32::consts::PI, Nao::FALL_POSTURES.other),
+            Start::Front => (0.0, NAO.fall_postures.front),
+            Start::Back => (core::f32::consts::PI, NAO.fall_postures.other),
         };
         self.calls.push(("push", vec![json!(direction), json!(PUSH)]));
         self.hold(&key.posture, key.stiffness, INTO_FALL, true);
@@ -116,10 +116,10 @@ mod tests {
     /// A plan of the get-up of the robot's model, performed in a world; the program of the robot lets it stand.
     fn rises(world: &mut dyn World, start: Start, first: &[GetUpFrame]) -> bool {
         let key =
-            |frame: &GetUpFrame| Key { seconds: frame.seconds(), posture: frame.posture::<Nao>(false), stiffness: 1.0 };
-        let keys = first.iter().chain(Nao::GET_UP.rise).map(key).collect();
+            |frame: &GetUpFrame| Key { seconds: frame.seconds(), posture: frame.posture(NAO, false), stiffness: 1.0 };
+        let keys = first.iter().chain(NAO.get_up.rise).map(key).collect();
         let plan = Plan::new(&Play { keys, linear: true, stretches: true, start, mujoco: false, runs: 1 }, 1);
-        assert_eq!(plan.ends.len(), first.len() + Nao::GET_UP.rise.len());
+        assert_eq!(plan.ends.len(), first.len() + NAO.get_up.rise.len());
         for (name, arguments) in &plan.calls {
             let call = world.actions().list().iter().find(|action| action.call.name == *name).expect(name).call;
             let value = |(param, value): (&bica::params::Param, &Value)| match value {
@@ -136,15 +136,14 @@ mod tests {
         }
         let mut was_down = false;
         for _ in 0..(plan.seconds / CYCLE_SECONDS) as usize {
-            world.act(&Command::new(Nao::STAND, 1.0));
+            world.act(&Command::new(NAO.stand, 1.0));
             was_down |= world.referee().posture() != bica_sim::referee::Posture::Upright;
         }
         was_down && world.referee().posture() == bica_sim::referee::Posture::Upright
     }
 
     fn rises_from_both_sides(world: impl Fn() -> Box<dyn World>) {
-        for (start, first) in
-            [(Start::Front, Nao::GET_UP.sit_up_from_front), (Start::Back, Nao::GET_UP.sit_up_from_back)]
+        for (start, first) in [(Start::Front, NAO.get_up.sit_up_from_front), (Start::Back, NAO.get_up.sit_up_from_back)]
         {
             assert!(rises(&mut *world(), start, first), "{start:?}");
         }
@@ -152,15 +151,15 @@ mod tests {
 
     #[test]
     fn a_planned_get_up_rises() {
-        let new = || bica_sim::kinematic::KinematicWorld::<Nao>::new(&Setup::default()).expect("valid");
+        let new = || bica_sim::kinematic::KinematicWorld::new(NAO, &Setup::default()).expect("valid");
         rises_from_both_sides(|| Box::new(new()));
     }
 
     #[cfg(feature = "mujoco")]
     #[test]
     fn a_planned_get_up_rises_in_mujoco() {
-        let physics = super::super::play::physics::<Nao>(0, &mut super::super::play::Draw(0));
-        let new = || bica_sim::mujoco::MujocoWorld::<Nao>::new(&Setup::default(), &physics).expect("valid");
+        let physics = super::super::play::physics(NAO, 0, &mut super::super::play::Draw(0));
+        let new = || bica_sim::mujoco::MujocoWorld::new(NAO, &Setup::default(), &physics).expect("valid");
         rises_from_both_sides(|| Box::new(new()));
     }
 }

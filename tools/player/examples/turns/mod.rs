@@ -7,8 +7,8 @@ use std::time::{Duration, Instant as Clock};
 use bica::runner::{Observer, Requests, Runner};
 use bica::{Instant, Tree};
 use bica_evaluation::statistics::percentile;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{CameraId, Image, Sensors};
-use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::tunable::Forward;
 use bica_player_program::game::WorldKind;
@@ -23,7 +23,7 @@ const IMAGES: usize = 30;
 
 /// Values of a world, with images of 640×480 at 30/s.
 pub(crate) struct Values {
-    world: KinematicWorld<Model>,
+    world: KinematicWorld,
     images: Vec<Arc<Vec<u8>>>,
     newest: Arc<Mutex<Arc<Vec<u8>>>>,
 }
@@ -32,7 +32,7 @@ impl Values {
     /// Those of the built-in world, whose images may be replaced by others.
     pub(crate) fn new(images: Option<Vec<Arc<Vec<u8>>>>) -> Self {
         let setup = Setup { frame: Frame::Large, ..Setup::default() };
-        let mut world = KinematicWorld::new(&setup).expect("valid");
+        let mut world = KinematicWorld::new(NAO, &setup).expect("valid");
         let images = images.unwrap_or_else(|| rendered(&mut world));
         let newest = Arc::new(Mutex::new(Arc::clone(&images[0])));
         Self { world, images, newest }
@@ -80,7 +80,7 @@ impl Values {
     }
 }
 
-fn rendered(world: &mut KinematicWorld<Model>) -> Vec<Arc<Vec<u8>>> {
+fn rendered(world: &mut KinematicWorld) -> Vec<Arc<Vec<u8>>> {
     let mut images = Vec::new();
     let mut robot = forward();
     while images.len() < IMAGES {

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::thread;
 
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::stiffness::Stiffness;
 use bica_player_program::emulator::{Emulator, Transport, Tx};
 use bica_wire::message::{ClockMode, LeaseAction};
@@ -99,6 +99,6 @@ fn stands(image: &Path) -> Outcome {
         scope.spawn(|| (0..360).try_for_each(|_| tx.write(&[0; 1000])));
         while !rx.receive(telemetry(|telemetry| telemetry.safe_stop))? {}
         let stand = rx.receive(command())?;
-        expect_eq(&(stand.targets, stand.stiffness), &(Nao::STAND, Stiffness::Stand.joints::<Nao>()))
+        expect_eq(&(stand.targets, stand.stiffness), &(NAO.stand, Stiffness::Stand.joints(NAO)))
     })
 }

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use bica::Tree;
 use bica_link::{Client, Event, decode_output};
-use bica_player::Model;
+use bica_motion::model::simulation::NAO;
 use bica_player::tunable::Forward;
 use bica_player_program::emulator::{Controller, Emulator, Transport};
 use bica_sim::World;
@@ -33,7 +33,7 @@ const SNAPSHOTS: usize = 20;
 
 /// Plays a part of a game on the microcontroller and on the host, while a monitor attaches and watches everything.
 pub(super) fn everything(image: &Path) -> Outcome {
-    let mut world = KinematicWorld::<Model>::new(&Setup { frame: Frame::Small, ..Setup::default() })?;
+    let mut world = KinematicWorld::new(NAO, &Setup { frame: Frame::Small, ..Setup::default() })?;
     let emulator = Emulator::start_with_monitors(image, Transport::Pipe, None)?;
     let address = emulator.monitors().ok_or("no port for monitors")?;
     let mut reference = Reference::new(world.referee().attacks());

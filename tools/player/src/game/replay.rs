@@ -8,9 +8,8 @@ use bica::runner::World;
 use bica::{Instant, Tree};
 use bica_app::{Failure, Progress, interrupt};
 use bica_field::GoalColour;
-use bica_motion::model::RobotModel;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::{Command, Sensors};
-use bica_player::Model;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
@@ -62,8 +61,8 @@ fn subject(header: &Header, set: &[String], runs_world: bool) -> Result<Subject<
     };
     let text = |name| header.set_up.get(name).and_then(|value| value.as_str()).unwrap_or_default();
     let profile = match text("profile") {
-        "kinematic" => Model::KINEMATIC_PROFILE,
-        "dynamic" => Model::DYNAMIC_PROFILE,
+        "kinematic" => NAO.kinematic_profile,
+        "dynamic" => NAO.dynamic_profile,
         _ => return Err(unknown("motion profile")),
     };
     let attacks = match text("attacks") {

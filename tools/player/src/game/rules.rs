@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use bica::Setting;
-use bica_motion::model::{Profile, RobotModel};
-use bica_player::Model;
+use bica_motion::model::NAO;
+use bica_motion::model::Profile;
 use bica_sim::setup::Frame;
 
 use crate::game::firmware::FirmwareImage;
@@ -24,9 +24,9 @@ impl WorldKind {
     #[must_use]
     pub const fn profile(self) -> &'static Profile {
         match self {
-            Self::BuiltIn => Model::KINEMATIC_PROFILE,
+            Self::BuiltIn => NAO.kinematic_profile,
             #[cfg(feature = "mujoco")]
-            Self::Mujoco => Model::DYNAMIC_PROFILE,
+            Self::Mujoco => NAO.dynamic_profile,
         }
     }
 

@@ -11,16 +11,16 @@ use bica_drawing::TreeState;
 use bica_drawing::canvas::{Canvas, Rgb};
 use bica_evaluation::polar::Polar;
 use bica_field::SSIM_2026;
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 use bica_motion::pose::Pose2;
+use bica_player_t1::Forward;
 use bica_player_t1::senses::{Object, View};
 use bica_sim::mujoco::{Shown, Stage};
 use bica_wire::model::Description;
 use glam::Vec2;
 
-use super::client::Body;
 use super::entry::{Entry, failure};
-use super::robot::{Estimate, Footballer, Standing, forward};
+use super::robot::{Estimate, Footballer, Standing};
 use super::start::Start;
 use super::world::{LeagueGame, LeagueWorld};
 use crate::game::film::camera_operator::{CameraOperator, Site};
@@ -40,23 +40,24 @@ const NOWHERE: Vec2 = Vec2::splat(200.0);
 ///
 /// # Errors
 /// If the server, the renderer or the file fails.
-pub(crate) fn play<F: Footballer>(
+pub(crate) fn play(
+    robot: &'static Footballer,
     entry: &Entry,
     settings: &[Setting],
     seconds: f64,
     path: &Path,
     console: Console,
 ) -> Result<LeagueGame, Failure> {
-    let mut film = Film::<F>::new(path, entry.server.is_none().then(|| Start::new(entry.seed)))?;
+    let mut film = Film::new(robot, path, entry.server.is_none().then(|| Start::new(entry.seed)))?;
     let standing = Standing::default();
-    let world = LeagueWorld::<F>::open(entry, Arc::clone(&standing)).map_err(|error| failure(&error))?;
-    let begin = World::<F::Forward>::now(&world);
-    let mut runner = Runner::new(forward::<F>(), world);
+    let world = LeagueWorld::open(robot, entry, Arc::clone(&standing)).map_err(|error| failure(&error))?;
+    let begin = World::<Forward>::now(&world);
+    let mut runner = Runner::new((robot.forward)(), world);
     _ = runner.robot_mut().set_params(settings);
     let limit = bica::Duration::from_micros((seconds * 1e6) as u64);
     loop {
-        let t = World::<F::Forward>::now(runner.world()) - begin;
-        if interrupt::requested() || World::<F::Forward>::is_over(runner.world()) || t >= limit {
+        let t = World::<Forward>::now(runner.world()) - begin;
+        if interrupt::requested() || World::<Forward>::is_over(runner.world()) || t >= limit {
             break;
         }
         // Infallible.
@@ -72,9 +73,9 @@ pub(crate) fn play<F: Footballer>(
     Ok(game)
 }
 
-struct Film<F: Footballer> {
+struct Film {
     gif: Gif,
-    stage: Stage<F::Model>,
+    stage: Stage,
     operator: CameraOperator,
     description: Description,
     next: Duration,
@@ -85,16 +86,16 @@ struct Film<F: Footballer> {
     last: Option<Canvas>,
 }
 
-impl<F: Footballer> Film<F> {
+impl Film {
     /// A film of a game whose start is known, unless others started the server.
-    fn new(path: &Path, start: Option<Start>) -> Result<Self, Failure> {
-        let scale = <F::Model as Body>::STANDING_HEIGHT / Nao::DYNAMIC_PROFILE.gait.hip_height;
-        let stage = Stage::new(&SSIM_2026, OUTSIDE_WIDTH, OUTSIDE_HEIGHT).map_err(cannot_draw)?;
+    fn new(robot: &Footballer, path: &Path, start: Option<Start>) -> Result<Self, Failure> {
+        let scale = robot.body.standing_height / NAO.dynamic_profile.gait.hip_height;
+        let stage = Stage::new(robot.body.model, &SSIM_2026, OUTSIDE_WIDTH, OUTSIDE_HEIGHT).map_err(cannot_draw)?;
         Ok(Self {
             gif: Gif::new(path, OUTSIDE_WIDTH + CAMERA_WIDTH, OUTSIDE_HEIGHT)?,
             stage,
             operator: CameraOperator::new(Site::outdoors(&SSIM_2026, scale)),
-            description: Description::of(const { &F::Forward::GRAPH }),
+            description: Description::of(const { &Forward::GRAPH }),
             next: Duration::ZERO,
             origin: start.map(|start| start.robot),
             ball: start.map_or(NOWHERE, |start| start.ball),
@@ -103,8 +104,8 @@ impl<F: Footballer> Film<F> {
     }
 
     /// Adds a picture when it is time for one.
-    fn watch(&mut self, t: Duration, forward: &F::Forward, world: &LeagueWorld<F>) -> Result<(), Failure> {
-        let Estimate { odometry, robot, ball, goal } = F::estimate(forward);
+    fn watch(&mut self, t: Duration, forward: &Forward, world: &LeagueWorld) -> Result<(), Failure> {
+        let Estimate { odometry, robot, ball, goal } = Estimate::of(forward);
         self.origin = robot.map(|robot| robot * odometry.inverse()).or(self.origin);
         let Some(origin) = self.origin.filter(|_| t >= self.next) else { return Ok(()) };
         let robot = origin * odometry;
@@ -116,7 +117,7 @@ impl<F: Footballer> Film<F> {
         let tilt = (body.inertial.roll, body.inertial.pitch);
         let shown = Shown { at: robot, tilt, angles: &body.angles, ball: self.ball };
         let picture = self.stage.draw(&shown, &camera).map_err(cannot_draw)?;
-        let each = || (0..F::Forward::GRAPH.nodes.len()).map(ComponentId::new);
+        let each = || (0..Forward::GRAPH.nodes.len()).map(ComponentId::new);
         let tree = TreeState {
             tree: &self.description,
             active: each().map(|id| forward.is_active_at(id)).collect(),

@@ -8,7 +8,7 @@ use bica::runner::{Runner, World};
 
 use super::client::{Address, Error};
 use super::entry::Entry;
-use super::robot::{Footballer, Standing, forward};
+use super::robot::{Footballer, Standing};
 use super::world::LeagueWorld;
 
 /// Name of the other team.
@@ -28,18 +28,18 @@ impl Opponent {
     ///
     /// # Errors
     /// If there is no thread.
-    pub(crate) fn start<F: Footballer>(server: Address, entry: &Entry) -> Result<Self, Error> {
+    pub(crate) fn start(robot: &'static Footballer, server: Address, entry: &Entry) -> Result<Self, Error> {
         let entry = Entry { server: Some(server), team: TEAM.to_owned(), against: false, ..entry.clone() };
         let (is_over, (tell, joined)) = (Arc::new(AtomicBool::new(false)), mpsc::channel());
         let ended = Arc::clone(&is_over);
         let play = move || {
-            let world = match LeagueWorld::<F>::open(&entry, Standing::default()) {
+            let world = match LeagueWorld::open(robot, &entry, Standing::default()) {
                 Ok(world) => world,
                 Err(error) => return drop(tell.send(Err(error))),
             };
             // Nobody asks any more if the game is over.
             _ = tell.send(Ok(()));
-            let mut runner = Runner::new(forward::<F>(), world);
+            let mut runner = Runner::new((robot.forward)(), world);
             while !ended.load(Ordering::Relaxed) && !World::is_over(runner.world()) {
                 // Infallible.
                 _ = runner.cycle();

@@ -7,11 +7,12 @@ use bica::Tree;
 use bica::runner::{Runner, World};
 use bica_app::{Batch, Console, Failure, Outcome, RunArgs, interrupt};
 use bica_evaluation::statistics::percentile;
+use bica_player_t1::Forward;
 use bica_recording::{Recording, ReplayOptions, ReplayReport};
 use serde::Serialize;
 
 use super::entry::{Entry, failure, server};
-use super::robot::{self, Footballer, K1, ROBOT, Standing, T1, WORLD, forward};
+use super::robot::{self, FOOTBALLERS, Footballer, ROBOT, Standing, WORLD};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::cli::Play;
 
@@ -28,31 +29,26 @@ struct Report<'a> {
 /// Plays in the league's server as the command line requests.
 pub(crate) fn run(args: &Play) -> Result<Outcome, Failure> {
     let entry = entry(args)?;
-    match args.tuning.robot() {
-        Some(T1::NAME) => play::<T1>(args, entry),
-        Some(K1::NAME) => play::<K1>(args, entry),
-        _ => {
-            let what = "the forward plays in the league's server with the body of a T1 or a K1";
-            Err(Failure::new(what, "give --robot t1 or --robot k1, too"))
-        }
-    }
-}
-
-fn play<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
+    let robot = args.tuning.robot().and_then(|name| FOOTBALLERS.iter().find(|robot| robot.id() == name));
+    let Some(robot) = robot else {
+        let known: Vec<_> = FOOTBALLERS.iter().map(|robot| format!("--robot {}", robot.id())).collect();
+        let what = "the forward plays in the league's server with the body of one of its robots";
+        return Err(Failure::new(what, format!("give {}, too", known.join(" or "))));
+    };
     match (&args.film, args.games) {
-        (None, None) => game::<F>(args, entry),
-        (None, Some(_)) => series::<F>(args, &entry),
-        (Some(film), _) => filmed::<F>(args, &entry, film),
+        (None, None) => game(robot, args, entry),
+        (None, Some(_)) => series(robot, args, &entry),
+        (Some(film), _) => filmed(robot, args, &entry, film),
     }
 }
 
 /// Plays one game and films it.
 #[cfg(feature = "mujoco")]
-fn filmed<F: Footballer>(args: &Play, entry: &Entry, film: &Path) -> Result<Outcome, Failure> {
-    let layers = args.tuning.of_known_robot().layers(const { &F::Forward::GRAPH }, WORLD)?;
-    layers.apply(&mut *forward::<F>())?;
+fn filmed(robot: &'static Footballer, args: &Play, entry: &Entry, film: &Path) -> Result<Outcome, Failure> {
+    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
+    layers.apply(&mut *(robot.forward)())?;
     let console = Console::new(args.json);
-    let game = super::film::play::<F>(entry, &layers.settings(), args.game_seconds(), film, console)?;
+    let game = super::film::play(robot, entry, &layers.settings(), args.game_seconds(), film, console)?;
     console.print_json(&game)?;
     Ok(match game.goal_s {
         _ if interrupt::requested() => Outcome::Interrupted,
@@ -63,7 +59,7 @@ fn filmed<F: Footballer>(args: &Play, entry: &Entry, film: &Path) -> Result<Outc
 
 /// Refuses, since MuJoCo draws the pictures.
 #[cfg(not(feature = "mujoco"))]
-fn filmed<F: Footballer>(_args: &Play, _entry: &Entry, _film: &Path) -> Result<Outcome, Failure> {
+fn filmed(_robot: &'static Footballer, _args: &Play, _entry: &Entry, _film: &Path) -> Result<Outcome, Failure> {
     let help = "install its library with `cargo xtask mujoco`, then run \
                 `cargo run --release --features mujoco -- play --world league --robot t1 --film FILE`";
     Err(Failure::new("a film of the league needs MuJoCo, and this program was built without it", help))
@@ -75,26 +71,27 @@ pub(crate) fn replay(options: &ReplayOptions<'_>) -> Option<Result<ReplayReport,
     let recording = Recording::open(options.path).ok()?;
     let set_up = &recording.header().set_up;
     let world = set_up.get("world")?.as_str()?;
-    let is_k1 = || set_up.get("options")?.as_array()?.contains(&option::<K1>().into()).then_some(());
-    (world == WORLD).then(|| match is_k1() {
-        Some(()) => robot::app::<K1>(Entry::default(), &Standing::default()).repeat(options),
-        None => robot::app::<T1>(Entry::default(), &Standing::default()).repeat(options),
+    let options_of_world = set_up.get("options").and_then(|options| options.as_array());
+    let is_of = |robot: &&Footballer| options_of_world.is_some_and(|all| all.contains(&option(robot).into()));
+    (world == WORLD).then(|| {
+        let robot = FOOTBALLERS.iter().find(is_of).unwrap_or(&FOOTBALLERS[0]);
+        robot::app(robot, Entry::default(), &Standing::default()).repeat(options)
     })
 }
 
 /// Option of the world that names the robot, for the replay of a recording.
-fn option<F: Footballer>() -> String {
-    format!("{ROBOT}={}", F::NAME)
+fn option(robot: &Footballer) -> String {
+    format!("{ROBOT}={}", robot.id())
 }
 
 /// Plays one game, with all that the program of a robot offers.
-fn game<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
+fn game(robot: &'static Footballer, args: &Play, entry: Entry) -> Result<Outcome, Failure> {
     let standing = Standing::default();
     let is_own = entry.server.is_none();
     let run = RunArgs {
         world: WORLD.to_owned(),
         seed: args.seed,
-        option: vec![option::<F>()],
+        option: vec![option(robot)],
         realtime: args.realtime,
         seconds: Some(args.game_seconds()),
         record: args.record.clone(),
@@ -102,7 +99,7 @@ fn game<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
         tuning: args.tuning.of_known_robot(),
         json: args.json,
     };
-    let outcome = robot::app::<F>(entry, &standing).play(&run)?;
+    let outcome = robot::app(robot, entry, &standing).play(&run)?;
     let (game, error) = &*standing.lock().unwrap_or_else(PoisonError::into_inner);
     match error {
         Some(error) => Err(failure(error)),
@@ -112,18 +109,18 @@ fn game<F: Footballer>(args: &Play, entry: Entry) -> Result<Outcome, Failure> {
 }
 
 /// Plays a game for each seed, each in its own server.
-fn series<F: Footballer>(args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
+fn series(robot: &'static Footballer, args: &Play, entry: &Entry) -> Result<Outcome, Failure> {
     if entry.server.is_some() {
         return Err(Failure::new("a series starts a server for each game", "leave out --server or --games"));
     }
-    let layers = args.tuning.of_known_robot().layers(const { &F::Forward::GRAPH }, WORLD)?;
+    let layers = args.tuning.of_known_robot().layers(const { &Forward::GRAPH }, WORLD)?;
     // Each game has its own tree: values that do not fit together are reported once.
-    layers.apply(&mut *forward::<F>())?;
+    layers.apply(&mut *(robot.forward)())?;
     let console = Console::new(args.json);
     let games = Batch::new(args.seed, args.games.unwrap_or(1), args.threads).run(|seed| {
         let standing = Standing::default();
-        let world = LeagueWorld::<F>::open(&Entry { seed, ..entry.clone() }, Arc::clone(&standing));
-        let mut runner = Runner::new(forward::<F>(), world.map_err(|error| failure(&error))?);
+        let world = LeagueWorld::open(robot, &Entry { seed, ..entry.clone() }, Arc::clone(&standing));
+        let mut runner = Runner::new((robot.forward)(), world.map_err(|error| failure(&error))?);
         _ = runner.robot_mut().set_params(&layers.settings());
         let limit = runner.world().now() + bica::Duration::from_micros((args.game_seconds() * 1e6) as u64);
         while !interrupt::requested() && !runner.world().is_over() && runner.world().now() < limit {
@@ -145,7 +142,7 @@ fn series<F: Footballer>(args: &Play, entry: &Entry) -> Result<Outcome, Failure>
     if let Some(median) = percentile(&times, 0.5) {
         console.print_row("time to goal", &format!("p50 {median:.1} s"))?;
     }
-    console.print_json(&Report { schema: "bica-player/league/1", robot: F::NAME, goals, falls, games: &games })?;
+    console.print_json(&Report { schema: "bica-player/league/1", robot: robot.id(), goals, falls, games: &games })?;
     let needed = args.at_least.map_or(games.len(), |needed| needed as usize);
     Ok(match interrupt::requested() {
         true => Outcome::Interrupted,

@@ -1,21 +1,21 @@
 //! Robots of the league with their forwards.
 
-use std::convert::Infallible;
 use std::sync::{Arc, Mutex};
 
-use bica::runner::Robot;
 use bica::{Setting, Tree};
 use bica_app::App;
 #[cfg(feature = "mujoco")]
 use bica_motion::pose::Pose2;
-use bica_motion::robot::Command;
-use bica_player_t1::senses::Senses;
-use bica_recording::Recordable;
+use bica_player_t1::input::RobotProfile;
+use bica_player_t1::model::set_model;
+#[cfg(feature = "mujoco")]
+use bica_player_t1::perception::{BallDetector, Localization, Odometry};
+use bica_player_t1::{Forward, K1_PARAMETERS, T1_PARAMETERS};
 use bica_tuning::Layers;
 #[cfg(feature = "mujoco")]
 use glam::Vec2;
 
-use super::client::{Body, Error};
+use super::client::{Body, Error, body};
 use super::entry::{Entry, failure};
 use super::world::{LeagueGame, LeagueWorld};
 use crate::colour_profile::ColourProfile;
@@ -30,25 +30,25 @@ pub(crate) const ROBOT: &str = "robot";
 pub(crate) type Standing = Arc<Mutex<(LeagueGame, Option<Error>)>>;
 
 /// A robot of the league with its forward.
-pub(crate) trait Footballer: Send + 'static {
+#[derive(Debug)]
+pub(crate) struct Footballer {
+    /// Its body; `--robot` names the id of its model.
+    pub(crate) body: &'static Body,
+    /// Makes the forward with the motions and the parameters of the robot in the league's server.
+    pub(crate) forward: fn() -> Box<Forward>,
+}
+
+/// All robots of the league.
+pub(crate) static FOOTBALLERS: [Footballer; 2] = [
+    Footballer { body: body::T1, forward: || forward(body::T1, T1_PARAMETERS) },
+    Footballer { body: body::K1, forward: || forward(body::K1, K1_PARAMETERS) },
+];
+
+impl Footballer {
     /// Name for `--robot`.
-    const NAME: &'static str;
-    /// Values of the forward's parameters that differ from the NAO's.
-    const PARAMETERS: &'static str;
-    /// Its body.
-    type Model: Body;
-    /// Its tree.
-    type Forward: Tree
-        + Default
-        + Recordable
-        + for<'a> Robot<Sensors<'a> = Senses<'a>, Command = Command, Error = Infallible>;
-
-    /// Sets the motions of the body in the league's server.
-    fn set_profile(forward: &mut Self::Forward);
-
-    /// Its estimate of where it is on the field, and where ball and goal are from there.
-    #[cfg(feature = "mujoco")]
-    fn estimate(forward: &Self::Forward) -> Estimate;
+    pub(crate) const fn id(&self) -> &'static str {
+        self.body.model.robot.id
+    }
 }
 
 /// What a forward estimates.
@@ -64,71 +64,43 @@ pub(crate) struct Estimate {
     pub(crate) goal: Option<Vec2>,
 }
 
-macro_rules! footballer {
-    ($(#[$doc:meta])* $robot:ident, $name:literal, $player:ident) => {
-        $(#[$doc])*
-        pub(crate) enum $robot {}
-
-        impl Footballer for $robot {
-            const NAME: &'static str = $name;
-            const PARAMETERS: &'static str = $player::PARAMETERS;
-            type Model = $player::Model;
-            type Forward = $player::Forward;
-
-            fn set_profile(forward: &mut Self::Forward) {
-                forward.get_mut::<$player::input::RobotProfile>().set(<Self::Model as Body>::PROFILE);
-            }
-
-            #[cfg(feature = "mujoco")]
-            fn estimate(forward: &Self::Forward) -> Estimate {
-                let (ball, place) = (
-                    forward.get::<$player::perception::BallDetector>(),
-                    forward.get::<$player::perception::Localization>(),
-                );
-                Estimate {
-                    odometry: forward.get::<$player::perception::Odometry>().pose(),
-                    robot: place.pose().filter(|_| forward.is_active::<$player::perception::Localization>()),
-                    ball: ball.position().map(|at| (at, ball.seen().is_some())),
-                    goal: place.posts().map(|[left, right]| 0.5 * (left + right)),
-                }
-            }
+#[cfg(feature = "mujoco")]
+impl Estimate {
+    /// Where a forward believes that it is on the field, and where ball and goal are from there.
+    pub(crate) fn of(forward: &Forward) -> Self {
+        let (ball, place) = (forward.get::<BallDetector>(), forward.get::<Localization>());
+        Self {
+            odometry: forward.get::<Odometry>().pose(),
+            robot: place.pose().filter(|_| forward.is_active::<Localization>()),
+            ball: ball.position().map(|at| (at, ball.seen().is_some())),
+            goal: place.posts().map(|[left, right]| 0.5 * (left + right)),
         }
-    };
+    }
 }
 
-footballer!(
-    /// Booster T1.
-    T1, "t1", bica_player_t1
-);
-footballer!(
-    /// Booster K1.
-    K1, "k1", bica_player_k1
-);
-
-/// Returns the forward with the motions and the parameters of the robot in the league's server.
-#[expect(clippy::unnecessary_box_returns, reason = "a tree is too large for the stack of a debug build")]
-pub(crate) fn forward<F: Footballer>() -> Box<F::Forward> {
-    let mut forward = Box::<F::Forward>::default();
-    F::set_profile(&mut forward);
-    // A test applies the same text to the same tree.
-    _ = forward.set_params(&parameters::<F>());
+fn forward(body: &'static Body, parameters: &str) -> Box<Forward> {
+    let mut forward = Box::<Forward>::default();
+    set_model(&mut *forward, body.model);
+    forward.get_mut::<RobotProfile>().set(body.profile);
+    // A test reads the same text.
+    _ = forward.set_params(&settings(body, parameters));
     forward
 }
 
-fn parameters<F: Footballer>() -> Vec<Setting> {
-    let mut layers = Layers::new(const { &F::Forward::GRAPH });
-    _ = layers.read_text(F::NAME, F::PARAMETERS);
+fn settings(body: &Body, parameters: &str) -> Vec<Setting> {
+    let mut layers = Layers::new(const { &Forward::GRAPH });
+    _ = layers.read_text(body.model.id, parameters);
     layers.settings()
 }
 
 /// Returns the program that plays one game; `standing` tells how it went.
-pub(crate) fn app<F: Footballer>(entry: Entry, standing: &Standing) -> App<F::Forward, ColourProfile> {
+pub(crate) fn app(robot: &'static Footballer, entry: Entry, standing: &Standing) -> App<Forward, ColourProfile> {
     let standing = Arc::clone(standing);
-    App::new("player").robot(forward::<F>).try_world(WORLD, move |options| {
+    App::new("player").robot(robot.forward).try_world(WORLD, move |options| {
         // Only a replay reads it, which must choose the robot first.
-        options.value(ROBOT, F::NAME.to_owned())?;
+        options.value(ROBOT, robot.id().to_owned())?;
         let entry = Entry { seed: options.seed, ..entry.clone() };
-        LeagueWorld::<F>::open(&entry, Arc::clone(&standing)).map_err(|error| failure(&error))
+        LeagueWorld::open(robot, &entry, Arc::clone(&standing)).map_err(|error| failure(&error))
     })
 }
 
@@ -136,16 +108,13 @@ pub(crate) fn app<F: Footballer>(entry: Entry, standing: &Standing) -> App<F::Fo
 mod tests {
     use super::*;
 
-    fn check<F: Footballer>() {
-        let mut layers = Layers::new(const { &F::Forward::GRAPH });
-        layers.read_text(F::NAME, F::PARAMETERS).expect("names and values are right");
-        assert!(layers.all().filter(|value| !value.is_default()).count() > 10);
-        layers.apply(&mut *Box::<F::Forward>::default()).expect("they fit together");
-    }
-
     #[test]
     fn parameters_of_each_robot_are_accepted() {
-        check::<T1>();
-        check::<K1>();
+        for parameters in [T1_PARAMETERS, K1_PARAMETERS] {
+            let mut layers = Layers::new(const { &Forward::GRAPH });
+            layers.read_text("robot", parameters).expect("names and values are right");
+            assert!(layers.all().filter(|value| !value.is_default()).count() > 10);
+            layers.apply(&mut *Box::<Forward>::default()).expect("they fit together");
+        }
     }
 }

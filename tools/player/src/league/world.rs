@@ -7,16 +7,16 @@ use bica::runner::World;
 use bica::visual::Scene;
 use bica_field::{SSIM_2026, league_mark};
 use bica_motion::joints::Joints;
-use bica_motion::model::RobotModel;
 use bica_motion::pose::Pose2;
 use bica_motion::robot::{Buttons, Command, FootPressure, Inertial, Sensors};
 use bica_motion::senses::SenseEstimator;
+use bica_player_t1::Forward;
 use bica_player_t1::senses::{Object, Senses, Sight, View};
 use bica_sim::show_field;
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
-use super::client::{self, Agent, Body, Error, Game, Monitor, Perception, PlayMode, Seen, Server};
+use super::client::{self, Agent, Error, Game, Monitor, Perception, PlayMode, Seen, Server};
 use super::entry::Entry;
 use super::opponent::Opponent;
 use super::robot::{Footballer, Standing};
@@ -60,8 +60,9 @@ pub(crate) struct LeagueGame {
 }
 
 /// A player in the server. Its parts end in this order: the server waits for each player.
-pub(crate) struct LeagueWorld<F: Footballer> {
-    agent: Agent<F::Model>,
+pub(crate) struct LeagueWorld {
+    robot: &'static Footballer,
+    agent: Agent,
     opponent: Option<Opponent>,
     /// It stays to the end: the server may stop when one leaves.
     monitor: Option<Monitor>,
@@ -69,7 +70,7 @@ pub(crate) struct LeagueWorld<F: Footballer> {
     team: String,
     number: u32,
     perception: Perception,
-    estimator: SenseEstimator<F::Model>,
+    estimator: SenseEstimator,
     body: Sensors<'static>,
     view: Option<View>,
     /// The newest view.
@@ -81,16 +82,17 @@ pub(crate) struct LeagueWorld<F: Footballer> {
     standing: Standing,
 }
 
-impl<F: Footballer> LeagueWorld<F> {
+impl LeagueWorld {
     /// Joins a running server, where the game begins by its rules; or starts a server, places robot and ball by the seed, and begins.
     ///
     /// # Errors
     /// If the server cannot be started or reached, or refuses the player.
-    pub(crate) fn open(entry: &Entry, standing: Standing) -> Result<Self, Error> {
+    pub(crate) fn open(robot: &'static Footballer, entry: &Entry, standing: Standing) -> Result<Self, Error> {
         let server = entry.start()?;
         let address = server.as_ref().map(Server::address).or(entry.server.as_ref()).ok_or(Error::Refused)?.clone();
-        let (agent, first) = Agent::join(&address, &entry.team, entry.number)?;
+        let (agent, first) = Agent::join(robot.body, &address, &entry.team, entry.number)?;
         let mut world = Self {
+            robot,
             agent,
             opponent: None,
             monitor: None,
@@ -98,7 +100,7 @@ impl<F: Footballer> LeagueWorld<F> {
             team: entry.team.clone(),
             number: entry.number,
             perception: Perception::default(),
-            estimator: SenseEstimator::new(),
+            estimator: SenseEstimator::new(robot.body.model),
             body: UNMEASURED,
             view: None,
             #[cfg(feature = "mujoco")]
@@ -110,7 +112,7 @@ impl<F: Footballer> LeagueWorld<F> {
         world.take(first);
         if world.server.is_some() {
             if entry.against {
-                let opponent = Opponent::start::<F>(address.clone(), entry)?;
+                let opponent = Opponent::start(robot, address.clone(), entry)?;
                 while !opponent.has_joined()? {
                     world.stand()?;
                 }
@@ -130,7 +132,7 @@ impl<F: Footballer> LeagueWorld<F> {
     /// Places ball and robot, lets it stand up, and begins.
     fn place(&mut self, monitor: &mut Monitor, seed: u64) -> Result<(), Error> {
         let Start { robot, ball } = Start::new(seed);
-        monitor.place_player(self.number, robot, F::Model::STANDING_HEIGHT)?;
+        monitor.place_player(self.number, robot, self.robot.body.standing_height)?;
         monitor.place_ball(ball, SSIM_2026.ball_radius())?;
         for _ in 0..STANDING_UP {
             self.stand()?;
@@ -140,7 +142,7 @@ impl<F: Footballer> LeagueWorld<F> {
 
     /// Moves the joints to the stand for one cycle.
     fn stand(&mut self) -> Result<(), Error> {
-        self.agent.act(&F::Model::STAND, &Joints::all(1.0))?;
+        self.agent.act(&self.robot.body.model.stand, &Joints::all(1.0))?;
         self.sense()
     }
 
@@ -243,7 +245,7 @@ impl<F: Footballer> LeagueWorld<F> {
 
     /// Goes to the own place for the next kick-off.
     fn line_up(&mut self) -> Result<(), Error> {
-        self.agent.place(self.kick_off(), &F::Model::STAND, &Joints::all(1.0))?;
+        self.agent.place(self.kick_off(), &self.robot.body.model.stand, &Joints::all(1.0))?;
         self.sense()
     }
 
@@ -266,7 +268,7 @@ fn vector(sight: &client::Sight) -> Vec3 {
     sight.distance * Vec3::new(along * ahead, along * left, up)
 }
 
-impl<F: Footballer> World<F::Forward> for LeagueWorld<F> {
+impl World<Forward> for LeagueWorld {
     fn now(&self) -> Instant {
         Instant::from_millis(CYCLE * self.cycles)
     }

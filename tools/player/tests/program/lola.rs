@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 
 use bica_lola::{ActuatorMap, SITTING_HEIGHT, SensorMap, hip_height};
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::{Nao, RobotModel};
+use bica_motion::model::NAO;
 
 use crate::process::{Folder, player, refused};
 
@@ -49,7 +49,7 @@ impl Standing {
             accelerometer: [0.0, 0.0, -9.81],
             battery: [0.8, 0.0, 0.0, 30.0],
             fsr: [0.7; 8],
-            position: Nao::SIT.0,
+            position: NAO.sit.0,
             ..SensorMap::default()
         };
         let mut robot = Self { stream, map, cycles: 0, program, _folder: folder };

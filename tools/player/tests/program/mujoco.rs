@@ -14,8 +14,7 @@ mod with_mujoco {
     use bica::{Instant, Tree};
     use bica_motion::health::Fault;
     use bica_motion::joints::Joint;
-    use bica_motion::model::RobotModel;
-    use bica_player::Model;
+    use bica_motion::model::simulation::NAO;
     use bica_player::behaviour::SafetyGuard;
     use bica_player::input::{HealthMonitor, RobotProfile};
     use bica_player::tunable::Forward;
@@ -43,14 +42,14 @@ mod with_mujoco {
     }
 
     /// A forward, and its world without cameras.
-    fn forward() -> (Box<Forward>, MujocoWorld<Model>) {
-        let physics = Physics { cameras: false, ..Physics::of::<Model>() };
+    fn forward() -> (Box<Forward>, MujocoWorld) {
+        let physics = Physics { cameras: false, ..Physics::of(NAO) };
         let mut robot = Box::new(Forward::new());
-        robot.get_mut::<RobotProfile>().set(Model::DYNAMIC_PROFILE);
-        (robot, MujocoWorld::new(&Setup::default(), &physics).unwrap())
+        robot.get_mut::<RobotProfile>().set(NAO.dynamic_profile);
+        (robot, MujocoWorld::new(NAO, &Setup::default(), &physics).unwrap())
     }
 
-    fn run_cycle(cycle: u64, robot: &mut Forward, world: &mut MujocoWorld<Model>) {
+    fn run_cycle(cycle: u64, robot: &mut Forward, world: &mut MujocoWorld) {
         robot.sense(&world.sensors()).unwrap();
         robot.tick(Instant::from_millis(10 * cycle));
         world.act(&robot.act());
@@ -67,7 +66,7 @@ mod with_mujoco {
             assert_eq!(robot.get::<HealthMonitor>().fault().is_some(), cycle >= 599, "in cycle {cycle}");
         }
         assert_eq!(robot.get::<HealthMonitor>().fault(), Some(Fault::Hot(Joint::LKneePitch)));
-        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS));
+        assert!(robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= NAO.sit_stiffness));
         assert_eq!(world.referee().falls(), 0);
     }
 
@@ -84,7 +83,7 @@ mod with_mujoco {
             run_cycle(cycle, &mut robot, &mut world);
             if (1000..1500).contains(&cycle) {
                 assert!(
-                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= Model::SIT_STIFFNESS),
+                    robot.act().stiffness.0.iter().all(|stiffness| *stiffness <= NAO.sit_stiffness),
                     "in cycle {cycle}: {:?}, {:?}, {:?}",
                     robot.state_name::<bica_player::behaviour::SafetyGuard>(),
                     robot.state_name::<bica_player::behaviour::Player>(),

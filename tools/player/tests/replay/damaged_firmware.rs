@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use bica::runner::Runner;
 use bica::{Instant, Tree};
 use bica_field::GoalColour;
+use bica_motion::model::simulation::NAO;
 use bica_motion::robot::Command;
 use bica_player::input::{IMAGE_BYTES, RobotProfile};
 use bica_player::perception::GoalDetector;
@@ -75,7 +76,7 @@ fn damage(packet: &mut Vec<u8>, rng: &mut Pcg64) {
 fn play(image: &Path, file: &Temporary, seed: u64) -> (u64, u64, u32) {
     let rules = rules(seed, SECONDS);
     let setup = Setup { seed, frame: rules.size, ..Setup::default() };
-    let mut world = KinematicWorld::<bica_player::Model>::new(&setup).expect("valid");
+    let mut world = KinematicWorld::new(NAO, &setup).expect("valid");
     let attacks = world.referee().attacks();
     let mut emulator = start(image, attacks);
     let mut robot = Box::new(Forward::new());

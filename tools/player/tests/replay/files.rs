@@ -8,7 +8,7 @@ use std::time::Duration;
 use bica::Tree;
 use bica::runner::{RequestQueue, Runner};
 use bica_app::STACK_BYTES;
-use bica_player::Model;
+use bica_motion::model::simulation::NAO;
 use bica_player::input::RobotProfile;
 use bica_player::perception::GoalDetector;
 use bica_player::tunable::Forward;
@@ -74,9 +74,9 @@ pub(crate) fn recorded(
     file: &Temporary,
     rules: &Rules,
     images: ImagePolicy,
-) -> Runner<Box<Forward>, KinematicWorld<Model>, RequestQueue, Recorder> {
+) -> Runner<Box<Forward>, KinematicWorld, RequestQueue, Recorder> {
     let setup = Setup { seed: rules.seed, frame: rules.size, robots: rules.robots, ..Setup::default() };
-    let mut world = KinematicWorld::<Model>::new(&setup).expect("valid");
+    let mut world = KinematicWorld::new(NAO, &setup).expect("valid");
     let actions = World::actions(&mut world).list();
     let attacks = world.referee().attacks();
     let mut robot = Box::new(Forward::new());

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_test_data::process::Folder;
 
 use super::*;
@@ -33,7 +33,7 @@ pub(super) fn play_long(name: &str, seeds: RangeInclusive<u64>, body: impl Fn(u6
             test.cycle();
             let angles = angles(&test);
             // The stops of the fingers, which stay closed, yield by 0.007° in MuJoCo.
-            let beyond = way(&angles, &angles.clamp_to_limits::<Nao>());
+            let beyond = way(&angles, &angles.clamp_to_limits(NAO));
             assert!(beyond < 0.01, "{name} {seed} {:?}: {beyond}° beyond the limits, {angles:?}", test.now());
             fastest = fastest.max(100.0 * way(&last, &angles));
             // The cycles between two waits: each command begins within 100 ms of its place.

@@ -2,13 +2,13 @@
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::sole;
-use bica_motion::model::Nao;
+use bica_motion::model::NAO;
 use bica_motion::side::Side;
 use glam::Vec3;
 use serde::Serialize;
 
 use super::{Channel, Form};
-use crate::motions::robot::Point;
+use crate::motions::robot::{self, Point};
 
 /// A point of a posture that can be dragged, frame of the torso, or of the right sole in a kick; m.
 #[derive(Serialize)]
@@ -33,10 +33,10 @@ struct Way {
 impl Form {
     /// The points of a posture that can be dragged.
     pub(in crate::motions) fn handles(&self, posture: &Joints) -> Vec<Handle> {
-        let all = (self.robot.handles)(posture).into_iter();
+        let all = robot::handles(self.robot, posture).into_iter();
         if self.kicks {
             // In the frame of the right sole, on which the robot stands.
-            let right = sole::<Nao>(Side::Right, posture).inverse();
+            let right = sole(NAO, Side::Right, posture).inverse();
             let moved = |first: usize, at: [f32; 3]| {
                 let along = |axis: usize| {
                     let along = Vec3::AXES[axis].to_array();

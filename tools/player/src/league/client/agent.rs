@@ -1,7 +1,6 @@
 //! The connection of a player.
 
 use std::io::ErrorKind;
-use std::marker::PhantomData;
 use std::net::TcpStream;
 use std::time::Duration;
 
@@ -19,30 +18,35 @@ use super::server::Address;
 /// Longest time to wait for a message. The server removes a player that is silent for 5 s; a new player takes it up to a second.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// A player of the model `B` in the server.
+/// A player in the server.
 ///
 /// The server waits for one message of each player in each cycle: after each perception, send exactly one action.
 #[derive(Debug)]
-pub(crate) struct Agent<B> {
+pub(crate) struct Agent {
     stream: TcpStream,
     message: String,
-    body: PhantomData<B>,
+    body: &'static Body,
 }
 
-impl<B: Body> Agent<B> {
+impl Agent {
     /// Lets a player join a team. The first team attacks the right goal, the second one the left goal.
     ///
     /// # Errors
     /// If the server cannot be reached, or does not accept team or number.
-    pub(crate) fn join(address: &Address, team: &str, number: u32) -> Result<(Self, Perception), Error> {
+    pub(crate) fn join(
+        body: &'static Body,
+        address: &Address,
+        team: &str,
+        number: u32,
+    ) -> Result<(Self, Perception), Error> {
         if team.is_empty() || team.contains([' ', '(', ')']) {
             return Err(Error::Message("a team's name has no spaces and no parentheses"));
         }
         let stream = TcpStream::connect((&*address.host, address.agents))?;
         stream.set_nodelay(true)?;
         stream.set_read_timeout(Some(PATIENCE))?;
-        let mut agent = Self { stream, message: String::new(), body: PhantomData };
-        frame::write(&mut agent.stream, &format!("(init {} {team} {number})", B::SERVER_NAME))?;
+        let mut agent = Self { stream, message: String::new(), body };
+        frame::write(&mut agent.stream, &format!("(init {} {team} {number})", body.server_name))?;
         let first = agent.sense().map_err(|error| match error {
             Error::Connection(error) if error.kind() == ErrorKind::UnexpectedEof => Error::Refused,
             error => error,
@@ -64,7 +68,7 @@ impl<B: Body> Agent<B> {
     /// # Errors
     /// If the connection broke.
     pub(crate) fn act(&mut self, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
-        frame::write(&mut self.stream, &action::motors::<B>(targets, stiffness))
+        frame::write(&mut self.stream, &action::motors(self.body, targets, stiffness))
     }
 
     /// As [`act`](Self::act), and asks to stand at a pose in the own half, with x towards the attacked goal, which the server grants
@@ -74,7 +78,7 @@ impl<B: Body> Agent<B> {
     /// If the connection broke.
     pub(crate) fn place(&mut self, at: Pose2, targets: &Joints, stiffness: &Joints) -> Result<(), Error> {
         let (Vec2 { x, y }, heading) = (at.position, at.heading.to_degrees());
-        let motors = action::motors::<B>(targets, stiffness);
+        let motors = action::motors(self.body, targets, stiffness);
         frame::write(&mut self.stream, &format!("(beam {x:.3} {y:.3} {heading:.3}){motors}"))
     }
 }

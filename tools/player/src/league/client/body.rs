@@ -1,38 +1,39 @@
 //! Robots of the league: names and gains of their motors.
 
 use bica_motion::joints::{Joint, Joints};
-use bica_motion::model::simulation::MujocoModel;
-use bica_motion::model::{K1, Parameters, Profile, RobotModel, T1};
+use bica_motion::model::simulation::{self, SimulatedModel};
+use bica_motion::model::{Parameters, Profile};
 use bica_motion::walk::Velocity;
 use glam::Vec2;
 
 /// A robot of the league.
-pub(crate) trait Body: MujocoModel {
+#[derive(Debug)]
+pub(crate) struct Body {
+    /// Its model.
+    pub(crate) model: &'static SimulatedModel,
     /// Name of the robot's model in the server.
-    const SERVER_NAME: &'static str;
+    pub(crate) server_name: &'static str,
     /// Height of the torso over the ground with all joints at zero, m.
-    const STANDING_HEIGHT: f32;
-    /// Position gains of the motors, Nm/rad.
-    const POSITION_GAINS: &'static Joints = Self::GAINS;
-    /// Velocity gains of the motors, Nm·s/rad.
-    const VELOCITY_GAINS: &'static Joints;
+    pub(crate) standing_height: f32,
     /// Gait and kicks in the server, whose ground is soft: a foot sinks into it by some millimetres.
-    const PROFILE: &'static Profile = Self::DYNAMIC_PROFILE;
+    pub(crate) profile: &'static Profile,
 }
 
-impl Body for T1 {
-    const SERVER_NAME: &'static str = "T1";
-    const STANDING_HEIGHT: f32 = 0.675;
-    const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
-    const PROFILE: &'static Profile = &Profile { gait: T1_GAIT, ..*T1::DYNAMIC_PROFILE };
-}
+/// Booster T1.
+pub(crate) const T1: &Body = &Body {
+    model: simulation::T1,
+    server_name: "T1",
+    standing_height: 0.675,
+    profile: &Profile { gait: T1_GAIT, ..*simulation::T1.robot.dynamic_profile },
+};
 
-impl Body for K1 {
-    const SERVER_NAME: &'static str = "K1";
-    const STANDING_HEIGHT: f32 = 0.555;
-    const VELOCITY_GAINS: &'static Joints = &VELOCITY_GAINS;
-    const PROFILE: &'static Profile = &Profile { gait: K1_GAIT, ..*K1::DYNAMIC_PROFILE };
-}
+/// Booster K1.
+pub(crate) const K1: &Body = &Body {
+    model: simulation::K1,
+    server_name: "K1",
+    standing_height: 0.555,
+    profile: &Profile { gait: K1_GAIT, ..*simulation::K1.robot.dynamic_profile },
+};
 
 /// Found by a random search over falls in the server, whose motors lag less than those of our `MuJoCo`.
 const T1_GAIT: Parameters = Parameters {
@@ -60,7 +61,7 @@ const T1_GAIT: Parameters = Parameters {
     velocity_smoothing: None,
     capture_offset: Vec2::ZERO,
     kick_max_distance: 0.0,
-    ..T1::DYNAMIC_PROFILE.gait
+    ..simulation::T1.robot.dynamic_profile.gait
 };
 
 /// The K1's gait of `MuJoCo` with the height of steps and the smoothing of the T1, and motors that lag less.
@@ -75,11 +76,12 @@ const K1_GAIT: Parameters = Parameters {
     max_speed_up: Velocity::new(0.08, 0.08, 0.4),
     velocity_drift: Velocity::new(0.12, 0.0, 0.0),
     kick_max_distance: 0.0,
-    ..K1::DYNAMIC_PROFILE.gait
+    ..simulation::K1.robot.dynamic_profile.gait
 };
 
-/// The server computes the velocity term explicitly in steps of 5 ms: higher gains make light joints oscillate.
-const VELOCITY_GAINS: Joints = {
+/// Velocity gains of the motors, Nm·s/rad. The server computes the velocity term explicitly in steps of 5 ms: higher gains make
+/// light joints oscillate.
+pub(crate) const VELOCITY_GAINS: Joints = {
     let mut gains = Joints::all(1.0);
     let mut i = 0;
     while i < Joint::ALL.len() {
@@ -137,16 +139,16 @@ mod tests {
 
     #[test]
     fn each_joint_has_its_motor_and_its_sensor() {
-        fn check<B: Body>(count: usize) {
-            let motors = B::JOINTS.iter().map(|&joint| (joint, effector(joint)));
-            assert_eq!(motors.clone().filter(|(_, motor)| !motor.is_empty()).count(), count, "{}", B::NAME);
+        fn check(body: &Body, count: usize) {
+            let motors = body.model.joints.iter().map(|&joint| (joint, effector(joint)));
+            assert_eq!(motors.clone().filter(|(_, motor)| !motor.is_empty()).count(), count, "{}", body.model.name);
             for (joint, motor) in motors {
                 let (limb, number) = motor.rsplit_once('e').expect("an effector");
                 assert_eq!(joint_of(&format!("q_{limb}j{number}")), Some(joint));
             }
         }
-        check::<T1>(23);
-        check::<K1>(22);
+        check(T1, 23);
+        check(K1, 22);
         assert_eq!((joint_of("q_"), joint_of("lle4"), joint_of("q_llj9")), (None, None, None));
     }
 }

@@ -8,7 +8,7 @@
 
 mod action;
 mod agent;
-mod body;
+pub(crate) mod body;
 mod error;
 mod expression;
 mod frame;
