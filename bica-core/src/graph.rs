@@ -88,6 +88,14 @@ pub struct Node {
     pub work: Option<WorkFunction>,
 }
 
+impl Transition {
+    /// A transition that waits for its condition only.
+    #[must_use]
+    pub const fn new(name: &'static str, from: usize, to: usize) -> Self {
+        Self { name, doc: Doc::new(""), from, to, after_ms: None, after: None, when: None, times: None, carries: None }
+    }
+}
+
 impl Node {
     /// A component that declares nothing.
     #[must_use]
@@ -134,6 +142,12 @@ impl Node {
     pub fn find_modulation(&self, modulation: impl Key) -> Option<(usize, &'static Modulation)> {
         let index = modulation.find(self.modulations.iter().map(|modulation| modulation.name))?;
         self.modulations.get(index).map(|modulation| (index, modulation))
+    }
+
+    /// Returns the parameter that is the timer of a transition.
+    #[must_use]
+    pub fn timer(&self, transition: &Transition) -> Option<&'static Param> {
+        self.params.iter().flat_map(|group| group.params).nth(transition.after?.into())
     }
 
     /// Number of parameters in all groups.
@@ -230,23 +244,65 @@ pub struct State {
     pub initial: bool,
     /// Whether the state is marked to have no transition out of it.
     pub last: bool,
+    /// Result with which the machine ends in the state; `None` if it has none, as also in a state that is only marked as last.
+    pub end: Option<End>,
     /// Name of the function that runs before the transitions out of it are evaluated; `None` if there is none.
     pub before: Option<&'static str>,
+}
+
+/// Result with which a state machine ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "wire",
+    derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema),
+    serde(rename_all = "snake_case")
+)]
+pub enum End {
+    /// It has done its work: `#[state(done)]`.
+    Done,
+    /// It could not: `#[state(failed)]`.
+    Failed,
+}
+
+impl End {
+    /// The word in the source: `"done"` or `"failed"`.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// The result of a child for which a transition waits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct When {
+    /// Index of the child in [`Graph::nodes`], of which there are at most 255.
+    pub child: u8,
+    /// The result.
+    pub end: End,
 }
 
 /// A transition from one state to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transition {
-    /// The function's name.
+    /// The function's name. A transition on a state has none: it is called by what it waits for, `done(Reach)` or `timer`.
     pub name: &'static str,
     /// The function's doc comment.
-    pub doc: &'static str,
+    pub doc: Doc,
     /// Index of the state that it leaves.
     pub from: usize,
     /// Index of the state that it enters.
     pub to: usize,
-    /// Shortest time in `from` before the transition is evaluated, ms.
+    /// Shortest time in `from` before the transition is evaluated, ms; of a timer that is a parameter its default.
     pub after_ms: Option<u32>,
+    /// Index of the parameter that is the shortest time, counted through the component's groups.
+    pub after: Option<u16>,
+    /// The result of a child without which it does not hold.
+    pub when: Option<When>,
+    /// How often it is taken in a row; then it is evaluated no more.
+    pub times: Option<u8>,
     /// Type of what it carries to the entry hook of `to`, as in the source text; `None` if its condition is a `bool`.
     pub carries: Option<&'static str>,
 }

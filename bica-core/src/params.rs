@@ -62,9 +62,12 @@ pub(crate) mod declare;
 mod kind;
 pub mod refusal;
 mod text;
+mod timer;
 
 pub use kind::{Kind, Value, Variant, Variants};
 pub use text::ValueText;
+#[doc(hidden)]
+pub use timer::{Timer, timer};
 
 #[doc(hidden)]
 pub use declare::{

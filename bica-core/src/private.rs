@@ -7,12 +7,13 @@ pub use crate::action::{Action, Actions, Outcome};
 pub use crate::check::{activators, check, ranks};
 pub use crate::component::{Component, Time};
 pub use crate::found::Found;
-pub use crate::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition, WorkFunction};
+pub use crate::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
 pub use crate::info::{Info, InfoSink};
 pub use crate::modulation::{Modulation, assert_arguments};
+pub use crate::params::Timer;
 pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
-    assert_range, assert_rule, assert_step, natural_default, variant,
+    assert_range, assert_rule, assert_step, natural_default, timer, variant,
 };
 pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;
@@ -24,6 +25,7 @@ pub use crate::tree::cycle::{Cycle, Machine, Visit, is_shared, visits_at_rate};
 pub use crate::tree::cycle_state::VisitOutcome;
 pub use crate::tree::engine::Engine;
 pub use crate::tree::plan::{Planned, Plans};
+pub use crate::tree::results::assert_end;
 pub use crate::tree::steady::{is_fixed, visits_first};
 pub use crate::tree::written::{DistinctLinks, Target, WrittenKind, WrittenLink, assert_single_link, counts};
 pub use crate::tree::{Has, Layout, Member, MemberOf, ParamsOf, Tree};

@@ -25,6 +25,7 @@ mod layout;
 mod lone_machine;
 mod operate;
 pub(crate) mod plan;
+pub(crate) mod results;
 pub(crate) mod steady;
 pub(crate) mod tuning;
 mod visit;

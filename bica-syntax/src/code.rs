@@ -8,7 +8,7 @@ use crate::wording;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[expect(
     missing_docs,
-    reason = "`found` is the name as written, `meant` the one that was probably meant, `known` a list of all"
+    reason = "`found` is the name as written, `meant` the one that was probably meant, `known` a list of all, `word` that of the state"
 )]
 pub enum Code {
     /// An attribute is spelt like one of ours.
@@ -24,7 +24,7 @@ pub enum Code {
     /// No transition leaves a state that is not marked as last.
     DeadEnd { state: String },
     /// A transition leaves a state that is marked as last.
-    LastButLeft { state: String },
+    LastButLeft { state: String, word: &'static str },
 }
 
 impl Code {
@@ -52,7 +52,7 @@ impl fmt::Display for Code {
             Self::NoInitial { first } => wording::no_initial(first),
             Self::Unreachable { state } => wording::unreachable(state),
             Self::DeadEnd { state } => wording::dead_end(state),
-            Self::LastButLeft { state } => wording::last_but_left(state),
+            Self::LastButLeft { state, word } => wording::last_but_left(state, word),
         })
     }
 }

@@ -238,16 +238,17 @@ impl GraphItems<'_> {
             List::States => {
                 let state = node.states.get(self.index)?;
                 self.doc = state.doc;
-                let graph::State { name, initial, last, before, .. } = *state;
-                GraphItem::State { component, index, name, initial, last, before }
+                let graph::State { name, initial, last, end, before, .. } = *state;
+                GraphItem::State { component, index, name, initial, last, end, before }
             }
             List::Transitions => {
                 let transition = node.transitions.get(self.index)?;
-                self.doc = transition.doc;
+                self.doc = transition.doc.text();
                 let (from, to) = (transition.from as u16, transition.to as u16);
-                let (name, after_ms) = (transition.name, transition.after_ms);
+                let graph::Transition { name, after_ms, after, times, .. } = *transition;
+                let when = transition.when.map(|when| (u16::from(when.child), when.end));
                 let carries = transition.carries.map(|of| truncate(of, TYPE_BYTES));
-                GraphItem::Transition { component, from, to, name, after_ms, carries }
+                GraphItem::Transition { component, from, to, name, after_ms, after, when, times, carries }
             }
             List::Params => {
                 let (_, param) = node.find_param(self.index)?;

@@ -35,6 +35,8 @@ pub(crate) struct Data {
     received: u64,
     /// What the transition of this run found.
     found: Option<Carried>,
+    /// Number of transitions with `times` in a row.
+    taken: u8,
 }
 
 /// Model of a tree.
@@ -93,18 +95,36 @@ impl Model {
         let transitions = self.graph.nodes[index].transitions.iter().enumerate();
         for (number, &transition) in transitions.filter(|(_, transition)| transition.from == state) {
             let stayed = transition.after_ms.is_none_or(|ms| self.in_state(index) >= u64::from(ms) * 1000);
-            if !stayed {
+            let taken = self.components[index].taken;
+            if !stayed || transition.times.is_some_and(|times| taken >= times) {
                 continue;
             }
-            let holds = transition.name.starts_with("timer") || self.evaluate(index, transition.name)?;
+            let is_bare = transition.name.starts_with("timer") || transition.name.ends_with(')');
+            let has_result = transition.when.is_none_or(|when| self.has_ended(when.child.into(), when.end));
+            let holds = has_result && (is_bare || self.evaluate(index, transition.name)?);
             self.expect(&Event::Condition(index, number, holds))?;
             if holds {
                 let value = self.components[index].value;
                 self.components[index].found = transition.carries.map(|_| (transition.name, value));
+                self.count(index, transition);
                 return Ok(Some(transition));
             }
         }
         Ok(None)
+    }
+
+    /// Counts the transitions with `times` that follow each other. The way back from the state that one enters does not end the row.
+    fn count(&mut self, index: usize, taken: Transition) {
+        let mut counted = self.graph.nodes[index].transitions.iter().filter(|one| one.times.is_some());
+        let is_way_back = counted.any(|one| one.to == taken.from && one.from == taken.to);
+        let count = &mut self.components[index].taken;
+        *count = if taken.times.is_some() {
+            *count + 1
+        } else if is_way_back {
+            *count
+        } else {
+            0
+        };
     }
 
     /// Compares the evaluation of a transition, and returns its result.
@@ -211,7 +231,7 @@ impl Model {
         data.grid = i128::from(self.now) << FRACTION_BITS;
         (data.ran, data.started) = (self.now, true);
         if entering {
-            data.entered = self.now;
+            (data.entered, data.taken) = (self.now, 0);
         }
     }
 

@@ -43,7 +43,8 @@ macro_rules! on_trees {
     ($(#[$doc:meta])* $module:ident, $stress:expr) => {
         on_trees!(
             $(#[$doc])* $module, $stress,
-            carried: Carrying, diamond: Diamond, generic: Generic, modulated: Modulated, resume: Resume, roles: Asking, swap: Swap, timers: Timers
+            carried: Carrying, diamond: Diamond, generic: Generic, modulated: Modulated, results: Results,
+            resume: Resume, roles: Asking, swap: Swap, timers: Timers
         );
     };
     ($(#[$doc:meta])* $module:ident, $stress:expr, $($name:ident: $tree:ident),*) => {

@@ -1,7 +1,7 @@
 //! Reference model: the rules in the documentation of `bica-core`, written for clarity and not for speed.
 
 use bica::Hold;
-use bica::graph::LinkKind;
+use bica::graph::{End, LinkKind};
 
 use super::graph::{Comparison, Model};
 
@@ -24,6 +24,8 @@ pub(crate) struct Memory {
     /// Index of the current state; `None` without states, or if the component was never active.
     pub(crate) state: Option<usize>,
     pub(crate) hold: Hold,
+    /// The next visit starts the machine in its initial state, as its activator entered a state that waits for its result.
+    anew: bool,
 }
 
 impl Model {
@@ -54,14 +56,21 @@ impl Model {
         }
         memory.visited = true;
         let node = &self.graph.nodes[index];
-        let starts = !memory.active;
-        let entering = starts && (memory.state.is_none() || !node.resume);
+        let (was_active, anew) = (memory.active, std::mem::take(&mut memory.anew));
+        let starts = !was_active || anew;
+        let entering = starts && (memory.state.is_none() || !node.resume || anew);
         if entering {
             memory.state = node.states.iter().position(|state| state.initial);
+        }
+        if starts && was_active {
+            self.event(Event::Stop(index))?;
         }
         if starts {
             self.start(index, entering);
             self.event(Event::Start(index))?;
+        }
+        if entering {
+            self.ask(index);
         }
         let is_due = starts || self.is_due(index);
         if !is_due {
@@ -72,6 +81,24 @@ impl Model {
             self.run(index, entering)?;
         }
         self.visit_children(index, LinkKind::Modulation)
+    }
+
+    /// The children for whose results the entered state waits begin anew.
+    fn ask(&mut self, index: usize) {
+        let Some(state) = self.memories[index].state else { return };
+        for transition in self.graph.nodes[index].transitions.iter().filter(|one| one.from == state) {
+            if let Some(when) = transition.when {
+                let child = &mut self.memories[usize::from(when.child)];
+                child.anew |= child.state.is_some();
+            }
+        }
+    }
+
+    /// Whether a child is active and in a state with this result.
+    pub(super) fn has_ended(&self, child: usize, end: End) -> bool {
+        let (memory, states) = (&self.memories[child], self.graph.nodes[child].states);
+        let is_active = memory.active || memory.visited;
+        is_active && !memory.anew && memory.state.is_some_and(|state| states[state].end == Some(end))
     }
 
     /// Visits the ends of the links of a kind that are in force in the component's state.
@@ -91,6 +118,7 @@ impl Model {
         if let Some(to) = next {
             let from = self.memories[index].state.replace(to).expect("a machine");
             self.event(Event::Transition(index, from, to))?;
+            self.ask(index);
             self.visit_children(index, LinkKind::Requirement)?;
         }
         self.step(index, next.is_some())

@@ -48,18 +48,31 @@ const fn machine(mut hash: Fnv, node: &Node) -> Fnv {
     let mut index = 0;
     while index < node.states.len() {
         let state = node.states[index];
-        hash = hash.text(state.name).number(state.initial as u64).number(state.last as u64);
+        // A state without a result counts as it always did.
+        let last = match state.end {
+            None => state.last as u64,
+            Some(end) => 2 + end as u64,
+        };
+        hash = hash.text(state.name).number(state.initial as u64).number(last);
         index += 1;
     }
     hash = hash.number(node.transitions.len() as u64);
     index = 0;
     while index < node.transitions.len() {
         let edge = node.transitions[index];
-        let after = match edge.after_ms {
-            Some(ms) => ms as u64 + 1,
-            None => 0,
+        let after = match (edge.after, edge.after_ms) {
+            // The default of a parameter does not count.
+            (Some(parameter), _) => u64::MAX - parameter as u64,
+            (None, Some(ms)) => ms as u64 + 1,
+            (None, None) => 0,
         };
         hash = hash.text(edge.name).number(edge.from as u64).number(edge.to as u64).number(after);
+        if let Some(when) = edge.when {
+            hash = hash.number(when.child as u64).number(when.end as u64);
+        }
+        if let Some(times) = edge.times {
+            hash = hash.number(times as u64);
+        }
         index += 1;
     }
     hash

@@ -50,7 +50,7 @@ pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
         }
     }
     for edge in node.transitions {
-        let label = transition(edge);
+        let label = transition(node, edge);
         let tooltip = quoted(&edge.doc);
         writeln!(f, "  s{} -> s{} [label={}, tooltip={tooltip}];", edge.from, edge.to, quoted(&label))?;
     }

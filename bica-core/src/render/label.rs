@@ -34,21 +34,31 @@ fn listed<'a>(f: &mut Formatter<'_>, names: impl Iterator<Item = &'a str>) -> Re
     })
 }
 
-/// A state's name, what it takes from transitions, and what runs before its own: `kick ← Kick (before: plan)`.
+/// A state's name, what it takes from transitions, its result, and what runs before its own: `kick ← Kick (before: plan)`, `held [done]`.
 pub(super) fn state(node: &Node, index: usize) -> impl Display {
     from_fn(move |f| {
         let Some(state) = node.states.get(index) else { return Ok(()) };
         f.write_str(state.name)?;
         node.takes(index).map_or(Ok(()), |of| write!(f, " ← {of}"))?;
+        state.end.map_or(Ok(()), |end| write!(f, " [{}]", end.word()))?;
         state.before.map_or(Ok(()), |before| write!(f, " (before: {before})"))
     })
 }
 
-/// A transition's name and timer: `ball_lost, after 1500 ms`.
-pub(super) fn transition(edge: &Transition) -> impl Display {
-    from_fn(|f| {
+/// A transition's name, and what it waits for: `ball_lost, after 1500 ms`, `failed(Reach), 3 times`.
+pub(super) fn transition(node: &Node, edge: &Transition) -> impl Display {
+    from_fn(move |f| {
         f.write_str(edge.name)?;
-        edge.after_ms.map_or(Ok(()), |after| write!(f, ", after {after} ms"))
+        // The name of a transition without a function says so already.
+        if let Some(when) = edge.when.filter(|_| !edge.name.ends_with(')')) {
+            write!(f, ", when {}", when.end.word())?;
+        }
+        match (node.timer(edge), edge.after_ms) {
+            (Some(parameter), Some(after)) => write!(f, ", after {} ({after} ms)", parameter.name)?,
+            (_, Some(after)) => write!(f, ", after {after} ms")?,
+            _ => {}
+        }
+        edge.times.map_or(Ok(()), |times| write!(f, ", {times} times"))
     })
 }
 

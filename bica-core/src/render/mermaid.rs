@@ -47,7 +47,7 @@ pub(super) fn machine(node: &Node, f: &mut Formatter<'_>) -> Result {
         }
     }
     for edge in node.transitions {
-        let label = transition(edge);
+        let label = transition(node, edge);
         writeln!(f, "  s{} --> s{}: {}", edge.from, edge.to, escaped(&label))?;
     }
     Ok(())

@@ -92,6 +92,11 @@ impl Activation {
         self.value.set(parity.0);
     }
 
+    /// Whether the component is latent, held so or not.
+    pub(crate) fn is_any_latent(&self) -> bool {
+        matches!(self.value.get(), LATENT | HELD_LATENT)
+    }
+
     /// Makes the next visit read the period, which may change.
     #[inline]
     pub(crate) fn read_period(&self) {

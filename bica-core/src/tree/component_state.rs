@@ -11,6 +11,12 @@ use crate::rate::{Grid, Period, Tolerance};
 const NEVER: u16 = u16::MAX;
 /// In place of a state index: the component has no states.
 const STATELESS: u16 = u16::MAX - 1;
+/// Bits of a state index: a machine has at most 255 states.
+const INDEX: u16 = 0xff;
+/// Added to a state index: the machine begins anew in its next visit, because its activator entered a state that asks for its result.
+const ANEW: u16 = 1 << 8;
+/// Added to a state index: one transition with `times` that was taken. There are at most 126, so that no sum is [`STATELESS`].
+const TAKEN: u16 = 1 << 9;
 
 /// How a component starts and how exactly it keeps its rate: constant for each component of a tree.
 #[derive(Clone, Copy)]
@@ -86,6 +92,12 @@ impl ComponentState {
         entering
     }
 
+    /// Starts the grid at `now` and enters the initial state, whether the component resumes one or not.
+    pub(crate) fn restart(&self, now: u64, policy: &Policy) {
+        self.discard_history();
+        self.start(now, policy);
+    }
+
     /// Discards the state, so that the component starts as if it had never been active.
     pub(crate) fn discard_history(&self) {
         self.state.set(NEVER);
@@ -138,16 +150,41 @@ impl ComponentState {
         self.entered.set(now.as_ticks());
     }
 
-    /// Returns the index of the state of an active state machine.
+    /// Returns the index of the state of an active state machine that takes no transition with `times`.
     #[inline]
     pub(crate) fn state_index(&self) -> usize {
         self.state.get() as usize
+    }
+
+    /// Returns the index of the state of an active state machine, and how many transitions with `times` it took in a row.
+    #[inline]
+    pub(crate) fn counted_state(&self) -> (usize, u8) {
+        let state = self.state.get();
+        (usize::from(state & INDEX), (state / TAKEN) as u8)
+    }
+
+    /// Sets how many transitions with `times` the active state machine took in a row.
+    #[inline]
+    pub(crate) fn count(&self, taken: u8) {
+        self.state.set((self.state.get() & INDEX) | (u16::from(taken) * TAKEN));
+    }
+
+    /// Makes a machine begin anew in its next visit; from now on it has no result.
+    pub(crate) fn begin_anew(&self) {
+        if self.state().is_some() {
+            self.state.set(self.state.get() | ANEW);
+        }
+    }
+
+    /// Whether the machine is to begin anew.
+    pub(crate) fn begins_anew(&self) -> bool {
+        self.state().is_some() && self.state.get() & ANEW != 0
     }
 
     /// Returns the index of the state of a state machine, also of a latent one; `None` without states.
     #[inline]
     pub(crate) fn state(&self) -> Option<usize> {
         let state = self.state.get();
-        (state < STATELESS).then_some(state as usize)
+        (state < STATELESS).then_some(usize::from(state & INDEX))
     }
 }

@@ -7,6 +7,7 @@ use super::component_state::Policy;
 use super::cycle_state::VisitOutcome;
 use super::engine;
 use super::layout::{Has, Layout, MemberOf};
+use super::results;
 use crate::component::{Component, Time};
 use crate::id::ComponentId;
 use crate::probe::Probe;
@@ -111,7 +112,11 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
             engine::stop_interrupted(self);
         }
         let state = self.store.component_state::<C>();
-        let outcome = cycle_state.visit(state, self.store.period::<C>(), const { &policy::<T, C>() });
+        let begins_anew = const { results::has_ends(<T::Member as Component>::STATES) } && state.begins_anew();
+        let mut outcome = cycle_state.visit(state, self.store.period::<C>(), const { &policy::<T, C>() });
+        if begins_anew && !outcome.is_closed() {
+            outcome = self.begin_anew::<C>(outcome);
+        }
         if outcome.is_started() {
             self.probe.start(id::<T, C>());
             T::Member::start(self);
@@ -288,7 +293,7 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
 }
 
 #[inline]
-fn id<T: Has<C>, C: 'static>() -> ComponentId {
+pub(super) fn id<T: Has<C>, C: 'static>() -> ComponentId {
     const { ComponentId::new(T::INDEX) }
 }
 
@@ -296,7 +301,7 @@ const fn tolerance<T: Has<C>, C: 'static>() -> Tolerance {
     Tolerance::new(T::CYCLE_HZ, <T::Member as Component>::HZ)
 }
 
-const fn policy<T: Has<C>, C: 'static>() -> Policy {
+pub(super) const fn policy<T: Has<C>, C: 'static>() -> Policy {
     let initial =
         if <T::Member as Component>::STATES.is_empty() { None } else { Some(<T::Member as Component>::INITIAL) };
     Policy::new(initial, <T::Member as Component>::RESUME, tolerance::<T, C>())

@@ -47,7 +47,7 @@ impl VisitOutcome {
     /// The component became active in the state in which it became latent.
     const RESUMED: Self = Self(1 | 2 | 4);
     /// The component became active in its initial state.
-    const ENTERED: Self = Self(1 | 2 | 4 | 8);
+    pub(crate) const ENTERED: Self = Self(1 | 2 | 4 | 8);
 
     /// Whether the visit ends here.
     #[inline]

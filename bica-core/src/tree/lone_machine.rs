@@ -4,6 +4,7 @@ use embassy_time::{Duration, Instant};
 
 use super::component_state::{ComponentState, Policy};
 use super::cycle_state::CycleState;
+use super::results::taken_after;
 use crate::graph::Transition;
 use crate::rate::{Period, Tolerance};
 
@@ -40,13 +41,17 @@ impl LoneMachine {
         if !self.cycle.visit(&self.state, &self.period, &self.policy).is_due() {
             return None;
         }
-        let from = self.state();
+        let (from, taken_before) = self.state.counted_state();
         let is_taken = |(index, one): &(usize, &Transition)| {
-            one.from == from && one.after_ms.is_none_or(|ms| self.state.has_been_in_state(ms, now)) && holds(*index)
+            one.from == from
+                && one.after_ms.is_none_or(|ms| self.state.has_been_in_state(ms, now))
+                && one.times.is_none_or(|times| taken_before < times)
+                && holds(*index)
         };
         let taken = transitions.iter().enumerate().find(is_taken);
-        if let Some((_, transition)) = taken {
+        if let Some((index, transition)) = taken {
             self.state.enter(transition.to, now);
+            self.state.count(taken_after(transitions, index, taken_before));
         }
         Some(taken.map(|(index, _)| index))
     }
@@ -55,6 +60,12 @@ impl LoneMachine {
     #[must_use]
     pub fn state(&self) -> usize {
         self.state.state().unwrap_or_else(|| self.policy.initial())
+    }
+
+    /// Number of transitions with [`times`](Transition::times) that it took in a row.
+    #[must_use]
+    pub fn taken(&self) -> u8 {
+        self.state.state().map_or(0, |_| self.state.counted_state().1)
     }
 
     /// Time in the state.

@@ -26,12 +26,12 @@ pub(crate) const fn node(name: &'static str) -> Node {
 
 /// State that is neither initial nor terminal.
 pub(crate) const fn state(name: &'static str) -> State {
-    State { name, doc: "", initial: false, last: false, before: None }
+    State { name, doc: "", initial: false, last: false, end: None, before: None }
 }
 
 /// Transition without a timer.
 pub(crate) const fn transition(from: usize, to: usize) -> Transition {
-    Transition { name: "transition", doc: "", from, to, after_ms: None, carries: None }
+    Transition::new("transition", from, to)
 }
 
 /// Requirement in all states.

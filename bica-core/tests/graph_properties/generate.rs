@@ -1,6 +1,6 @@
 //! Random graphs.
 
-use bica_core::graph::{Graph, Link, LinkKind, Node, Roles, State, Transition};
+use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
 use proptest::prelude::*;
 
 use crate::graph_properties::build;
@@ -93,7 +93,7 @@ pub(crate) fn every_character() -> Graph {
         doc: text,
         links: &[Link { to: 1, kind: LinkKind::Requirement, state: Some(0), roles: Roles::NONE }],
         states: vec![State { doc: text, initial: true, ..build::state(text) }, build::state("other")].leak(),
-        transitions: vec![Transition { name: text, doc: text, ..build::transition(0, 1) }].leak(),
+        transitions: vec![Transition { name: text, doc: Doc::new(text), ..build::transition(0, 1) }].leak(),
         ..build::node(text)
     };
     Graph { name: text, doc: text, ..build::graph(vec![node, build::node("Other")].leak()) }
@@ -118,7 +118,7 @@ pub(crate) fn special_graph(max: usize) -> impl Strategy<Value = Graph> {
             }
             let mut ways = node.transitions.to_vec();
             for transition in &mut ways {
-                (transition.name, transition.doc) = (text(), text());
+                (transition.name, transition.doc) = (text(), Doc::new(text()));
                 transition.after_ms = (!text().is_empty()).then_some(after_ms);
             }
             (node.states, node.transitions) = (states.leak(), ways.leak());

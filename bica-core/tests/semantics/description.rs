@@ -86,7 +86,7 @@ fn transitions_are_listed_in_the_order_of_evaluation() {
     ];
     assert_eq!(ways, expected);
     let Transition { doc, .. } = node("Player").transitions[0];
-    assert_eq!(doc, "");
+    assert_eq!(&*doc, "");
     assert!(node("Resumer").resume && !node("Player").resume);
     assert!(node("Resumer").states[1].last && node("Resumer").states[0].initial);
 }

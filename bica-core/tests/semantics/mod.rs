@@ -13,6 +13,7 @@ mod params;
 mod paths;
 mod rate;
 mod requests;
+mod results;
 mod roles;
 mod statements;
 mod stopwatch;

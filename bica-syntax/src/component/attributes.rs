@@ -4,13 +4,14 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, Meta, Token};
+use syn::{Attribute, Meta, Token};
 
-use super::model::{Arrow, Sources};
+use super::guard;
+use super::model::{Arrow, End, Sources};
 use super::roles::ROLES;
 use crate::code::Code;
 use crate::report::{Mistake, coded};
-use crate::{number, text, wording};
+use crate::{text, wording};
 
 /// Names from other frameworks for our attributes.
 const SYNONYMS: [(&str, &str); 15] = [
@@ -30,6 +31,10 @@ const SYNONYMS: [(&str, &str); 15] = [
     ("task", "work"),
     ("background", "work"),
 ];
+
+/// The words of a state, and how a message lists them.
+const STATE_WORDS: [&str; 4] = ["initial", "last", "done", "failed"];
+const KNOWN_STATE_WORDS: &str = "`initial`, `last`, `done` and `failed`";
 
 /// Attributes of the language that are spelt much like one of ours.
 const BUILT_IN: [&str; 6] = ["test", "expect", "ignore", "inline", "cold", "must_use"];
@@ -85,30 +90,55 @@ pub(crate) fn bare(attribute: &Attribute, role: &str) -> syn::Result<()> {
     }
 }
 
+/// The words of `#[state]`.
+#[derive(Default)]
+pub struct StateWords {
+    /// The word `initial`.
+    pub initial: Option<Ident>,
+    /// Whether no transition leaves the state: `last`, `done` or `failed`.
+    pub last: bool,
+    /// The result with which the machine ends there.
+    pub end: Option<End>,
+}
+
 /// The words of `#[state(initial, last)]`.
 ///
 /// # Errors
-/// If it has other words, or one twice.
-pub fn state(attribute: &Attribute) -> Result<(Option<Ident>, bool), Mistake> {
-    let (mut initial, mut last) = (None, false);
+/// If it has other words, one twice, or several ends.
+pub fn state(attribute: &Attribute) -> Result<StateWords, Mistake> {
+    let mut words = StateWords::default();
     let list = match &attribute.meta {
-        Meta::Path(_) => return Ok((initial, last)),
+        Meta::Path(_) => return Ok(words),
         Meta::List(list) => list,
         Meta::NameValue(pair) => return Err(syn::Error::new_spanned(&pair.value, wording::STATE_WORDS).into()),
     };
-    let words = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
-    for word in words.map_err(|found| syn::Error::new(found.span(), wording::STATE_WORDS))? {
-        match word.to_string().as_str() {
-            "initial" if initial.is_none() => initial = Some(word),
-            "last" if !last => last = true,
-            "initial" | "last" => return Err(syn::Error::new(word.span(), wording::TWICE).into()),
-            other => {
-                let nearest = text::nearest(other, ["initial", "last"].into_iter());
-                return Err(Mistake::new(&word, Code::unknown_key(other, nearest, "`initial` and `last`")));
-            }
+    let written = list.parse_args_with(Punctuated::<Ident, Token![,]>::parse_terminated);
+    let mut seen: Vec<Ident> = Vec::new();
+    for word in written.map_err(|found| syn::Error::new(found.span(), wording::STATE_WORDS))? {
+        if seen.contains(&word) {
+            return Err(syn::Error::new(word.span(), wording::TWICE).into());
         }
+        let end = match word.to_string().as_str() {
+            "initial" => {
+                words.initial = Some(word.clone());
+                seen.push(word);
+                continue;
+            }
+            "last" => None,
+            "done" => Some(End::Done),
+            "failed" => Some(End::Failed),
+            other => {
+                let nearest = text::nearest(other, STATE_WORDS.into_iter());
+                return Err(Mistake::new(&word, Code::unknown_key(other, nearest, KNOWN_STATE_WORDS)));
+            }
+        };
+        if words.last {
+            return Err(syn::Error::new(word.span(), wording::TWO_ENDS).into());
+        }
+        (words.last, words.end) = (true, end);
+        seen.push(word);
     }
-    Ok((initial, last))
+    Ok(words)
 }
 
 /// Words that mean a stop elsewhere.
@@ -163,7 +193,7 @@ pub fn transition(attribute: &Attribute) -> Result<Arrow, Mistake> {
             if input.peek(Token![|]) {
                 return Err(input.error(wording::ONE_TARGET));
             }
-            Ok(Arrow { from, to, after_ms: after_ms(input).map_err(uncoded)? })
+            Ok(Arrow { from, to, guard: guard::parse(input).map_err(uncoded)? })
         })
     })
 }
@@ -179,40 +209,6 @@ fn sources(input: ParseStream) -> syn::Result<Sources> {
 /// `a | b`
 fn names(input: ParseStream) -> syn::Result<Vec<Ident>> {
     Ok(Punctuated::<Ident, Token![|]>::parse_separated_nonempty_with(input, Ident::parse_any)?.into_iter().collect())
-}
-
-/// `, after_ms = N`
-fn after_ms(input: ParseStream) -> Result<Option<u32>, Mistake> {
-    let mut after_ms = None;
-    while !input.is_empty() {
-        if !input.peek(Token![,]) {
-            return Err(input.error(wording::ARROW).into());
-        }
-        input.parse::<Token![,]>()?;
-        if input.is_empty() {
-            break;
-        }
-        let key: Ident = Ident::parse_any(input).map_err(|found| syn::Error::new(found.span(), wording::TIMER))?;
-        let written = key.to_string();
-        if written != "after_ms" {
-            let nearest = ["after", "timeout", "timeout_ms", "after_s"].contains(&written.as_str());
-            let nearest = if nearest { Some("after_ms") } else { text::nearest(&written, ["after_ms"].into_iter()) };
-            return Err(Mistake::new(key, Code::unknown_key(written, nearest, "`after_ms`")));
-        }
-        if after_ms.is_some() {
-            return Err(syn::Error::new(key.span(), wording::TWICE).into());
-        }
-        after_ms = Some(milliseconds(input)?);
-    }
-    Ok(after_ms)
-}
-
-/// `= N`
-fn milliseconds(input: ParseStream) -> syn::Result<u32> {
-    let missing = |found: syn::Error| syn::Error::new(found.span(), wording::not_whole("after_ms"));
-    input.parse::<Token![=]>().map_err(missing)?;
-    let value: Expr = input.parse().map_err(missing)?;
-    number::milliseconds(&value, "after_ms").map_err(|problem| syn::Error::new_spanned(&value, problem))
 }
 
 /// The states of `#[entry(a | b)]`.

@@ -51,6 +51,9 @@ fn agreed(machine: &Machine, transition: &Transition, report: &mut Report) {
     let (name, to) = (text::name(&condition.name), text::name(&arrow.to));
     let taker = state.entries.iter().find_map(|hook: &Function| Some((text::name(&hook.name), hook.found()?)));
     match (taker, &condition.carries) {
+        (Some((hook, found)), None) if arrow.guard.bare => {
+            report.add(&arrow.to, wording::bare_carries_nothing(&to, &hook, &text::written(&found.of)));
+        }
         (Some((hook, found)), None) => {
             report.add(&arrow.to, wording::carries_nothing(&name, &to, &hook, &text::written(&found.of)));
         }

@@ -1,7 +1,7 @@
 //! The rules that one impl block can break.
 
-use super::model::{Behaviour, Component, Machine};
-use super::{carried, near_miss, resolve, work};
+use super::model::{Behaviour, Component, End, Machine};
+use super::{carried, near_miss, resolve, results, work};
 use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
@@ -26,6 +26,7 @@ pub fn check(component: &Component, report: &mut Report) -> Option<Behaviour> {
     ends(component, &machine, report);
     hooks_before(component, &machine, report);
     carried::check(component, &machine, report);
+    results::check(component, &machine, report);
     Some(Behaviour::Machine(machine))
 }
 
@@ -65,7 +66,8 @@ fn ends(component: &Component, machine: &Machine, report: &mut Report) {
             None if !state.last => report.add_code(&state.body.name, Code::DeadEnd { state: name() }),
             Some(edge) if state.last => {
                 let transition = component.transitions.iter().find(|one| one.function.name == edge.condition.name);
-                report.add_code(transition.map(|one| &one.attribute), Code::LastButLeft { state: name() });
+                let word = state.end.map_or("last", End::word);
+                report.add_code(transition.map(|one| &one.attribute), Code::LastButLeft { state: name(), word });
             }
             _ => {}
         }

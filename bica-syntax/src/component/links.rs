@@ -69,7 +69,7 @@ impl Links {
     /// The links of a state: of its body, of its hooks, and of the transitions that leave it.
     #[must_use]
     pub fn of_state(machine: &Machine, index: usize) -> Self {
-        let conditions = machine.edges_from(index).map(|edge| &edge.condition);
+        let conditions = machine.edges_from(index).filter(|edge| !edge.guard.bare).map(|edge| &edge.condition);
         Self::of(machine.states[index].functions().chain(conditions).collect::<Vec<_>>().into_iter())
     }
 

@@ -1,10 +1,15 @@
 //! What was written, and what it means.
 
+use std::collections::BTreeSet;
+use std::fmt;
+
 use proc_macro2::Ident;
 use syn::{Attribute, Path, Type};
 
 use super::block::Block;
+use super::resolve::Named;
 use crate::params::model::Field;
+use crate::text;
 
 /// An impl block with `#[component]`, its functions sorted by their roles.
 pub struct Component {
@@ -44,10 +49,19 @@ impl Component {
     /// All functions that the tree calls; one with several transitions occurs once for each.
     pub fn functions(&self) -> impl Iterator<Item = &Function> + Clone {
         let states = self.states.iter().map(|state| &state.function);
-        let transitions = self.transitions.iter().map(|transition| &transition.function);
+        let conditions = self.transitions.iter().filter(|transition| !transition.arrow.guard.bare);
+        let transitions = conditions.map(|transition| &transition.function);
         let hooks = self.entries.iter().chain(&self.exits).chain(&self.hooks_before).map(|hook| &hook.function);
         let activity = self.starts.iter().chain(&self.stops);
         self.step.iter().chain(states).chain(transitions).chain(hooks).chain(activity)
+    }
+
+    /// The parameters that are timers of transitions.
+    pub fn timers(&self) -> impl Iterator<Item = &Parameter> {
+        self.transitions.iter().filter_map(|transition| match &transition.arrow.guard.timer {
+            Some(Timer::Parameter(timer)) => Some(&**timer),
+            _ => None,
+        })
     }
 
     /// The type whose impl block this is.
@@ -180,13 +194,15 @@ pub struct State {
     pub function: Function,
     /// The word `initial`.
     pub initial: Option<Ident>,
-    /// Whether the word `last` is there.
+    /// Whether no transition leaves it: one of the words `last`, `done` and `failed` is there.
     pub last: bool,
+    /// The result with which the machine ends in it.
+    pub end: Option<End>,
 }
 
 /// `#[transition]`
 pub struct Transition {
-    /// Function that decides.
+    /// Function that decides; that of the state if none does ([`Guard::bare`]).
     pub function: Function,
     /// The content of the attribute.
     pub arrow: Arrow,
@@ -200,8 +216,106 @@ pub struct Arrow {
     pub from: Sources,
     /// State that it enters.
     pub to: Ident,
-    /// Least time in the state before it, ms.
-    pub after_ms: Option<u32>,
+    /// What it waits for beside its condition.
+    pub guard: Guard,
+}
+
+/// What a transition waits for beside its condition.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Guard {
+    /// Least time in the state before it.
+    pub timer: Option<Timer>,
+    /// The result of a child.
+    pub when: Option<When>,
+    /// How often it is taken in a row, 1 to 126.
+    pub times: Option<u8>,
+    /// Whether the attribute stands on the state that it leaves, so that no function decides.
+    pub bare: bool,
+}
+
+impl Guard {
+    /// Whether the transition waits for nothing.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.timer.is_none() && self.when.is_none() && self.times.is_none()
+    }
+}
+
+/// Least time in a state before a transition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Timer {
+    /// A constant, ms.
+    Ms(u32),
+    /// A parameter of the component.
+    Parameter(Box<Parameter>),
+}
+
+/// `Approach::patience`: a field of a struct of parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Parameter {
+    /// The struct.
+    pub of: TypeText,
+    /// The field.
+    pub field: Ident,
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}::{}", text::written(&self.of.0), text::name(&self.field))
+    }
+}
+
+/// `done(Reach)`: a child has ended with a result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct When {
+    /// The result.
+    pub end: End,
+    /// The child.
+    pub child: TypeText,
+}
+
+impl fmt::Display for When {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}({})", self.end.word(), text::written(&self.child.0))
+    }
+}
+
+/// The result with which a machine ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// It has done its work.
+    Done,
+    /// It could not.
+    Failed,
+}
+
+impl End {
+    /// The word in the source.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// A type that is compared by its text.
+#[derive(Clone)]
+pub struct TypeText(pub Type);
+
+impl PartialEq for TypeText {
+    fn eq(&self, other: &Self) -> bool {
+        text::written(&self.0) == text::written(&other.0)
+    }
+}
+
+impl Eq for TypeText {}
+
+impl fmt::Debug for TypeText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&text::written(&self.0))
+    }
 }
 
 /// The states that a transition leaves, by names of a type that may know their places in the text.
@@ -247,6 +361,8 @@ pub struct MachineState<F = Function> {
     pub body: F,
     /// Whether no transition leaves it.
     pub last: bool,
+    /// The result with which the machine ends in it.
+    pub end: Option<End>,
     /// Functions that run when it is entered.
     pub entries: Vec<F>,
     /// Functions that run when it is left.
@@ -258,22 +374,50 @@ pub struct MachineState<F = Function> {
 /// A transition from one state to one other.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edge<F = Function> {
-    /// Function that decides.
+    /// Function that decides; that of the state if none does ([`Guard::bare`]).
     pub condition: F,
     /// State that it leaves.
     pub from: usize,
     /// State that it enters.
     pub to: usize,
-    /// Least time in the state before it, ms.
-    pub after_ms: Option<u32>,
+    /// What it waits for beside its condition.
+    pub guard: Guard,
     /// Whether the attribute names all states by `*`.
     pub any: bool,
 }
 
 impl<F> Machine<F> {
+    /// The children for whose results the transitions wait, each text once.
+    pub fn asked(&self) -> impl Iterator<Item = &Type> {
+        distinct(self.edges.iter())
+    }
+
+    /// The children for whose results the transitions wait that leave a state, each text once.
+    pub fn asked_in(&self, state: usize) -> impl Iterator<Item = &Type> {
+        distinct(self.edges_from(state))
+    }
+
     /// The transitions that leave a state, in the order in which they are tried.
     pub fn edges_from(&self, state: usize) -> impl Iterator<Item = &Edge<F>> {
         self.edges.iter().filter(move |edge| edge.from == state)
+    }
+}
+
+/// The children for whose results some transitions wait.
+fn distinct<'a, F: 'a>(edges: impl Iterator<Item = &'a Edge<F>>) -> impl Iterator<Item = &'a Type> {
+    let mut seen = BTreeSet::new();
+    edges.filter_map(|edge| Some(&edge.guard.when.as_ref()?.child.0)).filter(move |one| seen.insert(text::written(one)))
+}
+
+impl<F: Named> Edge<F> {
+    /// Returns the name in descriptions and drawings: that of its condition, or what it waits for if it has none.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.guard {
+            Guard { bare: false, .. } => self.condition.text(),
+            Guard { when: Some(when), .. } => when.to_string(),
+            Guard { .. } => "timer".to_owned(),
+        }
     }
 }
 

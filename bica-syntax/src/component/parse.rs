@@ -9,6 +9,7 @@ use syn::{
 };
 
 use super::arguments::{self, Form};
+use super::attributes::StateWords;
 use super::block::{self, Block, Item};
 use super::model::{Component, Function, Hook, State, Transition};
 use super::{attributes, found, operator, options, roles, signature, work};
@@ -231,7 +232,10 @@ fn take_ours(component: &mut Component, function: &mut block::Function, report: 
     function.attributes.extract_if(.., |one| roles::role(one).is_some()).collect()
 }
 
-fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<Attribute>, report: &mut Report) {
+fn sort(component: &mut Component, function: &mut block::Function, mut roles: Vec<Attribute>, report: &mut Report) {
+    if roles.iter().all(|one| matches!(roles::role(one), Some("state" | "transition"))) {
+        roles.sort_by_key(|one| roles::role(one) != Some("state"));
+    }
     let Some(first) = roles.first() else {
         if text::name(&function.signature.ident) == "step" {
             component.step = Some(called(component, function, Form::Step, report));
@@ -243,7 +247,7 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
     };
     let role = roles::role(first);
     for other in &roles[1..] {
-        if roles::role(other) == role && role == Some("transition") {
+        if roles::role(other) == Some("transition") && matches!(role, Some("state" | "transition")) {
             continue;
         }
         component.incomplete = true;
@@ -260,7 +264,7 @@ fn sort(component: &mut Component, function: &mut block::Function, roles: Vec<At
         return report.add(first, wording::role_of_step(role));
     }
     match role {
-        Some("state") => state(component, function, first, report),
+        Some("state") => state(component, function, roles, report),
         Some("transition") => transitions(component, function, roles, report),
         Some(role @ ("start" | "stop")) => {
             report.take(attributes::bare(first, role));
@@ -294,12 +298,13 @@ fn work(component: &mut Component, function: &mut block::Function, attribute: &A
     component.work = read;
 }
 
-fn state(component: &mut Component, function: &mut block::Function, attribute: &Attribute, report: &mut Report) {
-    let words = report.take(attributes::state(attribute));
+fn state(component: &mut Component, function: &mut block::Function, all: Vec<Attribute>, report: &mut Report) {
+    let words = all.first().and_then(|attribute| report.take(attributes::state(attribute)));
     component.incomplete |= words.is_none();
-    let (initial, last) = words.unwrap_or_default();
+    let StateWords { initial, last, end } = words.unwrap_or_default();
     let function = called(component, function, Form::Step, report);
-    component.states.push(State { function, initial, last });
+    component.states.push(State { function: function.clone(), initial, last, end });
+    arrows(component, &function, true, all, report);
 }
 
 fn transitions(component: &mut Component, function: &mut block::Function, all: Vec<Attribute>, report: &mut Report) {
@@ -307,11 +312,17 @@ fn transitions(component: &mut Component, function: &mut block::Function, all: V
     let function = called(component, function, Form::Condition, report);
     // What it carries is then not known.
     component.incomplete |= !is_readable;
+    arrows(component, &function, false, all, report);
+}
+
+/// Reads the attributes `#[transition]` of a condition or, `bare`, of a state.
+fn arrows(component: &mut Component, function: &Function, bare: bool, all: Vec<Attribute>, report: &mut Report) {
     for attribute in all.into_iter().filter(|attribute| roles::role(attribute) == Some("transition")) {
-        let Some(arrow) = report.take(attributes::transition(&attribute)) else {
+        let Some(mut arrow) = report.take(attributes::transition(&attribute)) else {
             component.incomplete = true;
             continue;
         };
+        arrow.guard.bare = bare;
         component.transitions.push(Transition { function: function.clone(), arrow, attribute });
     }
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::model::{Component, Edge, Function, Hook, Machine, MachineState, Sources, Transition};
+use super::model::{Component, Edge, End, Function, Guard, Hook, Machine, MachineState, Sources, Transition};
 use crate::code::Code;
 use crate::report::Report;
 use crate::{text, wording};
@@ -33,8 +33,8 @@ impl<T: Named> Named for &T {
 
 /// A state machine as its attributes write it, with functions `F` and names `N` of states.
 pub struct Written<'a, F, N> {
-    /// Functions of the states, each with whether it is marked as last.
-    pub states: Vec<(F, bool)>,
+    /// Functions of the states, each with whether it is marked as last, and with which result.
+    pub states: Vec<(F, bool, Option<End>)>,
     /// Entry hooks with the states that they name.
     pub entries: Vec<(F, &'a [N])>,
     /// Exit hooks with the states that they name.
@@ -45,8 +45,8 @@ pub struct Written<'a, F, N> {
     pub arrows: Vec<Arrow<'a, F, N>>,
 }
 
-/// A transition: condition, states before, state after, least time in the state before, ms.
-pub type Arrow<'a, F, N> = (F, &'a Sources<N>, &'a N, Option<u32>);
+/// A transition: condition, states before, state after, what it waits for.
+pub type Arrow<'a, F, N> = (F, &'a Sources<N>, &'a N, Guard);
 
 /// A name or a transition that is left out.
 pub enum Omitted<'a, N> {
@@ -96,7 +96,7 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
         edges: &mut Vec<Edge<F>>,
         omitted: &mut impl FnMut(Omitted<'a, N>),
     ) {
-        let (condition, sources, target, after_ms) = &self.arrows[index];
+        let (condition, sources, target, guard) = &self.arrows[index];
         let to = find(names, *target, omitted);
         let from: Vec<(Option<usize>, &N)> = match sources {
             Sources::Any => (0..names.len()).map(Some).filter(|from| *from != to).map(|from| (from, *target)).collect(),
@@ -108,12 +108,14 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
             omitted(Omitted::FromNowhere(index));
         }
         for (from, name) in from.into_iter().filter_map(|(from, name)| Some((from?, name))) {
-            let is_same =
-                |edge: &Edge<F>| (edge.from, edge.to) == (from, to) && edge.condition.text() == condition.text();
+            let is_same = |edge: &Edge<F>| {
+                let is_guarded_alike = !guard.bare || edge.guard == *guard;
+                (edge.from, edge.to) == (from, to) && edge.condition.text() == condition.text() && is_guarded_alike
+            };
             if edges.iter().any(is_same) {
                 omitted(Omitted::Twice(name));
             } else {
-                edges.push(Edge { condition: condition.clone(), from, to, after_ms: *after_ms, any });
+                edges.push(Edge { condition: condition.clone(), from, to, guard: guard.clone(), any });
             }
         }
     }
@@ -121,8 +123,9 @@ impl<'a, F: Clone + Named, N: Named> Written<'a, F, N> {
 
 impl<F: Clone + Named> MachineState<F> {
     /// A state without hooks, and its name.
-    fn named((body, last): &(F, bool)) -> (String, Self) {
-        let state = Self { body: body.clone(), last: *last, entries: Vec::new(), exits: Vec::new(), before: None };
+    fn named((body, last, end): &(F, bool, Option<End>)) -> (String, Self) {
+        let (last, end) = (*last, *end);
+        let state = Self { body: body.clone(), last, end, entries: Vec::new(), exits: Vec::new(), before: None };
         (body.text(), state)
     }
 }
@@ -159,7 +162,7 @@ fn each<'a, N: Named>(
 /// Resolves every name; `None` if one is unknown or the initial state is not clear.
 pub(crate) fn machine(component: &Component, report: &mut Report) -> Option<Machine> {
     let written = Written {
-        states: component.states.iter().map(|state| (state.function.clone(), state.last)).collect(),
+        states: component.states.iter().map(|state| (state.function.clone(), state.last, state.end)).collect(),
         entries: component.entries.iter().map(Hook::written).collect(),
         exits: component.exits.iter().map(Hook::written).collect(),
         hooks_before: component.hooks_before.iter().map(Hook::written).collect(),
@@ -190,7 +193,7 @@ impl Hook {
 
 impl Transition {
     fn written(&self) -> Arrow<'_, Function, Ident> {
-        (self.function.clone(), &self.arrow.from, &self.arrow.to, self.arrow.after_ms)
+        (self.function.clone(), &self.arrow.from, &self.arrow.to, self.arrow.guard.clone())
     }
 }
 

@@ -32,10 +32,38 @@ pub(crate) const RESUME_WITHOUT_STATES: &str =
     "`resume` is for a state machine, and there is no `#[state]` here: remove it";
 
 // The attributes of functions.
-pub(crate) const STATE_WORDS: &str = "write `#[state]`, `#[state(initial)]` or `#[state(last)]`";
+pub(crate) const STATE_WORDS: &str =
+    "write `#[state]`, or `#[state(initial)]` with words of `initial`, `last`, `done` and `failed`";
+pub(crate) const TWO_ENDS: &str = "a state ends its machine in one way: keep one of `last`, `done` and `failed`";
 pub(crate) const ARROW: &str = "a transition names the states that it leaves and enters: write `#[transition(from -> to)]`, or `one | other -> to`";
 pub(crate) const ONE_TARGET: &str = "a transition enters one state: write one `#[transition]` for each";
-pub(crate) const TIMER: &str = "only `after_ms = 1500` can follow the arrow: remove this";
+pub(crate) const TIMER: &str = "only `after_ms = 1500`, `after`, `when` and `times` can follow the arrow: remove this";
+pub(crate) const TWO_TIMERS: &str = "a transition has one timer: remove `after_ms` or `after`";
+pub(crate) const AFTER_FORM: &str =
+    "`after` takes a parameter of the component, `after = Params::field`: for a constant write `after_ms = 1500`";
+pub(crate) const WHEN_FORM: &str =
+    "`when` takes the result of a child: write `when = done(Child)` or `when = failed(Child)`";
+pub(crate) const TIMES_WITHOUT_WHEN: &str =
+    "`times` counts the answers to a result: add `when = failed(Child)`, or remove this";
+pub(crate) const WAITS_FOR_NOTHING: &str = "no function decides about this transition: add `when = done(Child)` or \
+                                            `after_ms = 1500`, or move it to a function that returns `bool`";
+pub(crate) const OWN_RESULT: &str = "a component has no result while it runs: name one of its children";
+
+pub(crate) fn times_form(most: u8) -> String {
+    format!("`times` is a whole number from 1 to {most}: `times = 3`")
+}
+
+messages! {
+    of_another_state(state) =
+        "a transition on a state leaves that state: write `{state}` here, or move the attribute";
+    no_child_in(child, state) =
+        "`{child}` is no child in state `{state}`, which this transition leaves: add an argument `&mut {child}` to its \
+         function, or name a child of it";
+    bare_carries_nothing(state, hook, of) =
+        "entry hook `{hook}` of state `{state}` takes a `{of}`, and a transition on a state carries none: move it to a \
+         function that returns `Option<{of}>`, or take nothing in `{hook}`";
+}
+
 pub(crate) const TWO_ROLES: &str = "a function has one role (`state`, `transition`, `entry`, `exit`, \
                                      `before`, `start`, `stop`, `info`, `modulation` or `work`): remove one";
 pub(crate) const PLACE_OF_A_ROLE: &str = "this attribute belongs on a function: move it there, or remove it";
@@ -145,7 +173,7 @@ messages! {
         "state `{state}` cannot be reached: add a `#[transition(... -> {state})]`, or remove the state";
     dead_end(state) =
         "no transition leaves state `{state}`: add a `#[transition({state} -> ...)]`, or mark it `#[state(last)]`";
-    last_but_left(state) = "state `{state}` is marked `last`, but this transition leaves it: remove one of the two";
+    last_but_left(state, word) = "state `{state}` is marked `{word}`, but this transition leaves it: remove one of the two";
     second_before(state) =
         "state `{state}` has a `#[before]` already: keep one, and call from it what the other one does";
     before_of_last(state) =

@@ -1,6 +1,7 @@
 //! The graph of a tree.
 
 use bica_core::Place;
+use bica_core::graph::End;
 use bica_core::params::Kind;
 use bica_core::visual::Placement;
 use postcard_schema::Schema;
@@ -69,6 +70,8 @@ pub enum GraphItem<'a> {
         initial: bool,
         /// Whether no transition leaves it on purpose.
         last: bool,
+        /// Result with which the machine ends in it.
+        end: Option<End>,
         /// Function that runs before the transitions that leave it.
         before: Option<&'a str>,
     },
@@ -82,8 +85,14 @@ pub enum GraphItem<'a> {
         to: u16,
         /// Name.
         name: &'a str,
-        /// Shortest time in the source state, ms.
+        /// Shortest time in the source state, ms; of a timer that is a parameter its default.
         after_ms: Option<u32>,
+        /// Index of the component's parameter that is the shortest time.
+        after: Option<u16>,
+        /// Index of the component whose result it waits for, and the result.
+        when: Option<(u16, End)>,
+        /// How often it is taken in a row.
+        times: Option<u8>,
         /// Type of what it carries to the target state, as in the source text.
         carries: Option<&'a str>,
     },

@@ -10,7 +10,9 @@ use bica_core::action::Action;
 use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
-use super::{Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants};
+use super::{
+    Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants, When,
+};
 use crate::describe::{GraphItems, describe};
 use crate::message::GraphItem;
 
@@ -112,15 +114,18 @@ impl Builder {
                 self.at(from)?.links.push(link);
                 self.last = Last::Link(from.into());
             }
-            GraphItem::State { component, name, initial, last, before, .. } => {
+            GraphItem::State { component, name, initial, last, end, before, .. } => {
                 let (name, before) = (name.to_owned(), before.map(str::to_owned));
-                self.at(component)?.states.push(State { name, doc: String::new(), initial, last, before });
+                self.at(component)?.states.push(State { name, doc: String::new(), initial, last, end, before });
                 self.last = Last::State(component.into());
             }
-            GraphItem::Transition { component, from, to, name, after_ms, carries } => {
+            GraphItem::Transition { component, from, to, name, after_ms, after, when, times, carries } => {
                 let (name, from, to) = (name.to_owned(), from.into(), to.into());
                 let (doc, carries) = (String::new(), carries.map(str::to_owned));
-                self.at(component)?.transitions.push(Transition { name, doc, from, to, after_ms, carries });
+                let (after, when) =
+                    (after.map(usize::from), when.map(|(child, end)| When { child: child.into(), end }));
+                let transition = Transition { name, doc, from, to, after_ms, after, when, times, carries };
+                self.at(component)?.transitions.push(transition);
                 self.last = Last::Transition(component.into());
             }
             GraphItem::Param { component, group, name, unit, ref kind, default, .. } => {

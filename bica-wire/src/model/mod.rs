@@ -17,7 +17,7 @@ use std::string::String;
 use std::vec::Vec;
 
 pub use bica_core::Axis;
-pub use bica_core::graph::LinkKind;
+pub use bica_core::graph::{End, LinkKind};
 use bica_core::visual;
 pub use builder::Builder;
 pub use invalid::Invalid;
@@ -107,9 +107,21 @@ pub struct State {
     pub initial: bool,
     /// Whether no transition leaves it on purpose.
     pub last: bool,
+    /// Result with which the machine ends in it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<End>,
     /// Function that runs before the transitions that leave it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub before: Option<String>,
+}
+
+/// A result for which a transition waits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct When {
+    /// Index of the child.
+    pub child: usize,
+    /// The result.
+    pub end: End,
 }
 
 /// A transition.
@@ -123,8 +135,17 @@ pub struct Transition {
     pub from: usize,
     /// Index of the target state.
     pub to: usize,
-    /// Shortest time in the source state, ms.
+    /// Shortest time in the source state, ms; of a timer that is a parameter its default.
     pub after_ms: Option<u32>,
+    /// Index of the component's parameter that is the shortest time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub after: Option<usize>,
+    /// The result of a child without which it does not hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub when: Option<When>,
+    /// How often it is taken in a row.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub times: Option<u8>,
     /// Type of what it carries to the target state, as in the source text.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub carries: Option<String>,

@@ -1,7 +1,7 @@
 //! The description of a tree.
 
 use bica_core::action::Action;
-use bica_core::graph::{Doc, Graph, Link, LinkKind, Node, Roles, State, Transition};
+use bica_core::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
@@ -12,7 +12,14 @@ use bica_wire::model::{Builder, Description};
 use bica_wire::{Encoder, FromRobot, MAX_PACKET, describe};
 
 const fn state(name: &'static str, initial: bool) -> State {
-    State { name, doc: "", initial, last: !initial, before: if initial { Some("think") } else { None } }
+    State {
+        name,
+        doc: "",
+        initial,
+        last: !initial,
+        end: if initial { None } else { Some(End::Failed) },
+        before: if initial { Some("think") } else { None },
+    }
 }
 
 const GAIN: Param = Param {
@@ -73,12 +80,12 @@ static GRAPH: Graph = Graph {
             links: &[Link { to: 0, kind: LinkKind::Requirement, state: Some(1), roles: Roles::NONE.with(1) }],
             states: &[state("rest", true), state("look", false)],
             transitions: &[Transition {
-                name: "wakes",
-                doc: "",
-                from: 0,
-                to: 1,
                 after_ms: Some(500),
+                after: Some(0),
+                when: Some(When { child: 0, end: End::Done }),
+                times: Some(3),
                 carries: Some("Kick"),
+                ..Transition::new("wakes", 0, 1)
             }],
             ..Node::new("Head")
         },
@@ -126,14 +133,33 @@ fn graph_is_described_once_and_in_order() {
         place.clone(),
         GraphItem::Link { from: 1, to: 0, modulation: false, state: Some(1) },
         GraphItem::Role { name: "Sight" },
-        GraphItem::State { component: 1, index: 0, name: "rest", initial: true, last: false, before: Some("think") },
-        GraphItem::State { component: 1, index: 1, name: "look", initial: false, last: true, before: None },
+        GraphItem::State {
+            component: 1,
+            index: 0,
+            name: "rest",
+            initial: true,
+            last: false,
+            end: None,
+            before: Some("think"),
+        },
+        GraphItem::State {
+            component: 1,
+            index: 1,
+            name: "look",
+            initial: false,
+            last: true,
+            end: Some(End::Failed),
+            before: None,
+        },
         GraphItem::Transition {
             component: 1,
             from: 0,
             to: 1,
             name: "wakes",
             after_ms: Some(500),
+            after: Some(0),
+            when: Some((0, End::Done)),
+            times: Some(3),
             carries: Some("Kick"),
         },
         GraphItem::Action { name: "wait", moves: None },

@@ -21,7 +21,7 @@ use bica_wire::{
 };
 
 /// Schema of these bytes.
-const GOLDEN_SCHEMA: u64 = 0xb78f_1c1d_5e20_46ad;
+const GOLDEN_SCHEMA: u64 = 0x92c2_a920_62f0_dd77;
 
 fn bytes(message: &impl serde::Serialize) -> Vec<u8> {
     Encoder::new().encode(message, &mut [0; MAX_PACKET]).expect("the packet fits").to_vec()

@@ -4,6 +4,7 @@ pub(crate) mod carried;
 pub(crate) mod diamond;
 pub(crate) mod generic;
 pub(crate) mod modulated;
+pub(crate) mod results;
 pub(crate) mod resume;
 pub(crate) mod roles;
 pub(crate) mod swap;

@@ -7,6 +7,7 @@ mod items;
 mod names;
 mod numbers;
 mod places;
+mod results;
 mod shadows;
 mod signatures;
 mod trees;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use bica::graph::{Graph, When};
 use bica_drawing::svg;
 use bica_recording::Recordable;
 use bica_wire::model::Description;
@@ -18,6 +19,9 @@ pub(crate) struct GraphArgs {
     /// Short for --format json
     #[arg(long, conflicts_with = "format")]
     json: bool,
+    /// Print notes on the tree instead: results for which no transition waits
+    #[arg(long, conflicts_with_all = ["format", "json"])]
+    check: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -31,6 +35,10 @@ enum Format {
 /// Prints the tree.
 pub(crate) fn run<R: Recordable + Default>(args: &GraphArgs) -> Result<Outcome, Failure> {
     let graph = const { &R::GRAPH };
+    if args.check {
+        notes(graph).iter().try_for_each(|note| writeln!(io::stdout(), "{note}"))?;
+        return Ok(Outcome::Success);
+    }
     let text = match if args.json { Format::Json } else { args.format } {
         Format::Svg => svg(&Description::of(graph)),
         Format::Dot => graph.dot().to_string(),
@@ -41,6 +49,21 @@ pub(crate) fn run<R: Recordable + Default>(args: &GraphArgs) -> Result<Outcome, 
     writeln!(out, "{}", text.trim_end())?;
     out.flush()?;
     Ok(Outcome::Success)
+}
+
+/// Returns what the compiler accepts and is probably not meant.
+fn notes(graph: &Graph) -> Vec<String> {
+    let waits: Vec<When> =
+        graph.nodes.iter().flat_map(|node| node.transitions).filter_map(|transition| transition.when).collect();
+    let others = graph.nodes.iter().enumerate().filter(|(index, _)| *index != graph.root);
+    let ends = others.flat_map(|(index, node)| node.states.iter().map(move |state| (index, node, state)));
+    ends.filter_map(|(index, node, state)| {
+        let end =
+            state.end.filter(|end| !waits.iter().any(|when| (usize::from(when.child), when.end) == (index, *end)))?;
+        let (name, state, word) = (node.name, state.name, end.word());
+        Some(format!("no transition waits for `{word}` of `{name}`, with which its state `{state}` ends"))
+    })
+    .collect()
 }
 
 /// Returns a tree as JSON. It is compiled here, and not once more for each robot.

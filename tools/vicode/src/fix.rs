@@ -94,7 +94,7 @@ fn of_machine(of: &Component, code: &Code) -> Vec<Fix> {
             let to = initial.map(|to| fix(format!("Add a transition to `{to}`"), transition(state, to)));
             [fix(format!("Mark `{state}` as last"), set_last(state, true))].into_iter().chain(to).collect()
         }
-        Code::LastButLeft { state } => vec![fix(format!("`{state}` is not last"), set_last(state, false))],
+        Code::LastButLeft { state, .. } => vec![fix(format!("`{state}` is not last"), set_last(state, false))],
         Code::MisspeltAttribute { .. } | Code::UnknownKey { .. } => Vec::new(),
     }
 }

@@ -4,9 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{GenericParam, Generics, Type, parse_quote};
 
-use super::operator;
 use super::tuning::Tuning;
-use super::work;
+use super::{node, operator, work};
 use crate::expand::quoting::{option, runtime};
 use bica_syntax::component::model::{Behaviour, Component, Machine, MachineState};
 use bica_syntax::text;
@@ -92,5 +91,6 @@ fn state(p: &TokenStream, machine: &Machine, index: usize, state: &MachineState)
     let name = text::name(&state.body.name);
     let (doc, last, initial) = (&state.body.doc, state.last, machine.initial == index);
     let before = option(state.before.as_ref().map(|before| text::name(&before.name)).as_ref());
-    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last, before: #before })
+    let end = option(state.end.map(node::end).map(|end| quote!(#p::End::#end)).as_ref());
+    quote!(#p::State { name: #name, doc: #p::doc(#doc), initial: #initial, last: #last, end: #end, before: #before })
 }

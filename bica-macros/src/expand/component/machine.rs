@@ -11,10 +11,11 @@ use quote::quote;
 use syn::{Generics, Type};
 
 use super::call;
+use super::node;
 use super::slots::Slots;
 use super::tuning::Tuning;
 use super::visits::Visits;
-use bica_syntax::component::model::{Edge, Function, Machine};
+use bica_syntax::component::model::{Edge, Function, Machine, Timer};
 
 /// What the code of each state depends on.
 pub(super) struct Parts<'a> {
@@ -33,10 +34,14 @@ impl Parts<'_> {
         let empty = self.slots.exist().then(|| self.slots.empty());
         let proceed = self.proceed(empty);
         let own = (!self.slots.exist()).then(|| self.proceeding());
+        let progress = self.progress();
+        let asked = self.asked(self.machine.initial);
+        let entered = asked.map(|asked| quote!(if visit.entering { #asked }));
         quote! {
             #[inline]
             fn pass<__P: #p::Probe>(cycle: &mut #p::Cycle<'_, __T, __P>, visit: #p::Visit) {
-                let machine = cycle.machine::<Self>(visit);
+                #entered
+                let machine = cycle.#progress::<Self>(visit);
                 #proceed;
             }
 
@@ -74,10 +79,11 @@ impl Parts<'_> {
         let rounds = self.arms(true);
         let empty = self.slots.empty();
         let slots = self.slots.exist().then(|| quote!(let mut slots: <Self as __Carrying<__T>>::Slots = #empty;));
+        let progress = self.progress();
         quote! {
             fn pass_steady<__P: #p::Probe, const __PLAN: ::core::primitive::usize>(cycle: &mut #p::Cycle<'_, __T, __P>, is_due: ::core::primitive::bool) {
                 let visit = #p::Visit { due: is_due, entering: false };
-                let machine = cycle.machine::<Self>(visit);
+                let machine = cycle.#progress::<Self>(visit);
                 #slots
                 match machine.state {
                     #rounds
@@ -165,20 +171,73 @@ impl Parts<'_> {
     /// Leaves the state if the condition of an edge holds. `number` is the index of the edge in the node's transitions.
     fn leave(&self, (number, edge): (usize, &Edge), exits: &TokenStream, steady: bool) -> TokenStream {
         let (from, to) = (edge.from, edge.to);
-        let holds = self.slots.holds(edge, &call::expand(self.p, &edge.condition, self.tuning));
-        let entered = quote!(cycle.transition::<Self>(#from, #to));
+        let holds = self.holds(edge);
+        let (before, after) = self.counting(number);
+        let asked = self.asked(to);
+        let entered = quote!(cycle.transition::<Self>(#from, #to); #after #asked);
         let next = if steady {
             let proceed = self.proceed(self.slots.exist().then(|| quote!(slots)));
-            quote!(let machine = #entered; return #proceed;)
+            quote!(let machine = #entered return #proceed;)
         } else {
-            quote!(machine = #entered; continue;)
+            quote!(machine = #entered continue;)
         };
-        let timer = edge.after_ms.map(|ms| quote!(cycle.has_been_in_state::<Self>(#ms) &&));
+        let timer = edge.guard.timer.as_ref().map(|timer| {
+            let ms = match timer {
+                Timer::Ms(ms) => quote!(#ms),
+                Timer::Parameter(timer) => self.tuning.milliseconds(timer),
+            };
+            quote!(cycle.has_been_in_state::<Self>(#ms) &&)
+        });
+        let times = edge.guard.times.map(|times| quote!(cycle.taken::<Self>() < #times &&));
         quote! {
-            if #timer { #holds cycle.condition::<Self>(#number, holds) } {
+            if #timer #times { #holds cycle.condition::<Self>(#number, holds) } {
                 #exits
+                #before
                 #next
             }
         }
+    }
+
+    /// Whether a transition can be taken: its result is there, and its function holds.
+    fn holds(&self, edge: &Edge) -> TokenStream {
+        let p = self.p;
+        let result = edge.guard.when.as_ref().map(|when| {
+            let (child, end) = (&when.child.0, node::end(when.end));
+            quote!(cycle.has_ended::<#child>(#p::End::#end))
+        });
+        match (result, edge.guard.bare) {
+            (result, true) => {
+                let result = result.unwrap_or_else(|| quote!(true));
+                quote!(let holds = #result;)
+            }
+            (None, false) => self.slots.holds(edge, &call::expand(p, &edge.condition, self.tuning)),
+            (Some(result), false) => {
+                let holds = self.slots.holds(edge, &call::expand(p, &edge.condition, self.tuning));
+                quote!(let holds = if #result { #holds holds } else { false };)
+            }
+        }
+    }
+
+    /// The function that tells in which state a visit begins.
+    fn progress(&self) -> TokenStream {
+        if self.counts() { quote!(counted_machine) } else { quote!(machine) }
+    }
+
+    /// Whether transitions are counted.
+    fn counts(&self) -> bool {
+        self.machine.edges.iter().any(|edge| edge.guard.times.is_some())
+    }
+
+    /// What counts transitions, before and after the one of this number.
+    fn counting(&self, number: usize) -> (Option<TokenStream>, Option<TokenStream>) {
+        let counts = self.counts();
+        let before = counts.then(|| quote!(let taken = cycle.taken::<Self>();));
+        (before, counts.then(|| quote!(cycle.count::<Self>(#number, taken);)))
+    }
+
+    /// The children whose results a state asks for begin anew.
+    fn asked(&self, state: usize) -> Option<TokenStream> {
+        let children: Vec<_> = self.machine.asked_in(state).collect();
+        (!children.is_empty()).then(|| quote!(#(cycle.ask_anew::<#children>();)*))
     }
 }

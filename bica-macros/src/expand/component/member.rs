@@ -11,7 +11,7 @@ use super::tuning::Tuning;
 use super::visits::Visits;
 use super::{description, hooks, machine, node, operator, role, step};
 use crate::expand::quoting::runtime;
-use bica_syntax::component::model::{Argument, Behaviour, Component};
+use bica_syntax::component::model::{Argument, Behaviour, Component, Machine};
 use bica_syntax::text;
 
 pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStream {
@@ -28,13 +28,13 @@ pub(super) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     } else {
         parse_quote!(__T: #p::Has<Self, Member = Self>)
     });
-    for child in children(&visits) {
+    for child in children(&visits).chain(asked(behaviour)) {
         bounds.predicates.push(role::holds(&p, child));
     }
     let (parameters, _, bounds) = generics.split_for_impl();
     let timed = timed(component);
     let rates = rates(&p, component);
-    let node = node::expand(component, behaviour, &visits);
+    let node = node::expand(component, behaviour, &visits, &tuning);
     let (code, carrying) = match behaviour {
         Behaviour::Step(function) => (step::expand(&p, function.as_ref(), &visits, &tuning), None),
         Behaviour::Machine(machine) => {
@@ -80,6 +80,12 @@ fn rates(p: &TokenStream, component: &Component) -> Option<TokenStream> {
         })
         .collect();
     (!borrowed.is_empty()).then(|| quote!(const RATES: &'static [::core::primitive::usize] = &[#(#borrowed),*];))
+}
+
+/// The children of whose results the transitions are written with other paths than their links.
+fn asked(behaviour: &Behaviour) -> impl Iterator<Item = &Type> {
+    let machine = if let Behaviour::Machine(machine) = behaviour { Some(machine) } else { None };
+    machine.into_iter().flat_map(Machine::asked)
 }
 
 /// All children, each text once.

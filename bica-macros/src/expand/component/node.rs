@@ -1,21 +1,22 @@
 //! `NODE`: the component in a tree, as tools read it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::Type;
 
 use super::role;
+use super::tuning::Tuning;
 use super::visits::Visits;
 use crate::expand::quoting::{at, option, placed, runtime};
-use bica_syntax::component::model::{Argument, Behaviour, Component, Edge, Function};
+use bica_syntax::component::model::{Argument, Behaviour, Component, Edge, End, Function, Timer, When};
 use bica_syntax::component::role_of;
 use bica_syntax::text;
 
-pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits) -> TokenStream {
+pub(super) fn expand(component: &Component, behaviour: &Behaviour, visits: &Visits, tuning: &Tuning) -> TokenStream {
     let p = runtime();
     let transitions: Vec<_> = match behaviour {
         Behaviour::Step(_) => Vec::new(),
-        Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge)).collect(),
+        Behaviour::Machine(machine) => machine.edges.iter().map(|edge| transition(&p, edge, tuning)).collect(),
     };
     let distinct: TokenStream = component.functions().map(distinct).collect();
     let (written, count) = (visits.written(), visits.len());
@@ -74,9 +75,40 @@ fn link(argument: &Argument) -> Option<(TokenStream, &Type)> {
     }
 }
 
-fn transition(p: &TokenStream, edge: &Edge) -> TokenStream {
-    let name = text::name(&edge.condition.name);
-    let (doc, from, to, after_ms) = (&edge.condition.doc, edge.from, edge.to, option(edge.after_ms.as_ref()));
+fn transition(p: &TokenStream, edge: &Edge, tuning: &Tuning) -> TokenStream {
+    let (name, from, to) = (edge.name(), edge.from, edge.to);
+    let doc = if edge.guard.bare { "" } else { &edge.condition.doc };
+    let (after, after_ms) = match &edge.guard.timer {
+        None => (None, None),
+        Some(Timer::Ms(ms)) => (None, Some(quote!(#ms))),
+        Some(Timer::Parameter(timer)) => {
+            let described = tuning.described(timer);
+            (Some(quote!(#described.0)), Some(quote!(#described.1)))
+        }
+    };
+    let (after, after_ms, times) =
+        (option(after.as_ref()), option(after_ms.as_ref()), option(edge.guard.times.as_ref()));
+    let when = option(edge.guard.when.as_ref().map(|when| result(p, when)).as_ref());
     let carries = option(edge.condition.carries.as_ref().map(text::written).as_ref());
-    quote!(#p::Transition { name: #name, doc: #p::doc(#doc), from: #from, to: #to, after_ms: #after_ms, carries: #carries })
+    quote! {
+        #p::Transition {
+            name: #name, doc: #p::Doc::new(#doc), from: #from, to: #to, after_ms: #after_ms, after: #after, when: #when,
+            times: #times, carries: #carries,
+        }
+    }
+}
+
+/// The result of a child that a transition waits for, once it is known to have it.
+fn result(p: &TokenStream, when: &When) -> TokenStream {
+    let (child, name, end) = (&when.child.0, text::written(&when.child.0), end(when.end));
+    let place = at(child);
+    let checked = placed(p, place);
+    let check = quote_spanned!(place => #checked::assert_end::<__T, #child>(#checked::End::#end, #name));
+    quote!({ #check; #p::When { child: <__T as #p::Has<#child>>::INDEX as ::core::primitive::u8, end: #p::End::#end } })
+}
+
+/// The variant of a result.
+pub(super) fn end(end: End) -> Ident {
+    let name = if end == End::Done { "Done" } else { "Failed" };
+    Ident::new(name, Span::call_site())
 }

@@ -6,7 +6,7 @@ use syn::Type;
 
 use super::call::nested;
 use crate::expand::quoting::{at, placed, runtime};
-use bica_syntax::component::model::{Argument, Component};
+use bica_syntax::component::model::{Argument, Component, Parameter};
 use bica_syntax::text;
 
 /// The structs of parameters that the functions take, each once if it is written alike.
@@ -15,14 +15,39 @@ pub(super) struct Tuning(Vec<Type>);
 impl Tuning {
     pub(super) fn of(component: &Component) -> Self {
         let mut kinds: Vec<Type> = Vec::new();
-        for argument in component.functions().flat_map(|function| &function.arguments) {
-            if let Argument::Tuned(kind) = argument
-                && !kinds.iter().any(|known| text::written(known) == text::written(kind))
-            {
+        let arguments = component.functions().flat_map(|function| &function.arguments);
+        let taken =
+            arguments.filter_map(|argument| if let Argument::Tuned(kind) = argument { Some(kind) } else { None });
+        for kind in taken.chain(component.timers().map(|timer| &timer.of.0)) {
+            if !kinds.iter().any(|known| text::written(known) == text::written(kind)) {
                 kinds.push(kind.clone());
             }
         }
         Self(kinds)
+    }
+
+    /// Place of a struct of parameters among the groups.
+    fn place(&self, kind: &Type) -> usize {
+        self.0.iter().position(|known| text::written(known) == text::written(kind)).unwrap_or_default()
+    }
+
+    /// The time of a timer that is a parameter, ms, in a visit.
+    pub(super) fn milliseconds(&self, timer: &Parameter) -> TokenStream {
+        let (kind, field, place) = (&timer.of.0, &timer.field, at(&timer.field));
+        let (values, p) = (self.argument(kind), placed(&runtime(), place));
+        let number = quote_spanned!(place => #p::Timer::milliseconds(values.#field));
+        quote! {{
+            let tuned = cycle.tuned::<Self>();
+            let values: &#kind = #values;
+            #number
+        }}
+    }
+
+    /// Index and default of a timer that is a parameter, as a constant.
+    pub(super) fn described(&self, timer: &Parameter) -> TokenStream {
+        let (group, name, place) = (self.place(&timer.of.0), text::name(&timer.field), at(&timer.field));
+        let p = placed(&runtime(), place);
+        quote_spanned!(place => #p::timer(<Self as #p::Component>::PARAMS, #group, #name))
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -31,8 +56,7 @@ impl Tuning {
 
     /// The argument of a call: a reference into the value `tuned`.
     pub(super) fn argument(&self, kind: &Type) -> TokenStream {
-        let place = self.0.iter().position(|known| text::written(known) == text::written(kind)).unwrap_or_default();
-        let path = path(place, self.0.len());
+        let path = path(self.place(kind), self.0.len());
         if path.is_empty() { quote_spanned!(at(kind) => tuned) } else { quote_spanned!(at(kind) => &tuned #path) }
     }
 

@@ -121,7 +121,8 @@ fn drawing_names_every_component_and_escapes_text() {
 fn kind_of_component_follows_from_its_links() {
     let link = |to, kind| Link { to, kind, state: None, roles: Vec::new() };
     let (read, write) = (LinkKind::Requirement, LinkKind::Modulation);
-    let states = vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true, before: None }];
+    let states =
+        vec![State { name: "only".to_owned(), doc: String::new(), initial: true, last: true, end: None, before: None }];
     let graph = graph(vec![
         node("FollowBall", vec![link(1, read), link(2, write), link(4, write)], Vec::new()),
         node("Ball", vec![link(3, read)], Vec::new()),

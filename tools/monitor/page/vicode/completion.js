@@ -50,7 +50,7 @@ export function complete(context) {
   const word = context.matchBefore(/\p{XID_Continue}*/u);
   if (attribute && own) {
     const options = own.states.map(({ name, docs }) => ({ label: name, type: 'enum', info: docs || undefined }));
-    if (attribute[1] === 'transition') options.push({ label: 'after_ms', type: 'keyword', apply: 'after_ms = ' });
+    if (attribute[1] === 'transition') for (const label of ['after_ms', 'after', 'when', 'times']) options.push({ label, type: 'keyword', apply: `${label} = ` });
     return { from: word.from, options, validFor: WORD };
   }
   if (/&(mut\s+)?\p{XID_Continue}*$/u.test(before) || (context.explicit && word.text)) {

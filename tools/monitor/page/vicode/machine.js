@@ -35,6 +35,7 @@ function stateOf(component, state) {
     docs: state.function.docs.text,
     initial: state.initial,
     last: state.last,
+    end: state.end,
     takes: found?.of ?? null,
     hooks: hooks.map((hook) => ({ name: nameOf(hook), role: hook.role })),
     children: children([state.function, ...hooks.map((hook) => hook.function)]),
@@ -42,23 +43,30 @@ function stateOf(component, state) {
   };
 }
 
-function arrowsOf(transition) {
-  const name = nameOf(transition);
+/** The arrows of a condition or, `bare`, of a state: no function decides there, and the name is what the arrow waits for. */
+function arrowsOf(transition, bare) {
+  const owner = nameOf(transition);
   return transition.arrows.flatMap((arrow, index) => {
     const any = arrow.from === 'any';
     const sources = any ? ['*'] : arrow.from.these.map((one) => one.text);
     return sources.map((from) => ({
-      key: arrowKey(name, index, from),
-      name,
+      key: arrowKey(owner, index, from),
+      name: bare ? (arrow.when?.[0] ?? 'timer') : owner,
+      owner,
+      bare,
+      parts: transition.arrows.length,
       arrow: index,
       from,
       any,
       sources,
       to: arrow.to.text,
       after_ms: arrow.after_ms?.[0] ?? null,
+      after: arrow.after?.[0] ?? null,
+      when: arrow.when?.[0] ?? null,
+      times: arrow.times?.[0] ?? null,
       carries: transition.function.carries?.text ?? null,
-      docs: transition.function.docs.text,
-      children: children([transition.function]),
+      docs: bare ? '' : transition.function.docs.text,
+      children: bare ? [] : children([transition.function]),
       function: transition.function,
     }));
   });
@@ -70,7 +78,7 @@ export function machineOf(model, name) {
   if (!component) return null;
   const states = component.states.map((state) => stateOf(component, state));
   const known = new Set(states.map((state) => state.name));
-  const arrows = component.transitions.flatMap(arrowsOf);
+  const arrows = [...component.states.flatMap((one) => arrowsOf(one, true)), ...component.transitions.flatMap((one) => arrowsOf(one, false))];
   return {
     component,
     name,

@@ -35,12 +35,12 @@ function keysOf({ component: index, state = null, transition = null }) {
 function stopsOf(key) {
   const described = session.value?.description.value?.components[place.value];
   if (!described) return [];
-  const { kind, name, from } = parsed(key);
+  const { kind, name: stateName, from } = parsed(key);
   if (kind === 'state') {
-    const state = described.states.findIndex((one) => one.name === name);
+    const state = described.states.findIndex((one) => one.name === stateName);
     return state < 0 ? [] : [{ component: place.value, state }];
   }
-  const target = machine.value?.byKey.get(key)?.to;
+  const { name, to: target } = machine.value?.byKey.get(key) ?? {};
   return described.transitions.flatMap((one, transition) => (one.name === name && described.states[one.to]?.name === target && (from === '*' || described.states[one.from]?.name === from) ? [{ component: place.value, transition }] : []));
 }
 

@@ -178,11 +178,27 @@ mod tests {
     fn breakpoints_move_to_the_same_names_in_another_tree() {
         let tree = |states: &[&str], ways: &[(&str, usize, usize)]| {
             let doc = String::new;
-            let state =
-                |name: &&str| State { name: (*name).to_owned(), doc: doc(), initial: false, last: false, before: None };
+            let state = |name: &&str| State {
+                name: (*name).to_owned(),
+                doc: doc(),
+                initial: false,
+                last: false,
+                end: None,
+                before: None,
+            };
             let way = |&(name, from, to): &(&str, usize, usize)| {
                 let name = name.to_owned();
-                Transition { name, doc: doc(), from, to, after_ms: None, carries: None }
+                Transition {
+                    name,
+                    doc: doc(),
+                    from,
+                    to,
+                    after_ms: None,
+                    after: None,
+                    when: None,
+                    times: None,
+                    carries: None,
+                }
             };
             let (states, transitions) = (states.iter().map(state).collect(), ways.iter().map(way).collect());
             let lamp = Component { name: "Lamp".to_owned(), states, transitions, ..Component::default() };

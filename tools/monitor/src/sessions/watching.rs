@@ -49,7 +49,8 @@ impl Shared {
         let rest = |transition: &Transition| {
             let now = state.filter(|now| now.0 && now.2.map(usize::from) == Some(transition.from))?;
             let been_ms = time_us.saturating_sub(now.4) / 1000;
-            transition.after_ms.map(|after| u64::from(after).saturating_sub(been_ms) as u32)
+            let tuned = transition.after.and_then(|index| described.params.get(index)?.current().milliseconds());
+            tuned.or(transition.after_ms).map(|after| u64::from(after).saturating_sub(been_ms) as u32)
         };
         let condition = |(transition, condition): (&Transition, &Option<(bool, u64)>)| Condition {
             holds: condition.map(|(holds, _)| holds),

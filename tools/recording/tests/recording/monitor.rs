@@ -34,8 +34,14 @@ struct Seen {
 /// A tree of two components, one of them with states and an output.
 fn description() -> Description {
     let text = str::to_owned;
-    let state =
-        |name: &str, initial| State { name: text(name), doc: String::new(), initial, last: false, before: None };
+    let state = |name: &str, initial| State {
+        name: text(name),
+        doc: String::new(),
+        initial,
+        last: false,
+        end: None,
+        before: None,
+    };
     let info = Information {
         name: text("seen"),
         doc: String::new(),

@@ -50,6 +50,8 @@ pub(super) fn component_parts(component: &Component, text: &str) -> Vec<Part> {
     for state in &component.states {
         let flags = [("initial", state.initial), ("last", state.last)];
         let facts = flags.into_iter().filter(|(_, is_set)| *is_set).map(|(what, _)| Fact::new(what, "yes"));
+        let facts = facts.chain(state.end.map(|end| Fact::new("ends", end)));
+        let facts = facts.chain(state.arrows.iter().enumerate().flat_map(|(index, arrow)| of_arrow(index, arrow)));
         add("state", &state.function, "code", facts.collect());
     }
     for transition in &component.transitions {
@@ -111,7 +113,10 @@ fn of_arrow(index: usize, arrow: &Arrow) -> impl Iterator<Item = Fact> {
     };
     let timer = arrow.after_ms.map(|(ms, _)| Fact::new(what("timer"), format!("{ms} ms")));
     let from = Fact { meaning: sorted(&from), ..Fact::new(what("from"), from) };
-    [from, Fact::new(what("to"), &*arrow.to.text)].into_iter().chain(timer)
+    let timer = timer.or(arrow.after.as_ref().map(|(after, _)| Fact::new(what("timer"), &**after)));
+    let when = arrow.when.as_ref().map(|(when, _)| Fact::new(what("when"), &**when));
+    let times = arrow.times.map(|(times, _)| Fact::new(what("times"), times.to_string()));
+    [from, Fact::new(what("to"), &*arrow.to.text)].into_iter().chain(timer).chain(when).chain(times)
 }
 
 /// Returns arguments, code and docs of a function as properties.

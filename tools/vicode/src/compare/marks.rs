@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::change::{Change, PartChange, change_of, paired};
-use crate::model::{Arrow, Component, Sources, State, Transition};
+use crate::model::{Arrow, Component, Function, Sources, State, Transition};
 
 /// Differences of a machine, grouped by drawn element; unchanged elements are omitted.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -42,15 +42,14 @@ impl Marks {
         let (before, after) = (old.map_or_else(Vec::new, arrows), new.map_or_else(Vec::new, arrows));
         // Sources and targets are changes of single arrows, all else of the whole transition.
         let is_whole = |part: &PartChange| {
-            part.details.iter().any(|one| {
-                !one.what.starts_with("from") && !one.what.starts_with("to") && !one.what.starts_with("timer")
-            })
+            let of_one = ["from", "to", "timer", "when", "times"];
+            part.details.iter().any(|one| of_one.iter().all(|word| !one.what.starts_with(word)))
         };
         let pairs = paired(&before, &after, |arrow| (arrow.name, arrow.from, arrow.to));
         let marks = pairs.into_iter().filter_map(|(old, new)| {
             let (arrow, change) = (new.or(old)?, change_of(old, new));
             let is_different = change != Change::Changed
-                || old.map(|one| one.after_ms) != new.map(|one| one.after_ms)
+                || old.map(|one| &one.waits) != new.map(|one| &one.waits)
                 || of_kind("transition").any(|part| part.name == arrow.name && is_whole(part));
             let [name, from, to] = [arrow.name, arrow.from, arrow.to].map(str::to_owned);
             is_different.then_some(ArrowMark { name, from, to, change })
@@ -71,17 +70,25 @@ struct Ends<'a> {
     name: &'a str,
     from: &'a str,
     to: &'a str,
-    after_ms: Option<u32>,
+    waits: String,
 }
 
 fn arrows(component: &Component) -> Vec<Ends<'_>> {
-    let all =
-        component.transitions.iter().flat_map(|one| one.arrows.iter().map(|arrow| (&*one.function.name.text, arrow)));
-    all.flat_map(|(name, arrow)| sources(arrow).into_iter().map(move |from| ends(name, from, arrow))).collect()
+    let name = |(function, bare, arrow)| (named(function, bare, arrow), arrow);
+    component
+        .arrows()
+        .map(name)
+        .flat_map(|(name, arrow)| sources(arrow).into_iter().map(move |from| ends(name, from, arrow)))
+        .collect()
+}
+
+/// The name with which an arrow is drawn.
+fn named<'a>(function: &'a Function, bare: bool, arrow: &'a Arrow) -> &'a str {
+    if bare { arrow.bare_name() } else { &function.name.text }
 }
 
 fn ends<'a>(name: &'a str, from: &'a str, arrow: &'a Arrow) -> Ends<'a> {
-    Ends { name, from, to: &arrow.to.text, after_ms: arrow.after_ms.map(|(ms, _)| ms) }
+    Ends { name, from, to: &arrow.to.text, waits: arrow.waits() }
 }
 
 fn sources(arrow: &Arrow) -> Vec<&str> {
@@ -99,14 +106,22 @@ pub fn union(before: &Component, after: &Component) -> Component {
     let is_new = |state: &&State| after.state(&state.function.name.text).is_none();
     both.states.extend(before.states.iter().filter(is_new).cloned().map(|state| State { initial: false, ..state }));
     let known = arrows(after);
+    let is_known =
+        |name: &str, from: &str, to: &str| known.iter().any(|one| one.name == name && one.from == from && one.to == to);
+    for old in &before.states {
+        let is_gone = |arrow: &&Arrow| !is_known(arrow.bare_name(), &old.function.name.text, &arrow.to.text);
+        if let Some(one) = both.states.iter_mut().find(|one| one.function.name.text == old.function.name.text)
+            && after.state(&old.function.name.text).is_some()
+        {
+            one.arrows.extend(old.arrows.iter().filter(is_gone).cloned());
+        }
+    }
     for old in &before.transitions {
         let name = &old.function.name.text;
-        let is_known =
-            |from: &str, to: &str| known.iter().any(|one| one.name == name && one.from == from && one.to == to);
         let gone = old
             .arrows
             .iter()
-            .filter_map(|arrow| without(arrow, |from| is_known(from, &arrow.to.text)))
+            .filter_map(|arrow| without(arrow, |from| is_known(name, from, &arrow.to.text)))
             .collect::<Vec<_>>();
         match both.transitions.iter_mut().find(|one| one.function.name.text == *name) {
             Some(one) => one.arrows.extend(gone),

@@ -117,12 +117,11 @@ impl Coverage {
         let stays = |name: &&str| visits.states.get(*name).copied().unwrap_or_default();
         let states = names.iter().map(|name| StateCoverage { name: (*name).to_owned(), stays: stays(name) });
         let edges = component.machine().edges;
-        let condition = |edge: &Edge<&Function>| edge.condition.name.text.clone();
+        let condition = |edge: &Edge<&Function>| edge.name();
         let transitions = edges.iter().map(|edge| {
             let [from, to] = [edge.from, edge.to].map(|state| names[state].to_owned());
-            let same = edges
-                .iter()
-                .filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.condition != edge.condition);
+            let same =
+                edges.iter().filter(|one| (one.from, one.to) == (edge.from, edge.to) && one.name() != edge.name());
             let or = same.map(condition).collect();
             let count = |from: &str| visits.ways.get(&(from.to_owned(), to.clone())).copied().unwrap_or_default();
             let taken = (from != to).then(|| count(&from));

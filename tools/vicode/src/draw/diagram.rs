@@ -61,8 +61,8 @@ impl Diagram {
             let size = (WIDTH, height(hooks.len() + links.len()));
             let centre = (at.x as f32, at.y as f32);
             let mark = marks.states.get(&name).copied();
-            let (initial, last) = (state.initial, state.last);
-            nodes.push(Node { name, initial, last, centre, size, takes, hooks, links, mark });
+            let (initial, last, end) = (state.initial, state.last, state.end);
+            nodes.push(Node { name, initial, last, centre, size, takes, end, hooks, links, mark });
         }
         let mut diagram = Self { name: component.name.text.clone(), nodes, ..Self::default() };
         diagram.connect(&machine, marks);
@@ -79,7 +79,7 @@ impl Diagram {
         };
         for edge in &machine.edges {
             let from = if edge.any { "*" } else { &self.nodes[edge.from].name };
-            let label = Label::new(edge, marks.arrow(&edge.condition.name.text, from, &self.nodes[edge.to].name));
+            let label = Label::new(edge, marks.arrow(&edge.name(), from, &self.nodes[edge.to].name));
             add(((!edge.any).then_some(edge.from), edge.to), label);
         }
         self.edges = pairs.into_iter().map(|((from, to), labels)| self.edge(from, to, labels)).collect();

@@ -2,10 +2,8 @@
 
 use std::fmt::Write;
 
-use bica_syntax::component::model::Edge;
-
-use super::parts::titled;
-use crate::model::{Component, Function};
+use super::parts::{label, titled};
+use crate::model::Component;
 
 /// Formats the machine for Mermaid, as a `stateDiagram-v2`.
 #[must_use]
@@ -19,7 +17,9 @@ pub fn mermaid(component: &Component) -> String {
         if state.initial {
             writeln!(out, "    [*] --> {name}").unwrap_or_default();
         }
-        if state.last {
+        if let Some(end) = state.end {
+            writeln!(out, "    {name} --> [*] : {end}").unwrap_or_default();
+        } else if state.last {
             writeln!(out, "    {name} --> [*]").unwrap_or_default();
         }
     }
@@ -59,7 +59,5 @@ pub fn dot(component: &Component) -> String {
 /// Returns from, to and label of each transition.
 fn labels(component: &Component) -> Vec<(&str, &str, String)> {
     let name = |state: usize| component.states[state].function.name.text.as_str();
-    let timer = |after: Option<u32>| after.map_or_else(String::new, |ms| format!(" after {ms} ms"));
-    let label = |edge: &Edge<&Function>| edge.condition.name.text.clone() + &timer(edge.after_ms);
     component.machine().edges.iter().map(|edge| (name(edge.from), name(edge.to), label(edge))).collect()
 }

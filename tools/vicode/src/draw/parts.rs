@@ -26,6 +26,8 @@ pub struct Node {
     pub size: (f32, f32),
     /// Type of what it takes from the transitions that enter it.
     pub takes: Option<String>,
+    /// Result with which the machine ends in it.
+    pub end: Option<&'static str>,
     /// Its hooks.
     pub hooks: Vec<String>,
     /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
@@ -70,11 +72,21 @@ pub(super) fn hooks_of(component: &Component, state: &str) -> Vec<String> {
     hooks.map(|hook| format!("{} / {}", hook.role.word(), hook.function.name.text)).collect()
 }
 
+/// Formats the name of a transition and what it waits for: `near after 500 ms`, `failed(Reach) 3 times`.
+pub(super) fn label(edge: &model::Edge<&Function>) -> String {
+    let when = edge.guard.when.as_ref().filter(|_| !edge.guard.bare).map(|when| format!(" {when}"));
+    let timer = edge.guard.timer.as_ref().map(|timer| match timer {
+        model::Timer::Ms(ms) => format!(" after {ms} ms"),
+        model::Timer::Parameter(timer) => format!(" after {timer}"),
+    });
+    let times = edge.guard.times.map(|times| format!(" {times} times"));
+    [Some(edge.name()), when, timer, times].into_iter().flatten().collect()
+}
+
 impl Label {
     pub(super) fn new(edge: &model::Edge<&Function>, mark: Option<Change>) -> Self {
-        let timer = edge.after_ms.map_or_else(String::new, |ms| format!(" after {ms} ms"));
         let sign = mark.map_or_else(String::new, |mark| format!("{} ", mark.sign()));
-        Self { text: format!("{sign}{}{timer}", edge.condition.name.text), mark }
+        Self { text: format!("{sign}{}", label(edge)), mark }
     }
 }
 
@@ -88,10 +100,11 @@ impl Edge {
 }
 
 impl Node {
-    /// Returns the name, and what the state takes: `kick ← Kick`.
+    /// Returns the name, what the state takes, and its result: `kick ← Kick`, `held [done]`.
     #[must_use]
     pub fn title(&self) -> String {
-        titled(&self.name, self.takes.as_deref())
+        let end = self.end.map_or_else(String::new, |end| format!(" [{end}]"));
+        titled(&self.name, self.takes.as_deref()) + &end
     }
 
     /// Returns the lines below the name: hooks, then children; `<` is a requirement, `>` a modulation.

@@ -49,9 +49,14 @@ pub(super) fn transition<'a>(component: &'a Component, name: &str) -> Result<&'a
     })
 }
 
-/// Returns one of the `#[transition]` attributes of a transition.
+/// Returns the `#[transition]` attributes of a transition or a state.
+pub(super) fn arrows<'a>(component: &'a Component, name: &str) -> Result<&'a [Arrow], Refusal> {
+    component.state(name).map_or_else(|| transition(component, name).map(|one| &*one.arrows), |one| Ok(&one.arrows))
+}
+
+/// Returns one of them.
 pub(super) fn arrow<'a>(component: &'a Component, name: &str, index: usize) -> Result<&'a Arrow, Refusal> {
-    let arrows = &transition(component, name)?.arrows;
+    let arrows = arrows(component, name)?;
     arrows.get(index).ok_or_else(|| {
         Refusal::new(format!("transition `{name}` has {} attributes: there is no number {index}", arrows.len()))
     })

@@ -18,6 +18,9 @@ pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Resu
         for transition in &component.transitions {
             of_transition(context.text, transition, name, &mut gone, &mut splices);
         }
+        let others = component.states.iter().filter(|state| state.function.name.text != name);
+        let entering = others.flat_map(|state| &state.arrows).filter(|arrow| arrow.to.text == name);
+        splices.extend(entering.map(|arrow| Splice::remove(attribute_removal(context.text, arrow.span))));
         for hook in &component.hooks {
             of_hook(context.text, hook, name, &mut gone, &mut splices);
         }

@@ -122,8 +122,11 @@ pub(super) fn copy(context: &Context<'_>, component: &str, from: &str, name: &st
     let style = context.style(component);
     let mut changes = vec![Splice::new(function.name.span, name)];
     if let Some(state) = component.state(from).filter(|state| state.initial) {
-        changes.push(machine::words(context.text, state, false, state.last));
+        changes.push(machine::words(context.text, state, false, state.end_word()));
     }
+    // A transition on the copy leaves the copy.
+    let arrows = component.state(from).into_iter().flat_map(|state| &state.arrows);
+    changes.extend(arrows.map(|arrow| Splice::new(arrow.from_span, machine::written(name))));
     changes.sort_by_key(|change| change.span.start);
     let lines = layout::lines(context.text, function);
     let start = function.span.end - lines.len();

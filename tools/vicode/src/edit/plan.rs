@@ -70,6 +70,8 @@ fn splices(context: &Context<'_>, edit: &Edit) -> Result<Vec<Splice>, Refusal> {
         Edit::SetBody { component, function, body } => functions::body(context, component, function, body),
         Edit::SetInitial { .. }
         | Edit::SetLast { .. }
+        | Edit::SetEnd { .. }
+        | Edit::SetWait { .. }
         | Edit::AddArrow { .. }
         | Edit::RemoveArrow { .. }
         | Edit::SetSources { .. }

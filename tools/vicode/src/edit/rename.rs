@@ -57,8 +57,7 @@ fn lines(text: &str, places: &[Span]) -> String {
 
 /// Returns the names of states in attributes.
 pub(super) fn state_names(component: &Component) -> impl Iterator<Item = &Name> {
-    let arrows = component.transitions.iter().flat_map(|transition| &transition.arrows);
-    let of_arrows = arrows.flat_map(|arrow| {
+    let of_arrows = component.arrows().flat_map(|(.., arrow)| {
         let from: &[Name] = if let Sources::These(names) = &arrow.from { names } else { &[] };
         from.iter().chain([&arrow.to])
     });

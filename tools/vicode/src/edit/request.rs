@@ -65,8 +65,18 @@ pub enum Edit {
     SetInitial { component: String, state: String },
     /// Sets whether no transition leaves a state.
     SetLast { component: String, state: String, last: bool },
-    /// Adds a `#[transition]` to a condition.
-    AddArrow { component: String, transition: String, from: Vec<String>, to: String, after_ms: Option<u32> },
+    /// Sets the word that marks a state as an end: `last`, `done` or `failed`.
+    SetEnd { component: String, state: String, end: Option<String> },
+    /// Adds a `#[transition]` to a condition, or to the state that it leaves; `when` is a result such as `failed(Reach)`.
+    AddArrow {
+        component: String,
+        transition: String,
+        from: Vec<String>,
+        to: String,
+        after_ms: Option<u32>,
+        #[serde(default)]
+        when: Option<String>,
+    },
     /// Removes a `#[transition]` of several of a condition.
     RemoveArrow { component: String, transition: String, arrow: usize },
     /// Sets the states that a transition leaves.
@@ -92,6 +102,15 @@ pub enum Edit {
         #[serde(default)]
         arrow: usize,
         after_ms: Option<u32>,
+    },
+    /// Sets or removes what a transition waits for: the `key` is `after`, a parameter such as `Approach::patience`, `when` or `times`.
+    SetWait {
+        component: String,
+        transition: String,
+        #[serde(default)]
+        arrow: usize,
+        key: String,
+        value: Option<String>,
     },
     /// Sets the states of a hook of states.
     SetHookStates { component: String, hook: String, states: Vec<String> },

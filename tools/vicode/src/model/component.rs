@@ -128,6 +128,18 @@ pub struct State {
     pub initial: bool,
     /// Whether no transition leaves it.
     pub last: bool,
+    /// Result with which the machine ends in it: `done` or `failed`.
+    pub end: Option<&'static str>,
+    /// Transitions that stand on it, in the order of the text: they leave it, and no function decides.
+    pub arrows: Vec<Arrow>,
+}
+
+impl State {
+    /// Returns the word that marks it as an end: `last`, `done` or `failed`.
+    #[must_use]
+    pub fn end_word(&self) -> Option<&'static str> {
+        self.end.or(self.last.then_some("last"))
+    }
 }
 
 /// A condition with its transitions.
@@ -155,6 +167,41 @@ pub struct Arrow {
     pub to: Name,
     /// Least time in the state before it, ms: its value and its place, with the comma before it.
     pub after_ms: Option<(u32, Span)>,
+    /// The parameter that is the least time, `Approach::patience`, and its place.
+    pub after: Option<(String, Span)>,
+    /// The result of a child without which it does not hold, `done(Reach)`, and its place.
+    pub when: Option<(String, Span)>,
+    /// How often it is taken in a row, and its place.
+    pub times: Option<(u8, Span)>,
+}
+
+impl Arrow {
+    /// Returns the name of a transition on a state: what it waits for.
+    #[must_use]
+    pub fn bare_name(&self) -> &str {
+        self.when.as_ref().map_or("timer", |(when, _)| when)
+    }
+
+    /// Returns what it waits for, as it is written behind the arrow.
+    #[must_use]
+    pub fn waits(&self) -> String {
+        let after_ms = self.after_ms.map(|(ms, _)| format!(", after_ms = {ms}"));
+        let after = self.after.as_ref().map(|(after, _)| format!(", after = {after}"));
+        let when = self.when.as_ref().map(|(when, _)| format!(", when = {when}"));
+        let times = self.times.map(|(times, _)| format!(", times = {times}"));
+        [after_ms, after, when, times].into_iter().flatten().collect()
+    }
+
+    /// Returns the place of a key with its value: `after_ms`, `after`, `when` or `times`.
+    #[must_use]
+    pub fn place(&self, key: &str) -> Option<Span> {
+        match key {
+            "after_ms" => self.after_ms.map(|(_, span)| span),
+            "after" => self.after.as_ref().map(|(_, span)| *span),
+            "when" => self.when.as_ref().map(|(_, span)| *span),
+            _ => self.times.map(|(_, span)| span),
+        }
+    }
 }
 
 /// The states that a transition leaves.

@@ -1,10 +1,11 @@
 //! States, transitions and links with all names resolved, by the macro's own code.
 
+use bica_syntax::component::guard;
 use bica_syntax::component::links::{Kind, merged};
-use bica_syntax::component::model::Machine;
+use bica_syntax::component::model::{End, Guard, Machine};
 use bica_syntax::component::resolve::{Named, Written};
 
-use super::{Component, Function, HookRole, LinkKind, Name};
+use super::{Arrow, Component, Function, HookRole, LinkKind, Name, State};
 
 /// A link of a component or of one of its states.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,12 +26,15 @@ impl Component {
             let of_role = self.hooks.iter().filter(move |hook| hook.role == role);
             of_role.map(|hook| (&hook.function, &*hook.states)).collect()
         };
-        let arrows = self.transitions.iter().flat_map(|one| {
-            let condition = &one.function;
-            one.arrows.iter().map(move |arrow| (condition, &arrow.from, &arrow.to, arrow.after_ms.map(|(ms, _)| ms)))
+        let end = |state: &State| state.end.map(|end| if end == "done" { End::Done } else { End::Failed });
+        let mut arrows: Vec<_> = self.arrows().collect();
+        arrows.sort_by_key(|(.., arrow)| arrow.span.start);
+        let arrows = arrows.into_iter().map(|(function, bare, arrow)| {
+            let guard = Guard { bare, ..guard(&arrow.waits()).unwrap_or_default() };
+            (function, &arrow.from, &arrow.to, guard)
         });
         let written = Written {
-            states: self.states.iter().map(|state| (&state.function, state.last)).collect(),
+            states: self.states.iter().map(|state| (&state.function, state.last, end(state))).collect(),
             entries: hooks(HookRole::Entry),
             exits: hooks(HookRole::Exit),
             hooks_before: hooks(HookRole::Before),
@@ -38,6 +42,14 @@ impl Component {
         };
         let (states, edges) = written.resolve(|_| ());
         Machine { initial: self.states.iter().position(|state| state.initial).unwrap_or(0), states, edges }
+    }
+
+    /// The attributes `#[transition]`, each with its function, and whether that is the state.
+    pub fn arrows(&self) -> impl Iterator<Item = (&Function, bool, &Arrow)> {
+        let of_states = self.states.iter().flat_map(|one| one.arrows.iter().map(|arrow| (&one.function, true, arrow)));
+        let of_conditions =
+            self.transitions.iter().flat_map(|one| one.arrows.iter().map(|arrow| (&one.function, false, arrow)));
+        of_states.chain(of_conditions)
     }
 
     /// The links of each state and of the transitions that leave it, or of the step.
@@ -48,7 +60,7 @@ impl Component {
         }
         let machine = self.machine();
         let of_state = |state: usize| {
-            let conditions = machine.edges_from(state).map(|edge| edge.condition);
+            let conditions = machine.edges_from(state).filter(|edge| !edge.guard.bare).map(|edge| edge.condition);
             links(Some(state), machine.states[state].functions().copied().chain(conditions))
         };
         (0..machine.states.len()).flat_map(of_state).collect()

@@ -61,7 +61,7 @@ fn plain(ty: &Type) -> String {
 fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: &Type) {
     let function = function(source, item, own);
     let roles = || item.attrs.iter().filter_map(|one| Some((syntax::role(one)?, one)));
-    let Some((role, first)) = roles().next() else {
+    let Some((role, first)) = roles().find(|(role, _)| *role == "state").or_else(|| roles().next()) else {
         if function.name.text == "step" && component.step.is_none() {
             component.step = Some(function);
         } else {
@@ -70,13 +70,14 @@ fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: 
         return;
     };
     let attribute = source.of(first);
+    let arrows = roles().filter(|(role, _)| *role == "transition").filter_map(|(_, one)| arrow(source, one));
     match role {
         "state" => {
-            let (initial, last) = syntax::state(first).unwrap_or_default();
-            component.states.push(State { function, attribute, initial: initial.is_some(), last });
+            let words = syntax::state(first).unwrap_or_default();
+            let (initial, last, end) = (words.initial.is_some(), words.last, words.end.map(model::End::word));
+            component.states.push(State { function, attribute, initial, last, end, arrows: arrows.collect() });
         }
         "transition" => {
-            let arrows = roles().filter(|(role, _)| *role == "transition").filter_map(|(_, one)| arrow(source, one));
             let carries = syntax::carries(&item.sig).map(|of| written(source, of));
             component
                 .transitions
@@ -178,15 +179,23 @@ pub(super) fn settings(source: &Source<'_>, attribute: &Attribute) -> Vec<Settin
     tokens(attribute).split(|token| is(token, ',')).filter_map(setting).collect()
 }
 
-/// `a | b -> c, after_ms = N`
+/// `a | b -> c, after_ms = N, when = done(Reach)`
 fn arrow(source: &Source<'_>, attribute: &Attribute) -> Option<Arrow> {
-    let model::Arrow { from, to, after_ms } = syntax::transition(attribute).ok()?;
+    let model::Arrow { from, to, guard } = syntax::transition(attribute).ok()?;
     let tokens = tokens(attribute);
     let from_end = tokens.iter().position(|token| is(token, '-'))?;
-    let comma = tokens.iter().position(|token| is(token, ','));
-    let value = tokens.iter().rposition(|token| !is(token, ','));
-    let timer = comma.zip(value).filter(|(comma, value)| comma < value);
-    let timer = timer.and_then(|(comma, value)| around(source, &tokens[comma..=value]));
+    // The place of a key, with the comma before it.
+    let place = |key: &str| {
+        let is_key = |at: &usize| is(&tokens[*at], ',') && tokens.get(at + 1).is_some_and(|one| one.to_string() == key);
+        let comma = (0..tokens.len()).find(is_key)?;
+        let length = tokens[comma + 1..].iter().position(|token| is(token, ','));
+        around(source, &tokens[comma..length.map_or(tokens.len(), |length| comma + 1 + length)])
+    };
+    let (after_ms, after) = match guard.timer {
+        None => (None, None),
+        Some(model::Timer::Ms(ms)) => (Some(ms), None),
+        Some(model::Timer::Parameter(timer)) => (None, Some(timer.to_string())),
+    };
     Some(Arrow {
         span: source.of(attribute),
         list: list(source, attribute)?,
@@ -196,7 +205,10 @@ fn arrow(source: &Source<'_>, attribute: &Attribute) -> Option<Arrow> {
         },
         from_span: around(source, &tokens[..from_end])?,
         to: source.name(&to),
-        after_ms: after_ms.zip(timer),
+        after_ms: after_ms.zip(place("after_ms")),
+        after: after.zip(place("after")),
+        when: guard.when.map(|when| when.to_string()).zip(place("when")),
+        times: guard.times.zip(place("times")),
     })
 }
 

@@ -9,14 +9,15 @@ mod skeleton;
 use std::collections::BTreeMap;
 
 use bica_core::rate::instant_of_cycle;
-use bica_core::{Instant, LoneMachine, graph};
-use bica_syntax::component::model::{self as syntax, Edge};
+use bica_core::{Instant, LoneMachine, Value, graph};
+use bica_syntax::component::model::{self as syntax, Edge, Timer};
 use bica_syntax::number::hertz;
+use bica_syntax::text;
 use serde::{Deserialize, Serialize};
 
 pub use self::place::{Place, Tree};
-use crate::model::{Component, Function};
-use crate::read::lexed;
+use crate::model::{Component, Function, ParameterGroup};
+use crate::read::{lexed, read};
 
 /// Longest trial, µs.
 const LONGEST: u64 = 3_600_000_000;
@@ -85,6 +86,8 @@ pub struct Way {
     pub on: bool,
     /// Time until its timer lets it be taken, µs; 0 without a timer.
     pub remaining_us: u64,
+    /// How often it can still be taken in a row; `None` if it does not count.
+    pub left: Option<u8>,
 }
 
 impl Trial {
@@ -141,14 +144,22 @@ impl<'a> Machine<'a> {
         let visits = vec![Visit { state: first.clone(), from_us: 0, us: 0, by: None, step: 0 }];
         let is_always = |function: &Function| function.body.is_some_and(|body| on_one_line(body.of(text)) == "true");
         let conditions = component.transitions.iter().map(|one| &one.function);
-        let switches = conditions.map(|one| (one.name.text.clone(), is_always(one))).collect();
+        // A timer on a state needs no switch.
+        let results = edges.iter().filter(|edge| edge.guard.bare && edge.guard.when.is_some());
+        let switches = conditions.map(|one| (one.name.text.clone(), is_always(one)));
+        let switches = switches.chain(results.map(|edge| (edge.name(), false))).collect();
+        let parameters = if edges.iter().any(|edge| matches!(edge.guard.timer, Some(Timer::Parameter(_)))) {
+            read(text).parameters
+        } else {
+            Vec::new()
+        };
         let transition = |edge: &Edge<&Function>| graph::Transition {
-            name: "",
-            doc: "",
-            from: edge.from,
-            to: edge.to,
-            after_ms: edge.after_ms,
-            carries: None,
+            after_ms: edge.guard.timer.as_ref().map(|timer| match timer {
+                Timer::Ms(ms) => *ms,
+                Timer::Parameter(timer) => default_ms(&parameters, timer),
+            }),
+            times: edge.guard.times,
+            ..graph::Transition::new("", edge.from, edge.to)
         };
         Ok(Self {
             transitions: edges.iter().map(transition).collect(),
@@ -190,13 +201,13 @@ impl<'a> Machine<'a> {
     fn run_cycle(&mut self, step: usize) {
         let at = self.next();
         self.cycle += 1;
-        let holds = |index: usize| self.switches.get(&self.edges[index].condition.name.text) == Some(&true);
+        let holds = |index: usize| is_on(&self.switches, &self.edges[index]);
         let Some(taken) = self.lone.tick(at, &self.transitions, holds).flatten() else { return };
         let from_us = at.as_micros();
         if let Some(last) = self.visits.last_mut() {
             last.us = from_us - last.from_us;
         }
-        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].condition.name.text.clone()));
+        let (state, by) = (self.names[self.lone.state()].clone(), Some(self.edges[taken].name()));
         self.visits.push(Visit { state, from_us, us: 0, by, step });
     }
 
@@ -206,11 +217,14 @@ impl<'a> Machine<'a> {
         if let Some(last) = self.visits.last_mut() {
             last.us = self.now - last.from_us;
         }
-        let ways = self.edges.iter().filter(|edge| edge.from == state).map(|edge| Way {
-            condition: edge.condition.name.text.clone(),
+        let taken = self.lone.taken();
+        let of_state = self.edges.iter().zip(&self.transitions).filter(|(edge, _)| edge.from == state);
+        let ways = of_state.map(|(edge, transition)| Way {
+            condition: edge.name(),
             to: self.names[edge.to].clone(),
-            on: self.switches.get(&edge.condition.name.text) == Some(&true),
-            remaining_us: edge.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
+            on: is_on(&self.switches, edge),
+            remaining_us: transition.after_ms.map_or(0, |ms| (u64::from(ms) * 1000).saturating_sub(stayed)),
+            left: transition.times.map(|times| times.saturating_sub(taken)),
         });
         let ways = ways.collect();
         while self.next().as_micros() < LONGEST && self.lone.tick(self.next(), &[], |_| false).is_none() {
@@ -226,6 +240,23 @@ impl<'a> Machine<'a> {
             cycle_hz: self.cycle_hz,
         }
     }
+}
+
+/// Whether the condition of a transition holds. A timer on a state has none.
+fn is_on(switches: &BTreeMap<String, bool>, edge: &Edge<&Function>) -> bool {
+    let is_timer = edge.guard.bare && edge.guard.when.is_none();
+    is_timer || switches.get(&edge.name()) == Some(&true)
+}
+
+/// Default of a timer that is a parameter of this file, ms; 0 if another file has it.
+fn default_ms(groups: &[ParameterGroup], timer: &syntax::Parameter) -> u32 {
+    let of = text::written(&timer.of.0);
+    let group = groups.iter().find(|group| of.rsplit("::").next() == Some(&group.name.text));
+    let field = text::name(&timer.field);
+    let parameter = group.and_then(|group| group.parameters.iter().find(|one| one.name.text == field));
+    let value = parameter.and_then(|one| Some((&one.ty.text, one.value("default")?.text.parse::<f32>().ok()?)));
+    let value = value.map(|(ty, default)| if ty == "f32" { Value::F32(default) } else { Value::U32(default as u32) });
+    value.and_then(Value::milliseconds).unwrap_or_default()
 }
 
 /// Formats a body on one line, without comments.

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use bica::Tree;
+use bica_syntax::component::model::Timer;
 use bica_vicode::model::{Component, Function, HookRole, LinkKind};
 use bica_wire::model::Description;
 use serde_json::{Value, json};
@@ -29,11 +30,15 @@ fn model(component: &Component) -> Value {
             let hooks = component.hooks.iter().filter(|hook| hook.role == HookRole::Before);
             let before = hooks.filter(|hook| hook.states.iter().any(|state| state.text == one.function.name.text));
             let before: Vec<_> = before.map(|hook| &hook.function.name.text).collect();
-            json!([named(&one.function), one.initial, one.last, before.first()])
+            json!([named(&one.function), one.initial, one.last, one.end, before.first()])
         }),
         "transitions": list(&component.machine().edges, |one| {
             let carries = one.condition.carries.as_ref().map(|of| &of.text);
-            json!([named(one.condition), one.from, one.to, one.after_ms, carries])
+            let doc = if one.guard.bare { String::new() } else { doc(one.condition) };
+            let (timer, when) = (one.guard.timer.as_ref(), one.guard.when.as_ref().map(ToString::to_string));
+            let after_ms = timer.and_then(|timer| if let Timer::Ms(ms) = timer { Some(ms) } else { None });
+            let is_parameter = timer.is_some() && after_ms.is_none();
+            json!([(one.name(), doc), one.from, one.to, after_ms, is_parameter, when, one.guard.times, carries])
         }),
         "links": links,
         "info": list(&component.info, |one| json!([named(&one.function), one.unit, one.ty.as_ref().unwrap().text])),
@@ -55,8 +60,14 @@ fn node(node: &Value, tree: &Value) -> Value {
         "name": node["name"],
         "doc": node["doc"],
         "options": [node["hz"].as_f64(), node["budget_us"].as_f64(), node["resume"]],
-        "states": each("states", &|one| json!([named(one), one["initial"], one["last"], one["before"]])),
-        "transitions": each("transitions", &|one| json!([named(one), one["from"], one["to"], one["after_ms"], one["carries"]])),
+        "states": each("states", &|one| json!([named(one), one["initial"], one["last"], one["end"], one["before"]])),
+        "transitions": each("transitions", &|one| {
+            let is_parameter = !one["after"].is_null();
+            let after_ms = if is_parameter { Value::Null } else { one["after_ms"].clone() };
+            let name = |when: &Value| child(&json!({ "to": when["child"] })).as_str().unwrap().to_owned();
+            let when = one["when"].as_object().map(|_| format!("{}({})", one["when"]["end"].as_str().unwrap(), name(&one["when"])));
+            json!([named(one), one["from"], one["to"], after_ms, is_parameter, when, one["times"], one["carries"]])
+        }),
         "links": links,
         "info": each("info", &|one| json!([named(one), one["unit"], one["type"]])),
         "modulations": each("modulations", &|one| {

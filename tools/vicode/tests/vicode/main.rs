@@ -19,6 +19,7 @@ mod merging;
 mod random;
 mod reading;
 mod renaming;
+mod results;
 mod roles;
 mod sources;
 mod tables;

@@ -28,19 +28,22 @@ function Machine({ shown, component, index, active }) {
   const current = now[2];
   const conditions = shown.conditions_of(index).value?.conditions;
   const leaving = component.transitions.map((transition, number) => ({ ...transition, number })).filter(({ from }) => from === current);
-  const last = component.states[current]?.last;
+  const { last, end } = component.states[current] ?? {};
   const blocks = active ? blocking(component, current) : undefined;
   return html`<section aria-label="States"><h3>${active ? `Leaves ${component.states[current]?.name} by` : component.resume ? 'Continues in' : 'Was last in'}${!active && html` <b title=${component.states[current]?.doc}>${component.states[current]?.name}</b>`}</h3>
-    ${leaving.length === 0 && html`<p class="dim">${last ? 'This is a last state: no transition leaves it.' : 'No transition leaves this state.'}</p>`}
+    ${leaving.length === 0 && html`<p class="dim">${end ? `The machine ends here: ${end}.` : last ? 'This is a last state: no transition leaves it.' : 'No transition leaves this state.'}</p>`}
     ${leaving.map((transition) => {
       const condition = conditions?.[transition.number];
       const holds = condition?.holds;
       const waits = condition?.remaining_ms > 0;
       const since = condition ? Math.max(0, shown.moment.value.time_us - condition.since_us) : null;
       const value = condition === undefined ? '' : holds === null ? 'not evaluated' : `${holds}${since !== null ? ` for ${duration(since)}` : ''}`;
-      const timer = transition.after_ms === null ? '' : waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${transition.after_ms / 1000} s left` : `after ${transition.after_ms / 1000} s`;
+      const parameter = transition.after === undefined ? null : component.params[transition.after];
+      const after = parameter ? `${parameter.name} (${shown.params.value[index]?.[transition.after] ?? parameter.default} ${parameter.unit})` : `${transition.after_ms / 1000} s`;
+      const timer = transition.after_ms === null ? '' : waits ? `${(condition.remaining_ms / 1000).toFixed(1)} s of ${after} left` : `after ${after}`;
+      const times = transition.times ? `at most ${transition.times} times in a row` : '';
       return html`<div key=${transition.number} class=${`why leaves ${holds ? 'true' : ''} ${transition.number === blocks ? 'blocking' : ''}`} title=${transition.doc}>
-        <span class="names"><b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}${transition.carries && ` ← ${transition.carries}`}</span></span><span class="value">${[value, timer].filter(Boolean).join(' · ')}</span></div>`;
+        <span class="names"><b>${transition.name}</b> <span class="to">→ ${component.states[transition.to]?.name}${transition.carries && ` ← ${transition.carries}`}</span></span><span class="value">${[value, timer, times].filter(Boolean).join(' · ')}</span></div>`;
     })}
     ${leaving.length > 0 && component.states[current]?.before && html`<p class="dim">Before these, <b>${component.states[current].before}</b> runs.</p>`}
     ${leaving.length > 0 && !conditions && html`<p class="dim">${!shown.info.value.can.conditions ? 'This session does not send the values of conditions.' : cursor.value === null ? 'Values of the conditions follow.' : 'The values of the conditions at this moment are not known.'}</p>`}</section>`;

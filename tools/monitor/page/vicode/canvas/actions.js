@@ -85,7 +85,8 @@ export async function askTransition() {
 export async function rename() {
   if (chosenNote.value) return editNote();
   const one = chosen.value;
-  if (!one || !editable()) return;
+  // What has no function has no name.
+  if (!one || one.bare || !editable()) return;
   const box = stage.boxes.get(one.name);
   const at = 'sources' in one ? stage.courses.get(one.key).label : [box.x, box.y - box.height / 2 + 17];
   const to = await askName({ at, value: one.name, label: `New name of ${one.name}` });
@@ -101,12 +102,13 @@ function deletions() {
   const states = new Set(all.filter(({ kind }) => kind === 'state').map(({ name }) => name));
   const edits = [];
   for (const [name, group] of Map.groupBy(all.filter(({ kind }) => kind === 'arrow'), (one) => one.name)) {
-    const parts = own.component.transitions.find((one) => one.function.name.text === name)?.arrows ?? [];
+    const state = own.component.states.find((one) => one.function.name.text === name);
+    const parts = (state ?? own.component.transitions.find((one) => one.function.name.text === name))?.arrows ?? [];
     const gone = parts.map((part, index) => {
       const sources = part.from === 'any' ? ['*'] : part.from.these.map((one) => one.text);
       return { index, kept: sources.filter((from) => !group.some((one) => one.arrow === index && one.from === from)), sources };
     });
-    if (gone.every(({ kept }) => kept.length === 0)) {
+    if (!state && gone.every(({ kept }) => kept.length === 0)) {
       edits.push({ edit: 'delete', function: name });
       continue;
     }

@@ -1,7 +1,7 @@
 // States and transitions as elements of the drawing.
 
 import { html } from '../../lib/dom.js';
-import { labelWidth, timerText } from './labels.js';
+import { labelWidth, waitText } from './labels.js';
 import { isMachine } from '../trail.js';
 import { stage } from './stage.js';
 
@@ -51,7 +51,7 @@ const mark = (found) => (found === null ? '' : found ? 'found' : 'other');
 
 function Arrow({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
-  const timer = timerText(arrow.after_ms);
+  const timer = waitText(arrow);
   const name = `Transition ${arrow.name}: ${arrow.any ? 'any state' : arrow.from} to ${arrow.to}${timer && `, ${timer}`}${arrow.carries === null ? '' : `, carries ${arrow.carries}`}`;
   return html`<g class=${arrowFlags({ arrow, chosen, near, found, stop })} data-key=${arrow.key}
       role="button" tabindex="0" aria-label=${name} aria-pressed=${chosen}>
@@ -62,7 +62,7 @@ function Arrow({ arrow, chosen, near, found, stop }) {
 /** The name of an arrow; those of one bundle have it in the same place. Without room it is shown under the pointer only, as the arrow's title. */
 function Name({ arrow, chosen, near, found, stop }) {
   const course = stage.courses.get(arrow.key);
-  const timer = timerText(arrow.after_ms);
+  const timer = waitText(arrow);
   const width = labelWidth(arrow);
   return html`<g class=${`label ${arrowFlags({ arrow, chosen, near, found, stop })} ${(course.owner ?? arrow.key) === arrow.key ? '' : 'shared'} ${course.crowded ? 'crowded' : ''}`} data-key=${arrow.key} aria-hidden="true" transform=${`translate(${course.label[0].toFixed(1)} ${course.label[1].toFixed(1)})`} text-anchor=${course.anchor}>
     <title>${arrow.docs || arrow.name}</title>
@@ -71,11 +71,11 @@ function Name({ arrow, chosen, near, found, stop }) {
     <text class="live" y="17"></text></g>`;
 }
 
-const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', arrow.after_ms !== null && 'timed', stop && 'stopped', arrow.mark);
+const arrowFlags = ({ arrow, chosen, near, found, stop }) => flags('arrow', chosen && 'chosen', near && 'near', mark(found), arrow.any && 'any', (arrow.after_ms !== null || arrow.after !== null) && 'timed', stop && 'stopped', arrow.mark);
 
 /** `at` is its place. */
 function State({ state, at: { x, y, width, height, box }, chosen, found, stop }) {
-  const told = [state.initial && 'initial', state.last && 'last', state.takes && `takes ${state.takes}`, ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
+  const told = [state.initial && 'initial', state.last && (state.end ?? 'last'), state.takes && `takes ${state.takes}`, ...state.hooks.map((hook) => `${hook.role} hook ${hook.name}`), ...state.children.map(({ kind, child }) => `${KIND[kind]} ${child}`)].filter(Boolean).join(', ');
   return html`<g class=${flags('box', chosen && 'chosen', mark(found), state.initial && 'initial', state.last && 'last', stop && 'stopped', state.mark)} data-key=${state.key} data-state=${state.name}
       transform=${`translate(${x - width / 2} ${y - height / 2})`} role="button" tabindex="0" aria-label=${`State ${state.name}`} aria-description=${told} aria-pressed=${chosen}>
     <title>${state.docs || state.name}</title>
@@ -84,7 +84,7 @@ function State({ state, at: { x, y, width, height, box }, chosen, found, stop })
     ${state.last && html`<rect class="inner" x="3.5" y="3.5" width=${width - 7} height=${height - 7} rx="6" />`}
     <circle class="stop" cx="12" cy="17" r="5"><title>Breakpoint (b)</title></circle>
     <text class="fault" x="-4" y="4">⚠</text><text class="name" x="24" y="21">${state.sign && `${state.sign} `}${state.name}${box.takes && html`<tspan class="dim" font-size="11">${box.takes}</tspan>`}</text>
-    <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? 'last' : ''}</text>
+    <text class="live" x=${width - 10} y="21" text-anchor="end">${state.initial ? 'initial' : state.last ? (state.end ?? 'last') : ''}</text>
     ${box.docs && html`<text class="docs" x="10" y=${box.docs.y}>${box.docs.text}</text>`}
     ${box.hooks.map((hook) => html`<text class="hook" x="10" y=${hook.y}>${hook.text}</text>`)}
     ${box.chips.map((chip) => html`<g class=${`link-chip ${chip.kind} ${isMachine(chip.child) ? 'opens' : ''}`} data-child=${chip.child} transform=${`translate(${chip.x} ${chip.y})`}>

@@ -3,10 +3,17 @@
 import { widthOf } from './boxes.js';
 
 /** A timer as it is written at an arrow. */
-export const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
+const timerText = (ms) => (ms === null ? '' : ms % 1000 === 0 ? `after ${ms / 1000} s` : `after ${ms} ms`);
 
-/** Width of an arrow's name with its timer. */
-export function labelWidth({ name, any, after_ms: after, sign }) {
-  const timer = timerText(after);
+/** What an arrow waits for beside its condition: `after pause 3 times`. */
+export function waitText({ bare, after_ms: ms, after, when, times }) {
+  const result = bare ? null : when;
+  const timer = after === null ? timerText(ms) : `after ${after.split('::').at(-1)}`;
+  return [result, timer, times !== null && `${times} times`].filter(Boolean).join(' ');
+}
+
+/** Width of an arrow's name with what it waits for. */
+export function labelWidth({ name, any, sign, ...arrow }) {
+  const timer = waitText(arrow);
   return (sign ? widthOf(`${sign} `, 11.5) + 3 : 0) + widthOf(name, 11.5) + (timer ? widthOf(` ${timer}`, 11) + 4 : 0) + (any ? widthOf('any · ', 11) : 0) + 10;
 }

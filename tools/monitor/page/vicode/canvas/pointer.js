@@ -160,10 +160,10 @@ function bendArrow(event, key) {
       sketch.value = null;
       target.value = null;
       if (!moved || !over || over.name === (atEnd ? arrow.to : arrow.from)) return;
-      if (atEnd) change({ edit: 'set_target', transition: arrow.name, arrow: arrow.arrow, to: over.name });
+      if (atEnd) change({ edit: 'set_target', transition: arrow.owner, arrow: arrow.arrow, to: over.name });
       else {
-        wish([`t:${arrow.name}:${arrow.arrow}:${over.name}`]);
-        change({ edit: 'set_sources', transition: arrow.name, arrow: arrow.arrow, from: arrow.sources.map((from) => (from === arrow.from ? over.name : from)) });
+        wish([`t:${arrow.owner}:${arrow.arrow}:${over.name}`]);
+        change({ edit: 'set_sources', transition: arrow.owner, arrow: arrow.arrow, from: arrow.sources.map((from) => (from === arrow.from ? over.name : from)) });
       }
     },
   });
@@ -189,7 +189,7 @@ export function press(event) {
   if (!key) return selectArea(event);
   if (event.target.closest('.stop')) return toggleStop(key);
   const state = event.target.closest('[data-state]')?.dataset.state;
-  if (mode.value === 'try' && key.startsWith('t:')) toggle(parsed(key).name);
+  if (mode.value === 'try' && key.startsWith('t:')) toggle(machine.value?.byKey.get(key)?.name);
   if (state && !held.value && !event.shiftKey && (event.target.closest('.handle') || atEdge(stage.boxes.get(state), view.point(event)))) {
     drawTransition(event, state);
     return;

@@ -1,0 +1,173 @@
+//! Machines that wait for the results of others: one child before and one after its parent, one child of two parents.
+
+use bica::prelude::*;
+
+use crate::semantics::test_tree::test_tree;
+use crate::semantics::unit::unit;
+
+/// Times of the picker.
+#[derive(Params)]
+pub(crate) struct Picking {
+    /// Pause before the next attempt.
+    #[param(default = 0.03, range = 0.0..=60.0, unit = "s")]
+    pause: f32,
+}
+
+unit!(Boss() {
+    #[state(initial)]
+    fn on(&mut self, time: &Time, picker: &mut Picker, helper: &mut Helper) {
+        self.unit.body("on", time, [], [&mut picker.unit, &mut helper.unit]);
+    }
+
+    #[state]
+    fn off(&mut self, time: &Time, helper: &mut Helper) {
+        self.unit.body("off", time, [], [&mut helper.unit]);
+    }
+
+    #[transition(on -> off)]
+    fn put_off(&self) -> bool {
+        self.unit.evaluate("put_off", [])
+    }
+
+    #[transition(off -> on)]
+    fn put_on(&self) -> bool {
+        self.unit.evaluate("put_on", [])
+    }
+});
+
+unit!(Picker(hz = 50, resume) {
+    #[state(initial)]
+    #[transition(reach -> lift, when = done(Reach))]
+    #[transition(reach -> wait, when = failed(Reach), times = 2)]
+    #[transition(reach -> idle, when = failed(Reach))]
+    fn reach(&mut self, time: &Time, reach: &mut Reach) {
+        self.unit.body("reach", time, [], [&mut reach.unit]);
+    }
+
+    #[state]
+    #[transition(wait -> reach, after = Picking::pause)]
+    fn wait(&mut self, time: &Time) {
+        self.unit.body("wait", time, [], []);
+    }
+
+    #[transition(lift -> lift, when = failed(Grip), times = 3)]
+    fn again(&self, grip: &Grip) -> bool {
+        self.unit.evaluate("again", [grip.unit.read()])
+    }
+
+    #[state]
+    #[transition(lift -> idle, when = done(Grip))]
+    #[transition(lift -> reach, when = failed(Grip), times = 1)]
+    fn lift(&mut self, time: &Time, grip: &Grip) {
+        self.unit.body("lift", time, [grip.unit.read()], []);
+    }
+
+    #[state]
+    fn idle(&mut self, time: &Time, grip: &Grip) {
+        self.unit.body("idle", time, [grip.unit.read()], []);
+    }
+
+    #[transition(idle | wait -> lift)]
+    fn go_on(&self) -> bool {
+        self.unit.evaluate("go_on", [])
+    }
+
+    #[entry(lift)]
+    fn close(&mut self, grip: &Grip) {
+        self.unit.hook("close", [grip.unit.read()], []);
+    }
+});
+
+unit!(Helper(hz = 40) {
+    #[state(initial)]
+    #[transition(help -> rest, when = failed(Reach))]
+    fn help(&mut self, time: &Time, reach: &mut Reach) {
+        self.unit.body("help", time, [], [&mut reach.unit]);
+    }
+
+    #[state]
+    #[transition(rest -> help, after_ms = 40)]
+    fn rest(&mut self, time: &Time) {
+        self.unit.body("rest", time, [], []);
+    }
+});
+
+unit!(Reach() {
+    #[state(initial)]
+    fn go(&mut self, time: &Time) {
+        self.unit.body("go", time, [], []);
+    }
+
+    #[state(done)]
+    fn there(&mut self, time: &Time, motor: &mut Motor) {
+        self.unit.body("there", time, [], [&mut motor.unit]);
+    }
+
+    #[state(failed)]
+    fn stuck(&mut self, time: &Time) {
+        self.unit.body("stuck", time, [], []);
+    }
+
+    #[transition(go -> there)]
+    fn arrives(&self) -> bool {
+        self.unit.evaluate("arrives", [])
+    }
+
+    #[transition(go -> stuck, after_ms = 20)]
+    fn blocked(&self) -> bool {
+        self.unit.evaluate("blocked", [])
+    }
+
+    #[entry(go)]
+    fn aim(&mut self) {
+        self.unit.hook("aim", [], []);
+    }
+});
+
+unit!(Grip(hz = 30, resume) {
+    #[state(initial)]
+    fn open(&mut self, time: &Time) {
+        self.unit.body("open", time, [], []);
+    }
+
+    #[state(done)]
+    fn holds(&mut self, time: &Time) {
+        self.unit.body("holds", time, [], []);
+    }
+
+    #[state(failed)]
+    fn empty(&mut self, time: &Time) {
+        self.unit.body("empty", time, [], []);
+    }
+
+    #[transition(open -> holds)]
+    fn touches(&self) -> bool {
+        self.unit.evaluate("touches", [])
+    }
+
+    #[transition(open -> empty)]
+    fn misses(&self) -> bool {
+        self.unit.evaluate("misses", [])
+    }
+});
+
+unit!(Motor() {
+    fn step(&mut self, time: &Time) {
+        self.unit.body("", time, [], []);
+    }
+});
+
+activation_tree! {
+    /// Results of machines.
+    pub(crate) struct Results {
+        root: Boss,
+        cycle_hz: 100,
+        components: [Boss, Picker, Helper, Reach, Grip, Motor],
+    }
+}
+
+test_tree!(
+    Results: [Boss, Picker, Helper, Reach, Grip, Motor],
+    entry: [Picker.lift: close, Reach.go: aim],
+    exit: []
+);
