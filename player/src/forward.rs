@@ -14,6 +14,7 @@ use crate::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
+use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
 
 /// Chest light of a robot in the game (rules of RoboCup 2009).
 const GREEN: Light = Light(0.0, 1.0, 0.0);
@@ -30,6 +31,10 @@ macro_rules! forward {
                 cycle_hz: 100,
                 budget_ms: 200,
                 $($option,)?
+                roles: {
+                    Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
+                    Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+                },
                 components: [
                     Player,
                     SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,

@@ -25,6 +25,7 @@ pub mod output;
 pub mod perception;
 #[cfg(feature = "referee")]
 pub mod referee;
+pub mod roles;
 pub mod strategy;
 
 pub use forward::{Forward, tunable};

@@ -11,6 +11,7 @@ use bica_player::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
+use bica_player::roles::{Ball, Falls, Health, Legs, Odometer, Place};
 
 use crate::Goalkeeper;
 use crate::skills::{BallPath, Dive, FieldPose, GuardPost};
@@ -22,6 +23,10 @@ activation_tree! {
         cycle_hz: 100,
         budget_ms: 200,
         tunable,
+        roles: {
+            Ball: BallDetector, Place: Localization, Odometer: Odometry,
+            Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+        },
         components: [
             Goalkeeper,
             SearchBall, FollowBall, Fixmove, SafetyGuard, FaceBall,

@@ -7,8 +7,7 @@ use glam::Vec2;
 use libm::atan2f;
 
 use crate::input::RobotProfile;
-use crate::motion::Body;
-use crate::perception::{BallDetector, GoalDetector};
+use crate::roles::{Ball, Goal, Legs};
 
 /// How the robot walks through the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -81,9 +80,9 @@ impl Dribble {
         &mut self,
         tuned: &Tuned<Dribbling>,
         profile: &RobotProfile,
-        ball: &BallDetector,
-        goal: &GoalDetector,
-        body: &mut Body,
+        ball: &impl Ball,
+        goal: &impl Goal,
+        body: &mut impl Legs,
     ) {
         let in_reach = tuned.missed_distance..tuned.far_distance;
         let Some(at) = ball.position().filter(|at| in_reach.contains(&at.x)) else {

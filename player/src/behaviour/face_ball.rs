@@ -7,7 +7,8 @@ use libm::fabsf;
 
 use crate::motion::Head;
 use crate::output::CameraSelector;
-use crate::perception::{BallDetector, Bearing};
+use crate::perception::Bearing;
+use crate::roles::Ball;
 
 /// How head and camera follow the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -68,7 +69,7 @@ impl FaceBall {
         *self = Self::new();
     }
 
-    fn step(&mut self, tuned: &Tuned<Facing>, ball: &BallDetector, head: &mut Head, camera: &mut CameraSelector) {
+    fn step(&mut self, tuned: &Tuned<Facing>, ball: &impl Ball, head: &mut Head, camera: &mut CameraSelector) {
         let Some(Bearing { pan, down }) = ball.bearing() else {
             self.centred = false;
             return;
@@ -79,7 +80,7 @@ impl FaceBall {
         let (from_pan, from_tilt) = (head.pan(), head.tilt());
         self.error = HeadAngles { yaw: pan - from_pan, pitch: tilt - from_tilt };
         let gain = if camera.selected() == before { tuned.gain } else { 1.0 };
-        self.centred = ball.seen().is_some() && is_within(self.error, tuned.centred_tolerance);
+        self.centred = ball.camera().is_some() && is_within(self.error, tuned.centred_tolerance);
         head.look_at(from_pan + gain * self.error.yaw, from_tilt + gain * self.error.pitch);
     }
 

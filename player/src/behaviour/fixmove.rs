@@ -8,8 +8,8 @@ use bica_motion::walk::Velocity;
 
 use super::LineUp;
 use crate::input::RobotProfile;
-use crate::motion::{Body, KickChoice, Kicker, SideChoice};
-use crate::perception::{BallDetector, Odometry};
+use crate::motion::{KickChoice, Kicker, SideChoice};
+use crate::roles::{Ball, Legs, Odometer};
 use crate::strategy::Strike;
 
 /// Lines the body up with the ball, sideways, forward and in heading, then plays one of the six kicks.
@@ -51,9 +51,9 @@ impl Fixmove {
         &mut self,
         tuned: &Tuned<LineUp>,
         profile: &RobotProfile,
-        ball: &BallDetector,
-        odometry: &Odometry,
-        body: &mut Body,
+        ball: &impl Ball,
+        odometry: &impl Odometer,
+        body: &mut impl Legs,
     ) {
         if let Some((kick, turn)) = self.by_hand.take() {
             self.strike = Some(Strike { kick, heading: odometry.pose().heading + turn });
@@ -86,14 +86,14 @@ impl Fixmove {
 
     /// Steps back for another attempt from another position.
     #[state]
-    fn retreat(&mut self, tuned: &Tuned<LineUp>, body: &mut Body) {
+    fn retreat(&mut self, tuned: &Tuned<LineUp>, body: &mut impl Legs) {
         self.failed = true;
         body.step_with(Velocity { forward: -tuned.retreat_speed, left: 0.0, turn: 0.0 });
     }
 
     /// State after the kick.
     #[state]
-    fn over(&mut self, body: &mut Body) {
+    fn over(&mut self, body: &mut impl Legs) {
         self.done = true;
         body.stand();
     }
@@ -197,7 +197,10 @@ mod tests {
     use bica_motion::side::Side;
 
     use super::*;
+    use crate::motion::Body;
     use crate::motion::Request;
+    use crate::perception::BallDetector;
+    use crate::perception::Odometry;
 
     const STRIKE: Strike = Strike { kick: Kick { kind: KickKind::Diagonal, foot: Side::Left }, heading: 0.0 };
 

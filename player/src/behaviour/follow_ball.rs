@@ -8,8 +8,8 @@ use glam::Vec2;
 use libm::fabsf;
 
 use super::FaceBall;
-use crate::motion::{Body, Head};
-use crate::perception::BallDetector;
+use crate::motion::Head;
+use crate::roles::{Ball, Legs};
 
 /// How the robot walks to the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -113,13 +113,13 @@ impl FollowBall {
         tuned: &Tuned<Approach>,
         stall: &Tuned<Stall>,
         time: &Time,
-        ball: &BallDetector,
+        ball: &impl Ball,
         head: &Head,
         face: &mut FaceBall,
-        body: &mut Body,
+        body: &mut impl Legs,
     ) {
         let pan = head.pan();
-        let tilt = ball.seen().filter(|seen| seen.camera == CameraId::Bottom).map(|_| head.tilt());
+        let tilt = ball.camera().filter(|camera| *camera == CameraId::Bottom).map(|_| head.tilt());
         let near = tilt.is_some_and(|tilt| tilt > tuned.near_tilt);
         self.reached = ball.is_confirmed()
             && tilt.is_some_and(|tilt| tilt > tuned.reached_tilt)
@@ -184,7 +184,9 @@ impl FollowBall {
 mod tests {
     use super::super::time;
     use super::*;
+    use crate::motion::Body;
     use crate::motion::Request;
+    use crate::perception::BallDetector;
 
     const PERIOD: f32 = 0.05;
     /// Different from the defaults.

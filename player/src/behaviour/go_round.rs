@@ -1,13 +1,11 @@
 //! Walking around the ball.
 
+use crate::roles::{Ball, Legs, Odometer};
 use bica::prelude::*;
 use bica_motion::pose::wrap;
 use bica_motion::walk::Velocity;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
-
-use crate::motion::Body;
-use crate::perception::{BallDetector, Odometry};
 
 /// How the robot walks around the ball.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -68,7 +66,7 @@ impl GoRound {
         *self = Self::new();
     }
 
-    fn step(&mut self, tuned: &Tuned<Circling>, ball: &BallDetector, odometry: &Odometry, body: &mut Body) {
+    fn step(&mut self, tuned: &Tuned<Circling>, ball: &impl Ball, odometry: &impl Odometer, body: &mut impl Legs) {
         let heading = odometry.pose().heading;
         match self.last.replace(heading) {
             None => self.remaining = self.angle,
@@ -109,6 +107,9 @@ impl GoRound {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::Body;
+    use crate::perception::BallDetector;
+    use crate::perception::Odometry;
 
     #[test]
     fn turn_is_done_within_tuned_tolerance() {

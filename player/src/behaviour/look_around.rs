@@ -5,7 +5,7 @@ use bica_motion::robot::CameraId;
 
 use crate::motion::Head;
 use crate::output::CameraSelector;
-use crate::perception::Localization;
+use crate::roles::Place;
 
 /// Number of directions of a scan.
 const DIRECTIONS: usize = 7;
@@ -67,7 +67,7 @@ impl LookAround {
         &mut self,
         tuned: &Tuned<Glancing>,
         time: &Time,
-        _field: &Localization,
+        _field: &impl Place,
         head: &mut Head,
         camera: &mut CameraSelector,
     ) {
@@ -114,6 +114,7 @@ impl LookAround {
 mod tests {
     use super::super::time;
     use super::*;
+    use crate::perception::Localization;
 
     #[test]
     fn search_begins_on_the_first_side() {

@@ -4,9 +4,9 @@ use bica::prelude::*;
 use bica_motion::kick::Kick;
 
 use super::{Dribble, FaceBall, Fixmove, FollowBall, GoRound, SafetyGuard, SearchBall, SearchNet};
-use crate::input::{GameState, HealthMonitor, RobotProfile, RobotState};
-use crate::motion::Body;
-use crate::perception::{BallDetector, FallDetector, GoalDetector, Localization, Odometry, RobotDetector};
+use crate::input::{GameState, RobotProfile, RobotState};
+use crate::perception::RobotDetector;
+use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
 use crate::strategy::{Clearance, DribbleCondition, Plan, Planning, Situation, Strike, can_dribble, plan};
 
 /// The forward of RoboCup 2009.
@@ -38,7 +38,7 @@ impl Player {
 
     /// Stands at the ball and searches for the goal.
     #[state]
-    fn search_net(&mut self, _search: &mut SearchNet, body: &mut Body) {
+    fn search_net(&mut self, _search: &mut SearchNet, body: &mut impl Legs) {
         body.stand();
     }
 
@@ -56,13 +56,13 @@ impl Player {
 
     /// Stands while the camera or the gyroscope has a fault, or the ball detector does not look.
     #[state]
-    fn blind(&mut self, body: &mut Body) {
+    fn blind(&mut self, body: &mut impl Legs) {
         body.stand();
     }
 
     /// Stands while the robot is out of the game: sent off, or stopped by an operator.
     #[state]
-    fn penalized(&mut self, body: &mut Body) {
+    fn penalized(&mut self, body: &mut impl Legs) {
         body.stand();
     }
 
@@ -72,13 +72,13 @@ impl Player {
 
     /// The robot falls or lies.
     #[transition(* -> fallen)]
-    fn is_down(&self, falls: &FallDetector) -> bool {
+    fn is_down(&self, falls: &impl Falls) -> bool {
         falls.is_down()
     }
 
     /// Whether a fault ends the current motion.
     #[transition(* -> fallen)]
-    fn has_fault(&self, health: &HealthMonitor) -> bool {
+    fn has_fault(&self, health: &impl Health) -> bool {
         health.must_stop()
     }
 
@@ -94,12 +94,12 @@ impl Player {
 
     /// A robot that does not see does not walk. A kick ends on both feet before.
     #[transition(look_for_ball | approach | search_net | go_round | kick | dribble -> blind, after_ms = 200)]
-    fn cannot_see(&self, health: &HealthMonitor, ball: &BallDetector, state: &RobotState) -> bool {
+    fn cannot_see(&self, health: &impl Health, ball: &impl Ball, state: &RobotState) -> bool {
         state.grounded() && (health.sense_fault().is_some() || !ball.is_looking())
     }
 
     #[transition(blind -> look_for_ball)]
-    fn sees_again(&self, health: &HealthMonitor, ball: &BallDetector) -> bool {
+    fn sees_again(&self, health: &impl Health, ball: &impl Ball) -> bool {
         health.sense_fault().is_none() && ball.is_looking()
     }
 
@@ -109,23 +109,23 @@ impl Player {
     }
 
     #[transition(look_for_ball -> approach)]
-    fn ball_seen(&self, ball: &BallDetector) -> bool {
+    fn ball_seen(&self, ball: &impl Ball) -> bool {
         ball.is_confirmed()
     }
 
     #[transition(approach -> look_for_ball)]
-    fn ball_lost(&self, ball: &BallDetector) -> bool {
+    fn ball_lost(&self, ball: &impl Ball) -> bool {
         ball.is_lost()
     }
 
     /// The head faced the goal before, so the ball detector needs some time.
     #[transition(go_round | kick -> look_for_ball, after_ms = 1500)]
-    fn ball_lost_again(&self, ball: &BallDetector) -> bool {
+    fn ball_lost_again(&self, ball: &impl Ball) -> bool {
         ball.is_lost()
     }
 
     #[transition(approach -> dribble)]
-    fn goal_far_ahead(&self, tuned: &Tuned<DribbleCondition>, ball: &BallDetector, goal: &GoalDetector) -> bool {
+    fn goal_far_ahead(&self, tuned: &Tuned<DribbleCondition>, ball: &impl Ball, goal: &impl Goal) -> bool {
         can_dribble(ball, goal, tuned)
     }
 
@@ -140,7 +140,7 @@ impl Player {
     }
 
     #[transition(search_net -> look_for_ball)]
-    fn ball_unknown(&self, search: &SearchNet, ball: &BallDetector) -> bool {
+    fn ball_unknown(&self, search: &SearchNet, ball: &impl Ball) -> bool {
         search.is_complete() && ball.position().is_none()
     }
 
@@ -151,9 +151,9 @@ impl Player {
         tuned: &Tuned<Planning>,
         clearance: &Tuned<Clearance>,
         search: &SearchNet,
-        ball: &BallDetector,
-        goal: &GoalDetector,
-        field: &Localization,
+        ball: &impl Ball,
+        goal: &impl Goal,
+        field: &impl Place,
         robots: &RobotDetector,
         profile: &RobotProfile,
     ) {
@@ -198,7 +198,7 @@ impl Player {
     }
 
     #[entry(kick)]
-    fn begin_kick(&mut self, Found(strike): Found<Strike>, odometry: &Odometry, fixmove: &mut Fixmove) {
+    fn begin_kick(&mut self, Found(strike): Found<Strike>, odometry: &impl Odometer, fixmove: &mut Fixmove) {
         let strike = strike.in_frame(odometry.pose().heading);
         self.plan = Some(Plan::Kick(strike));
         fixmove.play(strike);

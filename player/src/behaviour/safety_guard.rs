@@ -8,10 +8,9 @@ use bica_motion::keyframes::{Keyframe, Motion};
 use bica_motion::model::RobotModel;
 
 use crate::MODEL;
-use crate::input::{GameState, HealthMonitor, RobotState};
-use crate::motion::Body;
+use crate::input::{GameState, RobotState};
 use crate::output::Motors;
-use crate::perception::FallDetector;
+use crate::roles::{Falls, Health, Legs};
 
 /// Controls the body after a fall or a fault. A falling robot takes a protective posture and then gets up, from the
 /// front or from the back; after a failed attempt with another movement. A robot with a fault stops and sits down:
@@ -54,7 +53,7 @@ impl SafetyGuard {
 
     /// During the fall: limbs drawn in, low stiffness.
     #[state(initial)]
-    fn brace(&mut self, falls: &FallDetector, motors: &mut Motors) {
+    fn brace(&mut self, falls: &impl Falls, motors: &mut Motors) {
         if let FallState::Falling(direction) = falls.state() {
             self.brace = getup::protection(self.model, direction);
         }
@@ -70,13 +69,13 @@ impl SafetyGuard {
 
     /// On the ground after a failed attempt, hot, or stopped: no stiffness, so that limbs become free and motors cool.
     #[state]
-    fn rest(&mut self, _falls: &FallDetector, state: &RobotState, motors: &mut Motors) {
+    fn rest(&mut self, _falls: &impl Falls, state: &RobotState, motors: &mut Motors) {
         motors.set_all(state.angles(), 0.0);
     }
 
     /// With a fault, still standing: ends the step with both feet on the ground.
     #[state]
-    fn halt(&mut self, body: &mut Body) {
+    fn halt(&mut self, body: &mut impl Legs) {
         body.stand();
     }
 
@@ -103,28 +102,28 @@ impl SafetyGuard {
     }
 
     #[transition(halt | rise -> brace)]
-    fn falls(&self, falls: &FallDetector) -> bool {
+    fn falls(&self, falls: &impl Falls) -> bool {
         falls.is_down()
     }
 
     #[transition(brace | rise -> halt)]
-    fn has_fault_on_its_feet(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+    fn has_fault_on_its_feet(&self, health: &impl Health, falls: &impl Falls) -> bool {
         health.fault().is_some() && !falls.is_down()
     }
 
     /// Getting up heats the motors but takes little time, so it is completed first.
     #[transition(get_up -> halt)]
-    fn is_up_but_hot(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+    fn is_up_but_hot(&self, health: &impl Health, falls: &impl Falls) -> bool {
         self.get_up.is_done() && health.fault().is_some_and(Fault::is_temporary) && !falls.is_down()
     }
 
     #[transition(brace | get_up | rest -> sit)]
-    fn has_lasting_fault(&self, health: &HealthMonitor) -> bool {
+    fn has_lasting_fault(&self, health: &impl Health) -> bool {
         health.fault().is_some_and(|fault| !fault.is_temporary())
     }
 
     #[transition(halt -> sit)]
-    fn has_halted(&self, body: &Body) -> bool {
+    fn has_halted(&self, body: &impl Legs) -> bool {
         body.is_still()
     }
 
@@ -136,33 +135,33 @@ impl SafetyGuard {
 
     /// Whether the robot lies, with no fault or only a temporary one.
     #[transition(sit -> rest)]
-    fn lies_while_sitting(&self, health: &HealthMonitor, falls: &FallDetector) -> bool {
+    fn lies_while_sitting(&self, health: &impl Health, falls: &impl Falls) -> bool {
         health.fault().is_none_or(Fault::is_temporary) && falls.is_down()
     }
 
     #[transition(sit -> rise)]
-    fn has_cooled(&self, health: &HealthMonitor) -> bool {
+    fn has_cooled(&self, health: &impl Health) -> bool {
         health.fault().is_none()
     }
 
     /// Whether the robot did not fall after all.
     #[transition(brace -> stand, after_ms = 500)]
-    fn never_fell(&self, falls: &FallDetector) -> bool {
+    fn never_fell(&self, falls: &impl Falls) -> bool {
         !falls.is_down()
     }
 
     #[transition(get_up | rise -> stand)]
-    fn is_up(&self, falls: &FallDetector) -> bool {
+    fn is_up(&self, falls: &impl Falls) -> bool {
         self.get_up.is_done() && self.sit_or_rise.is_done() && !falls.is_down()
     }
 
     #[transition(brace -> get_up)]
-    fn lies(&self, falls: &FallDetector, health: &HealthMonitor, game: &GameState) -> bool {
+    fn lies(&self, falls: &impl Falls, health: &impl Health, game: &GameState) -> bool {
         matches!(falls.state(), FallState::Fallen(_)) && health.fault().is_none() && game.playing()
     }
 
     #[transition(brace -> rest)]
-    fn stays_down(&self, falls: &FallDetector) -> bool {
+    fn stays_down(&self, falls: &impl Falls) -> bool {
         matches!(falls.state(), FallState::Fallen(_))
     }
 
@@ -173,12 +172,12 @@ impl SafetyGuard {
     }
 
     #[transition(rest -> brace, after_ms = 500)]
-    fn has_rested(&self, health: &HealthMonitor, game: &GameState) -> bool {
+    fn has_rested(&self, health: &impl Health, game: &GameState) -> bool {
         health.fault().is_none() && game.playing()
     }
 
     #[entry(get_up)]
-    fn begin_get_up(&mut self, falls: &FallDetector, state: &RobotState) {
+    fn begin_get_up(&mut self, falls: &impl Falls, state: &RobotState) {
         if let FallState::Fallen(direction) = falls.state() {
             self.get_up = GetUp::new(self.model, direction, self.attempts, *state.angles());
         }

@@ -11,9 +11,10 @@ use glam::Vec2;
 use super::FaceBall;
 use super::search::{GLANCES, Search};
 use crate::info;
-use crate::motion::{Body, Head, SideChoice};
+use crate::motion::{Head, SideChoice};
 use crate::output::CameraSelector;
-use crate::perception::{BallDetector, CameraPose, FieldBoundary, Localization, Odometry, RobotDetector};
+use crate::perception::{CameraPose, FieldBoundary, RobotDetector};
+use crate::roles::{Ball, Legs, Odometer, Place};
 use crate::strategy::{Strip, Viewpoints, free_path};
 
 /// Largest tangent of the angle to a place that is ahead.
@@ -85,26 +86,26 @@ impl SearchBall {
 
     /// Directs the head to the remembered position of the ball.
     #[state(initial)]
-    fn recall(&mut self, time: &Time, body: &mut Body, _face: &mut FaceBall) {
+    fn recall(&mut self, time: &Time, body: &mut impl Legs, _face: &mut FaceBall) {
         body.stand();
         self.recalled += time.dt();
     }
 
     /// Whether the remembered position is too far away to see a ball there: the robot walks there first.
     #[transition(recall -> find_path)]
-    fn is_far(&self, tuned: &Tuned<Search>, ball: &BallDetector) -> bool {
+    fn is_far(&self, tuned: &Tuned<Search>, ball: &impl Ball) -> bool {
         self.recalled > tuned.recall_time && ball.position().is_some_and(|at| at.length() > tuned.view_distance)
     }
 
     /// Whether the ball is not at the remembered position, or none is remembered.
     #[transition(recall -> scan)]
-    fn not_found(&self, tuned: &Tuned<Search>, ball: &BallDetector) -> bool {
-        self.leaves || self.recalled > tuned.recall_time || ball.memory().confidence() < tuned.min_confidence
+    fn not_found(&self, tuned: &Tuned<Search>, ball: &impl Ball) -> bool {
+        self.leaves || self.recalled > tuned.recall_time || ball.confidence() < tuned.min_confidence
     }
 
     /// Keeps the remembered position for the further search.
     #[exit(recall)]
-    fn keep_sighting(&mut self, ball: &BallDetector, odometry: &Odometry) {
+    fn keep_sighting(&mut self, ball: &impl Ball, odometry: &impl Odometer) {
         let Some(at) = ball.position() else { return };
         self.side = self.side.or(Some(1.0_f32.copysign(at.y)));
         self.sighting = Some(odometry.pose().place(at));
@@ -116,10 +117,10 @@ impl SearchBall {
         &mut self,
         tuned: &Tuned<Search>,
         time: &Time,
-        _ball: &BallDetector,
+        _ball: &impl Ball,
         head: &mut Head,
         selector: &mut CameraSelector,
-        body: &mut Body,
+        body: &mut impl Legs,
     ) {
         body.stand();
         let Some(&glance) = GLANCES.get(self.glance) else { return };
@@ -142,11 +143,11 @@ impl SearchBall {
     fn turn_around(
         &mut self,
         tuned: &Tuned<Search>,
-        _ball: &BallDetector,
-        _field: &Localization,
+        _ball: &impl Ball,
+        _field: &impl Place,
         head: &mut Head,
         selector: &mut CameraSelector,
-        body: &mut Body,
+        body: &mut impl Legs,
     ) {
         selector.select(CameraId::Top);
         head.look_at(0.0, tuned.far_tilt);
@@ -160,14 +161,14 @@ impl SearchBall {
         &mut self,
         tuned: &Tuned<Search>,
         strip: &Tuned<Strip>,
-        _ball: &BallDetector,
+        _ball: &impl Ball,
         boundary: &FieldBoundary,
         camera: &CameraPose,
         robots: &RobotDetector,
-        odometry: &Odometry,
+        odometry: &impl Odometer,
         head: &mut Head,
         selector: &mut CameraSelector,
-        body: &mut Body,
+        body: &mut impl Legs,
     ) {
         selector.select(CameraId::Top);
         head.look_at(0.0, tuned.path_tilt);
@@ -189,14 +190,14 @@ impl SearchBall {
         &mut self,
         tuned: &Tuned<Search>,
         strip: &Tuned<Strip>,
-        _ball: &BallDetector,
+        _ball: &impl Ball,
         boundary: &FieldBoundary,
         camera: &CameraPose,
         robots: &RobotDetector,
-        odometry: &Odometry,
+        odometry: &impl Odometer,
         head: &mut Head,
         selector: &mut CameraSelector,
-        body: &mut Body,
+        body: &mut impl Legs,
     ) {
         selector.select(CameraId::Top);
         head.look_at(0.0, tuned.path_tilt);
@@ -232,7 +233,7 @@ impl SearchBall {
     /// Chooses the next place: the last sighting if it is too far away to see a ball there, then the place on the field next to it,
     /// then the one that is reached first.
     #[entry(find_path)]
-    fn choose_place(&mut self, tuned: &Tuned<Search>, field: &Localization, odometry: &Odometry) {
+    fn choose_place(&mut self, tuned: &Tuned<Search>, field: &impl Place, odometry: &impl Odometer) {
         self.leaves = false;
         (self.place, self.way) = (None, tuned.walk_distance);
         if !odometry.is_fresh() {

@@ -3,7 +3,7 @@
 use bica::prelude::*;
 
 use super::LookAround;
-use crate::perception::GoalDetector;
+use crate::roles::Goal;
 
 /// Searches for the attacked goal (the paper's "net") with the head until it was seen or every direction was searched.
 #[derive(Debug)]
@@ -27,7 +27,7 @@ impl SearchNet {
     }
 
     /// Begins the search on the side of the remembered goal.
-    fn step(&mut self, goal: &mut GoalDetector, look: &mut LookAround) {
+    fn step(&mut self, goal: &mut impl Goal, look: &mut LookAround) {
         if !self.began {
             self.began = true;
             look.set_first_side(goal.position().map_or(1.0, |goal| goal.y));

@@ -15,6 +15,7 @@ use crate::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, FieldLines, GoalDetector, Localization, Odometry,
     OwnBody, RobotDetector,
 };
+use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
 
 activation_tree! {
     /// The forward in a team: a referee commands it through the `GameController`.
@@ -23,6 +24,10 @@ activation_tree! {
         cycle_hz: 100,
         budget_ms: 200,
         tunable,
+        roles: {
+            Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
+            Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+        },
         components: [
             TeamPlayer, Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall, GoTo,

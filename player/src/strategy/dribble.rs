@@ -4,7 +4,7 @@ use bica::prelude::*;
 use glam::Vec2;
 use libm::{atan2f, fabsf};
 
-use crate::perception::{BallDetector, GoalDetector};
+use crate::roles::{Ball, Goal};
 
 /// When the forward kicks in walking.
 #[derive(Clone, Debug, PartialEq, Params)]
@@ -50,7 +50,7 @@ impl DribbleCondition {
 
 /// Whether to kick in walking: the ball is straight ahead, and the goal far behind it.
 #[must_use]
-pub fn can_dribble(ball: &BallDetector, goal: &GoalDetector, condition: &DribbleCondition) -> bool {
+pub fn can_dribble(ball: &impl Ball, goal: &impl Goal, condition: &DribbleCondition) -> bool {
     let Some((ball, goal)) = ball.position().zip(goal.position()).filter(|_| ball.is_confirmed()) else { return false };
     condition.allows(ball, goal)
 }

@@ -8,7 +8,8 @@ use libm::{ceilf, fabsf};
 
 use super::obstacles::{Clearance, Obstacle, Obstacles};
 use crate::FIELD;
-use crate::perception::{BallDetector, GoalDetector, Localization, RobotDetector};
+use crate::perception::RobotDetector;
+use crate::roles::{self, Ball, Place};
 
 /// Angle between the tested points of the path around the ball, rad.
 const ROUND_STEP: f32 = 0.3;
@@ -38,9 +39,9 @@ impl Situation {
     #[must_use]
     #[inline(never)]
     pub fn of(
-        ball: &BallDetector,
-        goal: &GoalDetector,
-        field: &Localization,
+        ball: &impl Ball,
+        goal: &impl roles::Goal,
+        field: &impl Place,
         robots: &RobotDetector,
         clearance: &Clearance,
     ) -> Option<Self> {
@@ -79,7 +80,7 @@ impl Situation {
 }
 
 impl Goal {
-    fn of(goal: &GoalDetector, field: &Localization) -> Option<Self> {
+    fn of(goal: &impl roles::Goal, field: &impl Place) -> Option<Self> {
         let localized =
             || field.posts().map(|[left, right]| (left.midpoint(right), (left - right).normalize_or_zero()));
         let seen = goal.position().map(|at| (at, goal.across()));

@@ -13,6 +13,7 @@ use crate::output::{CameraSelector, Motors};
 use crate::perception::{
     self, BallDetector, CameraPose, FallDetector, FieldBoundary, GoalDetector, Localization, Odometry, RobotDetector,
 };
+use crate::roles::{Ball, Falls, Goal, Health, Legs, Odometer, Place};
 use crate::senses::Senses;
 
 activation_tree! {
@@ -22,6 +23,10 @@ activation_tree! {
         cycle_hz: 100,
         budget_ms: 200,
         tunable,
+        roles: {
+            Ball: BallDetector, Goal: GoalDetector, Place: Localization, Odometer: Odometry,
+            Legs: Body, Falls: FallDetector, Health: HealthMonitor,
+        },
         components: [
             Player,
             SearchBall, FollowBall, SearchNet, LookAround, GoRound, Fixmove, Dribble, SafetyGuard, FaceBall,

@@ -19,6 +19,8 @@ pub mod motion;
 #[path = "../../src/output/mod.rs"]
 pub mod output;
 pub mod perception;
+#[path = "../../src/roles/mod.rs"]
+pub mod roles;
 pub mod senses;
 #[path = "../../src/strategy/mod.rs"]
 pub mod strategy;

@@ -2,7 +2,9 @@
 
 use super::super::time;
 use super::*;
+use crate::motion::Body;
 use crate::motion::Request;
+use crate::perception::{BallDetector, Localization};
 
 /// Runs a scan for one run and returns the target of the head, rad.
 fn scan(search: &mut SearchBall, tuned: Search) -> (f32, f32) {
