@@ -6,6 +6,7 @@ use bica_motion::health::{Fault, Health};
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kick::{Kick, KickMotion};
 use bica_motion::kinematics::{self, Skeleton, YawFrom, legs_angles};
+use bica_motion::model::simulation::{HUMANOIDS, humanoid};
 use bica_motion::model::{NAO, RobotModel};
 use bica_motion::odometry::{MotionInput, Odometry};
 use bica_motion::robot::{Buttons, CameraId, FootPressure, Inertial, Sensors};
@@ -98,6 +99,15 @@ fn the_second_model_stands_as_its_gait_plans() {
     let world = World::standing(TALL, TALL.stand);
     assert!((world.robot.translation.z - 0.3225).abs() < 1e-5, "{}", world.robot.translation.z);
     assert!(world.margin() > 0.03, "the mass is {} m inside the soles", world.margin());
+}
+
+#[test]
+fn each_humanoid_has_its_own_id_and_can_stand() {
+    for model in HUMANOIDS {
+        assert_eq!(humanoid(model.id).map(|found| found.name), Some(model.name));
+        let outside = model.joints.iter().find(|joint| !model.limits[**joint].contains(model.stand[**joint]));
+        assert_eq!(outside, None, "{}", model.name);
+    }
 }
 
 fn is_within_limits(angles: &Joints) -> bool {

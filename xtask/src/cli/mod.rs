@@ -67,7 +67,7 @@ pub(crate) enum Task {
     Ros,
     /// Write the figures in the docs that a program computes
     ///
-    /// They stand between marks, as `<!--=lines player/k1/src-->31<!--/-->`; `xtask/src/figures.rs` lists the kinds. First builds the
+    /// They stand between marks, as `<!--=lines player/t1/src-->31<!--/-->`; `xtask/src/figures.rs` lists the kinds. First builds the
     /// program `player`, whose recordings are measured.
     Figures(Figures),
     /// Test JManager's page in a real browser
