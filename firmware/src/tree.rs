@@ -14,10 +14,10 @@ pub(crate) use bica_player::tunable::Forward;
 #[cfg(feature = "monitor")]
 pub(crate) static GRAPH: Graph = Forward::GRAPH;
 
-/// The graph that this program describes: components, links, states and transitions. Parameters, outputs and
+/// The graph that this program describes: components, links, states and transitions. Roles, parameters, outputs and
 /// modulations are omitted: this program cannot use them, and their descriptions would occupy flash.
 #[cfg(not(feature = "monitor"))]
-pub(crate) static GRAPH: Graph = Graph { nodes: &NODES, ..Forward::GRAPH };
+pub(crate) static GRAPH: Graph = Graph { nodes: &NODES, roles: &[], ..Forward::GRAPH };
 
 #[cfg(not(feature = "monitor"))]
 static NODES: [Node; Forward::COUNT] = {
