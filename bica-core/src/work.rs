@@ -85,7 +85,8 @@ pub trait Working: Sized + 'static {
 
 /// How a job ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize, postcard_schema::Schema))]
+#[cfg_attr(feature = "wire", serde(rename_all = "snake_case"))]
 pub enum JobEnd {
     /// With a result, in the first cycle at or after its due time or before that.
     OnTime,

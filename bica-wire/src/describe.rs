@@ -6,9 +6,9 @@ use core::iter::FusedIterator;
 use bica_core::Place;
 #[cfg(feature = "std")]
 use bica_core::action::Action;
-#[cfg(feature = "std")]
-use bica_core::graph::Roles;
 use bica_core::graph::{self, Graph, LinkKind, Node};
+#[cfg(feature = "std")]
+use bica_core::graph::{Roles, WorkFunction};
 use bica_core::params::{Kind, Param, Variant};
 
 use crate::message::{GraphItem, Value};
@@ -37,6 +37,8 @@ pub const fn describe(graph: &Graph) -> GraphItems<'_> {
         #[cfg(feature = "std")]
         roles: (Roles::NONE, 0),
         #[cfg(feature = "std")]
+        work: None,
+        #[cfg(feature = "std")]
         actions: &[],
         count: 0,
     }
@@ -63,6 +65,9 @@ pub struct GraphItems<'g> {
     /// Roles of the last link, and index of the next one of the tree that is looked up in them.
     #[cfg(feature = "std")]
     roles: (Roles, usize),
+    /// Function of the last component that runs beside the loop.
+    #[cfg(feature = "std")]
+    work: Option<WorkFunction>,
     /// Actions that follow.
     #[cfg(feature = "std")]
     actions: &'static [Action],
@@ -174,6 +179,11 @@ impl GraphItems<'_> {
         if let Some(role) = self.role() {
             return Some(role);
         }
+        #[cfg(feature = "std")]
+        if let Some(WorkFunction { name, doc, takes_ms, slices, result }) = self.work.take() {
+            self.doc = doc;
+            return Some(GraphItem::Work { name, takes_ms, slices, result: truncate(result, TYPE_BYTES) });
+        }
         if let Some((variant, rest)) = self.variants.split_first() {
             (self.variants, self.doc) = (rest, variant.doc);
             return Some(GraphItem::Variant { name: variant.name });
@@ -215,6 +225,10 @@ impl GraphItems<'_> {
                 let node = self.graph.nodes.get(self.index)?;
                 let Node { name, hz, budget_us, resume, .. } = *node;
                 self.doc = node.doc;
+                #[cfg(feature = "std")]
+                {
+                    self.work = node.work;
+                }
                 let root = self.graph.root == self.index;
                 return Some(GraphItem::Component { index, name, hz, budget_us, root, resume });
             }

@@ -175,4 +175,15 @@ pub enum GraphItem<'a> {
         /// Name.
         name: &'a str,
     },
+    /// The function of the last component that runs beside the loop. A microcontroller sends none.
+    Work {
+        /// Name.
+        name: &'a str,
+        /// Declared time of a job, ms.
+        takes_ms: u32,
+        /// Whether it runs in slices.
+        slices: bool,
+        /// Type of the result, as in the source text.
+        result: &'a str,
+    },
 }

@@ -11,7 +11,7 @@ use bica_core::graph::{Graph, LinkKind, hash};
 use bica_core::params::Kind;
 
 use super::{
-    Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants, When,
+    Component, Description, Info, Link, Modulation, Param, Placement, State, Transition, Variant, Variants, When, Work,
 };
 use crate::describe::{GraphItems, describe};
 use crate::message::GraphItem;
@@ -44,6 +44,7 @@ enum Last {
     #[default]
     Tree,
     Component(usize),
+    Work(usize),
     State(usize),
     Transition(usize),
     Param(usize),
@@ -164,6 +165,13 @@ impl Builder {
                 let Last::Link(of) = self.last else { return None };
                 self.description.components.get_mut(of)?.links.last_mut()?.roles.push(name.to_owned());
             }
+            GraphItem::Work { name, takes_ms, slices, result } => {
+                let Last::Component(of) = self.last else { return None };
+                let (name, result) = (name.to_owned(), result.to_owned());
+                let work = Work { name, doc: String::new(), takes_ms, slices, result };
+                self.description.components.get_mut(of)?.work = Some(work);
+                self.last = Last::Work(of);
+            }
             GraphItem::Place(place) => {
                 let Last::Argument(of) = self.last else { return None };
                 last_call(&mut self.description, of)?.arguments.last_mut()?.place = Some(place.into());
@@ -197,6 +205,7 @@ impl Builder {
             Last::ArgumentVariant(of) => last_variant(last_call(description, of)?.arguments.last_mut()?)?,
             Last::Tree => &mut description.doc,
             Last::Component(of) => &mut description.components.get_mut(of)?.doc,
+            Last::Work(of) => &mut description.components.get_mut(of)?.work.as_mut()?.doc,
             Last::State(of) => &mut description.components.get_mut(of)?.states.last_mut()?.doc,
             Last::Transition(of) => &mut description.components.get_mut(of)?.transitions.last_mut()?.doc,
             Last::Param(of) => &mut description.components.get_mut(of)?.params.last_mut()?.doc,

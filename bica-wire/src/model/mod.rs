@@ -80,6 +80,24 @@ pub struct Component {
     pub info: Vec<Info>,
     /// Modulations.
     pub modulations: Vec<Modulation>,
+    /// Function that runs beside the loop.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub work: Option<Work>,
+}
+
+/// A function that runs beside the loop.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Work {
+    /// Name.
+    pub name: String,
+    /// Doc comment.
+    pub doc: String,
+    /// Declared time of a job, ms.
+    pub takes_ms: u32,
+    /// Whether it runs in slices.
+    pub slices: bool,
+    /// Type of the result, as in the source text.
+    pub result: String,
 }
 
 /// An activation link.

@@ -17,7 +17,7 @@ use clap::{Args, Command};
 use crate::console::{Failure, Outcome, interrupt};
 use crate::record::{Images, RecordArgs, RecordedFile};
 use crate::replay::rerun;
-use crate::run::Running;
+use crate::run::{Running, workers};
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 
 /// Level of a note in the log of a recording: information.
@@ -117,7 +117,8 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let offers = ServerOptions { offers: Offers::PAUSE, actions, ..ServerOptions::default() };
     let (server, requests, view) = LinkServer::start_in_world::<R>(&run.address(), offers, &*world)?;
-    let mut running = Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), true);
+    let mut running =
+        Running::new(robot, world, Some(requests), (None, (Some(view), recorder)), (true, workers(Pace::Program)));
     running.figures()?;
     while !run.is_ended() {
         if let Some(end) = running.end(is_done, None).filter(|_| run.over()) {

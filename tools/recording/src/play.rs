@@ -192,7 +192,9 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
             match request {
                 RequestRecord::Tree(request) => self.show.change(request.borrow()),
                 // There is no world whose action it could be.
-                RequestRecord::World { .. } => self.show.log(2, LogSource::Operator, &request.describe(&header.tree)),
+                RequestRecord::World { .. } | RequestRecord::Ended { .. } => {
+                    self.show.log(2, LogSource::Operator, &request.describe(&header.tree))
+                }
             }
         }
         self.texts(recorded);

@@ -1,12 +1,12 @@
 //! Requests in a recording.
 
-use bica::Value;
 use bica::runner::{OwnedRequest, Request};
+use bica::{ComponentId, JobEnd, Value};
 use bica_wire::model::{Description, Modulation, NamedRequest};
 use postcard_schema::Schema;
 use serde::{Deserialize, Serialize};
 
-/// A request to the running tree, or to the simulated world.
+/// An input of the running tree beside its sensor values: a request to it or to the simulated world, or the end of a job.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum RequestRecord {
     /// The tree is changed.
@@ -17,6 +17,13 @@ pub enum RequestRecord {
         name: String,
         /// One value for each argument.
         values: Vec<Value>,
+    },
+    /// A job of a component has ended; its result is there in this cycle.
+    Ended {
+        /// The component.
+        component: ComponentId,
+        /// How it ended.
+        end: JobEnd,
     },
 }
 
@@ -38,6 +45,14 @@ impl RequestRecord {
     pub fn describe(&self, tree: &Description) -> String {
         match self {
             Self::Tree(request) => tree.named(request.borrow()).to_string(),
+            Self::Ended { component, end } => {
+                let how = match end {
+                    JobEnd::OnTime => "has ended",
+                    JobEnd::Late => "has ended late",
+                    JobEnd::Failed => "has failed",
+                };
+                format!("{} {how}", work_name(tree, *component))
+            }
             Self::World { name, values } => {
                 let arguments = tree.action(name).map_or(&[][..], |index| &tree.actions[index].arguments);
                 let plain = |(index, &value): (usize, &Value)| {
@@ -48,4 +63,11 @@ impl RequestRecord {
             }
         }
     }
+}
+
+/// Name of a component's function that runs beside the loop: `Planner.search`.
+pub(crate) fn work_name(tree: &Description, component: ComponentId) -> String {
+    let component = tree.components.get(component.index());
+    let work = component.and_then(|component| Some(format!("{}.{}", component.name, component.work.as_ref()?.name)));
+    work.unwrap_or_default()
 }

@@ -21,7 +21,7 @@ use crate::record::RecordedFile;
 use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 pub use args::{RunArgs, seconds};
 use report::{End, Report};
-pub(crate) use running::Running;
+pub(crate) use running::{Running, workers};
 use story::Story;
 
 /// Exit codes of a program, for its help.
@@ -61,7 +61,7 @@ where
     let (file, recorder) = args.record.start(header, is_realtime)?.unzip();
     let recorder = recorder.map(|recorder| recorder.measuring(const { &R::GRAPH }));
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
-    let mut running = Running::new(robot, world, requests, observers, is_paced);
+    let mut running = Running::new(robot, world, requests, observers, (is_paced, workers(registered.pace)));
     running.figures()?;
     // Monitors may look at a robot that has reached its aim.
     let aim = is_done.filter(|_| served.is_none());

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use bica::Instant;
 use bica::runner::realtime::Clock;
+use bica::runner::workers::{self, Workers};
 use bica::runner::{Observer, OverrunPolicy, Robot, Runner, Schedule, World};
 use bica_link::{LinkObserver, LinkRequests};
 use bica_recording::{Figure, Recordable, Recorder};
@@ -35,9 +36,16 @@ impl Pace {
     }
 }
 
-type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers<R>>;
+type Loop<R> = Runner<Box<R>, Box<dyn World<R>>, Option<LinkRequests>, Observers<R>, Workers<R>>;
 
 type Observers<R> = (Option<Story>, (Option<LinkObserver<R>>, Option<Recorder>));
+
+/// Threads for the jobs of a robot: all processors but that of the loop. In a world that the program paces, results arrive when they are due.
+pub(crate) fn workers<R: Robot>(pace: crate::world::Pace) -> Workers<R> {
+    let threads = thread::available_parallelism().map_or(1, |count| count.get() - 1);
+    let simulated = pace == crate::world::Pace::Program;
+    Workers::new(threads, if simulated { workers::Pace::Simulated } else { workers::Pace::RealTime })
+}
 
 /// Run of a robot in a world.
 pub(crate) struct Running<R: Robot> {
@@ -56,10 +64,10 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         world: Box<dyn World<R>>,
         requests: Option<LinkRequests>,
         observers: Observers<R>,
-        is_paced: bool,
+        (is_paced, workers): (bool, Workers<R>),
     ) -> Self {
         let (start, pace) = (world.now(), is_paced.then(|| Pace::new(R::GRAPH.cycle_hz)));
-        let runner = Runner::new(robot, world).with_requests(requests).with_observer(observers);
+        let runner = Runner::new(robot, world).with_requests(requests).with_observer(observers).with_jobs(workers);
         Self { runner, start, pace, cycles: 0 }
     }
 

@@ -16,7 +16,7 @@ use std::{fmt, io};
 
 use bica::refusal::Refusal;
 use bica::runner::{ClockStep, Cycle, Observer, Request};
-use bica::{ComponentId, Graph, Instant, Probe};
+use bica::{ComponentId, Graph, Instant, JobEnd, Probe};
 use bica_link::CostMeter;
 use bica_wire::Recordable;
 use bica_wire::message::LogSource;
@@ -28,7 +28,7 @@ use crate::header::{Ending, Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::part::Split;
-use crate::request::RequestRecord;
+use crate::request::{RequestRecord, work_name};
 use measured::Measured;
 pub(crate) use output::Output;
 use parts::Parts;
@@ -93,6 +93,10 @@ pub struct Recorder {
     message_bytes: usize,
     /// Actions of the world.
     actions: Vec<Modulation>,
+    /// Names of the functions that run beside the loop, by their components.
+    works: Vec<String>,
+    /// Instant of this cycle.
+    now: Instant,
     requests: Vec<RequestRecord>,
     sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
@@ -185,6 +189,8 @@ impl Recorder {
             information_bytes: 0,
             message_bytes: 0,
             actions: header.tree.actions.clone(),
+            works: (0..header.tree.components.len()).map(|of| work_name(&header.tree, ComponentId::new(of))).collect(),
+            now: Instant::MIN,
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
@@ -247,6 +253,13 @@ impl Recorder {
         self.figures = figures;
     }
 
+    /// Records what happened to a job.
+    fn work_event(&self, component: ComponentId, what: &str) {
+        let name = self.works.get(component.index()).map_or("", String::as_str);
+        let at_ns = self.now.as_micros().saturating_mul(1000);
+        self.event(RunEvent { at_ns, kind: "work".to_owned(), detail: format!("{name} {what}") });
+    }
+
     /// Writes what is queued and closes the file. `result` is the result of the run, as text.
     #[must_use]
     pub fn finish(mut self, result: &str) -> Report {
@@ -305,9 +318,19 @@ impl Drop for Recorder {
 
 impl Probe for Recorder {
     fn cycle_begin(&mut self, now: Instant) {
+        self.now = now;
         if let Some(meter) = &mut self.meter {
             meter.cycle_begin(now);
         }
+    }
+
+    fn work_begun(&mut self, component: ComponentId, due: Instant) {
+        let ms = due.saturating_duration_since(self.now).as_millis();
+        self.work_event(component, &format!("has begun, due in {ms} ms"));
+    }
+
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
+        self.requests.push(RequestRecord::Ended { component, end });
     }
 
     fn run(&mut self, component: ComponentId) {

@@ -128,8 +128,9 @@ where
     check_start(options.path, recording.header())?;
     let is_stored = recording.header().images == ImagePolicy::All && !options.closed_loop;
     let subject = subject::checked(recording.header(), !is_stored, subject)?;
+    let differs = !options.set.is_empty() || !is_stored;
     let source = if is_stored { ("stored", Some("open")) } else { ("rules", Some("closed")) };
-    report(options, recording, &mut Repeated::new(subject), source, &mut progress)
+    report(options, recording, &mut Repeated::new(subject, differs), source, &mut progress)
 }
 
 /// Compares two recordings of one tree.

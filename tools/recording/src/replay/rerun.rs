@@ -48,7 +48,7 @@ where
         ..header.clone()
     }
     .of_robot(&*subject.robot);
-    let (mut again, mut first) = (Again::new(subject, start(out, &new)?), None);
+    let (mut again, mut first) = (Again::new(subject, start(out, &new)?, true), None);
     loop {
         let recorded = match recording.next_cycle() {
             Ok(Some(recorded)) => recorded,

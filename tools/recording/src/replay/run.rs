@@ -4,8 +4,9 @@ use std::fmt::Display;
 use std::path::Path;
 
 use bica::action::perform;
-use bica::runner::{Cycle, Observer, Robot, Runner, World};
-use bica::{Instant, Probe, Refusal};
+use bica::runner::workers::{HeldJobs, Pace, Workers};
+use bica::runner::{Cycle, Jobs, Observer, Robot, Runner, World};
+use bica::{ComponentId, Instant, JobEnd, Probe, Refusal, Tree};
 use bica_wire::Recordable;
 use crc32fast::Hasher;
 
@@ -68,9 +69,33 @@ impl Run for Other<'_> {
     }
 }
 
+/// Who runs the jobs of a robot that runs again.
+pub(super) enum RepeatedJobs<R> {
+    /// Results arrive in the recorded cycles.
+    Recorded(HeldJobs<R>),
+    /// They arrive when they are due.
+    Due(Workers<R>),
+}
+
+impl<R: Tree> Jobs<R> for RepeatedJobs<R> {
+    fn deliver(&mut self, now: Instant, tree: &R) {
+        match self {
+            Self::Recorded(held) => held.deliver(now, tree),
+            Self::Due(workers) => workers.deliver(now, tree),
+        }
+    }
+
+    fn collect(&mut self, tree: &R) {
+        match self {
+            Self::Recorded(held) => held.collect(tree),
+            Self::Due(workers) => workers.collect(tree),
+        }
+    }
+}
+
 /// Robot that runs again on recorded cycles, with an observer.
 pub(super) struct Again<R: Robot, O> {
-    pub(super) runner: Runner<Box<R>, (), (), O>,
+    pub(super) runner: Runner<Box<R>, (), (), O, RepeatedJobs<R>>,
     world: Option<Box<dyn RepeatedWorld<R>>>,
 }
 
@@ -80,8 +105,15 @@ where
     <R as Robot>::Error: Display,
     O: Observer<R>,
 {
-    pub(super) fn new(subject: Subject<R>, observer: O) -> Self {
-        Self { runner: Runner::new(subject.robot, ()).with_observer(observer), world: subject.world }
+    /// In a run that is expected to differ, as one with other parameters, the results of jobs arrive when they are due; in others as in
+    /// the recorded run.
+    pub(super) fn new(subject: Subject<R>, observer: O, differs: bool) -> Self {
+        let jobs = if differs {
+            RepeatedJobs::Due(Workers::new(1, Pace::Simulated))
+        } else {
+            RepeatedJobs::Recorded(HeldJobs::new())
+        };
+        Self { runner: Runner::new(subject.robot, ()).with_observer(observer).with_jobs(jobs), world: subject.world }
     }
 
     fn now(&self, recorded: &RecordedCycle) -> Instant {
@@ -101,6 +133,13 @@ where
             RequestRecord::Tree(request) => {
                 // The observer receives the refusal.
                 let _ = self.runner.request(self.now(recorded), request.borrow());
+                Ok(())
+            }
+            RequestRecord::Ended { component, .. } => {
+                // The observer receives the end.
+                if let (RepeatedJobs::Recorded(held), robot) = self.runner.jobs_mut() {
+                    held.end(robot, *component);
+                }
                 Ok(())
             }
         }
@@ -152,8 +191,8 @@ where
     R: Recordable,
     <R as Robot>::Error: Display,
 {
-    pub(super) fn new(subject: Subject<R>) -> Self {
-        let again = Again::new(subject, Taken::default());
+    pub(super) fn new(subject: Subject<R>, differs: bool) -> Self {
+        let again = Again::new(subject, Taken::default(), differs);
         Self { again, fingerprint: RunningFingerprint::default(), cycle: 0 }
     }
 }
@@ -170,8 +209,9 @@ where
         }
         let mut requests = Vec::with_capacity(recorded.requests.len());
         for request in &recorded.requests {
-            if self.again.request(recorded, request).is_err() {
-                // A change that the repeated world refuses is a difference.
+            let refused = self.again.request(recorded, request).is_err();
+            // A change that the repeated world refuses is a difference; ends of jobs follow.
+            if refused || matches!(request, RequestRecord::Ended { .. }) {
                 continue;
             }
             self.fingerprint.add_request(request);
@@ -179,6 +219,10 @@ where
         }
         self.again.cycle(recorded)?;
         let mut repeated = std::mem::take(&mut self.again.runner.observer_mut().0);
+        for ended in std::mem::take(&mut repeated.requests) {
+            self.fingerprint.add_request(&ended);
+            requests.push(ended);
+        }
         if recorded.is_gap() {
             // The data was there, but is not in the file.
             repeated.tick.blobs = recorded.tick.blobs;
@@ -197,7 +241,11 @@ where
 #[derive(Default)]
 struct Taken(RecordedCycle);
 
-impl Probe for Taken {}
+impl Probe for Taken {
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
+        self.0.requests.push(RequestRecord::Ended { component, end });
+    }
+}
 
 impl<R: Recordable> Observer<R> for Taken {
     fn sensing(&mut self, _now: Instant, sensors: &R::Sensors<'_>) {

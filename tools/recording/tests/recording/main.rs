@@ -13,3 +13,4 @@ mod support;
 mod topics;
 mod upgrade;
 mod values;
+mod work;
