@@ -54,8 +54,8 @@
 //! - [`Graph`]: a tree's static description, for drawings and tools.
 //! - [`Params`](derive@Params): values that are adjusted while the robot runs.
 //! - [The crate underneath](bica_core): the rules by which components run.
-//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `roles`, `probe`, `parameters`,
-//!   `static_tree`.
+//! - The examples of this package: `first_component`, `shared_child`, `state_machine`, `roles`, `plan_path`, `probe`,
+//!   `parameters`, `static_tree`.
 //!
 //! This crate needs no operating system, no heap and no `unsafe` of its users.
 #![no_std]

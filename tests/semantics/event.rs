@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 
+use bica::JobEnd;
 use bica::prelude::*;
 
 use crate::semantics::rules;
@@ -49,6 +50,16 @@ pub(crate) enum Event {
         reads: Vec<Read>,
         writes: Vec<&'static str>,
     },
+    /// A component with work ran: the result that it took, and whether it has no job.
+    Worked {
+        of: &'static str,
+        result: Option<u64>,
+        is_idle: bool,
+    },
+    /// A job was begun in the cycle: component, due time.
+    WorkBegun(usize, u64),
+    /// A job has ended.
+    WorkEnded(usize, JobEnd),
     /// Rate that a component set for another one, as bits, so that NaN equals itself.
     RateSet {
         of: &'static str,
@@ -108,6 +119,14 @@ impl Probe for Recorder {
 
     fn condition(&mut self, component: ComponentId, transition: usize, holds: bool) {
         record(Event::Condition(component.index(), transition, holds));
+    }
+
+    fn work_begun(&mut self, component: ComponentId, due: Instant) {
+        record(Event::WorkBegun(component.index(), due.as_ticks()));
+    }
+
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
+        record(Event::WorkEnded(component.index(), end));
     }
 
     fn transition(&mut self, component: ComponentId, from: usize, to: usize) {

@@ -2,12 +2,13 @@
 
 use std::vec::IntoIter;
 
+use bica::JobEnd;
 use bica::graph::{Graph, Transition};
 
 use super::event::{Event, Read, Times};
 use super::rules::{self, Memory};
 use super::test_tree::Hook;
-use super::unit::{Carried, HOOK, bit, mix};
+use super::unit::{BEGIN, Carried, HOOK, bit, compute, mix};
 
 /// Ticks of the clock per second.
 const SECOND: f64 = 1e6;
@@ -37,6 +38,20 @@ pub(crate) struct Data {
     found: Option<Carried>,
     /// Number of transitions with `times` in a row.
     taken: u8,
+    job: Job,
+}
+
+/// Job of a component.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Job {
+    #[default]
+    None,
+    /// Begun in this cycle, with the value that it computes from.
+    Begun(u64),
+    /// The same, and its due time.
+    Running(u64, u64),
+    /// Its result.
+    Ready(u64),
 }
 
 /// Model of a tree.
@@ -82,7 +97,9 @@ impl Model {
     pub(crate) fn tick(&mut self, now: u64, events: Vec<Event>) -> Comparison {
         (self.now, self.events) = (now, events.into_iter());
         self.expect(&Event::CycleBegin(now))?;
+        self.end_jobs()?;
         self.cycle()?;
+        self.begin_jobs()?;
         self.expect(&Event::CycleEnd)?;
         self.events.next().map_or(Ok(()), |event| Err(format!("{event:?} after the expected end")))
     }
@@ -171,6 +188,7 @@ impl Model {
         loop {
             match self.next()? {
                 Event::RateSet { of, hz } => self.set_rate(self.named(of), f32::from_bits(hz)),
+                Event::Worked { of, result, is_idle } if of == node.name => self.worked(index, (result, is_idle))?,
                 Event::Body { of, state, time, reads, writes } if of == node.name && state == current => {
                     self.times(index, time)?;
                     self.read(&reads)?;
@@ -182,6 +200,46 @@ impl Model {
                 other => return Err(format!("{other:?} instead of the body of {} in {current:?}", node.name)),
             }
         }
+    }
+
+    /// A job that is due ends before any component is visited.
+    fn end_jobs(&mut self) -> Comparison {
+        for index in 0..self.components.len() {
+            if let Job::Running(value, due) = self.components[index].job
+                && self.now >= due
+            {
+                self.components[index].job = Job::Ready(compute(value));
+                self.expect(&Event::WorkEnded(index, JobEnd::OnTime))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A job that was begun in this cycle is due a declared time later.
+    fn begin_jobs(&mut self) -> Comparison {
+        for index in 0..self.components.len() {
+            if let (Job::Begun(value), Some(work)) = (self.components[index].job, self.graph.nodes[index].work) {
+                let due = self.now.saturating_add(u64::from(work.takes_ms) * 1000);
+                self.components[index].job = Job::Running(value, due);
+                self.expect(&Event::WorkBegun(index, due))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares what a component with work found in its run, and begins a job in place of another one if its flags say so.
+    fn worked(&mut self, index: usize, found: (Option<u64>, bool)) -> Comparison {
+        let data = &mut self.components[index];
+        let result = if let Job::Ready(result) = data.job { Some(result) } else { None };
+        if result.is_some() {
+            data.job = Job::None;
+        }
+        let expected = (result, data.job == Job::None);
+        data.value = result.map_or(data.value, |result| mix(data.value, result));
+        if data.flags & bit(BEGIN) != 0 {
+            data.job = Job::Begun(data.value);
+        }
+        if found == expected { Ok(()) } else { Err(format!("{found:?} instead of {expected:?}")) }
     }
 
     /// Time in the state. After the clock was set back to before the entry, the time counts from there.
@@ -277,6 +335,7 @@ impl Model {
                 self.expect(&started)
             }
             rules::Event::Stop(index) => {
+                self.components[index].job = Job::None;
                 let stopped = Event::Stopped(name(index));
                 self.expect(&stopped)?;
                 self.expect(&Event::Framework(event))

@@ -44,7 +44,7 @@ macro_rules! on_trees {
         on_trees!(
             $(#[$doc])* $module, $stress,
             carried: Carrying, diamond: Diamond, generic: Generic, modulated: Modulated, results: Results,
-            resume: Resume, roles: Asking, swap: Swap, timers: Timers
+            resume: Resume, roles: Asking, swap: Swap, timers: Timers, works: Works
         );
     };
     ($(#[$doc:meta])* $module:ident, $stress:expr, $($name:ident: $tree:ident),*) => {

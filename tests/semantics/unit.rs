@@ -17,6 +17,14 @@ pub(crate) fn bit(transition: &str) -> u32 {
 /// What a hook mixes into the value of its component.
 pub(crate) const HOOK: u64 = 77;
 
+/// Name whose bit of the flags begins a job.
+pub(crate) const BEGIN: &str = "begin";
+
+/// Result of a job.
+pub(crate) fn compute(value: u64) -> u64 {
+    mix(value, 5)
+}
+
 /// What a transition of a test component carries: its name, and the component's value.
 pub(crate) type Carried = (&'static str, u64);
 
@@ -98,6 +106,13 @@ impl Unit {
     pub(crate) fn evaluate<const R: usize>(&self, transition: &'static str, reads: [Read; R]) -> bool {
         record(Event::Evaluated { by: self.name, transition, reads: reads.into() });
         self.flags & bit(transition) != 0
+    }
+
+    /// Takes the result of its job; returns what a new one computes from, if the flags want one.
+    pub(crate) fn works(&mut self, result: Option<u64>, is_idle: bool) -> Option<u64> {
+        record(Event::Worked { of: self.name, result, is_idle });
+        self.value = result.map_or(self.value, |result| mix(self.value, result));
+        (self.flags & bit(BEGIN) != 0).then_some(self.value)
     }
 
     /// Sets the rate of another component to the requested one.

@@ -164,8 +164,9 @@ impl<'t, T: Layout, P: Probe> Cycle<'t, T, P> {
     where
         T: Has<C>,
     {
-        T::Member::stop(self);
+        // First, because a hook may unwind.
         self.work::<C>().cancel();
+        T::Member::stop(self);
         self.probe.stop(id::<T, C>());
     }
 

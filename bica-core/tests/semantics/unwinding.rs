@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use bica_core::ComponentId;
+use bica_core::{ComponentId, Work};
 use proptest::prelude::*;
 
 use super::*;
@@ -72,8 +72,18 @@ macro_rules! fragile {
 }
 
 fragile!(Leaf(hz = 50,) {
-    fn step(&mut self) {
+    #[work(takes_ms = 25)]
+    fn job(starts: i32) -> i32 {
+        user_code();
+        starts
+    }
+
+    fn step(&mut self, work: &mut Work<Self>) {
         require(self.started == self.stopped + 1, "runs without a start");
+        require(work.result().is_none_or(|starts| starts == self.started), "a stop drops the job");
+        if work.is_idle() {
+            work.begin(self.started);
+        }
         user_code();
     }
 });

@@ -9,3 +9,4 @@ pub(crate) mod resume;
 pub(crate) mod roles;
 pub(crate) mod swap;
 pub(crate) mod timers;
+pub(crate) mod works;
