@@ -45,7 +45,7 @@ pub trait Component: Sized + 'static {
     /// The modulations that an operator may call: methods with `#[modulation]`.
     const MODULATIONS: &'static [Modulation] = &[];
     /// The function that runs beside the loop.
-    const WORK: Option<WorkFunction> = None;
+    const WORK: Option<&'static WorkFunction> = None;
     /// The place of its jobs; `()` without one.
     #[doc(hidden)]
     type Work: WorkSlot;

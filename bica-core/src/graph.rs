@@ -85,7 +85,7 @@ pub struct Node {
     /// The modulations: what an operator may call.
     pub modulations: &'static [Modulation],
     /// The function that runs beside the loop.
-    pub work: Option<WorkFunction>,
+    pub work: Option<&'static WorkFunction>,
 }
 
 impl Transition {

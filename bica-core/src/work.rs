@@ -96,6 +96,18 @@ pub enum JobEnd {
     Failed,
 }
 
+impl JobEnd {
+    /// Says it of a job: `has ended late`.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::OnTime => "has ended",
+            Self::Late => "has ended late",
+            Self::Failed => "has failed",
+        }
+    }
+}
+
 /// A job that a runner takes away.
 pub struct Taken<S> {
     /// Number of the job: a result of another number is dropped.

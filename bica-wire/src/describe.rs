@@ -67,7 +67,7 @@ pub struct GraphItems<'g> {
     roles: (Roles, usize),
     /// Function of the last component that runs beside the loop.
     #[cfg(feature = "std")]
-    work: Option<WorkFunction>,
+    work: Option<&'static WorkFunction>,
     /// Actions that follow.
     #[cfg(feature = "std")]
     actions: &'static [Action],
@@ -180,7 +180,7 @@ impl GraphItems<'_> {
             return Some(role);
         }
         #[cfg(feature = "std")]
-        if let Some(WorkFunction { name, doc, takes_ms, slices, result }) = self.work.take() {
+        if let Some(&WorkFunction { name, doc, takes_ms, slices, result }) = self.work.take() {
             self.doc = doc;
             return Some(GraphItem::Work { name, takes_ms, slices, result: truncate(result, TYPE_BYTES) });
         }

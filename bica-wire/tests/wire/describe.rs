@@ -1,7 +1,7 @@
 //! The description of a tree.
 
 use bica_core::action::Action;
-use bica_core::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When};
+use bica_core::graph::{Doc, End, Graph, Link, LinkKind, Node, Roles, State, Transition, When, WorkFunction};
 use bica_core::info::Info;
 use bica_core::modulation::Modulation;
 use bica_core::params::{self, Kind, Param, ParamGroup, Variant};
@@ -87,6 +87,7 @@ static GRAPH: Graph = Graph {
                 carries: Some("Kick"),
                 ..Transition::new("wakes", 0, 1)
             }],
+            work: Some(&WorkFunction { name: "plan", doc: "Plans.", takes_ms: 200, slices: true, result: "Kick" }),
             ..Node::new("Head")
         },
     ],
@@ -104,6 +105,8 @@ fn graph_is_described_once_and_in_order() {
         doc("Two components."),
         GraphItem::Component { index: 0, name: "Eye", hz: None, budget_us: Some(5.0), root: false, resume: false },
         GraphItem::Component { index: 1, name: "Head", hz: Some(30.0), budget_us: None, root: true, resume: false },
+        GraphItem::Work { name: "plan", takes_ms: 200, slices: true, result: "Kick" },
+        doc("Plans."),
         GraphItem::Param { component: 0, index: 0, group: "Seeing", name: "gain", unit: Some("1/s"), kind, default },
         doc("Part of the way."),
         GraphItem::Param {
@@ -172,7 +175,7 @@ fn graph_is_described_once_and_in_order() {
         GraphItem::Variant { name: "Left" },
         GraphItem::Variant { name: "Right" },
         doc("Of the robot."),
-        GraphItem::End { items: 31 },
+        GraphItem::End { items: 33 },
     ];
     assert_eq!(items, expected);
 }

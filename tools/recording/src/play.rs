@@ -193,7 +193,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
                 RequestRecord::Tree(request) => self.show.change(request.borrow()),
                 // There is no world whose action it could be.
                 RequestRecord::World { .. } | RequestRecord::Ended { .. } => {
-                    self.show.log(2, LogSource::Operator, &request.describe(&header.tree))
+                    self.show.log(2, LogSource::Operator, &request.describe(&header.tree));
                 }
             }
         }

@@ -45,14 +45,7 @@ impl RequestRecord {
     pub fn describe(&self, tree: &Description) -> String {
         match self {
             Self::Tree(request) => tree.named(request.borrow()).to_string(),
-            Self::Ended { component, end } => {
-                let how = match end {
-                    JobEnd::OnTime => "has ended",
-                    JobEnd::Late => "has ended late",
-                    JobEnd::Failed => "has failed",
-                };
-                format!("{} {how}", work_name(tree, *component))
-            }
+            Self::Ended { component, end } => format!("{} {}", work_name(tree, *component), end.text()),
             Self::World { name, values } => {
                 let arguments = tree.action(name).map_or(&[][..], |index| &tree.actions[index].arguments);
                 let plain = |(index, &value): (usize, &Value)| {

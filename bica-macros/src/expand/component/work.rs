@@ -20,11 +20,11 @@ pub(super) fn description(component: &Component) -> TokenStream {
     let (name, doc, takes_ms, slices) = (text::name(&work.name), &work.doc, work.takes_ms, work.slices);
     let result = text::written(&work.output);
     let function = quote! {
-        #p::WorkFunction { name: #name, doc: #p::doc(#doc), takes_ms: #takes_ms, slices: #slices, result: #result }
+        &#p::WorkFunction { name: #name, doc: #p::doc(#doc), takes_ms: #takes_ms, slices: #slices, result: #result }
     };
     let function = option(Some(&function));
     quote! {
-        const WORK: ::core::option::Option<#p::WorkFunction> = #function;
+        const WORK: ::core::option::Option<&'static #p::WorkFunction> = #function;
         type Work = #p::WorkCell<Self>;
     }
 }

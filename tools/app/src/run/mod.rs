@@ -92,6 +92,9 @@ where
     }
     let mut text = String::new();
     world.report(&mut text).map_err(|fmt::Error| Failure::new("the world cannot write its report", "correct it"))?;
+    for jobs in story.iter().flat_map(Story::jobs) {
+        console.print_row("work", &jobs)?;
+    }
     let story = story.map(|story| story.changes).unwrap_or_default();
     let measured = (seconds, cycles, &story[..]);
     Report::new(args, end, measured, &text, (figures, layers)).print(console, schedule.as_ref())?;

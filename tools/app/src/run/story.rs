@@ -1,7 +1,8 @@
 //! Changes of state as lines of text.
 
+use bica::graph::WorkFunction;
 use bica::runner::{ClockStep, Observer, Robot};
-use bica::{ComponentId, Graph, Instant, Probe};
+use bica::{ComponentId, Graph, Instant, JobEnd, Probe};
 use serde::Serialize;
 
 use crate::console::{Console, Failure};
@@ -14,6 +15,8 @@ pub(crate) struct Story {
     pub(super) changes: Vec<StateChange>,
     /// Number of changes that were printed.
     printed: usize,
+    /// For each component the number of jobs that have ended, of those that were late, and of those that have failed.
+    jobs: Vec<[u64; 3]>,
 }
 
 /// A transition.
@@ -28,8 +31,18 @@ pub(super) struct StateChange {
 }
 
 impl Story {
-    pub(super) const fn new(graph: &'static Graph) -> Self {
-        Self { graph, now: Instant::MIN, changes: Vec::new(), printed: 0 }
+    pub(super) fn new(graph: &'static Graph) -> Self {
+        Self { graph, now: Instant::MIN, changes: Vec::new(), printed: 0, jobs: vec![[0; 3]; graph.nodes.len()] }
+    }
+
+    /// Describes the jobs of each component with work.
+    pub(super) fn jobs(&self) -> impl Iterator<Item = String> {
+        let works =
+            self.graph.nodes.iter().zip(&self.jobs).filter_map(|(node, jobs)| Some((node.name, node.work?, jobs)));
+        works.map(|(component, work, [ended, late, failed])| {
+            let WorkFunction { name, takes_ms, .. } = work;
+            format!("{component}.{name}: {ended} jobs of {takes_ms} ms have ended, {late} late, {failed} failed")
+        })
     }
 
     /// Prints the changes since the last call.
@@ -45,6 +58,13 @@ impl Story {
 impl Probe for Story {
     fn cycle_begin(&mut self, now: Instant) {
         self.now = now;
+    }
+
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
+        let [ended, late, failed] = &mut self.jobs[component.index()];
+        *ended += 1;
+        *late += u64::from(end == JobEnd::Late);
+        *failed += u64::from(end == JobEnd::Failed);
     }
 
     fn transition(&mut self, component: ComponentId, _from: usize, to: usize) {

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
 use bica::runner::{Cycle, Observer, Overrun, Robot, World};
-use bica::{ComponentId, Instant, Probe, Tree};
+use bica::{ComponentId, Instant, JobEnd, Probe, Tree};
 use bica_wire::Recordable;
 use bica_wire::message::{CycleInfo, MAX_VALUES, ParamValues, WorldChange};
 use bica_wire::read;
@@ -31,6 +31,8 @@ pub struct LinkObserver<R: Robot> {
     newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
+    /// Instant of this cycle.
+    now: Instant,
     robot: PhantomData<fn(R)>,
 }
 
@@ -43,6 +45,7 @@ impl<R: Robot> LinkObserver<R> {
             newest: None,
             conditions: ConditionTable::new(graph),
             costs: CostMeter::new(graph),
+            now: Instant::MIN,
             robot: PhantomData,
         }
     }
@@ -53,6 +56,13 @@ impl<R: Robot> LinkObserver<R> {
     pub fn sharing_images(mut self, owner_of: impl Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send + 'static) -> Self {
         self.images.owner_of = Some(Box::new(owner_of));
         self
+    }
+
+    /// Tells all monitors what happened to a job.
+    fn tell_work(&self, component: ComponentId, what: &str) {
+        let node = &R::GRAPH.nodes[component.index()];
+        let text = format!("{}.{} {what}", node.name, node.work.map_or("", |work| work.name));
+        lock(&self.control).tell_all(&Message::Happened(self.now.as_micros(), "work".into(), text.into()));
     }
 
     /// Sends the true state of the world after the last cycle to the monitors for whom it is due. The loop calls it after each
@@ -80,12 +90,22 @@ impl<R: Robot> LinkObserver<R> {
 
 impl<R: Robot> Probe for LinkObserver<R> {
     fn cycle_begin(&mut self, now: Instant) {
+        self.now = now;
         self.conditions.cycle_begin(now);
         self.costs.cycle_begin(now);
     }
 
     fn cycle_end(&mut self) {
         self.costs.cycle_end();
+    }
+
+    fn work_begun(&mut self, component: ComponentId, due: Instant) {
+        let ms = due.saturating_duration_since(self.now).as_millis();
+        self.tell_work(component, &format!("has begun, due in {ms} ms"));
+    }
+
+    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
+        self.tell_work(component, end.text());
     }
 
     fn start(&mut self, component: ComponentId) {

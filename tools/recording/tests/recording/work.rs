@@ -79,14 +79,11 @@ fn recorded(pace: Pace) -> Vec<u8> {
     disk.contents()
 }
 
-fn subject(_: &Header, _: bool) -> Result<Subject<Planning>, bica_wire::model::Invalid> {
-    Ok(Subject { robot: Box::new(Planning::new()), world: None })
-}
-
 #[test]
 fn a_replay_has_each_result_in_its_recorded_cycle() {
     for pace in [Pace::RealTime, Pace::Simulated] {
         let file = Temporary::new(&format!("work-{pace:?}.mcap"), &recorded(pace));
+        let subject = |_: &Header, _| Ok(Subject { robot: Box::new(Planning::new()), world: None });
         let report = replay::<Planning>(&ReplayOptions::whole(&file.0), subject, |_| true).expect("a recording");
         assert!(report.equal && report.cycles == 400, "{pace:?}: {:?}", report.first_difference);
     }

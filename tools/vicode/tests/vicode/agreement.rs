@@ -45,6 +45,7 @@ fn model(component: &Component) -> Value {
         "modulations": list(&component.modulations, |one| {
             json!([named(&one.function), list(&one.function.arguments, |one| json!(one.name.text))])
         }),
+        "work": component.work.first().map(|one| named(&one.function)),
     })
 }
 
@@ -73,6 +74,7 @@ fn node(node: &Value, tree: &Value) -> Value {
         "modulations": each("modulations", &|one| {
             json!([named(one), list(one["arguments"].as_array().unwrap(), |one| one["name"].clone())])
         }),
+        "work": node.get("work").map(named),
     })
 }
 

@@ -29,3 +29,4 @@ mod trying;
 #[expect(dead_code, reason = "only its graph is compared")]
 #[path = "../../../../examples/wall_follower/robot.rs"]
 mod wall_follower;
+mod work;
