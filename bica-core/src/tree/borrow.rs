@@ -49,15 +49,8 @@ pub struct Slot<C, S = (), W = ()> {
     work: ManuallyDrop<W>,
 }
 
-impl<C: 'static, W: WorkSlot> Slot<C, (), W> {
-    /// Holds `value` in tree `T`, at its declared rate and never active yet.
-    pub const fn new<T: Has<C>>(value: C) -> Self {
-        Self::with::<T>(value, ())
-    }
-}
-
 impl<C: 'static, S, W: WorkSlot> Slot<C, S, W> {
-    /// The same with parameters, which can be changed.
+    /// Holds `value` in tree `T`, with its parameters, at its declared rate and never active yet.
     pub const fn with<T: Has<C>>(value: C, params: S) -> Self {
         Self {
             state: ComponentState::new(),

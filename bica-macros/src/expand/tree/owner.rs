@@ -34,7 +34,7 @@ pub(super) fn new(tree: &Tree) -> TokenStream {
             let work = quote_spanned!(at(kind) => <#kind as #p::Component>::Work);
             quote_spanned!(at(kind) => #p::Slot::<#kind, _, #work>::with::<#name>(#value, #params))
         } else {
-            quote!(#p::Slot::<#kind, (), _>::new::<#name>(#value))
+            quote!(#p::Slot::<#kind, (), _>::with::<#name>(#value, ()))
         }
     });
     let fields = fields(tree);

@@ -3,12 +3,14 @@
 mod measured;
 mod output;
 mod parts;
+mod probe;
 mod queue;
 mod report;
 mod sink;
 mod syncer;
 mod thread;
 mod tree;
+mod works;
 
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -16,7 +18,7 @@ use std::{fmt, io};
 
 use bica::refusal::Refusal;
 use bica::runner::{ClockStep, Cycle, Observer, Request};
-use bica::{ComponentId, Graph, Instant, JobEnd, Probe};
+use bica::{Graph, Instant};
 use bica_link::CostMeter;
 use bica_wire::Recordable;
 use bica_wire::message::LogSource;
@@ -28,7 +30,7 @@ use crate::header::{Ending, Header, ImagePolicy};
 use crate::information;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::part::Split;
-use crate::request::{RequestRecord, work_name};
+use crate::request::RequestRecord;
 use measured::Measured;
 pub(crate) use output::Output;
 use parts::Parts;
@@ -37,6 +39,7 @@ pub use report::Report;
 pub use sink::{Sink, Syncing, create};
 use tree::read_tree;
 pub use tree::tree_record;
+use works::Works;
 
 /// What a recorder does when its queue is full because the disk is slow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,10 +96,7 @@ pub struct Recorder {
     message_bytes: usize,
     /// Actions of the world.
     actions: Vec<Modulation>,
-    /// Names of the functions that run beside the loop, by their components.
-    works: Vec<String>,
-    /// Instant of this cycle.
-    now: Instant,
+    works: Works,
     requests: Vec<RequestRecord>,
     sensing: Option<(Vec<u8>, BlobValues)>,
     owner: Owner,
@@ -189,8 +189,7 @@ impl Recorder {
             information_bytes: 0,
             message_bytes: 0,
             actions: header.tree.actions.clone(),
-            works: (0..header.tree.components.len()).map(|of| work_name(&header.tree, ComponentId::new(of))).collect(),
-            now: Instant::MIN,
+            works: Works::of(&header.tree),
             requests: Vec::new(),
             sensing: None,
             owner: Owner(Box::new(|_| None)),
@@ -253,13 +252,6 @@ impl Recorder {
         self.figures = figures;
     }
 
-    /// Records what happened to a job.
-    fn work_event(&self, component: ComponentId, what: &str) {
-        let name = self.works.get(component.index()).map_or("", String::as_str);
-        let at_ns = self.now.as_micros().saturating_mul(1000);
-        self.event(RunEvent { at_ns, kind: "work".to_owned(), detail: format!("{name} {what}") });
-    }
-
     /// Writes what is queued and closes the file. `result` is the result of the run, as text.
     #[must_use]
     pub fn finish(mut self, result: &str) -> Report {
@@ -312,48 +304,6 @@ impl Drop for Recorder {
     fn drop(&mut self) {
         if self.thread.is_some() {
             self.close("");
-        }
-    }
-}
-
-impl Probe for Recorder {
-    fn cycle_begin(&mut self, now: Instant) {
-        self.now = now;
-        if let Some(meter) = &mut self.meter {
-            meter.cycle_begin(now);
-        }
-    }
-
-    fn work_begun(&mut self, component: ComponentId, due: Instant) {
-        let ms = due.saturating_duration_since(self.now).as_millis();
-        self.work_event(component, &format!("has begun, due in {ms} ms"));
-    }
-
-    fn work_ended(&mut self, component: ComponentId, end: JobEnd) {
-        self.requests.push(RequestRecord::Ended { component, end });
-    }
-
-    fn run(&mut self, component: ComponentId) {
-        if let Some(meter) = &mut self.meter {
-            meter.run(component);
-        }
-    }
-
-    fn begin(&mut self, component: ComponentId) {
-        if let Some(meter) = &mut self.meter {
-            meter.begin(component);
-        }
-    }
-
-    fn end(&mut self, component: ComponentId) {
-        if let Some(meter) = &mut self.meter {
-            meter.end(component);
-        }
-    }
-
-    fn cycle_end(&mut self) {
-        if let Some(meter) = &mut self.meter {
-            meter.cycle_end();
         }
     }
 }
