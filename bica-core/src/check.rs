@@ -19,6 +19,7 @@ mod violation;
 mod weight;
 mod wording;
 mod worst_case;
+mod writers;
 
 pub use frames::Output;
 pub use message::message;
@@ -29,7 +30,8 @@ pub use reach::{reachable, states_reached, unreachable};
 #[doc(hidden)]
 pub use set::Set;
 pub use violation::{Number, Violation, first_violation};
-pub use worst_case::{Choice, WorstCase, load, longest_chain, steps};
+pub use worst_case::{Choice, WorstCase, load, longest_chain, most_writers, steps};
+pub use writers::{Writers, writers};
 
 use crate::graph::Graph;
 #[doc(hidden)]

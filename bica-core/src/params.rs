@@ -67,7 +67,7 @@ mod timer;
 pub use kind::{Kind, Value, Variant, Variants};
 pub use text::ValueText;
 #[doc(hidden)]
-pub use timer::{Timer, timer};
+pub use timer::{Timer, assert_timer, timer};
 
 #[doc(hidden)]
 pub use declare::{

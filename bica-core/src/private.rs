@@ -13,7 +13,7 @@ pub use crate::modulation::{Modulation, assert_arguments};
 pub use crate::params::Timer;
 pub use crate::params::{
     Kind, Param, ParamEnum, ParamGroup, Params, Tuned, Value, Variant, assert_default, assert_distinct_names,
-    assert_range, assert_rule, assert_step, natural_default, timer, variant,
+    assert_range, assert_rule, assert_step, assert_timer, natural_default, timer, variant,
 };
 pub use crate::place::{Axis, Hint};
 pub use crate::probe::Probe;

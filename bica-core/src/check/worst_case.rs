@@ -12,7 +12,7 @@
 //! be in all their states at once, which is never less than the truth and sets [`WorstCase::exact`] to false.
 
 use super::reach::{all_links, links_in, states_reached};
-use super::weight::Weight;
+use super::weight::{Weight, modulates};
 use super::{CAPACITY, Set, ranks};
 use crate::graph::{Graph, Node};
 
@@ -74,9 +74,22 @@ pub const fn load(graph: &Graph, steps: usize) -> WorstCase {
     Search::new(graph, Weight::Load, steps).run()
 }
 
+/// Returns the combination in which most components modulate `child` in one cycle; the sum is their number.
+///
+/// With an activation cycle in the graph the result has no meaning.
+///
+/// # Panics
+/// If there are more than [`CAPACITY`] nodes, or states in one of them.
+#[must_use]
+pub const fn most_writers(graph: &Graph, child: usize, steps: usize) -> WorstCase {
+    Search::new(graph, Weight::Modulates(child), steps).run()
+}
+
 struct Search<'g> {
     graph: &'g Graph,
     transitions: bool,
+    /// The child whose writers are counted. What a machine counts then depends on its state.
+    child: Option<usize>,
     weights: [f64; CAPACITY],
     /// The nodes, activators first.
     order: [usize; CAPACITY],
@@ -118,7 +131,8 @@ impl<'g> Search<'g> {
         let choices = [Choice::None; CAPACITY];
         Self {
             graph,
-            transitions: matches!(weight, Weight::Time),
+            transitions: !matches!(weight, Weight::Load),
+            child: if let Weight::Modulates(child) = weight { Some(child) } else { None },
             weights: weight.of_all(graph),
             order: order(graph.nodes),
             states,
@@ -145,7 +159,8 @@ impl<'g> Search<'g> {
             if matches!(choice, Choice::None) {
                 self.depth -= 1;
             } else {
-                self.explore(branch.place, branch.active.union(links), branch.sum);
+                let sum = branch.sum + self.weight_of(branch.index, choice);
+                self.explore(branch.place, branch.active.union(links), sum);
             }
         }
         self.best
@@ -167,7 +182,7 @@ impl<'g> Search<'g> {
             let index = self.order[place];
             place += 1;
             if active.contains(index) {
-                sum += self.weights[index];
+                sum += self.weight(index);
                 active = active.union(links_in(&self.graph.nodes[index], None, false));
                 if !self.states[index].is_empty() {
                     self.branches[self.depth] = Branch { index, place, active, sum, next: 0 };
@@ -177,6 +192,20 @@ impl<'g> Search<'g> {
             }
         }
         self.best = WorstCase { sum, active, choices: self.choices, exact: true };
+    }
+
+    /// The weight of a component whatever it does.
+    const fn weight(&self, index: usize) -> f64 {
+        if self.child.is_some() && !self.states[index].is_empty() { 0.0 } else { self.weights[index] }
+    }
+
+    /// The weight of what a machine does.
+    const fn weight_of(&self, index: usize, choice: Choice) -> f64 {
+        let Some(child) = self.child else { return 0.0 };
+        match choice {
+            Choice::Any => self.weights[index],
+            _ => modulates_by(&self.graph.nodes[index], choice, child) as u8 as f64,
+        }
     }
 
     /// What the machine `index` can do, `next` or the first possible behind, with its links, and what is next then;
@@ -240,6 +269,18 @@ impl<'g> Search<'g> {
                 self.best.choices[index] = Choice::Any;
             }
             place += 1;
+        }
+    }
+}
+
+/// Whether a component modulates a child in a cycle in which it does this. A transition calls functions of both states.
+pub(super) const fn modulates_by(node: &Node, choice: Choice, child: usize) -> bool {
+    match choice {
+        Choice::None | Choice::Any => modulates(node, None, child),
+        Choice::State(state) => modulates(node, Some(state), child),
+        Choice::Transition(transition) => {
+            let transition = &node.transitions[transition];
+            modulates(node, Some(transition.from), child) || modulates(node, Some(transition.to), child)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters that are timers of transitions: `after = Approach::patience`.
 
 use super::declare::equal;
-use super::{Kind, ParamGroup, Value};
+use super::{Kind, Param, ParamGroup, Value};
 use crate::text::Text;
 
 /// A number that can be the timer of a transition.
@@ -55,43 +55,61 @@ const fn of_seconds(seconds: f32) -> u32 {
     (seconds * 1e3 + 0.5) as u32
 }
 
-/// Returns the index of the parameter `name` of the group at `place`, counted through all groups, and its default, ms. A parameter without
-/// that name is reported by the compiler, as the struct has no such field.
+/// Returns the index of the parameter `name` of the group at `place`, counted through all groups, and its default, ms.
 ///
-/// # Panics
-/// If it is neither a number of seconds nor a whole number of milliseconds, which stops the compiler.
+/// A name that the group does not have, and a parameter that is no timer, are reported elsewhere.
 #[must_use]
-#[track_caller]
 pub const fn timer(groups: &[ParamGroup], place: usize, name: &str) -> (u16, u32) {
     let (mut first, mut group) = (0, 0);
     while group < place {
         first += groups[group].params.len();
         group += 1;
     }
-    let (params, mut index) = (groups[place].params, 0);
-    while index < params.len() && !equal(params[index].name, name) {
-        index += 1;
+    let index = find(groups[place].params, name);
+    let default =
+        if index < groups[place].params.len() { groups[place].params[index].default.milliseconds() } else { None };
+    match default {
+        Some(ms) => ((first + index) as u16, ms),
+        None => (0, 0),
     }
-    assert!(index < params.len(), "this field is no parameter: add `#[param(...)]` to it");
-    let (unit, fits) = match params[index].kind {
-        Kind::F32 { .. } => ("s", is(params[index].unit, "s")),
-        _ => ("ms", is(params[index].unit, "ms")),
+}
+
+/// Stops the compiler if a parameter is neither a number of seconds nor a whole number of milliseconds. A struct with mistakes of its own,
+/// which are reported already, has no parameters.
+///
+/// # Panics
+/// If it is so.
+#[track_caller]
+pub const fn assert_timer(group: &ParamGroup, name: &str) {
+    let index = find(group.params, name);
+    if index == group.params.len() {
+        return;
+    }
+    let wanted = match group.params[index].kind {
+        Kind::F32 { .. } => "s",
+        Kind::I32 { .. } | Kind::U32 { .. } => "ms",
+        // What is no number does not implement `Timer`.
+        Kind::Bool | Kind::Choice { .. } => return,
     };
-    if let (true, Some(ms)) = (fits, params[index].default.milliseconds()) {
-        return ((first + index) as u16, ms);
+    if let Some(unit) = group.params[index].unit
+        && equal(unit, wanted)
+    {
+        return;
     }
     let mut text = Text::<256>::new();
     text.push("`");
     text.push(name);
     text.push("` is a timer here, and a timer has a unit: give this parameter `unit = \"");
-    text.push(unit);
+    text.push(wanted);
     text.push("\"` (`f32` in s, whole numbers in ms)");
     panic!("{}", text.as_str());
 }
 
-const fn is(unit: Option<&str>, wanted: &str) -> bool {
-    match unit {
-        Some(unit) => equal(unit, wanted),
-        None => false,
+/// The index of the parameter of that name; the number of parameters if there is none.
+const fn find(params: &[Param], name: &str) -> usize {
+    let mut index = 0;
+    while index < params.len() && !equal(params[index].name, name) {
+        index += 1;
     }
+    index
 }

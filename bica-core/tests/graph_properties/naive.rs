@@ -78,6 +78,29 @@ pub(crate) fn active(graph: &Graph, choices: &[Choice]) -> BTreeSet<usize> {
 
 /// Largest sum of weights over all combinations of behaviours.
 pub(crate) fn worst(graph: &Graph, weights: &[f64], transitions: bool) -> f64 {
+    largest(graph, transitions, |picked| active(graph, picked).iter().map(|&node| weights[node]).sum())
+}
+
+/// Largest number of components that modulate a child, over all combinations of behaviours.
+pub(crate) fn most_writers(graph: &Graph, child: usize) -> f64 {
+    let modulates = |node: usize, choice: Choice| {
+        let states = match choice {
+            Choice::State(state) => vec![state],
+            Choice::Transition(transition) => {
+                let transition = &graph.nodes[node].transitions[transition];
+                vec![transition.from, transition.to]
+            }
+            Choice::None | Choice::Any => Vec::new(),
+        };
+        let mut links = graph.nodes[node].links.iter().filter(|l| l.to == child && l.kind == LinkKind::Modulation);
+        links.any(|l| l.state.is_none_or(|of| states.contains(&of)))
+    };
+    largest(graph, true, |picked| {
+        active(graph, picked).iter().filter(|&&node| modulates(node, picked[node])).count() as f64
+    })
+}
+
+fn largest(graph: &Graph, transitions: bool, value: impl Fn(&[Choice]) -> f64) -> f64 {
     let choices: Vec<_> = graph.nodes.iter().map(|node| choices(node, transitions)).collect();
     let combinations = choices.iter().map(Vec::len).product();
     let sum = |combination: usize| {
@@ -88,7 +111,7 @@ pub(crate) fn worst(graph: &Graph, weights: &[f64], transitions: bool) -> f64 {
             choice
         };
         let picked: Vec<_> = choices.iter().map(&mut pick).collect();
-        active(graph, &picked).iter().map(|&node| weights[node]).sum()
+        value(&picked)
     };
     (0..combinations).map(sum).fold(0.0, f64::max)
 }

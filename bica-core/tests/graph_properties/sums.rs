@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use bica_core::check::{Choice, Violation, WorstCase, first_violation, load, longest_chain, steps};
+use bica_core::check::{
+    Choice, Violation, WorstCase, first_violation, load, longest_chain, most_writers, steps, writers,
+};
 use bica_core::graph::{Graph, Node};
 use proptest::prelude::*;
 
@@ -71,6 +73,16 @@ proptest! {
         prop_assert!(found.exact);
         prop_assert!(close(found.sum, naive::worst(&graph, &loads(&graph), false)));
         prop_assert!(is_consistent(&graph, &found, &loads(&graph)));
+    }
+
+    #[test]
+    fn writers_of_a_child_are_all_that_can_meet(graph in acyclic_graph(5), child in 0..5_usize) {
+        let child = child % graph.nodes.len();
+        let found = most_writers(&graph, child, STEPS);
+        prop_assert!(found.exact);
+        prop_assert_eq!(found.sum, naive::most_writers(&graph, child));
+        let listed = writers(&graph, child).map_or(0, |writers| writers.order.len());
+        prop_assert_eq!(listed, if found.sum < 2.0 { 0 } else { found.sum as usize });
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use bica::check::{Choice, Writers, writers};
 use bica::graph::{Graph, When};
 use bica_drawing::svg;
 use bica_recording::Recordable;
@@ -19,7 +20,7 @@ pub(crate) struct GraphArgs {
     /// Short for --format json
     #[arg(long, conflicts_with = "format")]
     json: bool,
-    /// Print notes on the tree instead: results for which no transition waits
+    /// Print notes on the tree instead: results for which no transition waits, and children of several writers
     #[arg(long, conflicts_with_all = ["format", "json"])]
     check: bool,
 }
@@ -57,13 +58,36 @@ fn notes(graph: &Graph) -> Vec<String> {
         graph.nodes.iter().flat_map(|node| node.transitions).filter_map(|transition| transition.when).collect();
     let others = graph.nodes.iter().enumerate().filter(|(index, _)| *index != graph.root);
     let ends = others.flat_map(|(index, node)| node.states.iter().map(move |state| (index, node, state)));
-    ends.filter_map(|(index, node, state)| {
+    let ends = ends.filter_map(|(index, node, state)| {
         let end =
             state.end.filter(|end| !waits.iter().any(|when| (usize::from(when.child), when.end) == (index, *end)))?;
         let (name, state, word) = (node.name, state.name, end.word());
         Some(format!("no transition waits for `{word}` of `{name}`, with which its state `{state}` ends"))
-    })
-    .collect()
+    });
+    ends.chain((0..graph.nodes.len()).filter_map(|child| written(graph, child))).collect()
+}
+
+/// Returns who writes a child in one cycle, if several do.
+fn written(graph: &Graph, child: usize) -> Option<String> {
+    let Writers { order, before, case } = writers(graph, child)?;
+    let names: Vec<String> = order.iter().map(|index| format!("`{}`", graph.nodes[index].name)).collect();
+    let of_machine = |index: usize| {
+        let (node, what) = (&graph.nodes[index], case.choices[index]);
+        let state = match what {
+            Choice::State(state) => node.states[state].name,
+            Choice::Transition(transition) => node.states[node.transitions[transition].to].name,
+            Choice::None | Choice::Any => return None,
+        };
+        let verb = if matches!(what, Choice::State(_)) { "is in" } else { "enters" };
+        Some(format!("`{}` {verb} `{state}`", node.name))
+    };
+    let machines: Vec<String> = (0..graph.nodes.len()).filter_map(of_machine).collect();
+    let when = if machines.is_empty() { "always".to_owned() } else { format!("while {}", machines.join(", ")) };
+    let runs = before.checked_sub(1).map_or_else(|| "before them".to_owned(), |last| format!("after {}", names[last]));
+    let (child, names) = (graph.nodes[child].name, names.join(", then "));
+    Some(format!(
+        "`{child}` is written in one cycle by {names}, {when}; it runs {runs}, with what was written until then"
+    ))
 }
 
 /// Returns a tree as JSON. It is compiled here, and not once more for each robot.

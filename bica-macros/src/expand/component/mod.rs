@@ -19,6 +19,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::FnArg;
 
+use self::tuning::Tuning;
 use crate::expand::quoting::{at, enclosed, placed, runtime};
 use bica_syntax::component::block::Function;
 use bica_syntax::component::model::{Behaviour, Component};
@@ -36,7 +37,8 @@ pub(crate) fn expand(component: &Component, behaviour: &Behaviour) -> TokenStrea
     let no_step = (is_free && is_whole(component)).then(|| no_step(component));
     let own_fields = component.block.header.generics.params.is_empty().then(|| no_params(component));
     let roles = role::checks(component);
-    let items = quote!(pub struct __Block; #description #member #work #own_fields #roles);
+    let timers = Tuning::checks(component);
+    let items = quote!(pub struct __Block; #description #member #work #own_fields #roles #timers);
     let traits = enclosed(&component.options.krate, &items);
     quote!(#block #traits #no_step)
 }

@@ -43,6 +43,16 @@ impl Tuning {
         }}
     }
 
+    /// Assertions that the parameters that are timers are times.
+    pub(super) fn checks(component: &Component) -> TokenStream {
+        let check = |timer: &Parameter| {
+            let (kind, name, place) = (&timer.of.0, text::name(&timer.field), at(&timer.field));
+            let p = placed(&runtime(), place);
+            quote_spanned!(place => const _: () = #p::assert_timer(&<#kind as #p::Params>::GROUP, #name);)
+        };
+        component.timers().map(check).collect()
+    }
+
     /// Index and default of a timer that is a parameter, as a constant.
     pub(super) fn described(&self, timer: &Parameter) -> TokenStream {
         let (group, name, place) = (self.place(&timer.of.0), text::name(&timer.field), at(&timer.field));

@@ -1,0 +1,54 @@
+//! Results that a child does not have.
+
+use bica::prelude::*;
+
+struct Boss;
+#[component]
+impl Boss {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    #[transition(work -> rest, when = failed(Worker))]
+    fn work(&mut self, worker: &mut Worker, manager: &mut Manager) {}
+
+    #[state(last)]
+    fn rest(&mut self) {}
+}
+
+struct Manager;
+#[component]
+impl Manager {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    #[transition(work -> rest, when = done(Tool))]
+    fn work(&mut self, tool: &Tool) {}
+
+    #[state(last)]
+    fn rest(&mut self) {}
+}
+
+struct Worker;
+#[component]
+impl Worker {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    #[transition(go -> stop, after_ms = 5)]
+    fn go(&mut self) {}
+
+    #[state(done)]
+    fn stop(&mut self) {}
+}
+
+struct Tool;
+#[component]
+impl Tool {
+    const fn new() -> Self { Self }
+}
+
+activation_tree! {
+    struct Robot { root: Boss, cycle_hz: 10, components: [Boss, Manager, Worker, Tool] }
+}
+
+fn main() {}

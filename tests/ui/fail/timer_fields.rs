@@ -1,0 +1,27 @@
+//! Timers that are no numbers, or no fields.
+
+use bica::prelude::*;
+
+/// Times.
+#[derive(Params)]
+struct Times {
+    /// No number.
+    #[param(default = true)]
+    waits: bool,
+}
+
+struct Boss;
+#[component]
+impl Boss {
+    const fn new() -> Self { Self }
+
+    #[state(initial)]
+    #[transition(work -> rest, after = Times::waits)]
+    fn work(&mut self) {}
+
+    #[state]
+    #[transition(rest -> work, after = Times::wait)]
+    fn rest(&mut self) {}
+}
+
+fn main() {}
