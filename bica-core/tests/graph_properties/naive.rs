@@ -82,7 +82,7 @@ pub(crate) fn worst(graph: &Graph, weights: &[f64], transitions: bool) -> f64 {
 }
 
 /// Largest number of components that modulate a child, over all combinations of behaviours.
-pub(crate) fn most_writers(graph: &Graph, child: usize) -> f64 {
+pub(crate) fn most_writers(graph: &Graph, child: usize) -> usize {
     let modulates = |node: usize, choice: Choice| {
         let states = match choice {
             Choice::State(state) => vec![state],
@@ -95,9 +95,8 @@ pub(crate) fn most_writers(graph: &Graph, child: usize) -> f64 {
         let mut links = graph.nodes[node].links.iter().filter(|l| l.to == child && l.kind == LinkKind::Modulation);
         links.any(|l| l.state.is_none_or(|of| states.contains(&of)))
     };
-    largest(graph, true, |picked| {
-        active(graph, picked).iter().filter(|&&node| modulates(node, picked[node])).count() as f64
-    })
+    let count = |picked: &[Choice]| active(graph, picked).iter().filter(|&&node| modulates(node, picked[node])).count();
+    largest(graph, true, |picked| count(picked) as f64) as usize
 }
 
 fn largest(graph: &Graph, transitions: bool, value: impl Fn(&[Choice]) -> f64) -> f64 {

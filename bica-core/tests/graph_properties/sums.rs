@@ -80,7 +80,7 @@ proptest! {
         let child = child % graph.nodes.len();
         let found = most_writers(&graph, child, STEPS);
         prop_assert!(found.exact);
-        prop_assert_eq!(found.sum, naive::most_writers(&graph, child));
+        prop_assert_eq!(found.sum as usize, naive::most_writers(&graph, child));
         let listed = writers(&graph, child).map_or(0, |writers| writers.order.len());
         prop_assert_eq!(listed, if found.sum < 2.0 { 0 } else { found.sum as usize });
     }

@@ -15,8 +15,8 @@ pub(crate) struct Picking {
 
 unit!(Boss() {
     #[state(initial)]
-    fn on(&mut self, time: &Time, picker: &mut Picker, helper: &mut Helper) {
-        self.unit.body("on", time, [], [&mut picker.unit, &mut helper.unit]);
+    fn on(&mut self, time: &Time, picker: &mut Picker, helper: &mut Helper, grip: &Grip) {
+        self.unit.body("on", time, [grip.unit.read()], [&mut picker.unit, &mut helper.unit]);
     }
 
     #[state]

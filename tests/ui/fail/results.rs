@@ -9,7 +9,7 @@ impl Boss {
 
     #[state(initial)]
     #[transition(work -> rest, when = failed(Worker))]
-    fn work(&mut self, worker: &mut Worker, manager: &mut Manager) {}
+    fn work(&mut self, worker: &mut Worker) {}
 
     #[state(last)]
     fn rest(&mut self) {}
@@ -48,7 +48,11 @@ impl Tool {
 }
 
 activation_tree! {
-    struct Robot { root: Boss, cycle_hz: 10, components: [Boss, Manager, Worker, Tool] }
+    struct Robot { root: Boss, cycle_hz: 10, components: [Boss, Worker] }
+}
+
+activation_tree! {
+    struct Office { root: Manager, cycle_hz: 10, components: [Manager, Tool] }
 }
 
 fn main() {}
