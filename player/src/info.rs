@@ -1,9 +1,9 @@
 //! Conversions to the types of outputs that tools draw.
 
-use bica::visual::{Ellipse, ImagePoint, Point2, Point3, Pose2, Pose3, Quaternion};
+use bica::visual::{Ellipse, ImagePoint, Point2, Point3, Pose2, Pose3, PoseWithCovariance2, Quaternion};
 use bica_motion::pose;
 use bica_vision::memory::PositionEstimate;
-use glam::{Affine3A, Quat, Vec2, Vec3};
+use glam::{Affine3A, Mat3, Quat, Vec2, Vec3};
 
 /// Returns a point on the ground.
 #[must_use]
@@ -15,6 +15,13 @@ pub const fn point(Vec2 { x, y }: Vec2) -> Point2 {
 #[must_use]
 pub const fn pose(pose::Pose2 { position: Vec2 { x, y }, heading }: pose::Pose2) -> Pose2 {
     Pose2 { x, y, heading }
+}
+
+/// Returns a pose with the covariance of its position, m, and heading, rad.
+pub(crate) fn pose_with_covariance(pose: pose::Pose2, covariance: &Mat3) -> PoseWithCovariance2 {
+    let pose::Pose2 { position: Vec2 { x, y }, heading } = pose;
+    let [[xx, xy, xh], [_, yy, yh], [_, _, hh]] = covariance.to_cols_array_2d();
+    PoseWithCovariance2 { x, y, heading, xx, xy, xh, yy, yh, hh }
 }
 
 /// Returns a position with its covariance.

@@ -48,7 +48,7 @@ mod space;
 pub use body::{Imu, Joints};
 pub use image::{CameraCalibration, ImageCircle, ImagePoint, ImagePolyline, ImageSegment};
 pub use list::List;
-pub use plane::{Circle, Ellipse, Point2, Polyline, Pose2, Rectangle, Segment};
+pub use plane::{Circle, Ellipse, Point2, Polyline, Pose2, PoseWithCovariance2, Rectangle, Segment};
 pub use scan::Scan;
 pub use scene::{Scene, SceneItem, Shape};
 pub use space::{Point3, Pose3, Quaternion};
@@ -124,5 +124,5 @@ macro_rules! visual {
     };
 }
 
-visual!(Point2, Pose2, Ellipse, Circle, Rectangle, Segment, Polyline<N>, Scan<N>, Point3, Pose3);
+visual!(Point2, Pose2, PoseWithCovariance2, Ellipse, Circle, Rectangle, Segment, Polyline<N>, Scan<N>, Point3, Pose3);
 visual!(Imu, ImagePoint, ImageCircle, ImageSegment, ImagePolyline<N>, CameraCalibration);

@@ -40,6 +40,30 @@ pub struct Ellipse {
     pub yy: f32,
 }
 
+/// Uncertain pose: drawn as a pose with the ellipse of one standard deviation of its position.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]
+pub struct PoseWithCovariance2 {
+    /// Position along x, m.
+    pub x: f32,
+    /// Position along y, m.
+    pub y: f32,
+    /// Heading, rad, counter-clockwise from x.
+    pub heading: f32,
+    /// Variance of x, m².
+    pub xx: f32,
+    /// Covariance of x and y, m².
+    pub xy: f32,
+    /// Covariance of x and the heading, m·rad.
+    pub xh: f32,
+    /// Variance of y, m².
+    pub yy: f32,
+    /// Covariance of y and the heading, m·rad.
+    pub yh: f32,
+    /// Variance of the heading, rad².
+    pub hh: f32,
+}
+
 /// Circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "info", derive(serde::Serialize, postcard_schema::Schema))]

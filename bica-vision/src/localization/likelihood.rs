@@ -110,6 +110,11 @@ impl Observation {
 
     /// Likelihood of all sightings, not normalized, above 0 and at most 1.
     pub(super) fn likelihood(&self, pose: &Pose2) -> f32 {
+        exp2(self.octaves(pose))
+    }
+
+    /// Binary logarithm of the likelihood.
+    pub(super) fn octaves(&self, pose: &Pose2) -> f32 {
         let (position, ahead) = (pose.position, direction(pose.heading));
         let points: f32 = self.points.iter().map(|point| point.on_line(position, ahead)).product();
         let crossings: f32 = self.crossings.iter().map(|seen| seen.likelihood(position, ahead)).product();
@@ -118,7 +123,7 @@ impl Observation {
             let off = (position + ahead.rotate(circle.place)).length_squared();
             with_outliers(CROSSING_FLOOR, off * circle.precision)
         });
-        exp2(self.temper * (self.share * log2(points) + log2(crossings * posts * circle)))
+        self.temper * (self.share * log2(points) + log2(crossings * posts * circle))
     }
 
     /// Effective number of sightings in the likelihood, at least 1.

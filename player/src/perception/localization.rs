@@ -3,7 +3,7 @@
 mod params;
 
 use bica::prelude::*;
-use bica::visual::{self, Ellipse, Point2};
+use bica::visual::{self, Point2, PoseWithCovariance2};
 use bica_field::FIELD;
 use bica_motion::pose::Pose2;
 use bica_vision::localization::{Estimate, Localizer, Sightings};
@@ -65,10 +65,10 @@ impl Localization {
         if self.ego_motion.is_fresh() { self.localizer.estimate() } else { None }
     }
 
-    /// Most probable pose on the field, reliable or not: x towards the attacked goal, from the centre.
+    /// Most probable pose on the field, reliable or not, with its covariance: x towards the attacked goal, from the centre.
     #[info(frame = "field")]
-    fn robot_pose(&self) -> Option<visual::Pose2> {
-        self.estimate().map(|estimate| info::pose(estimate.pose))
+    fn robot_pose(&self) -> Option<PoseWithCovariance2> {
+        self.estimate().map(|estimate| info::pose_with_covariance(estimate.pose, &estimate.covariance))
     }
 
     /// Most probable pose of the odometry's frame on the field.
@@ -87,16 +87,6 @@ impl Localization {
     #[info]
     fn agreement(&self) -> f32 {
         self.estimate().map_or(0.0, |estimate| estimate.belief)
-    }
-
-    /// Most probable position on the field, with the standard deviation of the particles near it.
-    #[info(unit = "m", frame = "field")]
-    fn robot_position(&self) -> Option<Ellipse> {
-        let ellipse = |Estimate { pose: Pose2 { position: Vec2 { x, y }, .. }, spread, .. }| {
-            let variance = spread * spread;
-            Ellipse { x, y, xx: variance, xy: 0.0, yy: variance }
-        };
-        self.estimate().map(ellipse)
     }
 
     /// Left and right post of the attacked goal by the pose.

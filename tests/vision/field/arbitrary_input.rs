@@ -102,7 +102,9 @@ proptest! {
                 prop_assert!(pose.position.abs().cmple(FIELD.carpet_corner()).all() && pose.heading.abs() < 1.0001 * PI, "{pose:?}");
             }
             if let Some(estimate) = estimate {
-                prop_assert!((0.0..=1.0).contains(&estimate.belief) && estimate.spread.is_finite(), "{estimate:?}");
+                let variances = estimate.covariance.diagonal();
+                prop_assert!((0.0..=1.0).contains(&estimate.belief) && estimate.covariance.is_finite(), "{estimate:?}");
+                prop_assert!(variances.cmpge(glam::Vec3::ZERO).all(), "{estimate:?}");
             }
         }
     }

@@ -26,6 +26,9 @@ struct Options {
     /// Moves the robot to another pose after ten seconds, and judges the estimate ten seconds later
     #[arg(long)]
     kidnap: bool,
+    /// Lets the robot play for ten more seconds
+    #[arg(long)]
+    play: bool,
     /// Width of the images, px: 160, 320 or 640
     #[arg(long, value_name = "PX", default_value = "320", value_parser = frame)]
     width: Frame,
@@ -41,6 +44,10 @@ fn main() {
     let play = |seed| {
         let mut lookout = Lookout::new(seed, options.robots, options.width);
         let outcome = lookout.look_around(10.0);
+        if options.play {
+            lookout.play();
+            return lookout.look_around(10.0);
+        }
         if !options.kidnap {
             return outcome;
         }

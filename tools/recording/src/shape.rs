@@ -105,6 +105,10 @@ fn of_value(kind: &str, value: &Value) -> Option<Vec<Shape>> {
             vec![ring(point(value)?, [radius, 0.0], [0.0, radius])]
         }
         "Rectangle" => vec![rectangle(numbers(value, ["x", "y", "heading", "length", "width"])?)],
+        "PoseWithCovariance2" => {
+            let ellipse = of_value("Ellipse", value)?.into_iter().skip(1);
+            core::iter::once(Shape::Arrow(pose(value)?)).chain(ellipse).collect()
+        }
         "Ellipse" => {
             let [xx, xy, yy] = numbers(value, ["xx", "xy", "yy"])?;
             // The root of the covariance by Cholesky maps the unit circle to the ellipse of one standard deviation.

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist, Vector3
+from geometry_msgs.msg import PoseWithCovarianceStamped, Twist, Vector3
 from nav_msgs.msg import Odometry
 from peer import LATCHED, SENSOR, Peer, Robot
 from rcl_interfaces.msg import Log, Parameter, ParameterEvent, ParameterValue
@@ -289,13 +289,14 @@ def test_the_forward() -> None:
         joints = peer.listen("/joint_states", JointState)
         inertial = peer.listen("/imu", Imu, SENSOR)
         odometry = peer.listen("/odom", Odometry)
-        pose = peer.listen("/forward/localization/robot_pose", PoseStamped)
-        position = peer.listen("/forward/localization/robot_position", PoseWithCovarianceStamped)
+        pose = peer.listen("/forward/localization/robot_pose", PoseWithCovarianceStamped)
         images = peer.listen("/camera/image_raw/compressed", CompressedImage, SENSOR)
         cameras = peer.listen("/camera/camera_info", CameraInfo, SENSOR)
         everything = {"joints": joints, "imu": inertial, "odometry": odometry, "images": images, "cameras": cameras}
         peer.until(lambda: all(everything.values()), "each topic", 90)
-        peer.until(lambda: pose and position, "a pose", 90)
+        peer.until(lambda: pose, "a pose", 90)
+        variances = [pose[-1].pose.covariance[7 * axis] for axis in (0, 1, 5)]
+        assert all(0.0 < variance < 1.0 for variance in variances), variances
         assert len(joints[-1].name) == len(joints[-1].position) == 25 and "HeadYaw" in joints[-1].name
         assert 8.0 < inertial[-1].linear_acceleration.z < 12.0 and inertial[-1].header.frame_id == "torso"
         assert bytes(images[-1].data[:2]) == b"\xff\xd8" and images[-1].header.frame_id == "camera_optical"

@@ -69,6 +69,15 @@ impl Outcome {
         error(self.estimate.map(|estimate| estimate.pose), self.truth)
     }
 
+    /// Returns the normalised estimation error squared: that of the pose by the inverse of its covariance. Its mean is 3, the number of
+    /// coordinates, if the covariance is true (Bar-Shalom, Li, Kirubarajan 2001, "Estimation with Applications to Tracking and
+    /// Navigation", section 5.4).
+    pub(crate) fn normalised_error(&self) -> Option<f32> {
+        let Estimate { pose, covariance, .. } = self.estimate.filter(Estimate::is_sure)?;
+        let off = (self.truth.position - pose.position).extend(wrap(self.truth.heading - pose.heading));
+        Some(off.dot(covariance.inverse() * off))
+    }
+
     /// Returns whether the estimate is correct.
     pub(crate) fn is_correct(&self) -> bool {
         let (position, heading) = self.error();
@@ -102,6 +111,15 @@ impl Lookout {
         robot.hold::<Body>(Hold::Active);
         robot.get_mut::<GoalDetector>().attack(world.referee().attacks());
         Self { runner: Runner::new(robot, Stage { world, cycle: 0 }), seed, size }
+    }
+
+    /// Lets the robot play and localize itself.
+    pub(crate) fn play(&mut self) {
+        let robot = self.runner.robot_mut();
+        robot.hold::<Player>(Hold::Tree);
+        robot.hold::<LookAround>(Hold::Tree);
+        robot.hold::<Body>(Hold::Tree);
+        robot.hold::<Localization>(Hold::Active);
     }
 
     /// Moves the robot to the pose of another seed without notice.
@@ -147,12 +165,14 @@ pub(crate) fn print(outcomes: &[Outcome]) {
         values.get((values.len().max(1) - 1) * part / 100).copied().unwrap_or(f32::NAN)
     };
     println!("correct: {} of {}", found.len(), outcomes.len());
-    let all: [(&str, Vec<f32>); 3] = [
+    let all: [(&str, Vec<f32>); 4] = [
+        ("normalised error squared", outcomes.iter().filter_map(Outcome::normalised_error).collect()),
         ("position error, m", outcomes.iter().map(|outcome| outcome.error().0).collect()),
         ("heading error, degrees", outcomes.iter().map(|outcome| outcome.error().1.to_degrees()).collect()),
         ("time until correct for good, s", outcomes.iter().filter_map(|outcome| outcome.since).collect()),
     ];
     for (name, values) in all {
-        println!("{name}: median {:.3}, 90 % {:.3}", at(values.clone(), 50), at(values, 90));
+        let mean = values.iter().sum::<f32>() / values.len() as f32;
+        println!("{name}: mean {mean:.3}, median {:.3}, 90 % {:.3}", at(values.clone(), 50), at(values, 90));
     }
 }

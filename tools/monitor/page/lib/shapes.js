@@ -34,6 +34,7 @@ const PARTS = {
   Point3: (value) => [{ dots: [point(value)] }],
   Pose2: (value) => [{ pose: matrixOf(value) }],
   Pose3: (value) => [{ pose: matrixOf(value) }],
+  PoseWithCovariance2: (value) => [{ pose: matrixOf(value) }, { line: deviation(value), closed: true }],
   Ellipse: (value) => [{ dots: [point(value)] }, { line: deviation(value), closed: true }],
   Circle: (value) => [{ line: around(value, [value.radius, 0], [0, value.radius]), closed: true }],
   Rectangle: (value) => [{ line: rectangle(value), closed: true }],

@@ -40,13 +40,30 @@ pub(super) fn scan(header: Header, value: &Value) -> Option<LaserScan> {
     Some(LaserScan { header, angle_min, angle_max, angle_increment, range_max, ranges, ..LaserScan::default() })
 }
 
-/// Returns an uncertain position; the variance of what it does not contain is unknown, which a negative one says.
+/// Index of the rotation about z in the rows and columns of a covariance.
+const YAW: usize = 5;
+
+/// Returns an uncertain position.
 pub(super) fn ellipse(header: Header, value: &Value) -> Option<PoseWithCovarianceStamped> {
-    let [x, y, xx, xy, yy] = numbers(value, ["x", "y", "xx", "xy", "yy"])?;
+    let [x, y] = numbers(value, ["x", "y"])?;
+    uncertain(header, value, &Place { position: [x, y, 0.0], rotation: [0.0, 0.0, 0.0, 1.0] })
+}
+
+/// Returns an uncertain pose on the ground.
+pub(super) fn pose_with_covariance(header: Header, value: &Value) -> Option<PoseWithCovarianceStamped> {
+    let mut message = uncertain(header, value, &shape::pose(value)?)?;
+    let [xh, yh, hh] = numbers(value, ["xh", "yh", "hh"])?;
+    for (row, column, entry) in [(0, YAW, xh), (YAW, 0, xh), (1, YAW, yh), (YAW, 1, yh), (YAW, YAW, hh)] {
+        message.pose.covariance.0[6 * row + column] = entry;
+    }
+    Some(message)
+}
+
+fn uncertain(header: Header, value: &Value, place: &Place) -> Option<PoseWithCovarianceStamped> {
+    let [xx, xy, yy] = numbers(value, ["xx", "xy", "yy"])?;
     let mut covariance = Fixed::default();
     (covariance.0[0], covariance.0[1], covariance.0[6], covariance.0[7]) = (xx, xy, xy, yy);
-    let pose = pose(&Place { position: [x, y, 0.0], rotation: [0.0, 0.0, 0.0, 1.0] });
-    Some(PoseWithCovarianceStamped { header, pose: PoseWithCovariance { pose, covariance } })
+    Some(PoseWithCovarianceStamped { header, pose: PoseWithCovariance { pose: pose(place), covariance } })
 }
 
 pub(super) fn path(header: &Header, value: &Value) -> Option<Path> {

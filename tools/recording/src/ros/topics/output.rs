@@ -11,7 +11,7 @@ use super::super::{
     PoseWithCovarianceStamped, Text, Transforms, Twist, TwistWithCovariance, UInt64, Vector3,
 };
 use super::annotations::annotations;
-use super::convert::{camera, ellipse, imu, joints, path, point, pose, scan, transform};
+use super::convert::{camera, ellipse, imu, joints, path, point, pose, pose_with_covariance, scan, transform};
 use super::markers::markers;
 use super::points::points;
 use super::{Quality, Sent, sent, stamp};
@@ -34,6 +34,7 @@ enum Form {
     Annotations,
     Point,
     Pose,
+    PoseWithCovariance,
     Ellipse,
     Path,
     Markers,
@@ -144,6 +145,7 @@ impl Form {
             image if image.starts_with("Image") => Self::Annotations,
             "Point2" | "Point3" if !is_list => Self::Point,
             "Pose2" | "Pose3" if !is_list => Self::Pose,
+            "PoseWithCovariance2" if !is_list => Self::PoseWithCovariance,
             "Ellipse" if !is_list => Self::Ellipse,
             "Polyline" if !is_list => Self::Path,
             _ => Self::Markers,
@@ -179,7 +181,8 @@ impl Form {
 
     /// Returns the topics of the same as markers and as points: viewers show some messages in one of these forms only.
     fn shown(self, is_shown: bool) -> [(&'static str, Option<Kind>); 2] {
-        let is_drawn = is_shown && matches!(self, Self::Point | Self::Pose | Self::Ellipse | Self::Path);
+        let is_drawn = is_shown
+            && matches!(self, Self::Point | Self::Pose | Self::PoseWithCovariance | Self::Ellipse | Self::Path);
         let has_points = is_drawn || is_shown && matches!(self, Self::Markers | Self::Scan);
         let markers = is_drawn.then(Kind::of::<MarkerArray>);
         [("markers", markers), ("points", has_points.then(Kind::of::<PointCloud>))]
@@ -196,7 +199,7 @@ impl Form {
             Self::Annotations => Kind::of::<ImageAnnotations>(),
             Self::Point => Kind::of::<PointStamped>(),
             Self::Pose => Kind::of::<PoseStamped>(),
-            Self::Ellipse => Kind::of::<PoseWithCovarianceStamped>(),
+            Self::Ellipse | Self::PoseWithCovariance => Kind::of::<PoseWithCovarianceStamped>(),
             Self::Path => Kind::of::<Path>(),
             Self::Markers => Kind::of::<MarkerArray>(),
             Self::Float32 => Kind::of::<Float32>(),
@@ -275,6 +278,7 @@ impl Output {
             Form::Point => sent(topic, &PointStamped { header, point: point(shape::point(value)?) }),
             Form::Pose => sent(topic, &PoseStamped { header, pose: pose(&shape::pose(value)?) }),
             Form::Ellipse => sent(topic, &ellipse(header, value)?),
+            Form::PoseWithCovariance => sent(topic, &pose_with_covariance(header, value)?),
             Form::Path => sent(topic, &path(&header, value)?),
             Form::Markers => {
                 let markers = markers(&header, &self.name, &self.shape, value, self.colour);
