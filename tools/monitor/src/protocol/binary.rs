@@ -9,8 +9,8 @@
 //! | 8–11 | number of the image in the session, `u32` |
 //! | 12–13 | width, px, `u16` |
 //! | 14–15 | height, px, `u16` |
-//! | 16–23 | time of the cycle that took the image in, µs, `u64` |
-//! | 24–27 | `id` of the request that this answers, `u32`; 0 for an image that is watched |
+//! | 16–23 | time of the cycle that received the image, µs, `u64` |
+//! | 24–27 | `id` of the answered request, `u32`; 0 for a watched image |
 //! | 28–31 | 0 |
 //! | 32–31+n | name of the camera, UTF-8; empty if it is unknown |
 //! | 32+n– | pixels |
@@ -27,7 +27,7 @@ pub const HEAD_BYTES: usize = 32;
 pub enum PixelKind {
     /// YUYV: 4 bytes for 2 pixels.
     Yuyv = 1,
-    /// Index of the colour class, or 255 for none: a byte for each pixel.
+    /// Index of the colour class, or 255 for none; one byte for each pixel.
     Classes = 2,
 }
 
@@ -36,7 +36,7 @@ pub enum PixelKind {
 pub struct ImageHead<'a> {
     /// Content of the pixels.
     pub kind: PixelKind,
-    /// Name of the camera that took the image, of which at most 255 bytes are sent; empty if it is unknown.
+    /// Name of the camera, of which at most 255 bytes are sent; empty if it is unknown.
     pub camera: &'a str,
     /// Session.
     pub session: SessionId,
@@ -46,9 +46,9 @@ pub struct ImageHead<'a> {
     pub width: u16,
     /// Height, px.
     pub height: u16,
-    /// Time of the cycle that took the image in, µs.
+    /// Time of the cycle that received the image, µs.
     pub time_us: u64,
-    /// `id` of the request that this answers; 0 for an image that is watched.
+    /// `id` of the request that the frame answers; 0 for a watched image.
     pub id: u32,
 }
 

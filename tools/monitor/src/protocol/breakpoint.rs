@@ -10,12 +10,12 @@ use super::SessionId;
 pub struct Breakpoint {
     /// Component.
     pub component: usize,
-    /// State: reached in the first cycle in which the component is in it and active.
+    /// State. The breakpoint is reached in the first cycle in which the component is active in this state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub state: Option<usize>,
-    /// Transition: reached in the cycle in which it is taken. A session that does not send the values of conditions (a recording, a
-    /// microcontroller) shows states only: there each transition between the same two states is reached, and one from a state
-    /// to itself can have no breakpoint.
+    /// Transition. The breakpoint is reached in the cycle in which the transition is taken. A session that does not send the values
+    /// of conditions (a recording, a microcontroller) shows only states: there, every transition between the same two states
+    /// reaches the breakpoint, and a transition from a state to itself can have none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transition: Option<usize>,
 }
@@ -25,7 +25,7 @@ pub struct Breakpoint {
 pub struct Reached {
     /// Time of the cycle, µs.
     pub time_us: u64,
-    /// Which.
+    /// The breakpoint.
     #[serde(flatten)]
     pub breakpoint: Breakpoint,
 }

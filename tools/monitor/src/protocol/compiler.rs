@@ -1,93 +1,93 @@
-//! What the compiler reports, and the course of builds.
+//! Messages of the compiler, and progress of checks and builds.
 
 use bica_vicode::model::Span;
 use serde::Serialize;
 
 use super::SessionId;
 
-/// Course and result of a check.
+/// Progress and result of a check.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
-    /// How far it is.
+    /// State of the check.
     pub state: CheckState,
-    /// Time that it has taken, s.
+    /// Duration so far, s.
     pub seconds: f32,
-    /// Errors and warnings; while it runs those of the last check.
+    /// Errors and warnings; while the check runs, those of the check before it.
     pub messages: Vec<CodeMessage>,
 }
 
-/// How far a check is.
+/// State of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CheckState {
-    /// It runs.
+    /// The check runs.
     Running,
-    /// It has ended; the messages are complete.
+    /// The check has ended; the messages are complete.
     Done,
-    /// It could not be made; a message says why.
+    /// The check could not be made; a message contains the reason.
     Failed,
-    /// It was given up, because the server ends or nothing is to be checked.
+    /// The check was cancelled, because the server ends.
     Stopped,
 }
 
-/// Course of the program that is built and run.
+/// Progress of the program that is built and run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Build {
-    /// How far it is.
+    /// State of the build or of the program.
     pub state: BuildState,
-    /// Number of crates that are built.
+    /// Number of crates that are built already.
     pub done: u32,
-    /// Number of all crates; 0 if it is not known.
+    /// Number of all crates; 0 if unknown.
     pub total: u32,
-    /// What happens, or why it ended, for people.
+    /// Progress, or reason of the end, as text for people.
     pub text: String,
-    /// The program that runs: the last one that worked, also while another one is built or after that failed.
+    /// Session of the running program. The previous program keeps running while another one is built, and if that fails.
     pub session: Option<SessionId>,
     /// Errors and warnings.
     pub messages: Vec<CodeMessage>,
 }
 
-/// How far a program is.
+/// State of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BuildState {
-    /// It is built.
+    /// The program is being built.
     Building,
-    /// It was started and prepares its link.
+    /// The program was started and prepares its link.
     Starting,
-    /// It runs as a session.
+    /// The program runs as a session.
     Running,
     /// The build or the start failed; the previous program keeps running.
     Failed,
-    /// It has ended.
+    /// The program has ended.
     Ended,
 }
 
 /// A message of the compiler.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CodeMessage {
-    /// File; none if it is about no file below the folder of sources.
+    /// File; none if the message concerns no file below the folder of sources.
     pub file: Option<String>,
     /// Version of the text that was compiled, if the file is open.
     pub version: Option<u64>,
-    /// Place in the text of that version.
+    /// Span in the text of that version.
     pub span: Option<Span>,
-    /// Line, from 1; 0 without a place.
+    /// Line, from 1; 0 without a span.
     pub line: usize,
-    /// How bad it is.
+    /// Severity.
     pub level: CodeLevel,
-    /// What is wrong.
+    /// Text of the message.
     pub text: String,
-    /// How to mend it; may be empty.
+    /// Remedy; may be empty.
     pub help: String,
 }
 
-/// How bad a message is.
+/// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CodeLevel {
     /// The program cannot be built.
     Error,
-    /// It can.
+    /// The program can be built.
     Warning,
 }

@@ -8,9 +8,9 @@ use super::{Breakpoint, Open, SessionId, SourceRequest, Watch};
 /// A message from the page, with the identifier of its answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FromPage {
-    /// Chosen by the page, different for each message; not 0.
+    /// Identifier of the message: chosen by the page, different for each message, not 0.
     pub id: u32,
-    /// The session that the request is about, if it is about one.
+    /// Session that the request concerns, if any.
     #[serde(default)]
     pub session: Option<SessionId>,
     /// The request.
@@ -18,9 +18,9 @@ pub struct FromPage {
     pub request: Request,
 }
 
-/// What the page asks for. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Layouts`, `SaveLayout`
-/// and `Source` are about the session of the message. Times, from `from_us` until `until_us`, are µs; a component, its information and its
-/// parameters are indices of the description.
+/// A request of the page. In brackets: the `result` of the answer, if there is one. All but `Open`, `Recordings`, `Layouts`,
+/// `SaveLayout` and `Source` concern the session of the message. Times, from `from_us` until `until_us`, are µs. Components,
+/// outputs and parameters are indices of the description.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 #[expect(missing_docs, reason = "the fields are explained at their variants")]
@@ -29,29 +29,31 @@ pub enum Request {
     Open { source: Open },
     /// Closes a session.
     Close {},
-    /// Replaces all that this page watches of a session.
+    /// Replaces the data that this page watches in a session.
     Watch { watch: Watch },
-    /// Reads the state at a time: of the last cycle that is not later, with information, each by component and index.
-    /// [[`Moment`](super::Moment); if `image`, a binary frame with the last image that is not later and this `id` comes before the answer]
+    /// Reads the state after the last cycle that is not later than `time_us`, with outputs, each by component and index.
+    /// [[`Moment`](super::Moment); if `image`, a binary frame with the last image that is not later and this `id` precedes the answer]
     At { time_us: u64, info: Vec<(usize, usize)>, image: bool },
     /// Reads the activation timeline of an interval; bars and gaps shorter than the resolution may be merged. [list of [`Row`](super::Row)]
     Timeline { from_us: u64, until_us: u64, resolution_us: u64 },
-    /// Reads samples of an output or of a parameter-like number, thinned to at most `points`. [list of `[time_us, value]`]
+    /// Reads samples of an output, thinned to at most `points`. [list of `[time_us, value]`]
     Series { component: usize, info: usize, from_us: u64, until_us: u64, points: usize },
     /// Reads the last log lines of an interval, at most `limit`. [list of [`LogLine`](super::LogLine)]
     Lines { from_us: u64, until_us: u64, limit: usize },
-    /// Becomes the operator of a session if nobody is.
+    /// Makes the page the operator of a session, unless there is another one.
     Acquire {},
-    /// Becomes the operator instead of another one; only when a person asks for it.
+    /// Makes the page the operator in place of another one. It is sent only if a person asks for it.
     Take {},
     /// Gives control back: holds, rates and modulations end.
     Release {},
-    /// Sent at least every 500 ms by a page that controls a session. After 3 s without it control ends.
+    /// Keeps control. A page that controls a session sends it at least every 500 ms. Control ends 3 s after the last `Acquire`,
+    /// `Take`, `Keep` or `Operate`.
     Keep {},
     /// Requests a change of the tree, or an action of its world.
-    /// [`{"cycle": number, "values": list}`: first cycle with it, and effective values]
+    /// [`{"cycle": number, "values": list}`: first cycle with the change, and effective values]
     Operate { request: NamedRequest },
-    /// Stops the robot: calls all of its stops, whoever operates it, also from a page that may only watch. Control ends.
+    /// Stops the robot: calls all of its stops. It needs no control, and pages that may only watch may send it, too. Control of the
+    /// operator ends.
     /// [as `Operate`]
     Stop {},
     /// Pauses a simulated world between two cycles.
@@ -60,29 +62,32 @@ pub enum Request {
     Resume {},
     /// Runs a number of cycles of a paused simulated world.
     Step { cycles: u32 },
-    /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which one is reached, a robot goes on. All
-    /// pages get them as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
+    /// Replaces the breakpoints of a session. A simulated world pauses at the cycle in which a breakpoint is reached; a robot
+    /// continues. All pages receive the list as [`ToPage::Breakpoints`](super::ToPage::Breakpoints).
     Breakpoints { list: Vec<Breakpoint> },
-    /// Searches the next time in memory, later than `from_us`, at which a breakpoint of the session is reached.
+    /// Finds the first time in memory, later than `from_us`, at which a breakpoint of the session is reached.
     /// [[`Reached`](super::Reached), or `null`]
     NextHit { from_us: u64 },
-    /// Counts what a session has visited of a machine, as far as it is in memory: the component with the key
-    /// `component` in a file below the folder of sources, and the index `index` in the session. [`bica_vicode::coverage::Coverage`]
+    /// Computes the coverage of a state machine by the session's history. The machine has the key `component` in a file below the
+    /// folder of sources, and the index `index` in the session.
+    /// [`bica_vicode::coverage::Coverage`]
     Coverage { file: String, component: String, index: usize },
-    /// Begins a simulated world again, with another seed if given.
+    /// Restarts a simulated world, with another seed if given.
     Restart { seed: Option<u64> },
     /// Adds a note of the operator, at most 500 characters, to log, timeline and recording.
     Note { text: String },
-    /// Keeps the recording of the last minutes under a name, without ending, in the recordings folder. [`{"path": text}`]
+    /// Keeps the recording of a world's run, or of the last minutes of a robot, in the recordings folder under a name without ending.
+    /// [`{"path": text}`]
     KeepRecording { name: String },
-    /// Keeps the cycles of a span under a name in the recordings folder: of a recording, or as `KeepRecording`. [`{"path": text}`]
+    /// Keeps the cycles of a span in the recordings folder under a name: cycles of a recording, or of what `KeepRecording` keeps.
+    /// [`{"path": text}`]
     KeepSpan { name: String, from_us: u64, until_us: u64 },
     /// Lists the recordings in the recordings folder. [list of `{"name", "bytes", "seconds"}`]
     Recordings {},
-    /// Writes changed parameters, each by component and index, to a tune file; its name without ending is a kind of world or a robot.
+    /// Writes the values of parameters, each by component and index, to a tune file. Its name without ending is a kind of world or a robot.
     /// [`{"path": text}`]
     SaveTune { params: Vec<(usize, usize)>, name: String },
-    /// Writes a parameter as the new default to its Rust source. [`{"path": text, "diff": text}`]
+    /// Writes the value of a parameter to its Rust source as the new default. [`{"path": text, "diff": text}`]
     SaveSource { component: usize, param: usize },
     /// Lists where a parameter is declared and read in the sources. [list of [`SourceUse`](super::SourceUse)]
     ParamUses { component: usize, param: usize },
@@ -96,6 +101,6 @@ pub enum Request {
     Compare { other: SessionId },
     /// Runs a recording again with other settings, as a new session. [`{"session": number}`]
     RunAgain { settings: Vec<NamedSetting> },
-    /// Sends a message to the [extension](crate::program::Extension) of a name. [its answer]
+    /// Sends a message to the [extension](crate::program::Extension) with this name. [its answer]
     Extension { name: String, message: serde_json::Value },
 }

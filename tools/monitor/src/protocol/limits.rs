@@ -1,10 +1,10 @@
-//! What a page may ask for at most.
+//! Limits of requests.
 
 use serde::Serialize;
 
 use super::Failed;
 
-/// Limits of the server, which the page shows while somebody types.
+/// Limits of the server. The page shows them during input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Limits {
     /// Number of open sessions.

@@ -17,23 +17,23 @@ pub struct SessionInfo {
     pub seed: Option<u64>,
     /// State of the connection.
     pub connection: Connection,
-    /// What the connection's state means, for people; empty if all is well.
+    /// Explanation of the connection's state, for people; empty if there is no problem.
     pub note: String,
     /// How the run ended, for people, such as `Goal at 16.68 s`; empty before.
     pub result: String,
-    /// First time of which something is known, µs.
+    /// First time in the history, µs.
     pub from_us: u64,
-    /// Last time of which something is known, µs.
+    /// Last time in the history, µs.
     pub until_us: u64,
-    /// Times between which nothing was received as the connection was lost, µs; the oldest first.
+    /// Gaps in which nothing was received because the connection was lost: begin and end, µs; the oldest first.
     pub gaps: Vec<(u64, u64)>,
     /// Whether a simulated world is paused.
     pub paused: bool,
-    /// Who operates it.
+    /// Operator of the session.
     pub control: Control,
-    /// What can be done with it.
+    /// Supported operations and data.
     pub can: Capabilities,
-    /// The recording that is made.
+    /// State of its recording.
     pub recording: RecordingState,
 }
 
@@ -58,58 +58,58 @@ pub enum Connection {
     Connecting,
     /// Data arrive, or the recording is open.
     Connected,
-    /// It was lost and is being restored.
+    /// The connection was lost and is being restored.
     Lost,
-    /// It has ended and is not restored.
+    /// The connection has ended and is not restored.
     Ended,
 }
 
-/// Who operates a session.
+/// Operator of a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Control {
-    /// Nobody.
+    /// No operator.
     Free,
-    /// The page that receives this.
+    /// The page that receives this message.
     Yours,
     /// Another page of this server.
     OtherPage,
     /// Another monitor of the robot.
     OtherMonitor,
-    /// Nobody can.
+    /// The session cannot be operated.
     Unavailable,
 }
 
-/// What can be done with a session.
+/// Supported operations and data of a session.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[expect(clippy::struct_excessive_bools, reason = "each is an independent capability, a field of a JSON object")]
 pub struct Capabilities {
     /// Requests: parameters, holds, rates, modulations, actions of the world.
     pub operate: bool,
-    /// Pause and step, and restart if the world is of this process.
+    /// Pause and step; for a world of this process also restart.
     pub pause: bool,
-    /// The true state is known.
+    /// True state of the world.
     pub truth: bool,
-    /// Images come.
+    /// Images.
     pub images: bool,
-    /// Costs come.
+    /// Costs.
     pub costs: bool,
-    /// Conditions of transitions come.
+    /// Conditions of transitions.
     pub conditions: bool,
-    /// It can be run again with other parameters.
+    /// Another run of the recording with other parameters.
     pub run_again: bool,
 }
 
 /// The recording of a session: the run of a world of this process from its beginning, or the last minutes of a robot.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RecordingState {
-    /// Whether it is recorded.
+    /// Whether the session is recorded.
     pub on: bool,
     /// First time that can be kept, µs.
     pub from_us: u64,
     /// Size, bytes.
     pub bytes: u64,
-    /// Why it is not recorded, or what was lost; empty if all is well.
+    /// Why the session is not recorded, or which data were lost; empty if there is no problem.
     pub note: String,
     /// File in which the session is recorded from its beginning; empty without `--record`.
     pub file: String,

@@ -1,4 +1,4 @@
-//! Sources as a page sees them.
+//! Sources, as they are sent to pages.
 
 use bica_vicode::model::{Model, Span};
 use bica_vicode::{Conflict, Note, Splice};
@@ -15,10 +15,10 @@ pub struct SourceState {
     pub text: String,
     /// Model of the text.
     pub model: Model,
-    /// What is drawn where.
+    /// Positions of states and notes on the canvas.
     #[serde(flatten)]
     pub drawn: Drawn,
-    /// The file on disk beside it.
+    /// State of the file on disk.
     #[serde(flatten)]
     pub state: FileState,
 }
@@ -32,56 +32,56 @@ pub struct SourceChange {
     pub version: u64,
     /// Version before it; the same if the text did not change.
     pub from_version: u64,
-    /// Replacements, each list of the text after the list before it.
+    /// Lists of replacements. Each list refers to the text after the list before it.
     pub splices: Vec<Vec<Splice>>,
     /// Model of the text; none if the text did not change.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<Model>,
-    /// What is drawn where.
+    /// Positions of states and notes on the canvas.
     #[serde(flatten)]
     pub drawn: Drawn,
-    /// The file on disk beside it.
+    /// State of the file on disk.
     #[serde(flatten)]
     pub state: FileState,
-    /// Who changed it.
+    /// Origin of the change.
     pub by: ChangedBy,
-    /// The page that asked for it, as in [`ToPage::Hello`](super::ToPage::Hello); 0 without one.
+    /// Page that requested the change, as in [`ToPage::Hello`](super::ToPage::Hello); 0 without one.
     pub page: u64,
 }
 
-/// Who changed an open file.
+/// Origin of a change of an open file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ChangedBy {
     /// A page.
     Page,
-    /// Another program, in the file.
+    /// Another program, which changed the file on disk.
     File,
     /// A page, which undid or redid a step.
     Undo,
 }
 
-/// The file on disk beside an open text.
+/// State of the file on disk, compared with the open text.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 #[expect(clippy::struct_excessive_bools, reason = "each is an independent property, a field of a JSON object")]
 pub struct FileState {
-    /// Whether the file has the text.
+    /// Whether the file contains the open text.
     pub saved: bool,
-    /// Whether the file may not be written.
+    /// Whether the file is read-only.
     pub readonly: bool,
-    /// Whether the file is gone. The text stays; `save_file` makes the file again.
+    /// Whether the file was deleted. The text is kept; `save_file` creates the file again.
     pub deleted: bool,
-    /// Why the file cannot be read or written, and what to do; empty if all is well.
+    /// Why the file cannot be read or written, with a remedy; empty if there is no problem.
     pub problem: String,
-    /// Changes of both sides that touch each other. The file is not written until one is chosen.
+    /// Conflicting changes of pages and of another program. The file is not written until the conflict is resolved.
     pub conflict: Option<Conflict>,
     /// Whether there is a step to undo.
     pub undo: bool,
-    /// Whether there is a step to make again.
+    /// Whether there is a step to redo.
     pub redo: bool,
 }
 
-/// What is drawn where.
+/// Positions of states and notes on the canvas.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Drawn {
     /// Centres of all states.
@@ -107,11 +107,11 @@ pub struct StatePosition {
     pub component: String,
     /// State.
     pub state: String,
-    /// To the right.
+    /// Horizontal coordinate, to the right.
     pub x: i32,
-    /// Down.
+    /// Vertical coordinate, down.
     pub y: i32,
-    /// Whether a person placed it; else it is computed.
+    /// Whether a person placed the state; otherwise the position is computed.
     pub placed: bool,
 }
 
@@ -124,7 +124,7 @@ pub struct SourceFile {
     pub components: Vec<SourceComponent>,
     /// Names of its trees.
     pub trees: Vec<String>,
-    /// Why it cannot be read.
+    /// Why the file cannot be read.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub problem: Option<String>,
 }
@@ -132,7 +132,7 @@ pub struct SourceFile {
 /// A component of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SourceComponent {
-    /// Address in the file, as edits take it.
+    /// Key in the file, as used by edits.
     pub key: String,
     /// Name.
     pub name: String,
@@ -145,7 +145,7 @@ pub struct SourceComponent {
 pub struct SourceTable {
     /// File.
     pub file: String,
-    /// Address in the file, as edits take it.
+    /// Key in the file, as used by edits.
     pub key: String,
     /// Type of a row.
     pub ty: String,
@@ -160,10 +160,10 @@ pub struct SourceUse {
     pub file: String,
     /// Line, from 1.
     pub line: usize,
-    /// Place of the name.
+    /// Span of the name.
     pub span: Span,
-    /// The line.
+    /// Text of the line.
     pub text: String,
-    /// Whether the component is named before it; else the type of what is called is unknown.
+    /// Whether the component is named before the function; otherwise the type of the called value is unknown.
     pub certain: bool,
 }

@@ -5,7 +5,7 @@ use bica_vicode::trial::Step;
 use bica_vicode::{Edit, Note};
 use serde::{Deserialize, Serialize};
 
-/// What a page asks of the sources. In brackets: the `result` of the answer, if there is one. A `file` is a path below the folder of
+/// A request about sources. In brackets: the `result` of the answer, if there is one. A `file` is a path below the folder of
 /// `--source`, with `/` between its parts; a component is named by its key. Offsets are bytes of UTF-8.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
@@ -13,41 +13,43 @@ use serde::{Deserialize, Serialize};
 pub enum SourceRequest {
     /// Lists the files with components or trees. [list of [`SourceFile`](super::SourceFile)]
     Sources {},
-    /// Lists the tables of constants with rows of certain types, which are without paths. [list of [`SourceTable`](super::SourceTable)]
+    /// Lists the tables of constants whose rows have one of these types, named without paths. [list of [`SourceTable`](super::SourceTable)]
     Tables { types: Vec<String> },
-    /// Opens a file. The page gets its messages from now on, first a [`ToPage::Source`](super::ToPage::Source).
+    /// Opens a file. From now on the page receives its messages, first a [`ToPage::Source`](super::ToPage::Source).
     OpenFile { file: String },
-    /// Ends the messages of a file. What was not saved is still saved.
+    /// Ends the messages about a file. Unsaved changes are still saved.
     CloseFile { file: String },
-    /// Applies edits as one step of the history, all or none: edits by name to any version, `replace` only to `version`.
+    /// Applies edits as one step of the history, all or none. Edits by name apply to any version, `replace` only to `version`.
     /// [`{"version": number}`]
     EditFile { file: String, version: u64, edits: Vec<Edit> },
     /// Undoes the last step. [`{"version": number}`]
     UndoFile { file: String },
-    /// Makes the last undone step again. [`{"version": number}`]
+    /// Redoes the last undone step. [`{"version": number}`]
     RedoFile { file: String },
-    /// Saves a file at once. A file that was deleted is made again.
+    /// Saves a file at once. A deleted file is created again.
     SaveFile { file: String },
-    /// Ends a conflict. [`{"version": number}`]
+    /// Resolves a conflict. [`{"version": number}`]
     ResolveFile { file: String, keep: KeepSide },
     /// Moves states on the canvas. The positions are written to the layout file at once.
     MoveStates { file: String, positions: Vec<MovedState> },
-    /// Forgets all positions of a component. [`{"positions": list of` [`StatePosition`](super::StatePosition)`}`]
+    /// Removes the stored positions of a component's states. [`{"positions": list of` [`StatePosition`](super::StatePosition)`}`]
     ArrangeStates { file: String, component: String },
     /// Replaces a note on the canvas: `from` none adds one, `to` none removes it. It is written to the layout file at once.
     ChangeNote { file: String, component: String, from: Option<Note>, to: Option<Note> },
     /// Lists uses of a function of a component in other files. [list of [`SourceUse`](super::SourceUse)]
     Uses { file: String, component: String, function: String },
-    /// Renames a function in its file, as the edit `rename`, and at chosen places of other files, as `Uses` lists them, all certain
-    /// ones among them. Undoing it in one file undoes it in all. [`{"files": [{"file", "version"}]}`]
+    /// Renames a function in its file, like the edit `rename`, and at chosen places of other files. The places are those that
+    /// `Uses` lists, and include all certain ones. Undo in one file undoes the change in all files.
+    /// [`{"files": [{"file", "version"}]}`]
     RenameUses { file: String, component: String, function: String, to: String, places: Vec<SourcePlace> },
-    /// Makes a component with a name as in `WallFinder`: its file in `folder` (empty: the folder of sources), its `mod` line, its entry
-    /// in the `activation_tree!` of the file `tree`, which imports it from the module `import`, as in `crate::behaviour`. `dry` only
-    /// answers the differences. [`{"file": text, "files": [{"file", "diff"}]}`]
+    /// Creates a component with a name such as `WallFinder`: its file in `folder` (empty: the folder of sources), its `mod` line,
+    /// and its entry in the `activation_tree!` of the file `tree`. That file imports the component from the module `import`, such
+    /// as `crate::behaviour`. With `dry` only the differences are returned.
+    /// [`{"file": text, "files": [{"file", "diff"}]}`]
     NewComponent { name: String, folder: String, tree: Option<String>, import: Option<String>, dry: bool },
     /// Draws a machine. [`{"text": text}`, or of a PNG `{"base64": text}`]
     DrawFile { file: String, component: String, format: DrawingFormat },
-    /// Finds edits that mend the mistakes of a file. [`{"version": number, "fixes": list for each mistake of `{"label", "edit"}`}`]
+    /// Finds edits that fix the mistakes of a file. [`{"version": number, "fixes": list for each mistake of `{"label", "edit"}`}`]
     Fixes { file: String },
     /// Compares a file with its last commit. [`{"revision": text, "new": bool, "report": text, "comparison", "both": object from component
     /// to its model with what was removed}`]
@@ -56,14 +58,14 @@ pub enum SourceRequest {
     TryMachine { file: String, component: String, steps: Vec<Step> },
     /// Checks the packages of the open files with the compiler. Results come as [`ToPage::Check`](super::ToPage::Check).
     Check {},
-    /// Builds the program and runs it, with other robots, instead of the one that runs.
-    /// Results come as [`ToPage::Build`](super::ToPage::Build).
+    /// Builds the program and runs it with `robots` other robots, in place of the running program. Results come as
+    /// [`ToPage::Build`](super::ToPage::Build).
     Run { seed: u64, robots: usize },
-    /// Ends a build and the program that runs.
+    /// Ends a build and the running program.
     StopRun {},
 }
 
-/// Which text a conflict ends with.
+/// Text that resolves a conflict.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum KeepSide {
@@ -71,7 +73,7 @@ pub enum KeepSide {
     Ours,
     /// The text of the file.
     Theirs,
-    /// A text made of both.
+    /// A text that combines both.
     Text(String),
 }
 
@@ -83,9 +85,9 @@ pub struct MovedState {
     pub component: String,
     /// State.
     pub state: String,
-    /// To the right.
+    /// Horizontal coordinate, to the right.
     pub x: i32,
-    /// Down.
+    /// Vertical coordinate, down.
     pub y: i32,
 }
 
@@ -95,7 +97,7 @@ pub struct MovedState {
 pub struct SourcePlace {
     /// File.
     pub file: String,
-    /// Place.
+    /// Span in the file.
     pub span: Span,
 }
 

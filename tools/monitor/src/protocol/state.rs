@@ -1,22 +1,22 @@
-//! State of a robot at a time, and its course.
+//! State of a robot at a time, and over time.
 
 use bica::Hold;
 use bica_link::Shown;
 use bica_wire::message::{ComponentState, LogSource};
 use serde::Serialize;
 
-/// State of a component, in JSON a list.
+/// State of a component; a list in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ComponentNow(
     /// Whether it was visited in the last cycle.
     pub bool,
-    /// How it is held.
+    /// Hold of the component.
     pub Hold,
     /// Index of its state, also of a latent one.
     pub Option<u16>,
     /// Requested rate, Hz; none: every cycle.
     pub Option<f32>,
-    /// Time since which it has been in this state, or active or latent, µs.
+    /// Time of the last change of activation or state, µs.
     pub u64,
 );
 
@@ -26,12 +26,12 @@ impl From<ComponentNow> for ComponentState {
     }
 }
 
-/// A value of information, in JSON a list.
+/// A value of an output; a list in JSON.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InfoSample(
     /// Component.
     pub usize,
-    /// Information.
+    /// Output.
     pub usize,
     /// Time, µs.
     pub u64,
@@ -39,14 +39,14 @@ pub struct InfoSample(
     pub serde_json::Value,
 );
 
-/// The condition of a transition as it was evaluated last.
+/// Last evaluation of the condition of a transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Condition {
-    /// Whether it was true; none if it was not evaluated in this state.
+    /// Whether the condition held; none if it was not evaluated in this state.
     pub holds: Option<bool>,
-    /// Time since which it has had this value, µs.
+    /// Time since which the condition has had this value, µs.
     pub since_us: u64,
-    /// Rest of the transition's timer, ms; none without a timer or in another state.
+    /// Remaining time of the transition's timer, ms; none without a timer or in another state.
     pub remaining_ms: Option<u32>,
 }
 
@@ -61,7 +61,7 @@ pub struct Conditions {
     pub conditions: Vec<Condition>,
 }
 
-/// Time of the components and of the loop.
+/// Execution times of the components and of the loop.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Costs {
     /// Time, µs.
@@ -72,11 +72,11 @@ pub struct Costs {
     pub components: Vec<ComponentCost>,
     /// Mean and largest duration of a cycle from sensor values to command, µs.
     pub chain_us: (f32, f32),
-    /// Time of the worst cycle in the window, µs.
+    /// Time at which the longest cycle of the window took place, µs.
     pub worst_us: u64,
 }
 
-/// Time of a component, in JSON a list.
+/// Execution time of a component; a list in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ComponentCost(
     /// Number of runs in the window.
@@ -94,11 +94,11 @@ pub struct LogLine {
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
-    /// Where it comes from.
+    /// Origin of the line.
     pub source: LogSource,
     /// Text.
     pub text: String,
-    /// The component that it is about.
+    /// Component that the line concerns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub component: Option<usize>,
 }
@@ -112,7 +112,7 @@ pub struct Moment {
     pub cycle: u64,
     /// State of each component.
     pub components: Vec<ComponentNow>,
-    /// The requested information, as the last sample that is not later.
+    /// The requested outputs: of each the last sample that is not later.
     pub info: Vec<InfoSample>,
     /// Number of the image, if there is one.
     pub image: Option<u32>,
@@ -129,18 +129,18 @@ pub struct Moment {
 pub struct Row {
     /// Component.
     pub component: usize,
-    /// Times in which it was active.
+    /// Intervals in which the component was active.
     pub bars: Vec<Bar>,
     /// Times of overruns, µs.
     pub overruns: Vec<u64>,
 }
 
-/// A time in which a component was active in one state, in JSON a list.
+/// An interval in which a component was active in one state; a list in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Bar(
-    /// Begin, µs.
+    /// Begin, µs, not before the requested interval.
     pub u64,
-    /// End, µs; of the session if it is active now.
+    /// End, µs, not after the requested interval and the last cycle.
     pub u64,
     /// State; none without states, or if states were merged.
     pub Option<u16>,

@@ -28,19 +28,19 @@ pub enum ToPage {
         sessions: Vec<SessionInfo>,
         limits: Limits,
     },
-    /// A session is new, or something of it changed.
+    /// A session was opened or has changed.
     Session { session: SessionInfo },
     /// A session was closed.
     Closed { session: SessionId },
-    /// The tree of a session, sent before anything else of it, and again when another robot has come: with the
-    /// current values of parameters and the kind of each component; no kinds of a tree that is too large to draw, or whose links lead
-    /// nowhere.
+    /// The tree of a session, with the current values of parameters and the kind of each component. It is sent before the data of
+    /// the session, and again after a new connection or a restart. There are no kinds if the tree is too large to draw, or if links
+    /// lead nowhere.
     Described { session: SessionId, description: Box<Description>, kinds: Vec<Kind> },
-    /// What does not move in the world of a session, sent after the tree.
+    /// The scenery of a session's world, sent after the tree.
     Scenery { session: SessionId, scenery: Vec<Shown> },
-    /// State of the tree after the last cycle, about 30 times a second while it runs: time of the tick in µs, number of the cycle, of
-    /// the images taken in and of the cycles that ended after the next one was due; the components, and those that changed since the
-    /// last update, each with time, active, state, in order of time.
+    /// State of the tree after the last cycle, about 30 times a second while it runs: time of the tick, µs, and number of the
+    /// cycle; number of received images, and of cycles that ended after the next one was due; the components; and the changes since
+    /// the last update in order of time, each with component, time, µs, active and state.
     Update {
         session: SessionId,
         time_us: u64,
@@ -50,7 +50,7 @@ pub enum ToPage {
         components: Vec<ComponentNow>,
         changes: Vec<(usize, u64, bool, Option<u16>)>,
     },
-    /// Values of watched information, in order of time.
+    /// Values of watched outputs, in order of time.
     Info { session: SessionId, samples: Vec<InfoSample> },
     /// Conditions of the transitions of watched components.
     Conditions {
@@ -58,7 +58,7 @@ pub enum ToPage {
         #[serde(flatten)]
         of: Conditions,
     },
-    /// Time of the components and of the loop, about twice a second.
+    /// Execution times of the components and of the loop, about twice a second.
     Costs {
         session: SessionId,
         #[serde(flatten)]
@@ -78,11 +78,11 @@ pub enum ToPage {
     Source(Box<SourceState>),
     /// A file that this page has opened has changed.
     SourceChanged(Box<SourceChange>),
-    /// Course and result of a check.
+    /// Progress and result of a check.
     Check(Check),
-    /// Course of the program that is built and run.
+    /// Progress of the program that is built and run.
     Build(Build),
-    /// Answer to the message `id` of this page: the result if it was done, or why it was not.
+    /// Answer to the message `id` of this page: the result, or the error.
     Answer {
         id: u32,
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,17 +92,17 @@ pub enum ToPage {
     },
 }
 
-/// Why a request was not done.
+/// Error: why a request was not executed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Failed {
-    /// What went wrong.
+    /// Text of the error.
     pub text: String,
-    /// How to mend it.
+    /// Remedy.
     pub help: String,
     /// Index of the setting or argument that was refused.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entry: Option<usize>,
-    /// Whether the request is about an older version of a text, and can be sent again for the present one.
+    /// Whether the request concerns an older version of a text, and can be sent again for the current one.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub stale: bool,
 }

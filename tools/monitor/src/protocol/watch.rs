@@ -1,12 +1,12 @@
-//! What a page watches of a session.
+//! Data of a session that a page watches.
 
 use serde::{Deserialize, Serialize};
 
-/// All that a page watches of a session.
+/// All data of a session that a page watches.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Watch {
-    /// Information.
+    /// Outputs.
     pub info: Vec<WatchInfo>,
     /// Components whose conditions of transitions are sent.
     pub conditions: Vec<usize>,
@@ -24,9 +24,9 @@ pub struct Watch {
 pub struct WatchInfo {
     /// Component.
     pub component: usize,
-    /// Information.
+    /// Output.
     pub info: usize,
-    /// The value of every n-th cycle.
+    /// Interval of the values, cycles: the value of every n-th cycle is sent.
     pub every: u16,
 }
 

@@ -16,7 +16,7 @@ pub struct World {
 pub struct WorldOption {
     /// Name.
     pub name: String,
-    /// What it is, for people.
+    /// Description, for people.
     pub doc: String,
     /// Largest value.
     pub max: u64,
