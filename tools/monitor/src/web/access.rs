@@ -1,4 +1,4 @@
-//! Who may enter: one-time keys, the secret of a page, the token of a file.
+//! Access control: one-time keys, the secret of a page, the token of a file.
 
 use std::collections::VecDeque;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use serde::Deserialize;
 
 /// Number of random bytes of a secret.
 const SECRET_BYTES: usize = 32;
-/// Largest number of keys that can be used; older ones are void.
+/// Largest number of valid keys; older ones become invalid.
 const MAX_KEYS: usize = 16;
 
 /// The first message of a page. One valid proof is enough.
@@ -18,9 +18,9 @@ const MAX_KEYS: usize = 16;
 pub struct Enter {
     /// Key of a URL that the program printed.
     pub key: String,
-    /// Secret that a page of this origin was given before.
+    /// Secret that the server sent to an earlier page of this origin.
     pub secret: String,
-    /// Token of the server's file.
+    /// Token in the server's token file.
     pub token: String,
 }
 
@@ -32,7 +32,7 @@ pub struct Access {
 }
 
 impl Access {
-    /// New secrets for a server.
+    /// Creates the secrets of a server.
     ///
     /// # Errors
     /// If the operating system has no random numbers.
@@ -54,10 +54,10 @@ impl Access {
         Ok(key)
     }
 
-    /// Checks the proofs of a page and uses its key up. Returns the secret with which pages of the same origin enter again.
+    /// Checks the proofs of a page and invalidates its key. Returns the secret with which pages of the same origin enter again.
     ///
     /// # Errors
-    /// Why none of the proofs is valid.
+    /// The reason, if no proof is valid.
     pub fn enter(&self, enter: &Enter) -> Result<&str, &'static str> {
         let is_token = self.token.as_ref().is_some_and(|token| equal(token, &enter.token));
         if self.redeem(&enter.key) || equal(&self.secret, &enter.secret) || is_token {
@@ -70,7 +70,7 @@ impl Access {
         })
     }
 
-    /// Uses a key up; returns whether it was valid.
+    /// Invalidates a key; returns whether it was valid.
     fn redeem(&self, key: &str) -> bool {
         let mut keys = self.keys.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(index) = keys.iter().position(|known| equal(known, key)) else { return false };
@@ -93,7 +93,7 @@ pub(crate) fn secret() -> io::Result<String> {
     }))
 }
 
-/// Compares secrets in a time that does not depend on where they differ.
+/// Compares secrets in a time that does not depend on the position of a difference.
 fn equal(a: &str, b: &str) -> bool {
     a.len() == b.len() && a.bytes().zip(b.bytes()).fold(0, |differs, (a, b)| differs | (a ^ b)) == 0
 }

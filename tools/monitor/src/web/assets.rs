@@ -8,8 +8,8 @@ pub(crate) const SCRIPT: &str = "text/javascript; charset=utf-8";
 /// Name and contents of each file of the page.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
-/// Returns a file of the page and its media type. Only names of the table exist, so no path leads out of the page's folder. A
-/// debug build reads the file anew, so that a change of the page needs no build.
+/// Returns a file of the page and its media type. Only names in the table exist, so no path leads out of the page's folder. A debug
+/// build reads the file from disk, so that a change of the page needs no build.
 pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
     let (name, bytes) = FILES.iter().find(|(known, _)| *known == name)?;
     let media = media_type(name)?;
@@ -22,11 +22,11 @@ pub(crate) fn file(name: &str) -> Option<(Cow<'static, [u8]>, &'static str)> {
     Some((Cow::Borrowed(bytes), media))
 }
 
-/// Modules that the page needs at once; what a panel needs is loaded when it is opened first.
+/// Modules that the page needs at its start. The modules of a panel are loaded when it is first opened.
 const FIRST: &[&str] = include!(concat!(env!("OUT_DIR"), "/first.rs"));
 
-/// Returns the page, with a link to each module of [`FIRST`]. Without them a browser learns of a module when it has read the
-/// one that imports it, level by level.
+/// Returns the page, with a preload link to each module of [`FIRST`]. Without these links a browser finds a module only when it has
+/// read the importing one, level by level.
 pub(crate) fn page() -> (String, &'static str) {
     let (bytes, media) = file("index.html").unwrap_or_default();
     let modules = FIRST.iter().chain(&["extensions.js"]);
@@ -78,7 +78,7 @@ mod tests {
             for part in String::from_utf8_lossy(bytes).split("font").skip(1) {
                 let Some((before, _)) = part.split_once("px") else { continue };
                 let digits = before.trim_end_matches(|one: char| one.is_ascii_digit() || one == '.').len();
-                // Further away is the size of something else.
+                // A size farther away belongs to something else.
                 if !before.contains(';')
                     && before.len() < 24
                     && let Ok(size) = before[digits..].parse::<f32>()
@@ -99,7 +99,7 @@ mod tests {
                 for part in text.split("from").skip(1) {
                     let Some(path) = part.trim_start_matches(' ').strip_prefix(quote) else { continue };
                     let path = path.split(quote).next().unwrap();
-                    // Only what can be a module: messages contain the word, too.
+                    // Only possible paths of modules: messages contain the word `from`, too.
                     if path.len() < 80 && !path.contains([' ', ',', '(']) && !path.is_empty() {
                         assert!(path.starts_with("./") || path.starts_with("../"), "{name} imports `{path}`");
                     }

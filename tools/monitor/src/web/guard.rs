@@ -21,14 +21,14 @@ pub(crate) async fn guard(State(shared): State<Arc<Shared>>, request: Request, n
     response
 }
 
-/// Returns the answer to a request that is not passed on.
+/// Returns the response to a request that is not passed on; none if it is.
 fn answer(shared: &Shared, request: &Request) -> Option<Response> {
     let headers = request.headers();
     let host = only(headers, &header::HOST).unwrap_or_default();
     if !shared.hosts.allows(host) {
         return Some(refuse("this server is not known under that name"));
     }
-    // Browsers send the relation to the page that asks; other programs do not.
+    // Browsers send the relation of the requesting page to this server; other programs do not.
     if !matches!(text(headers, &FETCH_SITE), None | Some("same-origin" | "none")) {
         return Some(refuse("requests of other sites are refused"));
     }

@@ -2,14 +2,14 @@
 
 use std::net::{IpAddr, SocketAddr};
 
-/// The values of `Host` and `Origin` that mean this server.
+/// Values of `Host` and `Origin` that denote this server.
 #[derive(Clone, Debug)]
 pub struct Hosts {
     /// Address with which a browser of this computer reaches the server.
     own: SocketAddr,
     names: Vec<String>,
     addresses: Vec<IpAddr>,
-    /// The server listens on all addresses of the computer: any address literal can be its own.
+    /// Whether the server listens on all addresses of the computer, so that any address literal can be its own.
     any_address: bool,
 }
 
@@ -25,7 +25,8 @@ impl Hosts {
         Self { own, names: all, addresses, any_address }
     }
 
-    /// Whether a value of `Host` means this server. An address literal cannot be rebound, a foreign name can.
+    /// Returns whether a value of `Host` denotes this server. Foreign names are refused, because they can be rebound to this
+    /// computer; an address literal cannot.
     #[must_use]
     pub fn allows(&self, host: &str) -> bool {
         if let Ok(address) = host.parse::<SocketAddr>() {
@@ -41,15 +42,15 @@ impl Hosts {
         self.own
     }
 
-    /// The address to use instead of the name `localhost`, which means two addresses: at the other one another program may listen,
-    /// and would share the origin of the page.
+    /// Returns the address to use instead of the name `localhost`; none for other names. `localhost` denotes two addresses: at the
+    /// other one another program may listen, which would share the origin of the page.
     #[must_use]
     pub fn address_of(&self, host: &str) -> Option<SocketAddr> {
         let name = host.rsplit_once(':').map_or(host, |(name, _)| name);
         name.eq_ignore_ascii_case("localhost").then_some(self.own)
     }
 
-    /// Whether a value of `Origin` is the origin of the page that was requested under `host`.
+    /// Returns whether a value of `Origin` is the origin of the page that was requested under `host`.
     #[must_use]
     pub fn is_origin(&self, origin: &str, host: &str) -> bool {
         self.allows(host)

@@ -1,11 +1,11 @@
 //! Web server: the page's files and a WebSocket for each page.
 //!
-//! The server is made for a computer that other programs and web pages share. Before anything else it compares the request's
-//! `Host` with a list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. Plain HTTP serves the
-//! page's files, which contain no secret, and changes nothing. A WebSocket needs an `Origin` equal to the server's own, and its
-//! first message must prove that the page may enter: with the key of a URL that works once, or with the secret that the page was
-//! given for one and keeps in the storage of its origin. A cookie would not do: browsers send it to every port of a host. What
-//! comes in is limited in size, number and rate; what goes out to a slow page is dropped or the page is disconnected ([`Queue`]).
+//! The server is designed for a computer that other programs and web pages share. It first compares the `Host` of a request with a
+//! list, so that a foreign name that resolves to this computer (DNS rebinding) is refused. Plain HTTP serves the page's files,
+//! which contain no secret, and changes nothing. A WebSocket needs an `Origin` equal to the server's own. Its first message must
+//! prove that the page may enter: by the key of a URL that works once, by the secret that the page received for such a key and
+//! keeps in the storage of its origin, or by the token. A cookie is not sufficient, because browsers send it to every port of a
+//! host. Input is limited in size, number and rate. Output to a slow page is dropped, or the page is disconnected ([`Queue`]).
 
 mod access;
 mod assets;
@@ -40,7 +40,7 @@ const MAX_PAGES: usize = 32;
 pub struct WebOptions {
     /// Names under which other computers reach the server, besides its addresses.
     pub names: Vec<String>,
-    /// Secret with which a page can be entered at any time: needed where other computers reach the server.
+    /// Secret with which a page can enter at any time; required where other computers reach the server.
     pub token: Option<String>,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Shared {
     pub(crate) hosts: Hosts,
     pub(crate) access: Access,
     pub(crate) manager: Arc<Manager>,
-    /// Places of pages that have entered.
+    /// Permits for pages that have entered.
     pub(crate) pages: Arc<Semaphore>,
 }
 
@@ -62,10 +62,11 @@ pub struct Web {
 }
 
 impl Web {
-    /// Serves on a listener, in a thread.
+    /// Starts a server on a listener, in a new thread.
     ///
     /// # Errors
-    /// If the thread or its runtime cannot be started, or an address other than loopback has no token.
+    /// If the thread or its runtime cannot be started, if the system has no random numbers, or if an address other than loopback
+    /// has no token or the manager edits sources.
     pub fn start(listener: TcpListener, options: WebOptions, manager: Arc<Manager>) -> io::Result<Self> {
         let address = listener.local_addr()?;
         if !address.ip().is_loopback() && options.token.is_none() {
@@ -96,7 +97,7 @@ impl Web {
         self.address
     }
 
-    /// Returns a new URL with which the page is entered once. Browsers send no fragment, so the key is in no request.
+    /// Returns a new URL that admits one page, once. Its key is in the fragment, which browsers do not send in requests.
     ///
     /// # Errors
     /// If the operating system has no random numbers.

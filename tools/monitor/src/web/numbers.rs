@@ -1,14 +1,14 @@
-//! JSON with whole numbers that a page reads exactly.
+//! JSON whose whole numbers JavaScript reads exactly.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter, Serializer};
 
-/// Largest whole number up to which each one is a number of JavaScript.
+/// Largest whole number up to which JavaScript represents each one exactly.
 const LARGEST: u64 = (1 << 53) - 1;
 
-/// Writes a larger whole number as an object, `{"$int":"9007199254740993"}`: no value of Rust has such a field.
+/// Formatter that writes larger whole numbers as an object, `{"$int":"9007199254740993"}`. No other value has such a field.
 struct Exact;
 
 impl Exact {

@@ -9,11 +9,12 @@ use tokio::sync::Notify;
 /// Largest number of connections that have not entered; a browser needs six to load the page.
 const MAX_PENDING: usize = 64;
 
-/// The connections that have not entered. If there are too many, the oldest is closed: who asks at once always gets an answer.
+/// Connections that have not entered. If there are too many, the oldest is closed, so that a request that is sent at once is always
+/// answered.
 #[derive(Default)]
 pub(crate) struct PendingConnections(Mutex<VecDeque<Weak<PendingConnection>>>);
 
-/// A connection until it is dropped.
+/// A connection. It leaves the list when it is dropped.
 #[derive(Default)]
 pub(crate) struct PendingConnection {
     needed: Notify,
@@ -42,7 +43,7 @@ impl PendingConnection {
         self.needed.notified().await;
     }
 
-    /// The connection has entered: it keeps its place among the pages.
+    /// Marks the connection as entered, so that it is not closed to make room.
     pub(crate) fn enter(&self) {
         self.has_entered.store(true, Ordering::Relaxed);
     }

@@ -1,4 +1,4 @@
-//! Queue of what a page receives.
+//! Queue of messages to a page.
 
 use std::sync::{Arc, Mutex};
 
@@ -9,7 +9,7 @@ use tokio::sync::Notify;
 use crate::pages::{Frame, Key, Outbox, lock};
 use crate::protocol::ToPage;
 
-/// What waits for a page, with the rules of a link's server for its monitors.
+/// Messages that wait for a page, with the same rules as those of a link's server for its monitors.
 #[derive(Default)]
 pub struct Queue {
     waiting: Mutex<Pending<Message, Key, Frame>>,
@@ -17,7 +17,7 @@ pub struct Queue {
 }
 
 impl Queue {
-    /// Returns the next message; state goes first.
+    /// Returns the next message; state precedes data.
     #[must_use]
     pub fn pop(&self) -> Option<Message> {
         let mut waiting = lock(&self.waiting);
@@ -29,7 +29,7 @@ impl Queue {
         frame.map(message)
     }
 
-    /// Whether state was lost because the page did not read it.
+    /// Returns whether state was lost because the page did not read it.
     #[must_use]
     pub fn overflowed(&self) -> bool {
         lock(&self.waiting).overflowed()
@@ -41,7 +41,7 @@ impl Queue {
     }
 
     fn add(&self, message: Message, bytes: usize) {
-        // The socket looks whether there was room.
+        // The socket checks for an overflow.
         lock(&self.waiting).push(message, bytes);
         self.changed.notify_one();
     }

@@ -1,13 +1,13 @@
-//! Rate of a page's messages.
+//! Limit of the rate of a page's messages.
 
 use std::time::{Duration, Instant};
 
-/// Messages that may come at once.
+/// Largest burst, messages.
 const BURST: f64 = 300.0;
-/// Messages per second in the long run.
+/// Sustained rate, messages/s.
 const PER_SECOND: f64 = 150.0;
 
-/// A bucket that each message takes from and time refills.
+/// Token bucket: each message takes one token, and time refills them.
 pub(crate) struct Rate {
     left: f64,
     last: Instant,

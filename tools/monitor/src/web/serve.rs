@@ -50,7 +50,7 @@ async fn connection(stream: TcpStream, routes: Router, pending: Arc<PendingConne
         .serve_connection(TokioIo::new(stream), service)
         .with_upgrades();
     tokio::select! {
-        // What a client did wrong concerns nobody else.
+        // An error of a client does not concern others.
         _ = served => {}
         () = pending.needed() => {}
     }
@@ -78,7 +78,7 @@ async fn page() -> Response {
     ([(header::CONTENT_TYPE, media)], text).into_response()
 }
 
-/// The module of an extension: `NAME.js`.
+/// Returns the module of an extension, `NAME.js`.
 async fn module(State((shared, _)): Own, Path(name): Path<String>) -> Response {
     match name.strip_suffix(".js").and_then(|name| shared.manager.module(name)) {
         Some(text) => ([(header::CONTENT_TYPE, assets::SCRIPT)], text.to_owned()).into_response(),

@@ -27,14 +27,14 @@ const MAX_SOURCE_MESSAGE: usize = 4 << 20;
 const ENTER_TIME: Duration = Duration::from_secs(5);
 /// Delay of the answer to a wrong proof, so that tokens cannot be tried quickly.
 const WRONG_PROOF: Duration = Duration::from_millis(500);
-/// Longest time in which a page must take a message.
+/// Longest time for sending a message to a page.
 const SEND_TIME: Duration = Duration::from_secs(10);
-/// Time between two pings; a page that answers none of three in a row is gone.
+/// Interval of pings. A page that answers none of three in a row is disconnected.
 const PING: Duration = Duration::from_secs(5);
 const SILENCE: Duration = Duration::from_secs(16);
-/// Requests of a page that wait for the manager.
+/// Largest number of a page's requests that wait for the manager.
 const MAX_WAITING: usize = 256;
-/// Messages that are sent before the page's own messages are read again.
+/// Largest number of messages that are sent before the page's own messages are read again.
 const AT_ONCE: usize = 16;
 
 /// Codes of the WebSocket protocol.
@@ -66,8 +66,8 @@ pub(crate) async fn upgrade(
     })
 }
 
-/// Waits for the first message of a page and sends it the secret of its origin. Returns its place among the pages, or why it may not
-/// enter.
+/// Waits for the first message of a page, checks it, and sends the secret of the origin. Returns the page's permit, or why it may
+/// not enter.
 async fn enter(socket: &mut WebSocket, shared: &Shared) -> Result<OwnedSemaphorePermit, (u16, &'static str)> {
     let silent = (REFUSED, "the page did not prove that it may enter");
     let Ok(Some(Ok(Message::Text(text)))) = timeout(ENTER_TIME, socket.recv()).await else { return Err(silent) };
@@ -87,7 +87,7 @@ async fn enter(socket: &mut WebSocket, shared: &Shared) -> Result<OwnedSemaphore
     }
 }
 
-/// Serves a page until it leaves, breaks a limit, or the server stops.
+/// Serves a page until it leaves, exceeds a limit, or the server stops.
 async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiver<bool>) {
     let queue = Arc::new(Queue::default());
     let gone = Arc::new(AtomicBool::new(false));
@@ -96,7 +96,7 @@ async fn run(mut socket: WebSocket, shared: Arc<Shared>, mut stop: watch::Receiv
         reason = exchange(&mut socket, &queue, &requests) => reason,
         _ = stop.changed() => Some((GOING_AWAY, "the server ends")),
     };
-    // What still waits is of a page that is gone: only a stop is executed. The manager forgets the page when the channel is closed.
+    // Of the requests that still wait only stops are executed. The manager removes the page when the channel is closed.
     gone.store(true, Ordering::Release);
     drop(requests);
     if let Some(reason) = reason {
@@ -155,7 +155,7 @@ async fn exchange(socket: &mut WebSocket, queue: &Queue, requests: &Requests) ->
     }
 }
 
-/// Sends a message; returns why it is the last one.
+/// Sends a message; returns the reason if the connection must end.
 async fn send(socket: &mut WebSocket, message: Message) -> Reason {
     match timeout(SEND_TIME, socket.send(message)).await {
         Ok(Ok(())) => None,
@@ -164,7 +164,7 @@ async fn send(socket: &mut WebSocket, message: Message) -> Reason {
     }
 }
 
-/// Hands a message of the page to the manager; returns why it is the last one.
+/// Passes a message of the page to the manager; returns the reason if the connection must end.
 fn take(message: Message, queue: &Queue, requests: &Requests) -> Reason {
     let text = match message {
         Message::Text(text) => text,
@@ -188,21 +188,21 @@ fn take(message: Message, queue: &Queue, requests: &Requests) -> Reason {
     }
 }
 
-/// Requests of a page to the manager. A stop waits for no other request.
+/// Channels of a page's requests to the manager. A stop does not wait for other requests.
 struct Requests {
     stops: SyncSender<FromPage>,
     others: SyncSender<FromPage>,
 }
 
 impl Requests {
-    /// Hands over a request; returns whether there was room.
+    /// Sends a request; returns whether there was room.
     fn send(&self, request: FromPage) -> bool {
         let sender = if matches!(request.request, Request::Stop {}) { &self.stops } else { &self.others };
         sender.try_send(request).is_ok()
     }
 }
 
-/// Starts the threads that hand a page's requests to the manager, which may wait for files and robots.
+/// Starts the threads that pass a page's requests to the manager, which may wait for files and robots.
 fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> std::io::Result<Requests> {
     let ((others, requests), (stops, stop_requests)) = (sync_channel(MAX_WAITING), sync_channel(MAX_WAITING));
     std::thread::Builder::new().name("page".to_owned()).spawn(move || {
@@ -217,7 +217,7 @@ fn handler(manager: Arc<Manager>, queue: Arc<Queue>, gone: Arc<AtomicBool>) -> s
     Ok(Requests { stops, others })
 }
 
-/// Hands requests on until the page is gone; what waits then is dropped.
+/// Passes requests on until the page is gone; requests that still wait are dropped.
 fn forward(requests: &Receiver<FromPage>, gone: &AtomicBool, mut handle: impl FnMut(FromPage)) {
     for request in requests {
         if gone.load(Ordering::Acquire) {
