@@ -15,15 +15,15 @@ use super::process::{self, LastLines};
 use crate::pages::lock;
 use crate::protocol::{Check, CheckState, CodeLevel, CodeMessage, Failed, ToPage};
 
-/// How a check ended.
+/// Result of a check.
 enum Outcome {
     Done(Vec<CodeMessage>),
     Failed(Failed),
-    /// A newer edit came, or the server ends.
+    /// Cancelled by a newer edit, or because the server ends.
     GivenUp,
 }
 
-/// Checks until the end.
+/// Executes the requested checks until the server ends.
 pub(super) fn work(checks: &Checks, files: &Arc<Files>) {
     let say = |state, began: Instant, messages: Vec<CodeMessage>| {
         let check = Check { state, seconds: began.elapsed().as_secs_f32(), messages };
@@ -71,7 +71,7 @@ fn check(checks: &Checks, files: &Files, paths: &BTreeSet<PathBuf>) -> Outcome {
         let arguments = &mut runs.entry(workspace.root.clone()).or_insert_with(|| (workspace, BTreeSet::new())).1;
         arguments.insert(format!("--package={package}"));
         if let Some(target) = target {
-            // These targets need the library, which is checked with them; programs would be left out.
+            // Cargo checks the library with these targets, because they need it, but without `--bins` it would leave out the programs.
             arguments.extend([target.to_owned(), "--bins".to_owned()]);
         }
     }
@@ -128,7 +128,7 @@ fn run(checks: &Checks, command: &mut Command, mut take: impl FnMut(&Value)) -> 
         });
     }
     let last = errors.and_then(|thread| thread.join().ok()).unwrap_or_default();
-    // Before it is waited for: afterwards its number could be that of another program.
+    // Cleared before the wait: afterwards another program could have the number of this process.
     checks.set_running(None);
     let status = child.wait()?;
     Ok((status.success(), last))

@@ -1,4 +1,4 @@
-//! What the compiler is to check.
+//! Requests for the compiler's check.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -9,10 +9,10 @@ use super::process::Group;
 use crate::pages::lock;
 use crate::protocol::Check;
 
-/// Time from a save to the check.
+/// Delay from a save to the check.
 const AFTER: Duration = Duration::from_millis(200);
 
-/// What is to be checked.
+/// Requested checks.
 #[derive(Default)]
 pub(super) struct Checks {
     pub(super) state: Mutex<State>,
@@ -25,14 +25,14 @@ pub(super) struct State {
     pub(super) wanted: BTreeSet<PathBuf>,
     due: Option<Instant>,
     running: Option<Group>,
-    /// Whether the running check is of old text.
+    /// Whether the running check concerns an older text.
     outdated: bool,
     pub(super) ended: bool,
     pub(super) last: Option<Check>,
 }
 
 impl Checks {
-    /// Checks the packages of files soon. A check that runs is given up.
+    /// Requests a check of the packages of files. A running check is cancelled.
     pub(super) fn want(&self, paths: impl IntoIterator<Item = PathBuf>) {
         let mut state = lock(&self.state);
         state.wanted.extend(paths);
@@ -44,7 +44,7 @@ impl Checks {
         self.changed.notify_all();
     }
 
-    /// Ends the check that runs, and the thread.
+    /// Ends the running check, and the thread.
     pub(super) fn end(&self) {
         let mut state = lock(&self.state);
         state.ended = true;
@@ -54,12 +54,12 @@ impl Checks {
         self.changed.notify_all();
     }
 
-    /// The last message of it.
+    /// Returns the last message about a check.
     pub(super) fn last(&self) -> Option<Check> {
         lock(&self.state).last.clone()
     }
 
-    /// Waits for what is to be checked; `None` at the end.
+    /// Waits for a requested check, and returns its files; `None` at the end.
     pub(super) fn next(&self) -> Option<BTreeSet<PathBuf>> {
         let mut state = lock(&self.state);
         loop {

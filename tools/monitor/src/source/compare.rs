@@ -11,7 +11,7 @@ use super::limits;
 use crate::protocol::Failed;
 
 impl Files {
-    /// Compares the text of a file, also one that is not saved, with the file in the last commit.
+    /// Compares the text of a file, saved or not, with the file in the last commit.
     pub(super) fn compare(&self, name: &str) -> Result<Value, Failed> {
         let (path, text, model) = {
             let mut open = self.open();

@@ -9,12 +9,12 @@ use super::{edit, limits};
 use crate::pages::PageId;
 use crate::protocol::{ChangedBy, Failed};
 
-/// A component that is made.
+/// A component to create.
 pub(super) struct New {
     pub(super) name: String,
     /// Folder of its file.
     pub(super) folder: String,
-    /// File of the tree that gets it.
+    /// File of the tree to which the component is added.
     pub(super) tree: Option<String>,
     /// Module from which that file imports it.
     pub(super) import: Option<String>,
@@ -28,7 +28,7 @@ struct Changed {
 }
 
 impl Files {
-    /// Makes a component, or shows what would change.
+    /// Creates a component; with `dry` it only returns the differences.
     pub(super) fn create(&self, page: PageId, new: &New, dry: bool) -> Result<Value, Failed> {
         limits::name(&new.name)?;
         limits::name(&new.folder)?;
@@ -64,7 +64,7 @@ impl Files {
         Ok(json!({ "file": file, "files": files }))
     }
 
-    /// Makes a change in an open file, and saves it.
+    /// Applies a change to an open file, and saves it.
     fn take(&self, page: PageId, changed: &Changed) -> Result<(), Failed> {
         {
             let mut open = self.open();
@@ -74,7 +74,7 @@ impl Files {
                     format!("`{}` was changed meanwhile; the new file is made, but not declared there", changed.name);
                 return Err(Failed::new(what, "write the lines by hand"));
             }
-            // From the end, so that the places before stay as they are.
+            // From the end, so that earlier offsets stay valid.
             let replace = |splice: &Splice| Edit::Replace { span: splice.span, text: splice.text.clone() };
             let edits: Vec<Edit> = changed.splices.iter().rev().map(replace).collect();
             let from = file.document.version();
@@ -93,7 +93,7 @@ impl Files {
         Ok(Changed { name: file.name.clone(), before, splices })
     }
 
-    /// The file that declares the modules of a folder.
+    /// Returns the file that declares the modules of a folder.
     fn parent_of(&self, folder: &str) -> Result<String, Failed> {
         let within = ["mod.rs", "lib.rs", "main.rs"].map(|name| join(folder, name));
         let beside = format!("{folder}.rs");

@@ -1,4 +1,4 @@
-//! A tuned value as the new default in its source.
+//! Defaults of parameters in their sources, set to tuned values.
 
 use bica_link::{Param, Plain};
 use bica_vicode::cli::unified;
@@ -13,7 +13,7 @@ use crate::pages::PageId;
 use crate::protocol::{ChangedBy, Failed, SourceUse};
 
 impl Files {
-    /// Writes the present value of a parameter as its default.
+    /// Writes the current value of a parameter to its source, as the new default.
     pub(super) fn set_default(&self, page: PageId, component: &str, param: &Param) -> Result<Value, Failed> {
         let name = self.file_of(component, param)?;
         let (before, after) = {
@@ -31,7 +31,8 @@ impl Files {
         Ok(json!({ "path": name, "diff": unified(&name, &before, &after) }))
     }
 
-    /// Where a parameter is declared and read. Of several structs of its name that of the component's file counts.
+    /// Lists where a parameter is declared and read. If several structs have the name of its struct, only the one in the
+    /// component's file counts.
     pub(super) fn param_uses(&self, component: &str, param: &Param) -> Vec<SourceUse> {
         let home = self.file_of(component, param).ok();
         let mut list = Vec::new();
@@ -49,7 +50,7 @@ impl Files {
         list
     }
 
-    /// The file with the parameter's struct; of several the one that also has the component.
+    /// Returns the file with the parameter's struct; if there are several, the one that also has the component.
     fn file_of(&self, component: &str, param: &Param) -> Result<String, Failed> {
         let mut found: Vec<(String, bool)> = Vec::new();
         for (name, _) in self.all() {
@@ -91,14 +92,14 @@ fn has_component(model: &Model, component: &str, group: &str) -> bool {
     })
 }
 
-/// The default of a parameter as it is written.
+/// Returns the default of a parameter as written in the source.
 fn default_of(model: &Model, param: &Param) -> Option<String> {
     let group = model.group(&param.group)?;
     let found = group.parameters.iter().find(|one| one.name.text == param.name)?;
     found.value("default").map(|value| value.text.clone())
 }
 
-/// The present value as Rust; `written` is the default that it replaces.
+/// Returns the current value as Rust code; `written` is the default that it replaces.
 fn literal(param: &Param, written: &str) -> String {
     let value = param.current();
     match param.plain(value) {

@@ -10,7 +10,7 @@ use super::files::Files;
 use crate::protocol::{DrawingFormat, Drawn, Failed};
 
 impl Files {
-    /// Draws a machine as it is arranged on the canvas.
+    /// Draws a machine as arranged on the canvas.
     pub(super) fn draw(&self, name: &str, component: &str, format: DrawingFormat) -> Result<Value, Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;

@@ -1,4 +1,4 @@
-//! Changes that pages make.
+//! Edits by pages.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::pages::PageId;
 use crate::pages::lock;
 use crate::protocol::{ChangedBy, Failed, KeepSide, MovedState, SourcePlace};
 
-/// Why an edit was refused, as a page gets it.
+/// Returns the error for a page whose edit was refused.
 pub(super) fn refused(refusal: &Refusal, file: &OpenFile) -> Failed {
     let before = refusal.span.and_then(|span| file.document.text().get(..span.start));
     let line = before.map(|before| 1 + before.matches('\n').count());
@@ -21,7 +21,7 @@ pub(super) fn refused(refusal: &Refusal, file: &OpenFile) -> Failed {
     Failed::new(refusal.message.clone(), help)
 }
 
-/// Applies edits to an open file and notes what follows from them.
+/// Applies edits to an open file, copies the positions of renamed states, and schedules saving.
 pub(super) fn apply(file: &mut OpenFile, edits: &[Edit]) -> Result<Change, Failed> {
     limits::edits(edits, file.document.text().len())?;
     let change = file.document.apply(edits).map_err(|refusal| refused(&refusal, file))?;
@@ -74,7 +74,7 @@ impl Files {
         self.undo_one(&mut open, page, name, again)
     }
 
-    /// Undoes the last step of one file, or makes it again.
+    /// Undoes the last step of one file, or redoes it (`again`).
     fn undo_one(
         &self,
         open: &mut BTreeMap<String, OpenFile>,
@@ -122,7 +122,7 @@ impl Files {
         let file = self.get(&mut open, name)?;
         for MovedState { component, state, .. } in moved {
             let found = file.document.model().component(component).and_then(|component| component.state(state));
-            // Names that are in the model are words: they cannot add lines to the layout file.
+            // Names in the model are identifiers: they cannot add lines to the layout file.
             found.ok_or_else(|| {
                 let what = format!(
                     "`{component}` has no state `{state}` in this file",
@@ -167,7 +167,7 @@ impl Files {
         self.write_layout(&name, true).map(|()| Value::Null)
     }
 
-    /// Forgets the positions of a component.
+    /// Removes the stored positions of a component's states; writes the layout file.
     pub(super) fn arrange(&self, page: PageId, name: &str, component: &str) -> Result<Value, Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
@@ -186,7 +186,7 @@ impl Files {
         Ok(json!({ "positions": positions }))
     }
 
-    /// Refuses to rename a function that other files use at places that are not among the chosen ones.
+    /// Refuses to rename a function if other files certainly use it at places that are not among the chosen ones.
     fn complete(&self, name: &str, component: &str, function: &str, places: &[SourcePlace]) -> Result<(), Failed> {
         let uses = self.uses(name, component, function)?.into_iter().filter(|one| one.certain);
         let left: Vec<String> = uses
@@ -227,14 +227,14 @@ impl Files {
             }
         }
         for (file, edits) in &mut others {
-            // From the end, so that the places before stay as they are.
+            // From the end, so that earlier offsets stay valid.
             edits.sort_by_key(|edit| {
                 std::cmp::Reverse(if let Edit::Replace { span, .. } = edit { span.start } else { 0 })
             });
             edits.dedup();
             limits::edits(edits, self.get(&mut open, file)?.document.text().len())?;
         }
-        // The main file is the first: if it refuses, nothing has changed.
+        // The main file is the first: if its edit is refused, nothing has changed.
         others.insert(0, (main, vec![Edit::Rename { component, function, to }]));
         let names: Vec<String> = others.iter().map(|(name, _)| name.clone()).collect();
         let group = lock(&self.groups).len();
@@ -251,7 +251,7 @@ impl Files {
         Ok(json!({ "files": changed }))
     }
 
-    /// Saves at once.
+    /// Saves a file at once.
     pub(super) fn save(&self, name: &str) -> Result<Value, Failed> {
         let (name, deleted) = {
             let mut open = self.open();
@@ -270,12 +270,12 @@ impl Files {
         if has_conflict { Err(failed()) } else { Ok(Value::Null) }
     }
 
-    /// Makes a deleted file again.
+    /// Creates a deleted file again.
     fn make_again(&self, name: &str) -> Result<(), Failed> {
         let _disk = lock(&self.disk);
         let text = self.open().get(name).map(|file| file.document.text().to_owned()).unwrap_or_default();
         match self.folder.create(name, &text) {
-            // It came back by itself: the next look at it merges.
+            // Another program has created it: the next comparison with the disk merges it.
             Ok(()) | Err(FileError::Exists(_)) => {}
             Err(error) => return Err(failed(&error)),
         }

@@ -12,33 +12,33 @@ use crate::pages::PageId;
 use crate::pages::Pages;
 use crate::protocol::{ChangedBy, Drawn, FileState, SourceChange, SourceState, ToPage};
 
-/// A file that is open, for all pages.
+/// An open file, shared by all pages.
 pub(super) struct OpenFile {
     /// Path below the folder of sources.
     pub(super) name: String,
-    /// Path with all links followed.
+    /// Path with all symbolic links followed.
     pub(super) path: PathBuf,
     pub(super) document: Document,
     pub(super) layout: Sidecar,
-    /// Pages that get its messages.
+    /// Pages that receive its messages.
     pub(super) pages: BTreeSet<PageId>,
     /// Stamp of the file when it was read or written last.
     pub(super) stamp: Option<Stamp>,
     /// Stamp of a change that may not be complete yet.
     pub(super) pending: Option<Stamp>,
-    /// Version of the text that was merged last with the file.
+    /// Version of the text at the last merge with the file.
     pub(super) merged: u64,
-    /// Number of looks at which the file was not there.
+    /// Number of successive comparisons with the disk that did not find the file.
     pub(super) missed: u32,
     pub(super) readonly: bool,
     pub(super) deleted: bool,
-    /// Why it cannot be read or written.
+    /// Why the file cannot be read or written; empty if there is no problem.
     pub(super) problem: String,
-    /// Time at which it is saved.
+    /// Time at which the file is saved; none if no save is scheduled.
     pub(super) save_at: Option<Instant>,
-    /// What pages know.
+    /// State and drawing that were sent last.
     sent: (FileState, Drawn),
-    /// The drawing of a version of the text and a revision of the layout: it is asked for at each look at the file.
+    /// Cached drawing, with the version of the text and the revision of the layout: it is needed in each comparison with the disk.
     drawn: Option<((u64, u64), Drawn)>,
 }
 
@@ -70,7 +70,7 @@ impl OpenFile {
         file
     }
 
-    /// The file on disk as pages see it.
+    /// Returns the state of the file on disk, for pages.
     pub(super) fn state(&self) -> FileState {
         let conflict = self.document.conflict().map(|conflict| bica_vicode::Conflict {
             // The text may have been edited since.
@@ -89,7 +89,7 @@ impl OpenFile {
         }
     }
 
-    /// Centres of all states, and notes.
+    /// Returns the centres of all states, and notes.
     pub(super) fn drawn(&mut self) -> &Drawn {
         let key = (self.document.version(), self.layout.revision());
         let known = self.drawn.take().filter(|(of, _)| *of == key);
@@ -101,7 +101,7 @@ impl OpenFile {
         &self.drawn.insert(drawn).1
     }
 
-    /// The complete file.
+    /// Returns the message with the complete file.
     pub(super) fn complete(&mut self) -> ToPage {
         let drawn = self.drawn().clone();
         ToPage::Source(Box::new(SourceState {
@@ -114,7 +114,7 @@ impl OpenFile {
         }))
     }
 
-    /// Sends what has changed to the pages of the file.
+    /// Sends changes of text, drawing and state to the pages of the file.
     pub(super) fn publish(&mut self, pages: &Pages, changed: Changed, by: ChangedBy, page: PageId) {
         let version = self.document.version();
         let (from_version, splices) = changed.map_or((version, Vec::new()), |(from, change)| (from, change.splices));
@@ -140,7 +140,7 @@ impl OpenFile {
         }
     }
 
-    /// Takes over the text that the file has now.
+    /// Merges the text that the file has now.
     pub(super) fn external(&mut self, text: &str) -> Changed {
         let from = self.document.version();
         self.problem.clear();
@@ -152,7 +152,7 @@ impl OpenFile {
         }
     }
 
-    /// Whether it can be forgotten: nobody shows it, and the file has its text.
+    /// Returns whether the file can be closed: no page shows it, its text is saved, and there is no conflict.
     pub(super) fn is_idle(&self) -> bool {
         self.pages.is_empty() && !self.document.is_changed() && self.document.conflict().is_none()
     }

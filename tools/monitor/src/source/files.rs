@@ -20,12 +20,12 @@ pub(super) struct Files {
     pub(super) folder: Folder,
     pub(super) pages: Arc<Pages>,
     pub(super) checks: Option<Arc<Checks>>,
-    /// What was found in files, by name.
+    /// Components and trees that were found in files, by name.
     pub(super) cache: Mutex<BTreeMap<String, (Stamp, Option<SourceFile>)>>,
-    /// Names of the files of each change of several files.
+    /// For each change of several files the names of these files.
     pub(super) groups: Mutex<Vec<Vec<String>>>,
     open: Mutex<BTreeMap<String, OpenFile>>,
-    /// Held while files are compared with the disk or written, which may take long; never while `open` is held.
+    /// Held while files are compared with the disk or written, which may take long. It is never locked while `open` is held.
     pub(super) disk: Mutex<()>,
 }
 
@@ -39,7 +39,7 @@ impl Files {
         lock(&self.open)
     }
 
-    /// Returns the open file of that name. It is opened if it is not.
+    /// Returns the open file of that name. Opens it first if necessary.
     pub(super) fn get<'a>(
         &self,
         open: &'a mut BTreeMap<String, OpenFile>,
@@ -48,7 +48,7 @@ impl Files {
         limits::name(name)?;
         let key = match self.folder.source(name) {
             Ok(path) => self.name_of(&path).ok_or_else(|| failed(&FileError::Outside(name.to_owned())))?,
-            // The file of an open text may be gone.
+            // The file of an open text may have been deleted.
             Err(_) if open.contains_key(name) => name.to_owned(),
             Err(error) => return Err(failed(&error)),
         };
@@ -63,14 +63,14 @@ impl Files {
         open.get_mut(&key).ok_or_else(|| Failed::new(format!("`{key}` is not open"), "open it again"))
     }
 
-    /// The name of a path below the folder, with `/` between its parts.
+    /// Returns the name of a path: the part below the folder, with `/` as separator.
     pub(super) fn name_of(&self, path: &Path) -> Option<String> {
         let below = path.strip_prefix(self.folder.root()).ok()?;
         let parts: Option<Vec<&str>> = below.iter().map(|part| part.to_str()).collect();
         Some(parts?.join("/"))
     }
 
-    /// Lets a page see a file.
+    /// Opens a file for a page, and sends it.
     pub(super) fn show(&self, page: PageId, name: &str) -> Result<(), Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;
@@ -79,14 +79,14 @@ impl Files {
         Ok(())
     }
 
-    /// Ends what a page sees of a file. The text stays with its history.
+    /// Ends the messages of a file to a page. Text and history are kept.
     pub(super) fn hide(&self, page: PageId, name: &str) {
         if let Some(file) = self.open().get_mut(name) {
             file.pages.remove(&page);
         }
     }
 
-    /// Ends all that a page sees.
+    /// Ends the messages of all files to a page.
     pub(super) fn left(&self, page: PageId) {
         for file in self.open().values_mut() {
             file.pages.remove(&page);
@@ -94,12 +94,12 @@ impl Files {
     }
 }
 
-/// A request that names a component which is not in the file.
+/// Returns the error of a request for a component that is not in the file.
 pub(super) fn no_component(component: &str, help: &str) -> Failed {
     Failed::new(format!("no component `{}` is in this file", component.escape_debug()), help)
 }
 
-/// Forgets a file that nobody needs if too many are open.
+/// Closes an idle file if too many are open.
 fn make_room(open: &mut BTreeMap<String, OpenFile>) -> Result<(), Failed> {
     if open.len() < limits::MAX_FILES {
         return Ok(());
@@ -111,7 +111,7 @@ fn make_room(open: &mut BTreeMap<String, OpenFile>) -> Result<(), Failed> {
     Ok(())
 }
 
-/// The error of a file as a page gets it.
+/// Returns the error of a file, for pages.
 pub(super) fn failed(error: &FileError) -> Failed {
     let help = match error {
         FileError::Outside(_) => "the server edits files below the folder of `--source` only",

@@ -1,4 +1,4 @@
-//! Edits of pages and of other programs in any order.
+//! Random interleavings of edits by pages and by other programs.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,11 +11,11 @@ use bica_vicode::{Edit, Folder};
 use super::files::Files;
 use crate::protocol::KeepSide;
 
-/// Functions that are edited.
+/// Number of functions that are edited.
 const FUNCTIONS: usize = 4;
 const NAME: &str = "machine.rs";
 
-/// A generator of numbers (xorshift), so that a failure can be repeated.
+/// Pseudo-random numbers (xorshift), so that a failure can be reproduced.
 struct Random(u64);
 
 impl Random {
@@ -27,11 +27,11 @@ impl Random {
     }
 }
 
-/// A file that is removed at the end, opened without threads: the test decides when it is looked at and saved.
+/// An open file without threads: the test decides when it is compared with the disk and saved. Its folder is removed at the end.
 struct Bench {
     folder: PathBuf,
     files: Files,
-    /// For each marker the one that it replaced, as its writer saw it.
+    /// For each marker the one that it replaced, in the text of its writer.
     replaced: BTreeMap<String, String>,
 }
 
@@ -52,7 +52,7 @@ fn source() -> String {
     format!("//! A machine.\n\n#[component]\nimpl Machine {{\n{functions}}}\n")
 }
 
-/// The marker in a function.
+/// Returns the marker in a function.
 fn marker(text: &str, function: usize) -> String {
     let begin = text.find(&format!("fn f{function}(")).expect("the function is there");
     let rest = &text[begin + text[begin..].find("let _ = ").expect("its body is there") + "let _ = ".len()..];
@@ -98,7 +98,7 @@ impl Bench {
         fs::write(self.folder.join(NAME), text).unwrap();
     }
 
-    /// Looks and saves until nothing changes any more.
+    /// Compares with the disk and saves, until nothing changes any more.
     fn settle(&self) {
         for _ in 0..3 {
             self.files.look(NAME);
@@ -107,7 +107,7 @@ impl Bench {
         }
     }
 
-    /// The markers that led to `last`.
+    /// Returns the chain of markers from `last` back to the first one.
     fn course(&self, last: &str) -> Vec<String> {
         let mut course = vec![last.to_owned()];
         while let Some(before) = self.replaced.get(course.last().unwrap()) {
@@ -116,7 +116,7 @@ impl Bench {
         course
     }
 
-    /// Markers of a function that are in no course that ends with one of `ends`.
+    /// Returns the markers of a function that are in no chain of `ends`.
     fn lost(&self, function: usize, ends: &[String]) -> Vec<&String> {
         let known: Vec<String> = ends.iter().flat_map(|end| self.course(end)).collect();
         let first = format!("start{function}");
@@ -124,7 +124,7 @@ impl Bench {
     }
 }
 
-/// One interleaving; returns whether it was a conflict.
+/// Runs one interleaving; returns whether it ended in a conflict.
 fn interleave(seed: u64) -> bool {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
     let mut bench = Bench::new();

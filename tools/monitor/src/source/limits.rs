@@ -1,4 +1,4 @@
-//! Limits of what pages send.
+//! Limits of requests about sources.
 
 use bica_vicode::{Edit, Note};
 
@@ -42,12 +42,12 @@ pub(super) fn text(text: &str) -> Result<(), Failed> {
     beyond("bytes of the file", text.len(), MAX_TEXT, "split the file into several, in another editor")
 }
 
-/// Refuses a name that is too long to be one.
+/// Refuses a name that is too long.
 pub(super) fn name(name: &str) -> Result<(), Failed> {
     beyond("bytes of a name", name.len(), MAX_NAME, "choose a shorter one")
 }
 
-/// Refuses a note beside `number` others.
+/// Refuses an invalid note, or one too many beside `number` others.
 pub(super) fn note(note: &Note, number: usize) -> Result<(), Failed> {
     beyond("number of notes", number, MAX_NOTES, "delete some")?;
     beyond("bytes of a note", note.text.len(), MAX_NOTE, "write less, or a comment in the code")?;

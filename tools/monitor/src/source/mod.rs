@@ -1,9 +1,8 @@
 //! Sources below one folder, edited by pages.
 //!
-//! [`Editor`] has one [`Document`](bica_vicode::Document) for each open file, shared by all pages: canvas and code of
-//! all of them are views of one text with one history. The files on disk are watched; what other programs write there
-//! is merged, and nothing is overwritten. With `--build` the compiler checks what was saved, and the program is built
-//! and run.
+//! [`Editor`] has one [`Document`](bica_vicode::Document) for each open file, shared by all pages: canvas and code of all of them
+//! are views of one text with one history. The files on disk are watched; changes by other programs are merged, and nothing is
+//! overwritten. With `--build` the compiler checks what was saved, and the program is built and run.
 
 mod cargo;
 mod check;
@@ -52,7 +51,7 @@ pub(crate) struct Editor {
     read_only: bool,
     end: Arc<End>,
     threads: Vec<JoinHandle<()>>,
-    /// Only if building is allowed.
+    /// The program that is built and run; none if building is not allowed.
     runs: Option<Arc<Runs>>,
 }
 
@@ -88,7 +87,7 @@ impl Editor {
         Ok(())
     }
 
-    /// Sends a new page how far check and build are.
+    /// Sends the state of check and build to a new page.
     pub(crate) fn greet(&self, page: PageId) {
         if let Some(check) = self.files.checks.as_ref().and_then(|checks| checks.last()) {
             self.files.pages.state(page, ToPage::Check(check));
@@ -98,23 +97,23 @@ impl Editor {
         }
     }
 
-    /// Forgets a page.
+    /// Removes a page from all files.
     pub(crate) fn left(&self, page: PageId) {
         self.files.left(page);
     }
 
-    /// The coverage of a machine by what a session visited.
+    /// Returns the coverage of a machine by the visits of a session.
     pub(crate) fn coverage(&self, file: &str, component: &str, visits: &Visits) -> Result<Value, Failed> {
         self.files.machine(file, component).map(|(_, machine)| json!(Coverage::of(&machine, visits)))
     }
 
-    /// Writes the present value of a parameter as its default.
+    /// Writes the current value of a parameter to its source, as the new default.
     pub(crate) fn set_default(&self, page: PageId, component: &str, param: &Param) -> Result<Value, Failed> {
         self.writable()?;
         self.files.set_default(page, component, param)
     }
 
-    /// Where a parameter is declared and read.
+    /// Lists where a parameter is declared and read.
     pub(crate) fn param_uses(&self, component: &str, param: &Param) -> Value {
         json!(self.files.param_uses(component, param))
     }
@@ -183,7 +182,7 @@ impl Editor {
         }
     }
 
-    /// Saves what is not saved: the compiler reads the files.
+    /// Saves all changed texts, because the compiler reads the files.
     fn save_all(&self) -> Result<(), Failed> {
         let open = self.files.open();
         let changed: Vec<String> =

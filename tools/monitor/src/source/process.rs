@@ -1,4 +1,4 @@
-//! Programs that are ended with all that they have started.
+//! Programs that are ended together with all processes that they have started.
 
 use std::io::{self, BufRead, BufReader, Read};
 use std::process::{Child, Command, Stdio};
@@ -7,21 +7,21 @@ use std::thread;
 
 /// Number of the last lines of output that are kept.
 const LAST_LINES: usize = 12;
-/// Longest line that is kept, bytes.
+/// Longest line that [`LastLines`] keeps, bytes.
 const LONGEST_LINE: usize = 64 << 10;
 
-/// Process group of a program: it, and all that it has started.
+/// Process group of a program: its process, and those that it has started.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Group(u32);
 
 impl Group {
-    /// Ends all of it at once.
+    /// Kills all processes of the group.
     pub(super) fn kill(self) {
         #[cfg(unix)]
         {
             use nix::sys::signal::{Signal, killpg};
             use nix::unistd::Pid;
-            // A group that has ended already needs no end.
+            // The group may have ended already.
             let _ = killpg(Pid::from_raw(self.0 as i32), Signal::SIGKILL);
         }
         #[cfg(not(unix))]
@@ -32,9 +32,9 @@ impl Group {
     }
 }
 
-/// Starts a program in a group of its own, with its output in pipes.
+/// Starts a program in a new process group, with its output in pipes.
 pub(super) fn start(command: &mut Command) -> io::Result<(Child, Group)> {
-    // Ctrl-C ends the server, which ends the group.
+    // Ctrl-C ends only the server, which ends the group.
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(command, 0);
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
@@ -42,7 +42,7 @@ pub(super) fn start(command: &mut Command) -> io::Result<(Child, Group)> {
     Ok((child, group))
 }
 
-/// Sends each line of a stream; lines end with a line feed or, as progress does, with a carriage return.
+/// Sends each line of a stream. Lines end with a line feed or, in progress output, with a carriage return.
 pub(super) fn send_lines(stream: impl Read + Send + 'static, lines: Sender<String>) {
     thread::spawn(move || each_line(stream, |line| lines.send(line).is_ok()));
 }

@@ -16,22 +16,22 @@ use super::process::{self, Group, LastLines};
 use crate::pages::lock;
 use crate::protocol::{Build, BuildState, CodeMessage, Failed, SessionId, ToPage};
 
-/// Longest time from the start of a program to its address.
+/// Longest time from the start of a program until it prints its address.
 const START: Duration = Duration::from_mins(2);
 
 /// Opens and closes sessions.
 pub(crate) trait Host: Send + Sync {
-    /// Opens a robot at an address. It replaces a session, whose breakpoints it takes over.
+    /// Opens a session of the robot at an address. It replaces the session `replaced`, and takes over its breakpoints.
     ///
     /// # Errors
     /// If there are too many sessions.
     fn open(&self, address: &str, replaced: Option<SessionId>) -> Result<SessionId, Failed>;
 
-    /// Closes a session; nothing if it is closed.
+    /// Closes a session; does nothing if it is closed already.
     fn close(&self, session: SessionId);
 }
 
-/// The program that runs, and the one that is built.
+/// The running program, and the one that is being built.
 pub(super) struct Runs {
     files: Arc<Files>,
     host: Arc<dyn Host>,
@@ -45,13 +45,13 @@ struct State {
     /// Number of the last request.
     request: u64,
     building: Option<Group>,
-    /// The program that runs, and the request that has started it.
+    /// The running program, and the request that has started it.
     program: Option<(u64, Group)>,
     session: Option<SessionId>,
     last: Option<Build>,
 }
 
-/// What a program is run with.
+/// Values for the arguments of a program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rules {
     pub(super) seed: u64,
@@ -59,7 +59,7 @@ pub(super) struct Rules {
 }
 
 impl Runs {
-    /// Runs of a program: `template` is `[CARGO-OPTIONS] -- [ARGUMENTS]`.
+    /// Creates the runs of a program: `template` is `[CARGO-OPTIONS] -- [ARGUMENTS]`.
     pub(super) fn new(files: Arc<Files>, host: Arc<dyn Host>, template: &str) -> Self {
         let words: Vec<String> = template.split_whitespace().map(str::to_owned).collect();
         let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
@@ -67,12 +67,13 @@ impl Runs {
         Self { files, host, arguments: (words[..end].to_vec(), program), state: Mutex::default() }
     }
 
-    /// The last message of it.
+    /// Returns the last message about the program.
     pub(super) fn last(&self) -> Option<Build> {
         lock(&self.state).last.clone()
     }
 
-    /// Builds and runs; what is being built is given up. The program that runs goes on until the new one has started.
+    /// Builds and runs the program in a new thread. A running build is cancelled. The running program continues until the new one
+    /// has started.
     pub(super) fn start(self: &Arc<Self>, rules: Rules) -> Result<(), Failed> {
         let request = self.next_request();
         let own = Arc::clone(self);
@@ -89,7 +90,7 @@ impl Runs {
         state.request
     }
 
-    /// Ends what is built and what runs.
+    /// Ends the build and the running program.
     pub(super) fn stop(&self) {
         self.next_request();
         let (program, session) = {
@@ -107,7 +108,7 @@ impl Runs {
         }
     }
 
-    /// Sends a message, if the request is the last one.
+    /// Sends a message to all pages, unless there is a newer request.
     fn say(
         &self,
         request: Option<u64>,
@@ -136,7 +137,7 @@ impl Runs {
         }
     }
 
-    /// Builds; returns the root of the workspace and the program.
+    /// Builds the program; returns the root of the workspace, and the program's path.
     fn build(&self, request: u64, messages: &mut Vec<CodeMessage>) -> Result<(PathBuf, PathBuf), Failed> {
         let workspace = Workspace::of(self.files.folder.root())?;
         let versions = self.files.versions();
@@ -201,13 +202,13 @@ impl Runs {
         }
     }
 
-    /// Whether the build was the last one that was asked for.
+    /// Removes a process group; returns whether it belonged to the last request.
     fn unregister(&self, group: Group) -> bool {
         let mut state = lock(&self.state);
         state.building.take_if(|building| *building == group).is_some()
     }
 
-    /// Starts the program, and stays with it until it ends.
+    /// Starts the program, opens its session, and waits until it ends.
     fn run(
         &self,
         request: u64,
@@ -242,7 +243,7 @@ impl Runs {
         let current = self.unregister(group);
         let Some(address) = address.filter(|_| current) else {
             group.kill();
-            // It is ended; how is of no interest.
+            // The exit status of a killed program is of no interest.
             let _ = child.wait();
             let what = format!("the program did not print the address of its link:\n{}", last.text());
             return Err(Failed::new(
@@ -267,7 +268,7 @@ impl Runs {
         Ok(())
     }
 
-    /// Ends the program that ran before, and shows the new one.
+    /// Ends the previous program, and opens a session of the new one.
     fn replace(&self, request: u64, group: Group, address: &SocketAddr) -> Result<(), Failed> {
         let (program, session) = {
             let mut state = lock(&self.state);
@@ -291,7 +292,7 @@ fn start(command: &mut Command, what: &str) -> Result<(std::process::Child, Grou
     process::start(command).map_err(failed)
 }
 
-/// A word of the program's arguments with its values.
+/// Returns a word of the program's arguments with its placeholders replaced.
 fn filled(word: &str, rules: Rules) -> String {
     let Rules { seed, robots } = rules;
     word.replace("{address}", "127.0.0.1:0")
@@ -299,7 +300,7 @@ fn filled(word: &str, rules: Rules) -> String {
         .replace("{robots}", &robots.to_string())
 }
 
-/// The address in a line that a program prints: one of this computer.
+/// Returns the loopback address in a line that a program prints.
 fn address_of(line: &str) -> Option<SocketAddr> {
     let word = |word: &str| word.trim_start_matches("tcp://").trim_end_matches(['.', ',', ';', '/']).parse().ok();
     line.split_whitespace()

@@ -12,19 +12,19 @@ use super::stamp::Stamp;
 use crate::pages::{Pages, lock};
 use crate::protocol::{ChangedBy, Failed};
 
-/// Time from the last edit to saving.
+/// Delay from the last edit to saving.
 const AFTER: Duration = Duration::from_millis(500);
-/// Time between two attempts.
+/// Delay after a failed attempt.
 const AGAIN: Duration = Duration::from_secs(2);
-/// Number of changes of the file that are merged in one attempt.
+/// Largest number of changes of the file that are merged in one attempt.
 const MERGES: usize = 4;
 
-/// Saves the file when nobody has edited it for a while.
+/// Schedules saving for [`AFTER`] after this edit.
 pub(super) fn later(file: &mut OpenFile) {
     file.save_at = Some(Instant::now() + AFTER);
 }
 
-/// Notes that the file on disk has the text that was marked as written.
+/// Updates the state of a file after its text was written and marked as written.
 pub(super) fn written(file: &mut OpenFile, pages: &Pages) {
     file.stamp = Stamp::of(&file.path);
     (file.pending, file.missed, file.deleted) = (None, 0, false);
@@ -37,7 +37,7 @@ pub(super) fn written(file: &mut OpenFile, pages: &Pages) {
 }
 
 impl Files {
-    /// Writes a text to its file, merged with what the file has got meanwhile. A conflict stops that.
+    /// Writes a text to its file, merged with changes that the file got meanwhile. A conflict, or a deleted file, prevents it.
     pub(super) fn write(&self, name: &str) -> Result<(), Failed> {
         let _disk = lock(&self.disk);
         for _ in 0..MERGES {
@@ -54,7 +54,7 @@ impl Files {
                 }
                 (file.document.saved().to_owned(), file.document.text().to_owned())
             };
-            // Nobody waits for the disk but who saves.
+            // `open` is not held during the write: only the saving thread waits for the disk.
             let result = self.folder.save(name, &before, &text);
             let mut open = self.open();
             let Some(file) = open.get_mut(name) else { return Ok(()) };
@@ -68,7 +68,7 @@ impl Files {
                     let path = file.path.clone();
                     drop(open);
                     self.wants_check(path);
-                    // The text is saved; the page sees the problem with the layout.
+                    // The text is saved; the page receives the problem with the layout.
                     let _ = self.write_layout(name, false);
                     return Ok(());
                 }
@@ -93,7 +93,7 @@ impl Files {
         Ok(())
     }
 
-    /// Writes the layout file if it is not as it should be.
+    /// Writes the layout file if it is outdated; while the source has syntax errors only with `force`.
     pub(super) fn write_layout(&self, name: &str, force: bool) -> Result<(), Failed> {
         let plan = match self.open().get(name) {
             Some(file) => file.layout.plan(file.document.model(), force)?,
@@ -117,11 +117,11 @@ impl Files {
         }
     }
 
-    /// Writes all that is not saved, at the end of the server. What cannot be written is kept in a file beside.
+    /// Writes all unsaved texts, at the end of the server. A text that cannot be saved is kept in another file.
     pub(super) fn finish(&self) {
         let names: Vec<String> = self.open().keys().cloned().collect();
         for name in names {
-            // What is wrong is found again below.
+            // A failure is detected again below.
             let _ = self.write(&name);
             let open = self.open();
             let Some(file) = open.get(&name).filter(|file| file.document.is_changed()) else { continue };
@@ -133,7 +133,7 @@ impl Files {
     }
 }
 
-/// Writes a text that cannot be saved into a new file beside its own, or among temporary files.
+/// Writes a text that cannot be saved to a new file beside its own, or in the folder of temporary files.
 fn keep(file: &OpenFile) -> std::io::Result<PathBuf> {
     use std::io::Write as _;
     let last = file.path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -19,7 +19,7 @@ const MAX_DEPTH: usize = 24;
 /// Largest number of uses that are listed.
 const MAX_USES: usize = 1000;
 
-/// All Rust files below a folder, sorted. Links, hidden folders and folders of builds are left out.
+/// Collects all Rust files below a folder, sorted. Symbolic links, hidden files and folders, and folders of builds are left out.
 fn walk(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     let mut entries: Vec<fs::DirEntry> = entries.filter_map(Result::ok).collect();
@@ -40,14 +40,14 @@ fn walk(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
 }
 
 impl Files {
-    /// Names of all Rust files, with their stamps.
+    /// Returns the names of all Rust files, with their stamps.
     pub(super) fn all(&self) -> Vec<(String, Stamp)> {
         let mut paths = Vec::new();
         walk(self.folder.root(), 0, &mut paths);
         paths.iter().filter_map(|path| Some((self.name_of(path)?, Stamp::of(path)?))).collect()
     }
 
-    /// The text of a file: that of the page if it is open.
+    /// Returns the text of a file; if the file is open, that of the pages.
     pub(super) fn text(&self, name: &str) -> Result<String, Failed> {
         if let Some(file) = self.open().get(name) {
             return Ok(file.document.text().to_owned());
@@ -56,7 +56,7 @@ impl Files {
         limits::text(&text).map(|()| text)
     }
 
-    /// Files with components or trees.
+    /// Lists the files with components or trees, and those that cannot be read.
     pub(super) fn sources(&self) -> Vec<SourceFile> {
         let mut cache = lock(&self.cache);
         let mut old = std::mem::take(&mut *cache);
@@ -85,7 +85,7 @@ impl Files {
         (!components.is_empty() || !trees.is_empty()).then_some(SourceFile { file, components, trees, problem: None })
     }
 
-    /// Tables of constants with rows of certain types. Files that cannot be read are left out.
+    /// Lists the tables of constants whose rows have one of these types. Files that cannot be read are left out.
     pub(super) fn tables(&self, types: &[String]) -> Vec<SourceTable> {
         let mut list = Vec::new();
         for (file, _) in self.all() {
@@ -103,7 +103,7 @@ impl Files {
         list
     }
 
-    /// Uses of a function in other files. Those of a private function that cannot be decided are left out.
+    /// Lists the uses of a function in other files. Uncertain uses of a private function are left out.
     pub(super) fn uses(&self, name: &str, component: &str, function: &str) -> Result<Vec<SourceUse>, Failed> {
         let (own, text, found) = {
             let mut open = self.open();
@@ -140,7 +140,7 @@ impl Files {
     }
 }
 
-/// A place of a file as a use.
+/// Returns the use at a span of a file.
 pub(super) fn use_at(file: &str, text: &str, span: Span, certain: bool) -> SourceUse {
     let begin = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
     let line = 1 + text[..begin].matches('\n').count();

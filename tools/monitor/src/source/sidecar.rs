@@ -14,12 +14,12 @@ use crate::protocol::{Failed, PlacedNote, StatePosition};
 /// Largest layout file, bytes.
 const MAX_LAYOUT: u64 = 1 << 20;
 
-/// Positions of the states of a file, and notes. Those of states that are gone are remembered, so that undoing brings them back.
+/// Positions of the states of a file, and notes. Positions of removed states are kept, so that undo restores them.
 #[derive(Default)]
 pub(super) struct Sidecar {
     path: PathBuf,
     remembered: Layout,
-    /// Grows with each change.
+    /// Number that increases with each change.
     revision: u64,
     /// Text of the layout file; empty without one.
     written: String,
@@ -64,7 +64,7 @@ impl Sidecar {
         }
     }
 
-    /// The text of the file; empty without one. A link is not followed: it could lead out of the folder.
+    /// Returns the text of the file; empty without one. A symbolic link is not followed, because it could lead out of the folder.
     fn text(&self) -> Result<String, String> {
         let failed = |why: &dyn std::fmt::Display| format!("`{}` cannot be read: {why}", self.path.display());
         let found = match fs::symlink_metadata(&self.path) {
@@ -78,7 +78,7 @@ impl Sidecar {
         fs::read_to_string(&self.path).map_err(|error| failed(&error))
     }
 
-    /// Centres of all states.
+    /// Returns the centres of all states.
     pub(super) fn positions(&self, model: &Model) -> Vec<StatePosition> {
         let mut positions = Vec::new();
         for component in &model.components {
@@ -92,7 +92,7 @@ impl Sidecar {
         positions
     }
 
-    /// Notes of all components.
+    /// Returns the notes of all components.
     pub(super) fn notes(&self, model: &Model) -> Vec<PlacedNote> {
         let of = |component: &str| {
             let placed = |note: &Note| PlacedNote { component: component.to_owned(), note: note.clone() };
@@ -101,7 +101,7 @@ impl Sidecar {
         model.components.iter().flat_map(|component| of(&component.key)).collect()
     }
 
-    /// Replaces a note, adds one, or removes one. Returns whether the old one was there.
+    /// Replaces, adds or removes a note. Returns whether the old note existed; otherwise no note is changed.
     pub(super) fn change_note(&mut self, component: &str, old: Option<&Note>, new: Option<Note>) -> bool {
         let is_there = old.is_none_or(|old| self.remembered.remove_note(component, old));
         if let Some(new) = new.filter(|_| is_there) {
@@ -111,7 +111,7 @@ impl Sidecar {
         is_there
     }
 
-    /// A number that is another one after each change.
+    /// Returns a number that differs after each change.
     pub(super) const fn revision(&self) -> u64 {
         self.revision
     }
@@ -126,17 +126,17 @@ impl Sidecar {
         self.remembered.remove(component, state);
     }
 
-    /// Gives a renamed state its position; the old name keeps it for undoing.
+    /// Copies the position of a renamed state to its new name. The old name keeps it, for undo.
     pub(super) fn renamed(&mut self, component: &str, from: &str, to: &str) {
         if let Some(position) = self.remembered.get(component, from) {
             self.set(component, to, position.x, position.y);
         }
     }
 
-    /// The text that the layout file should have: lines of the states that exist, and of components that are not in the source.
-    /// Code with a syntax error may hide states: all lines of states stay then.
+    /// Returns the text that the layout file should have: lines of existing states, of notes, and of components that are not in the
+    /// source. Code with a syntax error (`is_broken`) may hide states: then the lines of all states are kept.
     fn wanted(&self, model: &Model, is_broken: bool) -> String {
-        // What was written can be read.
+        // The written text is always valid.
         let mut layout = Layout::parse(&self.written).unwrap_or_default();
         let is_known = |word: &str| model.components.iter().any(|one| Layout::is_of(word, &one.key));
         layout.retain(|component, state| !is_known(component) || (is_broken && state.is_some()));
@@ -154,8 +154,8 @@ impl Sidecar {
         layout.to_string()
     }
 
-    /// The path and text of the layout file if it is not as it should be. While the source has syntax errors it is written only if
-    /// a person has moved something (`force`).
+    /// Returns path and text of the layout file if it is outdated. While the source has syntax errors the file is written only
+    /// after a change by a person (`force`).
     pub(super) fn plan(&self, model: &Model, force: bool) -> Result<Option<(PathBuf, String)>, Failed> {
         if !self.problem.is_empty() {
             let help = "mend the layout file by hand, or remove it";
@@ -167,14 +167,14 @@ impl Sidecar {
         Ok(is_needed.then(|| (self.path.clone(), wanted)))
     }
 
-    /// Notes that the layout file has this text.
+    /// Stores that the layout file has this text.
     pub(super) fn wrote(&mut self, text: String) {
         self.written = text;
         self.stamp = Stamp::of(&self.path);
     }
 }
 
-/// Writes a layout file; one without lines is removed.
+/// Writes a layout file, or removes it if the text is empty.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), Failed> {
     let done = if text.is_empty() { fs::remove_file(path) } else { bica_vicode::save(path, text.as_bytes(), None) };
     done.map_err(|error| {

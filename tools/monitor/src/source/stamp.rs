@@ -1,13 +1,13 @@
-//! Whether a file on disk has changed.
+//! Detection of changes of files on disk.
 
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
-/// Age below which a file may have changed again without a new time of its last change.
+/// Age of the last modification below which a file may have changed again with the same modification time.
 const FRESH: Duration = Duration::from_secs(2);
 
-/// What a file system knows of a file without its being read.
+/// Metadata of a file, by which a change is detected without reading it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Stamp {
     length: u64,
@@ -16,19 +16,19 @@ pub(super) struct Stamp {
 }
 
 impl Stamp {
-    /// The stamp of a file; `None` if there is none. Links are followed.
+    /// Returns the stamp of a file; `None` without a file. Symbolic links are followed.
     pub(super) fn of(path: &Path) -> Option<Self> {
         let found = fs::metadata(path).ok()?;
         let readonly = found.permissions().readonly();
         Some(Self { length: found.len(), modified: found.modified().ok(), readonly })
     }
 
-    /// Whether the file could have changed since without a new stamp, as clocks of file systems are coarse.
+    /// Returns whether the file may have changed since without a new stamp, because clocks of file systems are coarse.
     pub(super) fn is_fresh(&self) -> bool {
         self.modified.is_none_or(|modified| modified.elapsed().is_ok_and(|age| age < FRESH))
     }
 
-    /// Whether the content may differ.
+    /// Returns whether length or modification time differ.
     pub(super) fn differs(&self, other: &Self) -> bool {
         (self.length, self.modified) != (other.length, other.modified)
     }

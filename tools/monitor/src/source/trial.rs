@@ -1,4 +1,4 @@
-//! Machines that are tried without their program, and fixes that are tried out.
+//! Trials of machines without their program, and fixes of mistakes.
 
 use bica_vicode::model::Component;
 use bica_vicode::trial::{Place, Step, Trial};
@@ -9,7 +9,7 @@ use super::files::{Files, no_component};
 use crate::protocol::Failed;
 
 impl Files {
-    /// Evaluates a trial.
+    /// Evaluates a trial of a machine.
     pub(super) fn try_machine(&self, name: &str, component: &str, steps: &[Step]) -> Result<Value, Failed> {
         let (path, text) = {
             let mut open = self.open();
@@ -24,18 +24,18 @@ impl Files {
         Ok(json!({ "trial": trial, "test": test }))
     }
 
-    /// Edits that mend the mistakes of a file.
+    /// Finds edits that fix the mistakes of a file.
     pub(super) fn fixes(&self, name: &str) -> Result<Value, Failed> {
         let (text, version) = {
             let mut open = self.open();
             let file = self.get(&mut open, name)?;
             (file.document.text().to_owned(), file.document.version())
         };
-        // Trying them out takes time, in which other requests need the files.
+        // Without the lock: the fixes are tried out, which takes time, and other requests need the files.
         Ok(json!({ "version": version, "fixes": fixes(&Document::new(&text)) }))
     }
 
-    /// The name of a file below the folder, and a machine of it.
+    /// Returns the name of a file below the folder, and one of its machines.
     pub(super) fn machine(&self, name: &str, component: &str) -> Result<(String, Component), Failed> {
         let mut open = self.open();
         let file = self.get(&mut open, name)?;

@@ -12,12 +12,12 @@ use super::{limits, save};
 use crate::pages::lock;
 use crate::protocol::ChangedBy;
 
-/// Time between two looks at what is to be saved.
+/// Interval of checks for files that are due to be saved.
 const TICK: Duration = Duration::from_millis(100);
-/// Number of those between two looks at the files.
+/// Number of [`TICK`]s between two comparisons of the files with the disk.
 const TICKS: u32 = 2;
 
-/// Ends a thread that waits.
+/// Flag that ends a waiting thread.
 #[derive(Default)]
 pub(super) struct End {
     ended: Mutex<bool>,
@@ -30,7 +30,7 @@ impl End {
         self.changed.notify_all();
     }
 
-    /// Waits; returns whether the end has come.
+    /// Waits for a time or for the end; returns whether the end has come.
     fn wait(&self, time: Duration) -> bool {
         let guard = lock(&self.ended);
         let waited = self.changed.wait_timeout_while(guard, time, |ended| !*ended);
@@ -38,7 +38,7 @@ impl End {
     }
 }
 
-/// Saves and looks at the files until the end.
+/// Saves the files and compares them with the disk, until the end.
 pub(super) fn watch(files: &Arc<Files>, end: &End) {
     let mut tick = 0_u32;
     while !end.wait(TICK) {
@@ -50,14 +50,14 @@ pub(super) fn watch(files: &Arc<Files>, end: &End) {
                 if file.save_at.is_some_and(|at| at <= now) {
                     due.push(file.name.clone());
                 }
-                // A file that nobody sees is read again before it is written.
+                // An unchanged file that no page shows is read again before it is written.
                 if !file.pages.is_empty() || file.document.is_changed() {
                     names.push(file.name.clone());
                 }
             }
         }
         for name in due {
-            // The page sees the problem with the file.
+            // The page receives the problem with the file.
             let _ = files.write(&name);
         }
         if tick.is_multiple_of(TICKS) {
@@ -69,7 +69,7 @@ pub(super) fn watch(files: &Arc<Files>, end: &End) {
 }
 
 impl Files {
-    /// Compares a file with the disk.
+    /// Compares a file with the disk, and merges a change.
     pub(super) fn look(&self, name: &str) {
         let _disk = lock(&self.disk);
         let path = {
@@ -118,7 +118,8 @@ impl Files {
     }
 }
 
-/// Whether a file has to be read: it is another one, and nobody writes it any more.
+/// Returns whether the file must be reread: it changed, and writing has finished; its last change is too recent to exclude another
+/// one; or the text changed during a conflict.
 fn must_read(file: &mut OpenFile, found: Option<Stamp>) -> bool {
     let Some(stamp) = found else {
         file.missed += 1;
@@ -129,7 +130,7 @@ fn must_read(file: &mut OpenFile, found: Option<Stamp>) -> bool {
     file.missed = 0;
     let is_new = file.deleted || file.stamp.is_none_or(|last| last.differs(&stamp));
     if is_new {
-        // A program may still be writing: it is read when two looks have found the same.
+        // A program may still be writing: the file is read when two successive comparisons have found the same stamp.
         let settled = file.pending.is_some_and(|pending| !pending.differs(&stamp));
         file.pending = Some(stamp);
         return settled;
@@ -137,7 +138,7 @@ fn must_read(file: &mut OpenFile, found: Option<Stamp>) -> bool {
     stamp.is_fresh() || (file.document.conflict().is_some() && file.merged != file.document.version())
 }
 
-/// Whether the text of the file is to be merged: it is new, or the text here has changed since there is a conflict.
+/// Returns whether the text of the file must be merged: it is new, or the open text has changed since the last merge during a conflict.
 fn is_news(file: &OpenFile, text: &str) -> bool {
     match file.document.conflict() {
         Some(conflict) => conflict.theirs != text || file.merged != file.document.version(),
