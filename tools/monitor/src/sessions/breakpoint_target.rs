@@ -1,4 +1,4 @@
-//! Where breakpoints stop in a tree.
+//! Breakpoints, resolved in a tree.
 
 use bica_link::{Component, Description};
 use bica_wire::message::{Stop, StopAt};
@@ -10,12 +10,12 @@ use crate::protocol::{Breakpoint, ComponentNow, Failed, Reached};
 /// Whether a component is active, and its state.
 pub(super) type Activity = (bool, Option<u16>);
 
-/// A breakpoint that fits the tree of its session.
+/// A breakpoint that is resolved in the tree of its session.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BreakpointTarget {
     pub(super) breakpoint: Breakpoint,
     reach: Reach,
-    /// What happens there, for people.
+    /// Event at the breakpoint, as text for people.
     pub(super) text: String,
 }
 
@@ -27,7 +27,7 @@ enum Reach {
 }
 
 impl BreakpointTarget {
-    /// Finds a breakpoint in a tree. `is_exact` is whether it is known which transition is taken, and not only the states.
+    /// Resolves a breakpoint in a tree. `is_exact` states whether the session shows which transition is taken, not only the states.
     pub(super) fn find(breakpoint: Breakpoint, description: &Description, is_exact: bool) -> Result<Self, Failed> {
         let Breakpoint { component, state, transition } = breakpoint;
         let owner = description.components.get(component).ok_or_else(|| unknown("component", component))?;
@@ -59,7 +59,7 @@ impl BreakpointTarget {
         Self { breakpoint, reach: Reach::State(0), text: String::new() }
     }
 
-    /// The stop of the link there.
+    /// Returns the stop of the link at this breakpoint.
     pub(super) const fn stop(&self, pauses: bool) -> Stop {
         let Breakpoint { component, state, transition } = self.breakpoint;
         let at = match (state, transition) {
@@ -70,7 +70,7 @@ impl BreakpointTarget {
         Stop { component: component as u16, at, pauses }
     }
 
-    /// Whether it is reached in a cycle, as far as states show it.
+    /// Returns whether a change of the component in a cycle reaches the breakpoint, judged by states only.
     pub(super) fn is_reached(&self, before: Activity, now: Activity) -> bool {
         match self.reach {
             Reach::State(state) => now == (true, Some(state)) && before != now,
@@ -79,7 +79,7 @@ impl BreakpointTarget {
     }
 }
 
-/// The same targets in another tree, found by names; those that it does not have are left out.
+/// Resolves the same targets in another tree, by names; targets that it does not have are left out.
 pub(super) fn moved(
     targets: &[BreakpointTarget],
     from: &Description,
@@ -104,7 +104,7 @@ pub(super) fn moved(
     targets.iter().filter_map(moved).collect()
 }
 
-/// The breakpoints that are reached in a cycle, as far as states show it; `before` are the states of all components before it.
+/// Returns the breakpoints that are reached in a cycle, judged by states only. `before` has the states of all components before the cycle.
 pub(super) fn reached(targets: &[BreakpointTarget], before: &[Activity], changed: &[Change]) -> Vec<Breakpoint> {
     let is_reached = |target: &&BreakpointTarget| {
         let change = changed.iter().find(|change| usize::from(change.component) == target.breakpoint.component);
@@ -114,7 +114,7 @@ pub(super) fn reached(targets: &[BreakpointTarget], before: &[Activity], changed
     targets.iter().filter(is_reached).map(|target| target.breakpoint).collect()
 }
 
-/// The first time after `from_us` at which a target is reached.
+/// Finds the first time after `from_us`, µs, at which a target is reached.
 pub(super) fn next(history: &History, targets: &[BreakpointTarget], from_us: u64, is_exact: bool) -> Option<Reached> {
     let (taken, seen): (Vec<_>, Vec<_>) =
         targets.iter().partition(|target| is_exact && target.breakpoint.transition.is_some());
@@ -127,7 +127,7 @@ pub(super) fn next(history: &History, targets: &[BreakpointTarget], from_us: u64
     by_state.into_iter().chain(by_transition).min_by_key(|reached| reached.time_us)
 }
 
-/// The same as far as states show it.
+/// Finds the first such time, judged by states only.
 fn next_seen(states: &States, targets: &[&BreakpointTarget], from_us: u64) -> Option<Reached> {
     let activity = |now: &ComponentNow| (now.0, now.2);
     let mut all: Vec<Activity> = states.base().iter().map(activity).collect();

@@ -26,12 +26,12 @@ impl Session {
             shared.breakpoints = targets;
             self.pages.broadcast(&self.breakpoints(&shared));
         }
-        // Transitions are watched from now on; a recording has no thread that watches.
+        // The thread sets the stops at the robot; a recording has no thread.
         let _ = self.command(Command::Watch);
         Ok(())
     }
 
-    /// Takes over the breakpoints of the session that this one replaces, as far as its tree has such places.
+    /// Takes over the breakpoints of the session that this one replaces, as far as its tree has the same states and transitions.
     pub(super) fn inherit(&self, other: &Self) {
         let (tree, targets) = {
             let other = other.shared();
@@ -43,26 +43,26 @@ impl Session {
             let targets = moved(&targets, &tree, &now, shared.can.conditions);
             drop(shared);
             let list: Vec<_> = targets.iter().map(|target| target.breakpoint).collect();
-            // They fit the tree.
+            // They are valid in this tree.
             let _ = self.set_breakpoints(&list);
         } else {
             shared.inherited = Some((tree, targets));
         }
     }
 
-    /// The breakpoints, for pages.
+    /// Returns the message with the breakpoints, for pages.
     pub(super) fn breakpoints(&self, shared: &Shared) -> ToPage {
         let list = shared.breakpoints.iter().map(|target| target.breakpoint).collect();
         ToPage::Breakpoints { session: self.id, list }
     }
 
-    /// The first time in memory after `from_us` at which a breakpoint is reached.
+    /// Finds the first time in memory after `from_us`, µs, at which a breakpoint is reached.
     pub(super) fn next_hit(&self, from_us: u64) -> Option<Reached> {
         let shared = self.shared();
         next(&shared.history, &shared.breakpoints, from_us, shared.can.conditions)
     }
 
-    /// Sends that a breakpoint was reached.
+    /// Logs that a breakpoint was reached, and sends it to all pages.
     pub(super) fn hit(&self, reached: Reached, paused: bool) {
         let text = {
             let shared = self.shared();

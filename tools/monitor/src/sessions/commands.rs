@@ -7,22 +7,22 @@ use bica_link::Waker;
 use crate::pages::PageId;
 use crate::protocol::Request;
 
-/// What the manager asks of a session's thread.
+/// A command of the manager to a session's thread.
 #[derive(Debug)]
 pub(super) enum Command {
     /// A request of a page.
     Operate { page: PageId, id: u32, request: Request },
-    /// A person notes something: after what was asked before, such as the begin of another game.
+    /// A note of a person. It is handled after earlier requests, such as a restart.
     Note { page: PageId, id: u32, text: String },
-    /// What pages watch has changed.
+    /// The watches of the pages have changed.
     Watch,
-    /// A page has gone.
+    /// A page was closed.
     Left(PageId),
     /// The session ends.
     Close,
 }
 
-/// Hands commands to a session's thread.
+/// Sender of commands to a session's thread.
 pub(super) struct Commands {
     commands: Sender<Command>,
     /// Ends the thread's wait for the robot.
@@ -34,12 +34,12 @@ impl Commands {
         Self { commands, waker: Some(waker) }
     }
 
-    /// Commands that nobody receives.
+    /// Creates a sender without a receiver.
     pub(super) fn of_nobody() -> Self {
         Self { commands: channel().0, waker: None }
     }
 
-    /// Hands over a command; returns whether the thread still works.
+    /// Sends a command; returns whether the thread still receives commands.
     pub(super) fn send(&self, command: Command) -> bool {
         let is_sent = self.commands.send(command).is_ok();
         if let Some(waker) = &self.waker {

@@ -1,4 +1,4 @@
-//! What all sessions share.
+//! Data that all sessions share.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use crate::options::Options;
 use crate::pages::Pages;
 use crate::program::Program;
 
-/// What all sessions share. Clones are the same.
+/// Data that all sessions share. Clones refer to the same data.
 #[derive(Clone, Default)]
 pub(crate) struct Common {
     pub(crate) options: Arc<Options>,

@@ -19,7 +19,7 @@ pub(super) fn open(id: SessionId, common: &Common) -> Result<Arc<Session>, Faile
     let none = || Failed::new("the program has no images", "start it with a folder of images");
     let images = common.program.images.as_ref().ok_or_else(none)?;
     let files = images.list()?;
-    // Nobody receives commands: a session of images cannot be operated.
+    // Commands have no receiver: a session of images cannot be operated.
     let identity = (id, SessionKind::Recording, images.name());
     let session = Arc::new(Session::new(identity, common.clone(), Commands::of_nobody(), None));
     let own = Arc::clone(&session);

@@ -1,4 +1,4 @@
-//! The memory of a robot's session as a file.
+//! The history of a robot's session as a file.
 
 use std::fs::{self, File};
 use std::io;
@@ -15,10 +15,10 @@ use super::session::Session;
 use crate::files::{WRITE_HELP, failed, make_folder_of};
 use crate::protocol::Failed;
 
-/// Number of cycles that are taken out of the memory under one lock.
+/// Number of cycles that are copied from the history under one lock.
 const BATCH: usize = 256;
 
-/// Writes what is remembered of a robot to a new file. A file that could not be written is removed.
+/// Writes the history of a robot's session to a new file. An incomplete file is removed.
 pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Failed> {
     make_folder_of(target)?;
     let scenery = recorded_scenery(&session.shared().scenery);
@@ -36,7 +36,7 @@ pub(super) fn keep(session: &Arc<Session>, target: &Path) -> Result<Value, Faile
         Ok(Report { reason: Some(reason), .. }) => reason,
         Err(error) => error.to_string(),
     };
-    // The failure of the writing is what the user has to know.
+    // A failed removal is ignored: the user needs the error of the write.
     let _ = fs::remove_file(target);
     Err(failed("write", target, &reason, WRITE_HELP))
 }
@@ -50,7 +50,7 @@ fn write(session: &Session, mut recorder: MonitorRecorder<File>) -> io::Result<R
     loop {
         let part = {
             let shared = session.shared();
-            // After a new connection the memory is of another run.
+            // In another epoch the history is that of another run.
             if shared.epoch == epoch { shared.history.part(after_us, until_us, BATCH) } else { Vec::new() }
         };
         let Some(last) = part.last() else { return Ok(recorder.finish(None, 0)) };

@@ -22,11 +22,11 @@ use crate::protocol::{
 use crate::source::{Editor, Host};
 use bica_wire::message::LogSource;
 
-/// All sessions and sources. Pages attach to it; what they ask for is answered through their outboxes.
+/// Owner of all sessions and sources. Pages attach to it, and receive the answers to their requests through their outboxes.
 pub struct Manager {
     registry: Arc<Registry>,
     common: Common,
-    /// Sources, if the server has a folder of them; why not, if it cannot be opened.
+    /// Editor of the sources, or why their folder cannot be opened; none without a folder.
     editor: Option<Result<Editor, Failed>>,
     /// Held while layouts are written.
     layouts: Mutex<()>,
@@ -34,7 +34,7 @@ pub struct Manager {
 }
 
 impl Manager {
-    /// A manager without sessions.
+    /// Creates a manager without sessions.
     #[must_use]
     pub fn new(options: Options, program: Program) -> Self {
         let registry = Arc::new(Registry::new(options, program));
@@ -45,7 +45,7 @@ impl Manager {
         Self { registry, common, editor, layouts: Mutex::default(), last_page: AtomicU64::new(0) }
     }
 
-    /// Opens a session. It is connected, or read, by a thread of its own.
+    /// Opens a session. A new thread connects it, or reads it.
     ///
     /// # Errors
     /// If the source is unknown or there are too many sessions.
@@ -53,7 +53,7 @@ impl Manager {
         self.registry.open(source, None)
     }
 
-    /// Opens a world or a robot and records it in a file from its beginning. What begins again is recorded in a file with a number.
+    /// Opens a world or a robot and records it in a file from its beginning. Each later run is recorded in a file with a number.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -61,7 +61,7 @@ impl Manager {
         self.registry.open(source, Some(file.to_owned()))
     }
 
-    /// Whether pages can edit or build sources. Then no other computer may reach the server.
+    /// Returns whether the server has a folder of sources. Then no other computer may reach the server.
     #[must_use]
     pub const fn edits_sources(&self) -> bool {
         self.editor.is_some()
@@ -72,12 +72,12 @@ impl Manager {
         worlds.map(|world| World { name: world.name().to_owned(), options: world.options() }).collect()
     }
 
-    /// Text of a module of an extension.
+    /// Returns the text of an extension's module.
     pub(crate) fn module(&self, name: &str) -> Option<&str> {
         self.common.program.extension(name).map(Extension::module)
     }
 
-    /// Module with the names of all extensions.
+    /// Returns a module that imports all extensions.
     pub(crate) fn modules(&self) -> String {
         let names: Vec<_> = self.common.program.extensions.iter().map(|one| one.name()).collect();
         let imports: Vec<_> =
@@ -107,7 +107,7 @@ impl Manager {
             limits: LIMITS,
         });
         self.common.pages.add(page, outbox);
-        // What changed before the page was registered is sent again.
+        // Changes before the page was registered are sent again.
         for session in shown.into_iter().filter(|session| self.registry.get(*session).is_err()) {
             self.common.pages.state(page, ToPage::Closed { session });
         }
@@ -120,7 +120,7 @@ impl Manager {
         page
     }
 
-    /// Forgets a page. What it operated ends.
+    /// Removes a page. Its control of sessions ends.
     pub fn detach(&self, page: PageId) {
         self.common.pages.remove(page);
         if let Ok(editor) = self.editor() {
@@ -172,7 +172,7 @@ impl Manager {
             }
             Request::Watch { watch } => {
                 session.watch(page, watch);
-                // A recording has no thread that needs to know.
+                // A recording has no thread.
                 let _ = session.command(commands::Command::Watch);
                 Ok(Some(Value::Null))
             }
@@ -239,7 +239,7 @@ fn read_only() -> Failed {
 }
 
 impl Manager {
-    /// Whether pages of a server for watching may ask for it. Requests about sources are checked by their editor.
+    /// Returns whether pages of a read-only server may send a request. Requests about sources are checked by their editor.
     fn only_reads(&self, request: &Request) -> bool {
         if let Request::Extension { name, message } = request {
             return self.common.program.extension(name).is_some_and(|extension| extension.only_reads(message));
@@ -265,10 +265,10 @@ impl Manager {
 
 impl Drop for Manager {
     fn drop(&mut self) {
-        // The program that runs is ended with the editor, before its session.
+        // The editor ends the running program before its session is closed.
         self.editor = None;
         self.registry.end();
-        // Threads that still end leave a file there; the folder is one for temporary files.
+        // The removal fails if a thread that is still ending has a file there. The folder is one for temporary files.
         let _ = std::fs::remove_dir(&self.common.options.spool);
     }
 }

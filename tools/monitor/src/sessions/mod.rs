@@ -1,8 +1,8 @@
 //! Sessions: robots, simulated worlds and recordings behind the page.
 //!
 //! [`Manager`] owns all sessions and knows all pages. A live session is a thread that owns a [`Client`](bica_link::Client), also
-//! for a world that is played in this process: its page's data come over the same link as those of a robot. What a session
-//! sends to a page goes into the page's [`Outbox`].
+//! for a world that is simulated in this process: its data come over a link like those of a robot. Messages of a session to a page
+//! go into the page's [`Outbox`].
 
 mod asked;
 mod breakpoint_target;

@@ -1,4 +1,4 @@
-//! What pages learn of a session's memory.
+//! Queries of pages to a session's history.
 
 use serde_json::{Value, json};
 
@@ -8,11 +8,11 @@ use crate::pages::PageId;
 use crate::protocol::binary::PixelKind;
 use crate::protocol::{ComponentNow, Failed, InfoSample, Moment, Request};
 
-/// Longest series and lists that a page gets in one answer.
+/// Largest number of entries of a series or a list in one answer.
 const MAX_POINTS: usize = 20_000;
 
 impl Session {
-    /// Answers a question about the past.
+    /// Answers a query of the history.
     pub(super) fn query(&self, page: PageId, id: u32, request: &Request) -> Result<Value, Failed> {
         match *request {
             Request::At { time_us, ref info, image } => self.at(page, id, time_us, info, image),

@@ -23,7 +23,7 @@ use crate::program::Rerun;
 use crate::protocol::{Connection, Failed, SessionId, SessionKind};
 
 fn new_session((id, name): (SessionId, String), path: &Path, common: &Common) -> Arc<Session> {
-    // Nobody receives commands: a recording cannot be operated.
+    // Commands have no receiver: a recording cannot be operated.
     let commands = Commands::of_nobody();
     let identity = (id, SessionKind::Recording, name);
     let session = Session::new(identity, common.clone(), commands, None);
@@ -42,7 +42,7 @@ pub(super) fn open(id: SessionId, common: &Common, name: &str) -> Result<Arc<Ses
     Ok(session)
 }
 
-/// Runs a recording again with other parameters; the new course is a session of its own.
+/// Runs a recording again with other parameters; the new recording is a new session.
 pub(super) fn run_again(id: SessionId, original: &Session, settings: &[NamedSetting]) -> Result<Arc<Session>, Failed> {
     let path = original.shared().recorded.path.clone();
     if path.as_os_str().is_empty() || !original.shared().can.run_again {
@@ -90,7 +90,7 @@ fn assignments(description: &Description, settings: &[NamedSetting]) -> Result<V
     settings.iter().map(|setting| Ok(description.setting(setting).map(|_| setting.to_string())?)).collect()
 }
 
-/// Compares two recordings in a thread of its own, and answers with the first difference.
+/// Compares two recordings in a new thread, and answers with the first difference.
 pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session) -> Result<(), Failed> {
     for session in [&**one, other] {
         if session.shared().connection == Connection::Connecting && session.kind == SessionKind::Recording {
@@ -98,7 +98,7 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
             return Err(Failed::new(text, "wait until it is complete, then compare"));
         }
     }
-    // Both may be one session, whose lock is not taken twice at once.
+    // Both may be the same session, whose lock must not be taken twice at once.
     let path = |session: &Session| session.shared().recorded.path.clone();
     let paths = [path(one), path(other)];
     if paths.iter().any(|path| path.as_os_str().is_empty()) {
@@ -115,7 +115,7 @@ pub(super) fn compare(page: PageId, id: u32, one: &Arc<Session>, other: &Session
     })
 }
 
-/// The first difference of two recordings.
+/// Returns the answer with the first difference of two recordings.
 fn answer(report: ReplayReport) -> Value {
     let Some(first) = report.first_difference else { return json!({ "equal": true, "cycles": report.cycles }) };
     let text = first.text(["the first recording", "the second one"]);
@@ -126,7 +126,7 @@ fn answer(report: ReplayReport) -> Value {
     })
 }
 
-/// Whether two files are copies of each other. What cannot be read is reported by the comparison of their cycles.
+/// Returns whether two files are copies of each other. An unreadable file is reported by the later comparison of cycles.
 fn have_same_content(one: &Path, other: &Path) -> bool {
     let bytes = |path: &Path| Some(BufReader::new(files::open(path).ok()?).bytes().map_while(Result::ok));
     let length = |path: &Path| fs::metadata(path).ok().map(|file| file.len());

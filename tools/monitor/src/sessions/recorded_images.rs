@@ -8,7 +8,7 @@ use bica_recording::BlobPlace;
 use crate::program::Image;
 use crate::protocol::Failed;
 
-/// Images of a recording: they stay in its file.
+/// Index of the images of a recording, which stay in its file.
 #[derive(Debug, Default)]
 pub(super) struct Recorded {
     pub(super) path: PathBuf,
@@ -17,7 +17,7 @@ pub(super) struct Recorded {
 }
 
 impl Recorded {
-    /// The last image that is not later: its number and place.
+    /// Returns number, time and place of the last image that is not later than a time, µs.
     pub(super) fn at(&self, time_us: u64) -> Option<(u32, u64, BlobPlace)> {
         let end = self.places.partition_point(|(_, time, _)| *time <= time_us);
         self.places.get(end.checked_sub(1)?).copied()

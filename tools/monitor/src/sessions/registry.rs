@@ -19,7 +19,7 @@ use crate::source::Host;
 /// Largest number of sessions.
 const MAX_SESSIONS: usize = LIMITS.sessions;
 
-/// Longest wait for the end of a file that is recorded.
+/// Longest wait until a recorded file is closed.
 const END: Duration = Duration::from_secs(10);
 
 /// All sessions.
@@ -35,12 +35,12 @@ impl Registry {
         Self { common, sessions: Mutex::default(), last: AtomicU32::new(0) }
     }
 
-    /// A number that no session has had.
+    /// Returns a number that no session has had.
     pub(super) fn next_id(&self) -> SessionId {
         self.last.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Opens a session. It is connected, or read, by a thread of its own. A world or a robot is recorded in a file, if one is given.
+    /// Opens a session. A new thread connects it, or reads it. A world or a robot is recorded in a file, if one is given.
     pub(super) fn open(&self, source: Open, record: Option<PathBuf>) -> Result<SessionId, Failed> {
         self.has_room()?;
         let id = self.next_id();

@@ -1,9 +1,9 @@
-//! What does not move in a world, in a session and in a recording.
+//! Scenery of a world, in a session and in a recording.
 
 use bica_link::Shown;
 use bica_recording::{Header, Scenery};
 
-/// Returns what does not move in the recorded world.
+/// Returns the scenery of a recorded world, for a session.
 pub(super) fn scenery(header: &Header) -> Vec<Shown> {
     let shown = |Scenery { name, shape, frame, colour, line_width, value }| {
         let colour = colour.map(|[red, green, blue]: [u8; 3]| format!("#{red:02x}{green:02x}{blue:02x}"));
@@ -12,7 +12,7 @@ pub(super) fn scenery(header: &Header) -> Vec<Shown> {
     header.scenery.iter().cloned().map(shown).collect()
 }
 
-/// The same of a session, for the header of a recording.
+/// Returns the scenery of a session, for the header of a recording.
 pub(super) fn recorded_scenery(shown: &[Shown]) -> Vec<Scenery> {
     let scenery = |Shown { name, shape, frame, colour, line_width, value, .. }| {
         let number = colour.and_then(|text: String| u32::from_str_radix(text.strip_prefix('#')?, 16).ok());

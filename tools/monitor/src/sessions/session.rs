@@ -1,4 +1,4 @@
-//! A session: what the manager and the session's thread share.
+//! A session, shared by the manager and the session's thread.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -26,7 +26,7 @@ use crate::protocol::{
     Capabilities, Connection, Control, Failed, LogLine, SessionId, SessionInfo, SessionKind, ToPage,
 };
 
-/// Time between two looks whether a session has ended.
+/// Interval of checks whether a session's thread has ended.
 const POLL: Duration = Duration::from_millis(5);
 
 /// A session.
@@ -37,9 +37,9 @@ pub(super) struct Session {
     pub(super) options: Arc<Options>,
     pub(super) pages: Arc<Pages>,
     pub(super) program: Arc<Program>,
-    /// What extensions remember.
+    /// Data that extensions store.
     pub(super) remembered: Mutex<Remembered>,
-    /// File in which the session is recorded from its beginning, if it is the one of the command line.
+    /// File in which the session is recorded from its beginning, if the command line names one.
     pub(super) record: Option<PathBuf>,
     /// Writer of that file, for a robot.
     recorder: Mutex<Option<RobotRecorder>>,
@@ -80,7 +80,7 @@ impl Session {
         lock(&self.shared)
     }
 
-    /// Hands a command to the session's thread.
+    /// Sends a command to the session's thread.
     pub(super) fn command(&self, command: commands::Command) -> Result<(), Failed> {
         let ended = || Failed::new("the session has ended", "open it again");
         self.commands.send(command).then_some(()).ok_or_else(ended)
@@ -118,12 +118,12 @@ impl Session {
         }
     }
 
-    /// Whether a simulated world is paused.
+    /// Returns whether a simulated world is paused.
     pub(super) fn is_paused(&self) -> bool {
         self.shared().paused
     }
 
-    /// Sends the session to all pages. The lock is held meanwhile: what another thread announces later is newer.
+    /// Sends the session to all pages. The lock is held meanwhile, so that a later announcement of another thread is newer.
     pub(super) fn announce(&self) {
         self.announce_of(&self.shared());
     }
@@ -137,7 +137,7 @@ impl Session {
         }
     }
 
-    /// Sends all that a page must know when it comes.
+    /// Sends the session and its tree to a new page.
     pub(super) fn greet(&self, page: PageId) {
         let mut shared = self.shared();
         if !self.is_closed() {
@@ -180,7 +180,7 @@ impl Session {
         let description = Some(Arc::new(description));
         (shared.begun, shared.description) = (description.clone(), description);
         shared.can = can;
-        // A world of this process that a person has paused begins again paused.
+        // A world of this process that was paused by a person is restarted in pause.
         shared.paused &= self.kind == SessionKind::World && !std::mem::take(&mut shared.is_over);
         shared.watching = Watching::default();
         shared.described.clear();
@@ -189,7 +189,7 @@ impl Session {
         }
     }
 
-    /// Sends the tree and its state to a page, once.
+    /// Sends the tree to a page, once, and its current state.
     fn send_description(&self, shared: &mut Shared, page: PageId) {
         let Some(description) = shared.description.as_deref().cloned().map(Box::new) else { return };
         if shared.described.insert(page) {
@@ -206,7 +206,7 @@ impl Session {
         }
     }
 
-    /// Sends the state after the last cycle to all pages, and what has changed since the last update.
+    /// Sends the state after the last cycle to all pages, with the changes since the last update.
     pub(super) fn show_update(&self, changes: Vec<(usize, u64, bool, Option<u16>)>) {
         let shared = self.shared();
         if let Some(update) = self.update(&shared, changes) {
@@ -238,13 +238,13 @@ impl Session {
         self.add_line(LogLine { time_us, level, source, text: text.into(), component: None });
     }
 
-    /// Remembers how the run has ended.
+    /// Stores the result of the run.
     pub(super) fn set_result(&self, text: String) {
         self.shared().result = text;
         self.announce();
     }
 
-    /// Remembers what does not move in the world, and sends it to all pages.
+    /// Stores the scenery of the world, and sends it to all pages that know the tree.
     pub(super) fn show_scenery(&self, scenery: &[Shown]) {
         let mut shared = self.shared();
         scenery.clone_into(&mut shared.scenery);
@@ -257,7 +257,7 @@ impl Session {
         self.tell(line.time_us, Told::Line(line));
     }
 
-    /// Remembers what a log tells of a time, µs, and sends the line to all pages.
+    /// Stores an entry of the log with its time, µs, and sends the line to all pages.
     pub(super) fn tell(&self, time_us: u64, told: Told) {
         let line = {
             let mut shared = self.shared();
@@ -268,7 +268,7 @@ impl Session {
         self.pages.broadcast(&ToPage::Log { session: self.id, lines: vec![line] });
     }
 
-    /// Lets the recorder of a robot take something in, if there is one.
+    /// Calls a function with the recorder of a robot, if there is one.
     pub(super) fn record_robot<T>(&self, record: impl FnOnce(&mut RobotRecorder) -> T) -> Option<T> {
         lock(&self.recorder).as_mut().map(record)
     }
@@ -311,7 +311,7 @@ impl Session {
         head.frame(pixels).into()
     }
 
-    /// The image with a number, from memory or from the file of a recording.
+    /// Returns the image with this number, from memory or from the file of a recording.
     pub(super) fn image(&self, number: u32) -> Result<Image, Failed> {
         let (image, place) = {
             let shared = self.shared();
@@ -329,7 +329,7 @@ impl Session {
         self.shared().recorded.path.clone()
     }
 
-    /// Whether the session was closed; its threads end then.
+    /// Returns whether the session was closed; its threads then end.
     pub(super) fn is_closed(&self) -> bool {
         self.closed.load(Ordering::Relaxed)
     }
@@ -348,19 +348,19 @@ impl Session {
         }
     }
 
-    /// Ends the session's thread.
+    /// Closes the session, and ends its thread.
     pub(super) fn end(&self) {
         {
-            // Nothing is announced any more.
+            // Under the lock: nothing is announced afterwards.
             let _shared = self.shared();
             self.closed.store(true, Ordering::Relaxed);
         }
         let path = self.recording_path();
         if path.starts_with(&self.options.spool) {
-            // The file of a run that was repeated may not exist yet.
+            // The file of a repeated run may not exist yet.
             let _ = std::fs::remove_file(path);
         }
-        // A thread that has ended needs no end.
+        // The thread may have ended already.
         let _ = self.command(commands::Command::Close);
     }
 }

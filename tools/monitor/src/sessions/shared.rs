@@ -1,4 +1,4 @@
-//! What the manager and a session's thread change.
+//! State of a session that its thread and the manager change.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -17,10 +17,10 @@ use super::watches::Watching;
 use crate::pages::PageId;
 use crate::protocol::{Capabilities, Connection, RecordingState};
 
-/// Who operates a session.
+/// Operator of a session.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Operator {
-    /// Nobody.
+    /// No operator.
     #[default]
     Nobody,
     /// A page.
@@ -34,16 +34,16 @@ pub(super) enum Operator {
 pub(super) struct Shared {
     pub(super) connection: Connection,
     pub(super) note: String,
-    /// How the run ended; empty before.
+    /// Result of the run; empty before its end.
     pub(super) result: String,
     pub(super) seed: Option<u64>,
     pub(super) can: Capabilities,
-    /// What the robot's program sends, of a connected session.
+    /// Data and operations that the robot's program offers, in a connected session.
     pub(super) offers: Offers,
     pub(super) recording: RecordingState,
     /// File with the run of a world.
     pub(super) recording_file: PathBuf,
-    /// Number of times that everything remembered was forgotten.
+    /// Number of times that the history was cleared.
     pub(super) epoch: u64,
     pub(super) operator: Operator,
     /// Whether a simulated world is paused.
@@ -54,20 +54,20 @@ pub(super) struct Shared {
     /// The description with the parameters at the beginning of the run.
     pub(super) begun: Option<Arc<Description>>,
     pub(super) kinds: Vec<Kind>,
-    /// What does not move in the world.
+    /// Scenery of the world.
     pub(super) scenery: Vec<Shown>,
     pub(super) history: History,
     /// File and images of a recording.
     pub(super) recorded: Recorded,
     pub(super) watching: Watching,
     pub(super) breakpoints: Vec<BreakpointTarget>,
-    /// Breakpoints of the session before this one, and its tree.
+    /// Tree and breakpoints of the session that this one replaces, until its own tree is known.
     pub(super) inherited: Option<(Arc<Description>, Vec<BreakpointTarget>)>,
     /// Pages that know the tree.
     pub(super) described: BTreeSet<PageId>,
     pub(super) images_taken: u64,
     pub(super) overruns: u64,
-    /// When the last cycle was received.
+    /// Instant at which the last cycle was received.
     pub(super) received: Option<Instant>,
 }
 

@@ -24,7 +24,7 @@ use bica_wire::message::LogSource;
 pub(super) const MCAP: &str = ".mcap";
 /// Time after which the recorder has written a cycle to its file.
 const WRITTEN: Duration = Duration::from_millis(600);
-/// Ending of a file that is cut when it is complete.
+/// Ending of a temporary copy, from which a span is cut when it is complete.
 const WHOLE: &str = "whole";
 /// Largest file of layouts, bytes.
 const MAX_LAYOUTS: usize = 1 << 20;
@@ -42,17 +42,17 @@ pub(super) fn recordings(options: &Options) -> Value {
     files.into_iter().map(|(name, bytes)| json!({ "name": name, "bytes": bytes, "seconds": null })).collect()
 }
 
-/// What is kept.
+/// Source of a kept recording.
 enum Source {
-    /// The run of a world, which goes on.
+    /// The file of a world's run, which continues.
     Run(PathBuf),
-    /// What is remembered of a robot.
+    /// The history of a robot's session.
     Memory,
     /// A recording.
     File(PathBuf),
 }
 
-/// Writes a recording, all of it or a span, µs, to a file of the recordings folder, and answers when that is done.
+/// Writes a recording, or a span of it, µs, to a file of the recordings folder, and answers when it is written.
 pub(super) fn keep(
     session: &Arc<Session>,
     page: PageId,
@@ -87,7 +87,7 @@ pub(super) fn keep(
     started.map(drop).map_err(|error| Failed::new(error.to_string(), "close other programs"))
 }
 
-/// Writes all of a source.
+/// Writes a whole source.
 fn write(session: &Arc<Session>, source: &Source, target: &Path) -> Result<Value, Failed> {
     match source {
         Source::Run(spool) => {
@@ -102,10 +102,10 @@ fn write(session: &Arc<Session>, source: &Source, target: &Path) -> Result<Value
 /// Writes a span of a source.
 fn cut(session: &Arc<Session>, source: &Source, target: &Path, span: &RangeInclusive<u64>) -> Result<Value, Failed> {
     let (first, known) = session.shared().history.span();
-    // A robot's clock runs since its start, a file's times since its first cycle.
+    // Times of a robot are since its start, those in a file since its first cycle.
     let zero = if matches!(source, Source::Memory) { first } else { 0 };
     let ns = |time_us: u64| time_us.saturating_sub(zero).saturating_mul(1000);
-    // The last cycle may be younger than what is written.
+    // The last cycle may not be written yet.
     let until = if *span.end() >= known { u64::MAX } else { ns(*span.end()) };
     let trimmed =
         |whole: &Path| copy(whole, target, |source, target| trim(source, target, ns(*span.start()), until, None));
@@ -129,7 +129,7 @@ fn recorded(session: &Session) -> Result<PathBuf, Failed> {
     Err(Failed::new(format!("this session is not recorded: {reason}"), "is there room on the disk? Restart the world"))
 }
 
-/// Copies a recording by a function. What could not be written is removed.
+/// Copies a recording with the function `by`. An incomplete copy is removed.
 fn copy(
     source: &Path,
     target: &Path,
@@ -149,7 +149,7 @@ fn copy(
         Ok(json!({ "path": target.display().to_string(), "cycles": copied.cycles }))
     });
     result.map_err(|error| {
-        // The failure of the writing is what the user has to know.
+        // A failed removal is ignored: the user needs the error of the write.
         let _ = fs::remove_file(target);
         wrong(error)
     })
@@ -182,7 +182,7 @@ pub(super) fn save_layout(options: &Options, name: &str, layout: Value) -> Resul
     replace(&options.layouts, text.as_bytes())
 }
 
-/// Makes a folder that other users of the computer cannot read.
+/// Creates a folder that other users of the computer cannot read.
 pub(super) fn make_private(folder: &Path) -> io::Result<()> {
     let mut builder = fs::DirBuilder::new();
     builder.recursive(true);

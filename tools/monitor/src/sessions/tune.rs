@@ -23,7 +23,7 @@ pub(super) fn save(session: &Session, params: &[(usize, usize)], name: &str) -> 
         text = with_value(&text, section, key, &value);
     }
     if let Some(graph) = session.program.graph.filter(|_| session.program.has_tree(&description.hash)) {
-        // What was in the file before may be wrong too: it is not made worse, and the user learns of it.
+        // The earlier lines may be wrong, too: then the file is not changed, and the user receives the error.
         Layers::new(graph).read_text(&path.display().to_string(), &text)?;
     }
     files::replace(&path, text.as_bytes())?;
@@ -39,7 +39,8 @@ fn value(description: &Description, component: usize, param: usize) -> Result<(&
     Ok((&owner.name, &param.name, text))
 }
 
-/// Returns the text with a value in a section: replaced where it stands, with its comment, or added at the end of the section.
+/// Returns the text with a value in a section. An existing value is replaced in its line, which keeps its comment; a new one is
+/// added at the end of the section.
 fn with_value(text: &str, section: &str, key: &str, value: &str) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let (header, key) = (format!("[{}]", bica_tuning::key(section)), bica_tuning::key(key));

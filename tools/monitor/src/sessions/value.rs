@@ -1,4 +1,4 @@
-//! Values of the page and of the link.
+//! Errors for pages.
 
 use bica_link::Invalid;
 
@@ -34,7 +34,7 @@ impl From<Invalid> for Failed {
     }
 }
 
-/// Error: an index that the description does not have.
+/// Returns the error of an index that the description does not have.
 pub(super) fn unknown(what: &str, index: usize) -> Failed {
     Failed::new(format!("there is no {what} {index}"), "the tree may have changed: reload the page")
 }

@@ -1,4 +1,4 @@
-//! What a session has visited of a machine.
+//! Visits of a machine's states in a session's history.
 
 use std::iter::Peekable;
 
@@ -8,7 +8,7 @@ use super::session::Session;
 use super::value::unknown;
 use crate::protocol::Failed;
 
-/// Leaves out the gaps before a time, in which nothing was received.
+/// Excludes the gaps before a time, in which nothing was received.
 fn pass<'a>(
     visits: &mut Visits,
     gaps: &mut Peekable<impl Iterator<Item = &'a (u64, u64)>>,
@@ -24,7 +24,7 @@ fn pass<'a>(
 }
 
 impl Session {
-    /// The states of a component over the time that is in memory.
+    /// Returns the states of a component over the time in memory.
     pub(super) fn visits(&self, component: usize) -> Result<Visits, Failed> {
         let description = self.description()?;
         let name = |state: Option<u16>| description.state(component, state.map(usize::from));

@@ -1,4 +1,4 @@
-//! What each page watches of a session.
+//! Data of a session that each page watches.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -6,16 +6,16 @@ use std::time::Instant;
 use crate::pages::PageId;
 use crate::protocol::Watch;
 
-/// What pages watch of a session.
+/// Data of a session that pages watch.
 #[derive(Default)]
 pub(super) struct Watching {
     pub(super) by_page: BTreeMap<PageId, Watch>,
-    /// Number of the last image that a page was sent, and when.
+    /// Number of the last image that was sent to a page, and the instant of sending.
     pub(super) images: BTreeMap<PageId, (u32, Instant)>,
 }
 
 impl Watching {
-    /// Everything that a page watches.
+    /// Returns the watches of all pages.
     pub(super) fn watches(&self) -> impl Iterator<Item = &Watch> {
         self.by_page.values()
     }
@@ -24,7 +24,7 @@ impl Watching {
         self.by_page.iter().filter(|(_, watch)| watches(watch)).map(|(&page, _)| page).collect()
     }
 
-    /// Forgets a page that has gone.
+    /// Removes a page that was closed.
     pub(super) fn remove(&mut self, page: PageId) {
         self.by_page.remove(&page);
         self.images.remove(&page);

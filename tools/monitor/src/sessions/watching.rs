@@ -1,7 +1,7 @@
-//! What pages watch of a session.
+//! Delivery of watched data to pages.
 //!
-//! Whoever changes memory, watches or the queues of the pages holds the session's lock. A page that begins to watch thus gets the
-//! newest value either from memory or as the next message: of a paused world no other one would come.
+//! History, watches and queues of the pages are changed under the session's lock. A page that begins to watch therefore receives
+//! the newest value either from memory or as the next message. A paused world would send no other one.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
@@ -20,7 +20,7 @@ use crate::protocol::{
     ComponentNow, Condition, Conditions, Costs, InfoSample, SessionKind, ToPage, Watch, WatchImages,
 };
 
-/// Time between two updates of the pages.
+/// Interval of updates of the pages.
 pub(super) const UPDATE: Duration = Duration::from_millis(33);
 /// Age above which a value is not sent to a page that begins to watch, µs of the robot's time: a newer one comes soon.
 const OLD: u64 = 500_000;
@@ -28,7 +28,7 @@ const OLD: u64 = 500_000;
 /// A value of an output that was received.
 #[derive(Debug)]
 pub(super) struct Sample {
-    /// Number of the cycle after which it was read, and the time of that, µs.
+    /// Number of the cycle after which the value was read, and the time of that cycle, µs.
     pub(super) cycle: u64,
     pub(super) time_us: u64,
     pub(super) component: usize,
@@ -42,7 +42,8 @@ impl Shared {
         time_us.saturating_add(OLD) >= self.history.span().1
     }
 
-    /// The conditions of a component at a time, with the rest of the timers; `state` is that of the component then.
+    /// Returns the conditions of a component at a time, with the remaining times of the timers. `state` is the component's state at
+    /// that time.
     fn conditions(&self, component: usize, time_us: u64, state: Option<&ComponentNow>) -> Option<Conditions> {
         let described = self.description.as_ref()?.components.get(component)?;
         let known = self.history.conditions(component, time_us)?;
@@ -61,7 +62,7 @@ impl Shared {
         Some(Conditions { component, time_us, conditions })
     }
 
-    /// The newest conditions of a component.
+    /// Returns the newest conditions of a component.
     fn newest_conditions(&self, session: &Session, component: usize) -> Option<ToPage> {
         let (time_us, _) = self.history.states.last()?;
         let state = self.history.states.current().get(component);
@@ -69,7 +70,8 @@ impl Shared {
         Some(ToPage::Conditions { session: session.id, of })
     }
 
-    /// What is known at a time of the conditions that a page watches; `states` are those of all components then.
+    /// Returns the known conditions at a time, of the components whose conditions a page watches. `states` has the states of all
+    /// components at that time.
     pub(super) fn conditions_at(&self, page: PageId, time_us: u64, states: &[ComponentNow]) -> Vec<Conditions> {
         let watched = self.watching.by_page.get(&page).into_iter().flat_map(|watch| &watch.conditions);
         watched.filter_map(|&component| self.conditions(component, time_us, states.get(component))).collect()
@@ -77,7 +79,7 @@ impl Shared {
 }
 
 impl Session {
-    /// Replaces what a page watches, and sends it the newest of what it begins to watch.
+    /// Replaces the watch of a page, and sends the newest values of the data that it begins to watch.
     pub(super) fn watch(&self, page: PageId, watch: Watch) {
         let mut shared = self.shared();
         let before = shared.watching.by_page.remove(&page).unwrap_or_default();
@@ -91,7 +93,7 @@ impl Session {
         self.send_image(&mut shared);
     }
 
-    /// Sends the newest of all but images that a page begins to watch.
+    /// Sends the newest values of the data that a page begins to watch, except images.
     fn send_newest(&self, shared: &Shared, page: PageId, before: &Watch, watch: &Watch) {
         let known: BTreeSet<_> = before.info.iter().map(|one| (one.component, one.info)).collect();
         let last = shared.history.span().1;
@@ -125,15 +127,15 @@ impl Session {
         }
     }
 
-    /// Remembers an image, and sends it to the pages that watch images.
+    /// Stores an image, and sends it to the pages that watch images.
     pub(super) fn show_image(&self, image: Image) {
         let mut shared = self.shared();
         shared.history.images.push(image);
         self.send_image(&mut shared);
     }
 
-    /// Sends the newest image to the pages that do not have it, as often as they want one. It is called again and again: the last image
-    /// before a pause may have come too early for a page.
+    /// Sends the newest image to the pages that do not have it, at most at the rate that they requested. It is called periodically,
+    /// because the last image before a pause may have come too early for a page.
     pub(super) fn send_image(&self, shared: &mut Shared) {
         let Some(image) = shared.history.images.newest().filter(|image| shared.is_recent(image.time_us)).cloned()
         else {
@@ -155,7 +157,7 @@ impl Session {
         }
     }
 
-    /// Remembers the true state, and sends it to the pages that watch it.
+    /// Stores the true state, and sends it to the pages that watch it.
     pub(super) fn show_truth(&self, Truth { time_us, items }: Truth) {
         let mut shared = self.shared();
         shared.history.truths.push(time_us, &items);
@@ -163,7 +165,7 @@ impl Session {
         self.send(&shared.watching.pages(|watch| watch.truth), DataKind::Truth, message);
     }
 
-    /// Remembers the conditions of a component, and sends them to the pages that watch them.
+    /// Stores the conditions of a component, and sends them to the pages that watch them.
     pub(super) fn show_conditions(&self, time_us: u64, component: usize, conditions: history::Conditions) {
         let mut shared = self.shared();
         shared.history.add_conditions(time_us, component, Some(conditions));
@@ -173,7 +175,7 @@ impl Session {
         }
     }
 
-    /// Remembers costs, and sends them to the pages that watch them.
+    /// Stores costs, and sends them to the pages that watch them.
     pub(super) fn show_costs(&self, costs: Costs) {
         let mut shared = self.shared();
         shared.history.costs.push(costs.time_us, costs.clone());

@@ -15,7 +15,7 @@ use crate::options::Options;
 use crate::program::{Game, Program, WorldRun, WorldSetup};
 use crate::protocol::Failed;
 
-/// Time between two looks whether a world that starts has ended.
+/// Interval of checks whether a starting world has ended.
 const POLL: Duration = Duration::from_millis(50);
 
 /// World and set-up.
@@ -28,22 +28,22 @@ pub(super) struct Setup {
     pub(super) tuned: BTreeMap<String, String>,
 }
 
-/// A world that is run by a thread of its own.
+/// A world that runs in its own thread.
 pub(super) struct World {
     thread: Option<JoinHandle<Result<(), Invalid>>>,
     pub(super) run: WorldRun,
-    /// Whether the file of its recording stays.
+    /// Whether the file of its recording is kept at the end.
     is_kept: bool,
 }
 
 impl Setup {
-    /// Begins again, with another seed if given, and with the parameters that pages have changed.
+    /// Prepares a restart, with another seed if given, and with the parameters that pages have changed.
     pub(super) fn again(&mut self, seed: Option<u64>, session: &Session) {
         self.seed = seed.unwrap_or(self.seed);
         self.tuned.extend(session.tuned());
     }
 
-    /// Checks the set-up, and returns what runs it.
+    /// Checks the set-up, and returns the function that runs it.
     pub(super) fn prepare(&self, program: &Program, options: &Options) -> Result<Game, Failed> {
         let world = program.world(&self.world)?;
         let tune = options.tune.join(format!("{}.toml", self.world));
@@ -60,7 +60,7 @@ impl Setup {
 impl World {
     /// Starts a world and waits until its link can be reached.
     pub(super) fn start(game: Game, options: &Options, recording: PathBuf) -> Result<Self, Failed> {
-        // A spool folder that cannot be made is a recording that cannot be made, which the world reports.
+        // If the spool folder cannot be created, the recording cannot be created either, which the world reports.
         let _ = storage::make_private(&options.spool);
         let is_kept = !recording.starts_with(&options.spool);
         let run = WorldRun::new(recording);
@@ -79,12 +79,12 @@ impl World {
         Ok(world)
     }
 
-    /// Whether the run has ended.
+    /// Returns whether the run has ended.
     pub(super) fn has_ended(&self) -> bool {
         self.thread.as_ref().is_none_or(JoinHandle::is_finished)
     }
 
-    /// Waits for the end of the run; returns why it ended.
+    /// Waits for the end of the run; returns its error, if there is one.
     pub(super) fn ending(&mut self) -> Result<(), Failed> {
         let panicked = || Invalid::new("the world ended with a panic", "its message is in the terminal");
         let result = self.thread.take().map(JoinHandle::join);
@@ -95,10 +95,10 @@ impl World {
 impl Drop for World {
     fn drop(&mut self) {
         self.run.end();
-        // The failure of a world that is given up is of no use.
+        // The error of an abandoned world is of no use.
         let _ = self.ending();
         if !self.is_kept {
-            // A file that is gone already needs no removal.
+            // The file may have been removed already.
             let _ = fs::remove_file(self.run.recording());
         }
     }

@@ -1,10 +1,10 @@
-//! Images of the last time.
+//! Recent images.
 
 use std::collections::VecDeque;
 
 use crate::program::Image;
 
-/// Images of the last time, in bounded memory.
+/// Recent images, in bounded memory.
 #[derive(Debug, Default)]
 pub(crate) struct Images {
     all: VecDeque<Image>,
@@ -17,7 +17,7 @@ impl Images {
         Self { all: VecDeque::new(), bytes: 0, max_bytes }
     }
 
-    /// Adds the newest image; the oldest ones give way. One that is known already changes nothing.
+    /// Adds the newest image, and removes the oldest ones if the memory is full. A repeated image is ignored.
     pub(crate) fn push(&mut self, image: Image) {
         if self.all.back().is_some_and(|last| (last.number, last.time_us) == (image.number, image.time_us)) {
             return;
@@ -41,30 +41,30 @@ impl Images {
         }
     }
 
-    /// The last image that is not later.
+    /// Returns the last image that is not later than a time, µs.
     pub(crate) fn at(&self, time_us: u64) -> Option<&Image> {
         let end = self.all.partition_point(|image| image.time_us <= time_us);
         self.all.get(end.checked_sub(1)?)
     }
 
-    /// The image with a number.
+    /// Returns the image with this number.
     pub(crate) fn get(&self, number: u32) -> Option<&Image> {
         let index = self.all.binary_search_by_key(&number, |image| image.number).ok()?;
         self.all.get(index)
     }
 
-    /// The newest image.
+    /// Returns the newest image.
     pub(crate) fn newest(&self) -> Option<&Image> {
         self.all.back()
     }
 
-    /// The images after a time and up to another one.
+    /// Returns the images after a time and up to another one, µs.
     pub(super) fn part(&self, after_us: Option<u64>, last_us: u64) -> impl Iterator<Item = &Image> {
         let begin = after_us.map_or(0, |after| self.all.partition_point(|image| image.time_us <= after));
         self.all.range(begin..).take_while(move |image| image.time_us <= last_us)
     }
 
-    /// Memory of the pixels, bytes.
+    /// Returns the memory of the pixels, bytes.
     pub(crate) const fn bytes(&self) -> usize {
         self.bytes
     }

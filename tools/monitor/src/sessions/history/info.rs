@@ -1,4 +1,4 @@
-//! Samples of information.
+//! Samples of outputs.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -7,18 +7,18 @@ use serde_json::Value;
 /// Memory of a sample besides its value, bytes.
 const SAMPLE_BYTES: usize = 32;
 
-/// Samples of one information. A value that did not change is stored once.
+/// Samples of one output. A value that did not change is stored once.
 #[derive(Debug, Default)]
 struct Samples {
     /// Time, µs, and value in postcard's format; empty if it is too large.
     changes: VecDeque<(u64, Box<[u8]>)>,
-    /// Time of the newest sample, also of one that did not change.
+    /// Time of the newest sample, µs, also if its value did not change.
     last_us: u64,
     /// Whether the next sample is stored even if it did not change.
     interrupted: bool,
 }
 
-/// Samples of all information.
+/// Samples of all outputs.
 #[derive(Debug, Default)]
 pub(crate) struct InfoStore {
     all: BTreeMap<(usize, usize), Samples>,
@@ -37,7 +37,8 @@ impl InfoStore {
         }
     }
 
-    /// Stores the newest sample of each information, and the next one, also if it did not change: between them nothing is known.
+    /// Begins a gap: stores the newest sample of each output, and the next one, also if the value did not change, because nothing
+    /// is known between them.
     pub(super) fn interrupt(&mut self) {
         for samples in self.all.values_mut() {
             samples.interrupted = true;
@@ -49,15 +50,15 @@ impl InfoStore {
         }
     }
 
-    /// The last sample that is not later: its time and value.
+    /// Returns time, µs, and value of the last stored sample that is not later.
     pub(crate) fn at(&self, component: usize, info: usize, time_us: u64) -> Option<(u64, &[u8])> {
         let changes = &self.all.get(&(component, info))?.changes;
         let end = changes.partition_point(|(time, _)| *time <= time_us);
         changes.get(end.checked_sub(1)?).map(|(time, value)| (*time, &**value))
     }
 
-    /// Samples of an interval: the value at its beginning, the changes in it, the value at its end; thinned to at most `points`. Of numbers
-    /// the smallest and the largest of each part stay, of other values the last.
+    /// Returns the samples of an interval: the value at its beginning, the changes in it, and the value at its end; thinned to at
+    /// most `points`. Thinning keeps the smallest and the largest number of each part; of other values it keeps the last one.
     pub(crate) fn series(
         &self,
         component: usize,
@@ -82,9 +83,9 @@ impl InfoStore {
         thin(all, points)
     }
 
-    /// Time, component, index and value of the changes after a time and up to another one, in the order of time. An output that
-    /// did not change up to its last sample, or up to `until_us`, has its value there once more. Without `after_us` the
-    /// first value of each may be older than the changes.
+    /// Returns time, component, index and value of the changes after a time and up to another one, in the order of time. If an
+    /// output did not change up to its last sample, or up to `until_us`, its value is repeated at that time. Without `after_us` the
+    /// first value of each output may be older than the history.
     pub(super) fn part(
         &self,
         after_us: Option<u64>,
@@ -119,7 +120,7 @@ impl InfoStore {
         }
     }
 
-    /// Memory, bytes.
+    /// Returns the memory of all samples, bytes.
     pub(crate) const fn bytes(&self) -> usize {
         self.bytes
     }

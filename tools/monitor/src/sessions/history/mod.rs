@@ -1,4 +1,4 @@
-//! What a session remembers.
+//! History of a session.
 
 mod images;
 mod info;
@@ -22,36 +22,36 @@ pub(super) use timed::Timed;
 pub(super) use told::Told;
 pub(super) use truths::Truths;
 
-/// For each transition of a component whether its condition holds, and since when, µs.
+/// For each transition of a component: whether its condition holds, and since when, µs; none if it was not evaluated.
 pub(super) type Conditions = Vec<Option<(bool, u64)>>;
 
-/// Limits of what is remembered.
+/// Limits of the history.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Limits {
-    /// Time, µs; none for a recording, which is remembered whole.
+    /// Largest age, µs; none for a recording.
     pub(super) ring_us: Option<u64>,
-    /// Memory of information, bytes.
+    /// Memory of outputs, bytes.
     pub(super) info_bytes: usize,
     /// Memory of images, bytes.
     pub(super) image_bytes: usize,
 }
 
-/// What a session remembers: the last minutes of a robot, or a recording.
+/// History of a session: the last minutes of a robot, or a recording.
 #[derive(Debug, Default)]
 pub(super) struct History {
     limits: Limits,
     pub(super) states: States,
     pub(super) info: InfoStore,
     pub(super) images: Images,
-    /// What a log tells.
+    /// Entries of the log.
     pub(super) told: Timed<Told>,
     pub(super) truths: Truths,
     pub(super) costs: Timed<Costs>,
-    /// Changes of the conditions of each component; none from when on they are not received.
+    /// Changes of the conditions of each component; `None` is the beginning of a time in which they are not received.
     conditions: BTreeMap<usize, Timed<Option<Conditions>>>,
-    /// Components of which a run took longer than its budget.
+    /// Components, at the times of runs that took longer than the budget.
     pub(super) overruns: Timed<u16>,
-    /// Transitions that were taken: component and index. In a session behind a link only those with breakpoints.
+    /// Transitions that were taken: component and index. They are received over a link that offers conditions.
     pub(super) taken: Timed<(usize, usize)>,
 }
 
@@ -60,12 +60,12 @@ impl History {
         Self { limits, states: States::new(components), images: Images::new(limits.image_bytes), ..Self::default() }
     }
 
-    /// First and last time of which the state is known, µs.
+    /// Returns the first and the last time with a known state, µs.
     pub(super) fn span(&self) -> (u64, u64) {
         self.states.span()
     }
 
-    /// What follows is not received until the next cycle that is added.
+    /// Begins a gap, which ends with the next cycle that is added.
     pub(super) fn interrupt(&mut self) {
         self.states.interrupt();
         self.info.interrupt();
@@ -73,7 +73,7 @@ impl History {
         self.conditions.values_mut().for_each(|known| known.push(time_us, None));
     }
 
-    /// Memory of information and images, bytes.
+    /// Returns the memory of outputs and images, bytes.
     pub(super) const fn bytes(&self) -> usize {
         self.info.bytes() + self.images.bytes()
     }
@@ -86,7 +86,7 @@ impl History {
         lines
     }
 
-    /// Adds the conditions of a component, or that they are not received any more.
+    /// Adds the conditions of a component; none if they are no longer received.
     pub(super) fn add_conditions(&mut self, time_us: u64, component: usize, conditions: Option<Conditions>) {
         let known = self.conditions.entry(component).or_default();
         if known.newest().is_none_or(|(_, last)| *last != conditions) {
@@ -94,12 +94,12 @@ impl History {
         }
     }
 
-    /// The conditions of a component at a time.
+    /// Returns the conditions of a component at a time, µs.
     pub(super) fn conditions(&self, component: usize, time_us: u64) -> Option<&Conditions> {
         self.conditions.get(&component)?.at(time_us)?.1.as_ref()
     }
 
-    /// Forgets what is older than the ring, or does not fit into the memory.
+    /// Removes data that are older than the limit, and outputs that exceed their memory.
     pub(super) fn evict(&mut self) {
         let (first, last) = self.span();
         if let Some(ring) = self.limits.ring_us {

@@ -1,10 +1,10 @@
-//! What is remembered, cycle by cycle.
+//! Parts of the history, cycle by cycle.
 
 use super::{History, Told};
 use crate::program::Image;
 use crate::protocol::ComponentNow;
 
-/// What is remembered of a cycle, and of the time since the one before it.
+/// History of a cycle, and of the time since the previous one.
 #[derive(Debug)]
 pub(crate) struct CyclePart {
     /// Time, µs.
@@ -15,15 +15,15 @@ pub(crate) struct CyclePart {
     pub(crate) states: Vec<ComponentNow>,
     /// Component, index and value in postcard's format of outputs that came or changed.
     pub(crate) info: Vec<(usize, usize, Box<[u8]>)>,
-    /// What a log tells.
+    /// Entries of the log.
     pub(crate) told: Vec<Told>,
     /// Images.
     pub(crate) images: Vec<Image>,
 }
 
 impl History {
-    /// Returns at most `count` cycles after a time and up to another one, in the order of time; without `after_us` from the first one in
-    /// memory on, which then has everything that was known before.
+    /// Returns at most `count` cycles after a time and up to another one, in the order of time. Without `after_us` they begin with
+    /// the first cycle in memory, which then has all that was known before.
     pub(crate) fn part(&self, after_us: Option<u64>, until_us: u64, count: usize) -> Vec<CyclePart> {
         let ticks = self.states.ticks_after(after_us, until_us, count);
         let (Some(&(first, _)), Some(&(last, _))) = (ticks.first(), ticks.last()) else { return Vec::new() };
@@ -60,13 +60,13 @@ mod tests {
     use bica::Hold;
     use bica_recording::RunEvent;
 
-    /// History of 20 cycles of one component, that is active in every fourth.
+    /// History of 20 cycles of one component, which is active in every fourth cycle.
     fn history() -> History {
         let mut history = History::new(Limits { ring_us: None, info_bytes: 1000, image_bytes: 1000 }, 1);
         for cycle in 0..20 {
             let time_us = cycle * 1000;
             history.states.push(time_us, cycle, [(cycle % 4 == 0, Hold::Tree, None, None)].into_iter());
-            // It changes in cycle 10.
+            // The value changes in cycle 10.
             history.info.push(0, 1, time_us, &[cycle as u8 / 10]);
             if cycle % 5 == 2 {
                 let image = Image {

@@ -8,11 +8,11 @@ use bica::Hold;
 /// A change of a component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Change {
-    /// Time of the first cycle with it, µs.
+    /// Time of the first cycle with the change, µs.
     pub(crate) time_us: u64,
     /// Component.
     pub(crate) component: u16,
-    /// Whether activation or state changed; else only hold or rate.
+    /// Whether activation or state changed; otherwise only hold or rate.
     pub(crate) visible: bool,
     /// The state from then on.
     pub(crate) now: ComponentNow,
@@ -27,7 +27,7 @@ pub(crate) struct States {
     current: Vec<ComponentNow>,
     /// Time, µs, and number of each cycle.
     ticks: VecDeque<(u64, u64)>,
-    /// Times between which nothing was received, µs: of the last cycle before and of the first one after.
+    /// Gaps in which nothing was received: time of the last cycle before, and of the first one after, µs.
     gaps: VecDeque<(u64, u64)>,
     /// Whether the next cycle ends a gap.
     interrupted: bool,
@@ -45,22 +45,22 @@ impl States {
         Self { base, changes, current, ticks, gaps, interrupted: false }
     }
 
-    /// The cycles that follow are not received until the next one that is added.
+    /// Begins a gap, which ends with the next cycle that is added.
     pub(super) const fn interrupt(&mut self) {
         self.interrupted = true;
     }
 
-    /// Whether the next cycle ends a gap.
+    /// Returns whether the next cycle ends a gap.
     pub(crate) const fn is_interrupted(&self) -> bool {
         self.interrupted
     }
 
-    /// Times between which nothing was received, µs, the oldest first.
+    /// Returns the gaps in which nothing was received, µs, the oldest first.
     pub(crate) fn gaps(&self) -> impl Iterator<Item = &(u64, u64)> {
         self.gaps.iter()
     }
 
-    /// Adds a cycle: for each component whether it is active, hold, state, rate. Returns what changed.
+    /// Adds a cycle: for each component whether it is active, hold, state, rate. Returns the changes.
     pub(crate) fn push(
         &mut self,
         time_us: u64,
@@ -95,7 +95,7 @@ impl States {
         changed
     }
 
-    /// Number of cycles and of changes in memory.
+    /// Returns the number of cycles and of changes in memory.
     pub(crate) fn sizes(&self) -> (usize, usize) {
         (self.ticks.len(), self.changes.len())
     }
@@ -115,7 +115,7 @@ impl States {
         (time(self.ticks.front()), time(self.ticks.back()))
     }
 
-    /// Time, number and states of the last cycle that is not later; of the first one for an earlier time.
+    /// Returns time, number and states of the last cycle that is not later; before the first cycle those of the first one.
     pub(crate) fn at(&self, time_us: u64) -> Option<(u64, u64, Vec<ComponentNow>)> {
         let end = self.ticks.partition_point(|(time, _)| *time <= time_us);
         let &(time, cycle) = self.ticks.get(end.saturating_sub(1))?;
@@ -126,11 +126,11 @@ impl States {
         Some((time, cycle, states))
     }
 
-    /// Time and number of at most `count` cycles after a time, and not after another one; times increase.
+    /// Returns time and number of at most `count` cycles after a time and up to another one. The times increase.
     pub(super) fn ticks_after(&self, after_us: Option<u64>, until_us: u64, count: usize) -> Vec<(u64, u64)> {
         let begin = after_us.map_or(0, |after| self.ticks.partition_point(|(time, _)| *time <= after));
         let mut last = after_us;
-        // A robot may send any times.
+        // A robot may send times that do not increase.
         let later = |tick: &&(u64, u64)| last.is_none_or(|last| tick.0 > last) && last.replace(tick.0) != Some(tick.0);
         self.ticks.range(begin..).take_while(|tick| tick.0 <= until_us).filter(later).take(count).copied().collect()
     }

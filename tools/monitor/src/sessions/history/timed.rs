@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-/// Largest number of values; the oldest give way.
+/// Largest number of values; beyond it the oldest are removed.
 const MAX_VALUES: usize = 100_000;
 
 /// Values with their times, µs, the oldest first.
@@ -25,7 +25,7 @@ impl<T> Timed<T> {
         self.0.insert(self.0.len() - later, (time_us, value));
     }
 
-    /// The last value that is not later.
+    /// Returns the last value that is not later than a time, µs.
     pub(crate) fn at(&self, time_us: u64) -> Option<&(u64, T)> {
         let end = self.0.partition_point(|(time, _)| *time <= time_us);
         self.0.get(end.checked_sub(1)?)
@@ -35,19 +35,19 @@ impl<T> Timed<T> {
         self.0.back()
     }
 
-    /// The values of an interval, both ends included.
+    /// Returns the values of an interval, both ends included.
     pub(crate) fn between(&self, from_us: u64, until_us: u64) -> impl DoubleEndedIterator<Item = &(u64, T)> {
         let end = self.0.partition_point(|(time, _)| *time <= until_us);
         let begin = self.0.partition_point(|(time, _)| *time < from_us).min(end);
         self.0.range(begin..end)
     }
 
-    /// Forgets what is older.
+    /// Removes the values before `horizon`.
     pub(super) fn evict(&mut self, horizon: u64) {
         self.0.drain(..self.0.partition_point(|(time, _)| *time < horizon));
     }
 
-    /// Forgets what is older, but for the last value before it, which is the one at that time.
+    /// Removes the values before `horizon`, except the last one at or before it, which is valid at that time.
     pub(super) fn evict_states(&mut self, horizon: u64) {
         let time_us = self.at(horizon).map_or(horizon, |(time, _)| *time);
         self.evict(time_us);

@@ -3,7 +3,7 @@
 use super::History;
 use crate::protocol::{Bar, Row};
 
-/// Bars of one component while they are drawn.
+/// Bars of one component under construction.
 struct Drawing {
     bars: Vec<Bar>,
     /// Whether the last bar is made of several short ones.
@@ -34,8 +34,8 @@ impl Drawing {
 }
 
 impl History {
-    /// Returns a row for each component: the bars that lie in an interval, at least in part. Bars and gaps shorter than the
-    /// resolution are merged. No bar covers a time in which nothing was received.
+    /// Returns a row for each component, with the bars that overlap an interval. Bars and gaps shorter than the resolution are
+    /// merged. No bar covers a time in which nothing was received.
     pub(crate) fn rows(&self, from_us: u64, until_us: u64, resolution_us: u64) -> Vec<Row> {
         let (first, last) = self.span();
         let (begin, end) = (from_us.max(first), until_us.min(last).max(from_us.max(first)));
@@ -85,7 +85,7 @@ impl History {
         rows.into_iter().enumerate().map(finish).collect()
     }
 
-    /// Times of overruns of a component in an interval, at most one for each `resolution_us`.
+    /// Returns the times of overruns of a component in an interval, at most one for each `resolution_us`.
     fn overruns(&self, component: usize, from_us: u64, until_us: u64, resolution_us: u64) -> Vec<u64> {
         let mut times: Vec<u64> = Vec::new();
         for &(time, _) in self.overruns.between(from_us, until_us).filter(|(_, of)| usize::from(*of) == component) {

@@ -1,4 +1,4 @@
-//! What a log tells.
+//! Entries of the log.
 
 use bica_link::{Description, happened};
 use bica_recording::{RecordedCycle, RequestRecord, RunEvent};
@@ -6,7 +6,7 @@ use bica_wire::message::LogSource;
 
 use crate::protocol::LogLine;
 
-/// What a log tells. It stays exact; the text is made for people.
+/// An entry of the log, with its exact content. The line of text is derived from it.
 #[derive(Clone, Debug)]
 pub(in crate::sessions) enum Told {
     /// A line of text.
@@ -28,7 +28,7 @@ impl Told {
         LogLine { time_us, level: 2, source, text, component: None }
     }
 
-    /// Adds it to a cycle of a recording.
+    /// Adds the entry to a cycle of a recording.
     pub(in crate::sessions) fn record(self, cycle: &mut RecordedCycle) {
         match self {
             Self::Line(LogLine { level, source, text, .. }) => {
@@ -39,7 +39,7 @@ impl Told {
         }
     }
 
-    /// Returns what a recording tells of a cycle at a time, µs.
+    /// Returns the log entries of a recorded cycle at a time, µs.
     pub(in crate::sessions) fn of_cycle(cycle: RecordedCycle, time_us: u64) -> impl Iterator<Item = Self> {
         let line = move |bica_recording::LogLine { level, source, text }| {
             Self::Line(LogLine { time_us, level, source, text, component: None })

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::Timed;
 
-/// True states. Their items change seldom and are in memory once; values are texts, which are shorter than the values.
+/// True states with their times. Their items seldom change, and are shared in memory. Values are stored as text, which needs less memory.
 #[derive(Debug, Default)]
 pub(in crate::sessions) struct Truths(Timed<(Arc<[Shown]>, Box<str>)>);
 
@@ -21,17 +21,17 @@ impl Truths {
         self.0.push(time_us, (declared, values.into()));
     }
 
-    /// The last one that is not later.
+    /// Returns the last true state that is not later than a time, µs.
     pub(in crate::sessions) fn at(&self, time_us: u64) -> Option<Vec<Shown>> {
         self.0.at(time_us).map(restored).map(|(_, items)| items)
     }
 
-    /// The newest one, with its time.
+    /// Returns the newest true state with its time, µs.
     pub(in crate::sessions) fn newest(&self) -> Option<(u64, Vec<Shown>)> {
         self.0.newest().map(restored)
     }
 
-    /// Forgets what is older.
+    /// Removes the true states before `horizon`.
     pub(super) fn evict(&mut self, horizon: u64) {
         self.0.evict(horizon);
     }

@@ -24,13 +24,13 @@ use crate::sessions::world::World;
 
 /// Longest wait for a message of the robot.
 const POLL: Duration = Duration::from_millis(5);
-/// Time between two looks at what changes slowly.
+/// Interval of checks of slowly changing state.
 const SLOW: Duration = Duration::from_millis(500);
-/// Number of cycles from one sample of each information to the next.
+/// Interval of the samples of each output, cycles.
 const INFO_EVERY: u16 = 10;
-/// Silence of a robot after which pages are told.
+/// Silence of a robot after which pages are notified.
 const SILENCE: Duration = Duration::from_secs(2);
-/// Largest number of events that are handled before commands have their turn.
+/// Largest number of events that are handled before commands are handled.
 const EVENTS: usize = 256;
 /// Largest number of samples for one message.
 const MAX_SAMPLES: usize = 4096;
@@ -41,20 +41,20 @@ pub(super) struct Attached<'a> {
     pub(super) client: Client,
     pub(super) world: Option<World>,
     pub(super) operation: Operation,
-    /// How often each information is watched.
+    /// Interval in which each output is watched, cycles.
     watched: HashMap<(usize, usize), u16>,
     changes: Vec<(usize, u64, bool, Option<u16>)>,
     /// Samples since the last update.
     samples: Vec<Sample>,
-    /// What is watched besides states and outputs, with n for every n-th cycle or image.
+    /// Watched data besides states and outputs, with n for every n-th cycle or image.
     pub(super) watched_extras: HashMap<ExtraKind, u16>,
     updated: Instant,
     slow: Instant,
     received: Instant,
     has_news: bool,
-    /// Whether the world was paused when that was announced.
+    /// Whether the world was paused at the last announcement.
     pub(super) is_paused: bool,
-    /// When pages were sent how much is recorded.
+    /// Instant of the last message to pages about the size of the recording.
     pub(super) announced: Instant,
 }
 
@@ -98,14 +98,14 @@ impl<'a> Attached<'a> {
             self.session.shared().is_over = world.run.is_over();
         }
         if let (Exit::Lost(failed), Some(world)) = (&exit, self.world.as_mut()) {
-            // The reason of the world is better than that of its link.
+            // The error of the world is more informative than that of its link.
             let reason = if world.has_ended() { world.ending().err() } else { None };
             return Exit::Lost(reason.unwrap_or_else(|| failed.clone()));
         }
         exit
     }
 
-    /// Watches, and then continues a world of this process: it began paused.
+    /// Begins to watch, and then continues a world of this process, which starts paused.
     fn begin(&mut self) -> Result<(), bica_link::Error> {
         self.client.watch(1)?;
         self.watch()?;
@@ -170,7 +170,7 @@ impl<'a> Attached<'a> {
         }
     }
 
-    /// Watches what the pages watch, and each information now and then.
+    /// Watches the outputs that pages watch, and each output at least in the interval [`INFO_EVERY`].
     fn watch(&mut self) -> Result<(), bica_link::Error> {
         let mut wanted = HashMap::new();
         for (component, described) in self.client.description().components.iter().enumerate() {
@@ -237,7 +237,7 @@ impl<'a> Attached<'a> {
         let ends_gap = shared.history.states.is_interrupted();
         let before: Vec<Activity> = shared.history.states.current().iter().map(|now| (now.0, now.2)).collect();
         let changed = shared.history.states.push(info.time_us, info.cycle, states);
-        // A program on a computer looks for stops itself.
+        // A program that sends conditions checks the stops itself.
         let targets = if shared.can.conditions { &[] } else { &shared.breakpoints[..] };
         let reached = breakpoint_target::reached(targets, &before, &changed);
         let visible = changed.iter().filter(|change| change.visible);
@@ -291,7 +291,7 @@ impl<'a> Attached<'a> {
         self.session.pages.broadcast(&ToPage::Params { session: self.session.id, component, values });
     }
 
-    /// Sends what is new to the pages.
+    /// Sends new data to the pages.
     fn update(&mut self) {
         if std::mem::take(&mut self.has_news) {
             self.session.show_update(std::mem::take(&mut self.changes));
@@ -300,7 +300,7 @@ impl<'a> Attached<'a> {
         self.session.send_image(&mut self.session.shared());
     }
 
-    /// Looks at what changes slowly.
+    /// Updates slowly changing state: limits of the history, recording, note of the connection.
     pub(super) fn look(&mut self) {
         let session = self.session;
         session.shared().history.evict();
@@ -317,7 +317,7 @@ impl<'a> Attached<'a> {
     }
 }
 
-/// What can be done with a session that is connected.
+/// Returns the supported operations and data of a connected session.
 fn capabilities(offers: Offers, read_only: bool) -> Capabilities {
     Capabilities {
         operate: offers.contains(Offers::OPERATE) && !read_only,

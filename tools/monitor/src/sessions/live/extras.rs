@@ -9,12 +9,12 @@ use super::attached::Attached;
 use crate::program::Image;
 use crate::protocol::{self, Breakpoint, ComponentCost, Reached};
 
-/// Number of cycles between two looks at conditions and the true state, while time goes on.
+/// Interval of conditions and of the true state, cycles, while the world is not paused.
 const EVERY: u16 = 5;
 
 impl Attached<'_> {
-    /// Watches over the link what the pages watch, and for the history the true state and costs, which are small; of a world of this
-    /// process everything.
+    /// Watches the data that pages watch. For the history it also watches the true state, costs and taken transitions, which are
+    /// small; of a world of this process all images and conditions, too. A recorded session watches images.
     pub(super) fn watch_extras(&mut self) -> Result<(), bica_link::Error> {
         let offers = self.client.offers();
         let every = if self.session.is_paused() { 1 } else { EVERY };
@@ -59,7 +59,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Takes over what came over the link.
+    /// Handles an event with such data, with scenery or a result, or of a reached breakpoint.
     pub(super) fn link_extra(&mut self, event: Event) {
         match event {
             Event::Conditions { time_us, component, conditions } => {

@@ -1,4 +1,4 @@
-//! What a session's thread waits for, and why it stops to work with a connection.
+//! Inbox of a session's thread, and the reasons why a connection ends.
 
 use std::sync::mpsc::Receiver;
 
@@ -7,7 +7,7 @@ use bica_link::Wakeups;
 use crate::protocol::Failed;
 use crate::sessions::commands::Command;
 
-/// Commands that have come, and the end of waits for the robot.
+/// Received commands, and the wake-ups that end a wait for the robot.
 pub(super) struct Inbox {
     pub(super) commands: Receiver<Command>,
     pub(super) wakeups: Wakeups,
@@ -17,10 +17,10 @@ pub(super) struct Inbox {
 pub(super) enum Exit {
     /// The session is closed.
     Close,
-    /// A world begins again.
+    /// The world is restarted, with another seed if given.
     Restart(Option<u64>),
     /// The connection was lost.
     Lost(Failed),
-    /// The time of waiting is over.
+    /// The wait before a new attempt is over.
     Retry,
 }

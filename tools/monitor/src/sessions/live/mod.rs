@@ -31,7 +31,7 @@ use operation::not_connected;
 /// Time between two attempts to connect.
 const RETRY: Duration = Duration::from_millis(300);
 
-/// What a live session is connected to.
+/// Source of a live session.
 enum Source {
     World(Setup),
     Robot(Address),
@@ -99,7 +99,7 @@ fn run(session: &Arc<Session>, mut source: Source, inbox: &Inbox) {
                 idle(session, inbox, (!world).then_some(RETRY))
             }
         };
-        // Whoever operates a world does so when it begins again.
+        // The operator of a world keeps control when the world is restarted.
         if !matches!(exit, Exit::Restart(_)) {
             session.shared().operator = Operator::Nobody;
         }
@@ -150,7 +150,7 @@ fn connect(session: &Arc<Session>, source: &Source) -> Result<(Client, Option<Wo
     }
 }
 
-/// Refuses what pages ask for while there is no connection, for a time or until the session is closed.
+/// Refuses requests of pages while there is no connection, for a time or until the session is closed or its world is restarted.
 fn idle(session: &Session, inbox: &Inbox, time: Option<Duration>) -> Exit {
     loop {
         let command = match time {

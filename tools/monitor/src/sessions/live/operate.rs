@@ -29,7 +29,7 @@ impl Attached<'_> {
         self.session.shared().operator
     }
 
-    /// Whether a page waits for the lease.
+    /// Returns whether a page waits for the lease.
     pub(super) const fn is_waiting(&self) -> bool {
         self.operation.waiting.is_some()
     }
@@ -41,7 +41,7 @@ impl Attached<'_> {
         }
     }
 
-    /// Handles a request of a page. Requests are never kept for later.
+    /// Handles a request of a page. A request is never stored to be sent later.
     pub(super) fn operate(&mut self, page: PageId, id: u32, request: Request) -> LinkResult {
         if let Some(change) = world_change(&request) {
             return self.pace(page, id, change);
@@ -86,7 +86,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Stops the robot, whoever operates it. The last of its stops has the answer for the page.
+    /// Stops the robot, regardless of its operator. The answer to the last of its stops goes to the page.
     fn stop(&mut self, page: PageId, id: u32) -> LinkResult {
         let mut last = None;
         for request in self.client.description().stops().collect::<Vec<_>>() {
@@ -121,7 +121,7 @@ impl Attached<'_> {
                 return refuse("another page controls the robot", "wait until it gives control back, or take it");
             }
             _ if self.operation.waiting.is_some() => return refuse("another page asks for control too", "ask again"),
-            // What the other page holds ends with its lease.
+            // The holds of the other page end with its lease.
             Operator::Page(_) => self.client.send_lease(LeaseAction::Return { lease: self.client.lease().lease })?,
             Operator::Nobody | Operator::Other => {}
         }
@@ -131,7 +131,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Lets the page operate that has operated the world before it began again.
+    /// Restores the control of the page that operated the world before its restart.
     pub(super) fn resume_control(&mut self) -> LinkResult {
         if matches!(self.operator(), Operator::Page(_)) {
             match self.client.acquire(false) {
@@ -143,7 +143,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Takes in who owns the robot's lease.
+    /// Handles a message about the owner of the robot's lease.
     pub(super) fn lease(&mut self, lease: LeaseState) -> LinkResult {
         let waiting = self.operation.waiting.take();
         match waiting {
@@ -164,7 +164,7 @@ impl Attached<'_> {
                     self.set_operator(Operator::Nobody);
                 }
             }
-            // An earlier message may come after the lease that a page has got back.
+            // The message may be older than the current lease, which a page may have acquired again.
             None => return self.lost(self.client.lease()),
         }
         Ok(())
@@ -181,14 +181,14 @@ impl Attached<'_> {
             self.session.log(3, LogSource::Monitor, "control has ended: holds, rates and modulations end");
         }
         self.set_operator(now);
-        // A lease that came too late for the one who asked for it.
+        // The lease came too late for the page that requested it.
         if now == Operator::Nobody && self.client.lease().yours {
             self.client.send_lease(LeaseAction::Return { lease: self.client.lease().lease })?;
         }
         Ok(())
     }
 
-    /// Ends control of a page that is silent, or that waits in vain.
+    /// Ends control of a silent page, and the wait of a page that does not receive the lease.
     pub(super) fn check_operator(&mut self) -> LinkResult {
         if let Some(waiting) = self.operation.waiting.take_if(|waiting| waiting.since.elapsed() > LEASE) {
             let failed = Failed::new("the robot did not answer", "is it paused? Control is given when it goes on");
@@ -202,7 +202,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Ends control of a page that has gone.
+    /// Ends control of a page that was closed.
     pub(super) fn left(&mut self, page: PageId) -> LinkResult {
         if self.operation.waiting.as_ref().is_some_and(|waiting| waiting.page == page) {
             self.operation.waiting = None;
@@ -214,7 +214,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Gives the lease back: what was asked under it ends.
+    /// Gives the lease back: the holds, rates and modulations that were requested under it end.
     pub(super) fn give_back(&mut self) -> LinkResult {
         self.operation.kept = None;
         if self.client.lease().yours {
@@ -226,7 +226,7 @@ impl Attached<'_> {
         Ok(())
     }
 
-    /// Hands the robot's answer to the page that asked.
+    /// Passes the robot's answer to the page that sent the request.
     pub(super) fn answered(&mut self, answer: Answered) {
         let Some(Pending { page, id, request }) = self.operation.pending.remove(&answer.number) else { return };
         let Answered { cycle, values, refused, .. } = answer;
@@ -241,7 +241,7 @@ impl Attached<'_> {
         self.session.pages.answer(page, id, result);
     }
 
-    /// Takes over values before the robot reports them: whoever reads them after the answer gets the new ones.
+    /// Stores values before the robot reports them, so that a page that reads them after the answer receives the new ones.
     fn remember(&self, request: &OwnedRequest, values: &[bica::Value]) {
         let OwnedRequest::Params(batch) = request else { return };
         let mut shared = self.session.shared();
@@ -255,7 +255,7 @@ impl Attached<'_> {
         }
     }
 
-    /// Answers what the robot will not answer any more.
+    /// Refuses the requests that the robot will no longer answer.
     pub(super) fn refuse_pending(&mut self) {
         let operation = std::mem::take(&mut self.operation);
         let waiting = operation.waiting.map(|waiting| (waiting.page, waiting.id));

@@ -1,4 +1,4 @@
-//! What the operator of a live session has asked for.
+//! Requests of the operator of a live session.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -24,12 +24,12 @@ pub(super) struct Waiting {
     pub(super) since: Instant,
 }
 
-/// What the operator has asked for.
+/// Requests of the operator.
 #[derive(Default)]
 pub(super) struct Operation {
     pub(super) pending: BTreeMap<u32, Pending>,
     pub(super) waiting: Option<Waiting>,
-    /// Last sign of life of the operating page.
+    /// Instant of the last message with which the operating page kept control.
     pub(super) kept: Option<Instant>,
 }
 

@@ -11,7 +11,7 @@ use crate::pages::PageId;
 use crate::protocol::{Failed, Request};
 use crate::sessions::shared::Operator;
 
-/// Returns the change of the world that a request asks for.
+/// Returns the change of the world that a request contains.
 pub(super) const fn world_change(request: &Request) -> Option<WorldChange> {
     match *request {
         Request::Pause { .. } => Some(WorldChange::Pause),
@@ -22,8 +22,7 @@ pub(super) const fn world_change(request: &Request) -> Option<WorldChange> {
 }
 
 impl Attached<'_> {
-    /// Changes the world's time for any page. The link requires the lease: if nobody owns it, this
-    /// server owns it for this one request.
+    /// Changes the world's time for any page. The link requires the lease: if no page owns it, the server acquires it for this one request.
     pub(super) fn pace(&mut self, page: PageId, id: u32, change: WorldChange) -> Result<(), Error> {
         if !self.session.shared().can.pause {
             let help = "only a simulated world can be paused";
@@ -58,7 +57,7 @@ impl Attached<'_> {
         let result = self.client.change_world(change).map(drop);
         if borrows {
             self.client.release()?;
-            // A page that acquires the lease next must not take the borrowed one for its own.
+            // A page that acquires the lease next must not mistake the borrowed lease for its own.
             while let Some(event) = self.client.poll(Duration::ZERO)? {
                 self.event(event)?;
             }
@@ -66,7 +65,7 @@ impl Attached<'_> {
         result
     }
 
-    /// Announces that the world is paused or goes on, whoever has done it: the world at a breakpoint or its end, a page, an operator.
+    /// Announces that the world was paused or continued: by itself at a breakpoint or at its end, by a page, or by another operator.
     pub(super) fn look_at_pause(&mut self) -> Result<(), Error> {
         let paused = self.session.is_paused();
         if std::mem::replace(&mut self.is_paused, paused) == paused {

@@ -1,4 +1,4 @@
-//! What pages know of the recording of a live session.
+//! State of the recording of a live session, for pages.
 
 use std::time::{Duration, Instant};
 
@@ -6,11 +6,11 @@ use super::attached::Attached;
 use crate::protocol::RecordingState;
 use bica_wire::message::LogSource;
 
-/// Time between two messages to the pages about how much is recorded.
+/// Interval of messages to the pages about the size of the recording.
 const ANNOUNCE: Duration = Duration::from_secs(2);
 
 impl Attached<'_> {
-    /// Looks how much is recorded, and whether the recording has ended.
+    /// Updates size and end of the recording, and announces a change.
     pub(super) fn look_at_recording(&mut self) {
         let now = if self.world.is_some() { self.of_world() } else { self.of_robot() };
         let before = std::mem::replace(&mut self.session.shared().recording, now.clone());
@@ -24,7 +24,7 @@ impl Attached<'_> {
         }
     }
 
-    /// The run of a world of this process, from its first cycle on.
+    /// Returns the state of a world's recording, which begins with the first cycle of its run.
     fn of_world(&self) -> RecordingState {
         let ended = self.world.as_ref().and_then(|world| world.run.recording_ended());
         let file = &self.session.shared().recording_file.clone();
@@ -37,7 +37,7 @@ impl Attached<'_> {
         }
     }
 
-    /// What is remembered of a robot.
+    /// Returns the state of a robot's recording: its file, or its history in memory.
     fn of_robot(&self) -> RecordingState {
         let written = self.session.record_robot(|recorder| recorder.state());
         let shared = self.session.shared();

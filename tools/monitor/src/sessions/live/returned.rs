@@ -1,4 +1,4 @@
-//! Whether a robot that answers again is in the run that was interrupted.
+//! Check whether a robot that answers again is still in the interrupted run.
 
 use std::time::Duration;
 
@@ -6,12 +6,12 @@ use bica_link::Client;
 
 use crate::sessions::session::Session;
 
-/// Longest interruption after which the memory of a session goes on.
+/// Longest interruption after which the history of a session continues.
 const LONGEST: Duration = Duration::from_mins(1);
 /// Largest error of an interruption that is measured by this computer's clock.
 const ERROR: Duration = Duration::from_secs(5);
 
-/// Whether the robot that was connected is in the run that the session remembers.
+/// Returns whether the connected robot is in the run of the session's history.
 pub(super) fn is_same_run(session: &Session, client: &Client) -> bool {
     let shared = session.shared();
     let (Some(received), Some((last_us, _))) = (shared.received, shared.history.states.last()) else { return false };
@@ -20,9 +20,10 @@ pub(super) fn is_same_run(session: &Session, client: &Client) -> bool {
     is_same_tree && client.is_realtime() && goes_on(last_us, client.lease().time_us, received.elapsed())
 }
 
-/// Whether a clock that showed `last_us` before an interruption and now shows `now_us` was not set back between. A run begins at 0 and
-/// its clock is not faster than ours, so a clock that shows more than the interruption lasted began before it; one that is farther
-/// ahead than that is another robot's. Both are µs. If in doubt it is another run.
+/// Returns whether a clock that showed `last_us` before an interruption and now shows `now_us`, both µs, has continued. A run
+/// begins at 0, and its clock is not faster than that of this computer. Thus a clock that shows more than the duration of the
+/// interruption began before it, and a clock that has advanced by more than that duration is another robot's. In case of doubt the
+/// result is false.
 fn goes_on(last_us: u64, now_us: u64, interruption: Duration) -> bool {
     let most = (interruption + ERROR).as_micros() as u64;
     let advanced = now_us.checked_sub(last_us);

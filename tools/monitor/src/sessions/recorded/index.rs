@@ -1,4 +1,4 @@
-//! One pass through a recording: states, information, log, places of images.
+//! One pass through a recording: states, outputs, log, places of images.
 
 use std::fs::{self, File};
 use std::io::BufReader;
@@ -16,11 +16,11 @@ use crate::sessions::history::Told;
 use crate::sessions::scenery::scenery;
 use crate::sessions::session::Session;
 
-/// What a page says of a recording that a monitor made.
+/// Note of a recording that a monitor made.
 const OF_MONITOR: &str = "a monitor recorded what the robot sent: it can be looked at, not run again or compared";
-/// Number of cycles that are taken over under one lock.
+/// Number of cycles that are added to the history under one lock.
 const BATCH: usize = 256;
-/// Largest number of changes and of images that are remembered: the rest of a longer recording is not shown.
+/// Largest number of changes and of images in memory: the rest of a longer recording is not shown.
 const MAX_CHANGES: usize = 2_000_000;
 /// Largest number of cycles that are shown: more than a day.
 const MAX_CYCLES: usize = 10_000_000;
@@ -48,19 +48,19 @@ fn describe(header: &Header) -> Result<Description, Failed> {
     Ok(header.tree.clone())
 }
 
-/// Holds and rates, as requests changed them, and the times of the cycles.
+/// Holds and rates, as changed by requests, and the times of the cycles.
 struct Requested {
     holds: Vec<Hold>,
     rates: Vec<Option<f32>>,
     times: Times,
 }
 
-/// Times since the first cycle, which never run backwards: a history finds them by their order.
+/// Times since the first cycle. They never decrease, because a history finds them by their order.
 #[derive(Default)]
 struct Times {
-    /// Of the first cycle, ns since the start of the run's clock.
+    /// Time of the first cycle, ns since the start of the run's clock.
     first: Option<u64>,
-    /// Of the last cycle, µs.
+    /// Time of the last cycle, µs.
     last: u64,
 }
 
@@ -144,7 +144,7 @@ pub(super) fn read(session: &Session, mut recording: FileRecording) {
     session.show_update(Vec::new());
 }
 
-/// Reads some cycles; returns whether there are more, or why not all can be shown.
+/// Reads a batch of cycles; returns whether there are more. The error is the reason why not all cycles can be shown.
 fn batch(
     session: &Session,
     recording: &mut FileRecording,

@@ -1,4 +1,4 @@
-//! A file that is written while a robot is received.
+//! A file that is written while data of a robot are received.
 
 use std::fs::File;
 use std::io;
@@ -19,7 +19,7 @@ use crate::program::Image;
 const QUEUE: usize = 4096;
 /// Largest number of images that wait for the disk.
 const IMAGES: usize = 32;
-/// Time between two looks whether something has waited long enough.
+/// Interval of checks whether data have waited long enough to be written.
 const POLL: Duration = Duration::from_millis(50);
 
 /// Returns the first of `FILE`, `FILE-2`, `FILE-3` and so on that does not exist.
@@ -30,7 +30,7 @@ pub(in crate::sessions) fn unused(path: &Path) -> PathBuf {
     std::iter::once(path.to_owned()).chain((2..=u32::MAX).map(numbered)).find(|path| !path.exists()).unwrap_or_default()
 }
 
-/// An image of a session as an image of a recording.
+/// Converts an image of a session to an image of a recording.
 pub(in crate::sessions) fn received(image: &Image) -> ReceivedImage<'_> {
     let Image { number, time_us, ref camera, width, height, ref yuyv } = *image;
     ReceivedImage { number, time_us, blob: Blob { bytes: yuyv, format: Format::Yuyv { width, height }, frame: camera } }
@@ -41,18 +41,18 @@ enum Entry {
     Image(Image),
 }
 
-/// What both threads know.
+/// State that the session's thread and the writing thread share.
 #[derive(Debug, Default)]
 struct Progress {
     bytes: AtomicU64,
     /// Number of images that wait.
     waiting: AtomicUsize,
     dropped: AtomicU64,
-    /// Why it has ended early.
+    /// Why the file has ended early.
     ended: Mutex<Option<String>>,
 }
 
-/// A file that a thread of its own writes.
+/// A file that is written by its own thread.
 pub(super) struct WrittenFile {
     pub(super) path: PathBuf,
     entries: Option<SyncSender<Entry>>,
@@ -61,7 +61,7 @@ pub(super) struct WrittenFile {
 }
 
 impl WrittenFile {
-    /// Makes a file that does not exist yet. If that fails, the reason is that of the end.
+    /// Creates a file that does not exist yet. If that fails, [`note`](Self::note) contains the reason.
     pub(super) fn new(path: PathBuf, header: Header) -> Self {
         let (entries, received) = sync_channel(QUEUE);
         let progress = Arc::<Progress>::default();
@@ -83,7 +83,7 @@ impl WrittenFile {
         self.send(Entry::Cycle(Box::new(cycle)));
     }
 
-    /// Adds an image; one that finds no room is left out, and counted.
+    /// Adds an image. If too many images wait, it is dropped and counted.
     pub(super) fn image(&mut self, image: Image) {
         if self.progress.waiting.fetch_add(1, Ordering::Relaxed) < IMAGES {
             self.send(Entry::Image(image));
@@ -93,7 +93,7 @@ impl WrittenFile {
         }
     }
 
-    /// Hands an entry over, without waiting for the disk.
+    /// Passes an entry to the thread, without waiting for the disk.
     fn send(&mut self, entry: Entry) {
         let Some(entries) = &self.entries else { return };
         match entries.try_send(entry) {
@@ -101,18 +101,18 @@ impl WrittenFile {
             Err(TrySendError::Full(_)) => {
                 lock(&self.progress.ended).get_or_insert_with(|| "the disk is too slow".to_owned());
             }
-            // The reason is that of the thread.
+            // The thread has stored the reason.
             Err(TrySendError::Disconnected(_)) => {}
         }
         self.entries = None;
     }
 
-    /// Length so far, bytes.
+    /// Returns the length so far, bytes.
     pub(super) fn bytes(&self) -> u64 {
         self.progress.bytes.load(Ordering::Relaxed)
     }
 
-    /// Why it has ended early, or what was lost; empty if all is well.
+    /// Returns why the file has ended early, or which data were lost; empty if there is no problem.
     pub(super) fn note(&self) -> String {
         let path = self.path.display();
         match (&*lock(&self.progress.ended), self.progress.dropped.load(Ordering::Relaxed)) {
@@ -127,13 +127,13 @@ impl Drop for WrittenFile {
     fn drop(&mut self) {
         self.entries = None;
         if let Some(thread) = self.thread.take() {
-            // The failure of a thread leaves all complete chunks.
+            // A thread that has panicked leaves all complete chunks in the file.
             let _ = thread.join();
         }
     }
 }
 
-/// Writes until there are no more entries; returns why it ended before.
+/// Writes until there are no more entries; the error is the reason of an earlier end.
 fn write(file: File, header: &Header, entries: &Receiver<Entry>, progress: &Progress) -> Result<(), String> {
     let failed = |error: io::Error| format!("cannot write: {error}");
     let mut recorder = MonitorRecorder::new(file, header).map_err(failed)?;
@@ -153,7 +153,7 @@ fn write(file: File, header: &Header, entries: &Receiver<Entry>, progress: &Prog
         progress.bytes.store(recorder.length(), Ordering::Relaxed);
     };
     if let Err(reason) = &reason {
-        // The page knows it before the file is closed, which may take a time.
+        // Pages receive the reason before the file is closed, which may take long.
         lock(&progress.ended).get_or_insert_with(|| reason.clone());
     }
     let report = recorder.finish(reason.err(), progress.dropped.load(Ordering::Relaxed));

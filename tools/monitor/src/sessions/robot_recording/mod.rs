@@ -1,4 +1,4 @@
-//! Recordings of a robot behind a link: what this server has received of it.
+//! Recordings of a robot behind a link, made of the data that this server has received.
 
 mod file;
 mod writer;

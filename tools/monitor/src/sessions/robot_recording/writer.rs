@@ -1,4 +1,4 @@
-//! Recording of a robot while it is received.
+//! Recording of a robot while its data are received.
 
 use std::path::PathBuf;
 
@@ -14,12 +14,12 @@ const MAX_TOLD: usize = 1000;
 /// Largest number of cycles that wait for the schemas of all outputs: a microcontroller sends each before its first value.
 const MAX_WAITING: usize = 1000;
 
-/// Recording of a robot while it is received. A connection that is restored while the robot runs continues the file; a robot
-/// that has begun again, or another tree, begins the next one.
+/// Recording of a robot while its data are received. A connection that is restored while the robot runs continues the file; a
+/// restarted robot, or another tree, begins the next one.
 pub(in crate::sessions) struct RobotRecorder {
     /// The first file; others have a number in their names.
     path: PathBuf,
-    /// Whether nothing was received of the connection yet.
+    /// Whether the connection is new: none of its cycles was received yet.
     connected: bool,
     /// Hash of the recorded tree.
     hash: String,
@@ -28,10 +28,10 @@ pub(in crate::sessions) struct RobotRecorder {
     file: Option<WrittenFile>,
     /// Cycles that wait for the file.
     waiting: Vec<RecordedCycle>,
-    /// The last cycle: what belongs to it may still come.
+    /// The last cycle: data that belong to it may still come.
     last: Option<RecordedCycle>,
     last_us: u64,
-    /// What was told, with its times, µs.
+    /// Entries of the log that wait for their cycle, with their times, µs.
     told: Vec<(u64, Told)>,
 }
 
@@ -50,7 +50,7 @@ impl RobotRecorder {
         }
     }
 
-    /// Begins with a connection.
+    /// Marks the beginning of a connection.
     pub(in crate::sessions) const fn connected(&mut self) {
         self.connected = true;
     }
@@ -88,7 +88,7 @@ impl RobotRecorder {
         }
     }
 
-    /// Adds what was told of a time, µs.
+    /// Adds an entry of the log with its time, µs.
     pub(in crate::sessions) fn tell(&mut self, time_us: u64, told: Told) {
         if self.told.len() < MAX_TOLD {
             self.told.push((time_us, told));
@@ -101,7 +101,7 @@ impl RobotRecorder {
         }
     }
 
-    /// Name and length of the file, and why it has ended early, or what was lost.
+    /// Returns name and length, bytes, of the file, and why it has ended early, or which data were lost.
     pub(in crate::sessions) fn state(&self) -> (String, u64, String) {
         let path = || self.path.display().to_string();
         self.file.as_ref().map_or_else(
@@ -131,7 +131,7 @@ impl RobotRecorder {
     }
 }
 
-/// Whether the schemas of all outputs of a tree are known.
+/// Returns whether the schemas of all outputs of a tree are known.
 fn has_schemas(tree: &Description) -> bool {
     tree.components.iter().flat_map(|component| &component.info).all(|output| output.schema.is_some())
 }
