@@ -9,14 +9,14 @@ use crate::protocol::{Failed, LIMITS};
 /// Longest name, bytes: a file system allows 255 with the ending.
 const MAX_BYTES: usize = 240;
 
-/// Help if something cannot be written.
+/// Remedy in the error of a failed write.
 pub(crate) const WRITE_HELP: &str = "is the disk full, or the folder write-protected?";
 
-/// Returns the path of a file in a folder. A name contains neither a separator of folders nor a control character, and does not begin
-/// with a dot, so it leads out of no folder.
+/// Returns the path of a file in a folder. A valid name contains no path separator and no control character, and does not begin
+/// with a dot, so the path cannot leave the folder.
 ///
 /// # Errors
-/// If the name is none of a file.
+/// If the name is not a valid file name.
 pub fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> {
     let is_allowed = |letter: char| letter.is_alphanumeric() || "-_. ()[]+,=@#'!~".contains(letter);
     let valid = !name.is_empty()
@@ -36,10 +36,10 @@ pub fn path(folder: &Path, name: &str, ending: &str) -> Result<PathBuf, Failed> 
     Ok(folder.join(format!("{name}{ending}")))
 }
 
-/// Opens a regular file. Another kind is refused at once: a pipe would wait for a writer, which may never come.
+/// Opens a regular file. Other kinds are refused without waiting: a pipe would wait for a writer, which may never come.
 ///
 /// # Errors
-/// If it cannot be opened, or is no regular file.
+/// If it cannot be opened, or is not a regular file.
 pub fn open(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.read(true);
@@ -60,13 +60,13 @@ pub(crate) fn failed(action: &str, path: &Path, error: &dyn std::fmt::Display, h
     Failed::new(format!("cannot {action} `{}`: {error}", path.display()), help)
 }
 
-/// Makes the folder of a file.
+/// Creates the parent folder of a file.
 pub(crate) fn make_folder_of(file: &Path) -> Result<(), Failed> {
     let Some(folder) = file.parent() else { return Ok(()) };
     fs::create_dir_all(folder).map_err(|error| failed("make", folder, &error, WRITE_HELP))
 }
 
-/// Writes a file so that another program never sees a part of it, and a failure leaves an old file as it was.
+/// Writes a file atomically: other programs never read a part of it, and a failure leaves an old file unchanged.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -80,7 +80,7 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<(), Failed> {
         fs::rename(&temporary, path)
     });
     if result.is_err() {
-        // The failure of the writing is what the user has to know.
+        // A failed removal is ignored: the user needs the error of the write.
         let _ = fs::remove_file(&temporary);
     }
     result.map_err(|error| failed("write", path, &error, WRITE_HELP))

@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-/// Opens a URL; does nothing without a desktop. That it fails is no error: the URL is printed, too.
+/// Opens a URL; does nothing without a desktop. A failure is ignored, because the URL is also printed.
 pub(crate) fn open(url: &str) {
     let Some((program, arguments)) = opener() else { return };
     let mut command = Command::new(program);

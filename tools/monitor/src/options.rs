@@ -4,33 +4,33 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// A program of [`App`](https://docs.rs/bica-app) in the folder of sources, in its first world.
+/// Default of [`Options::run`]: a program of [`App`](https://docs.rs/bica-app) in the folder of sources, in its first world.
 const RUN: &str = "-- run --serve {address} --seed {seed}";
 
 /// Folders and limits of all sessions.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Folder of kept recordings; made when the first one is kept.
+    /// Folder of kept recordings; created when the first recording is kept.
     pub recordings: PathBuf,
     /// Folder of tune files.
     pub tune: PathBuf,
     /// Folder of Rust sources that may be read and edited, if that is allowed.
     pub source: Option<PathBuf>,
-    /// Whether what is in that folder may be checked, built and run.
+    /// Whether pages may check, build and run the code in that folder.
     pub build: bool,
-    /// What is run: `[CARGO-OPTIONS] -- [ARGUMENTS]`, with `{address}`, `{seed}` and `{robots}` in the arguments.
+    /// Program that is built and run: `[CARGO-OPTIONS] -- [ARGUMENTS]`, with `{address}`, `{seed}` and `{robots}` in the arguments.
     pub run: String,
     /// File of saved layouts of panels.
     pub layouts: PathBuf,
-    /// Folder of the files of running recordings; made when needed.
+    /// Folder for the files of running recordings; created when needed.
     pub spool: PathBuf,
     /// Whether pages may only watch.
     pub read_only: bool,
-    /// Time that a session remembers.
+    /// Length of the history of a live session.
     pub ring: Duration,
-    /// Longest memory of images, bytes of each session.
+    /// Largest memory for images, bytes per session.
     pub image_bytes: usize,
-    /// Longest memory of information, bytes of each session.
+    /// Largest memory for outputs, bytes per session.
     pub info_bytes: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The program from its start to Ctrl-C.
+//! Start, main loop and end of the monitor.
 
 use std::io::{self, BufRead, IsTerminal, Write as _};
 use std::net::{IpAddr, Ipv4Addr, TcpListener};
@@ -17,12 +17,12 @@ use crate::sources::Sources;
 use crate::web::{Web, WebOptions};
 use crate::{open, sources, token};
 
-/// Port of the page, if it is free.
+/// Default port of the page; any other one is used if this is not free.
 const PORT: u16 = 7410;
-/// Time between two looks for Ctrl-C.
+/// Interval of checks for the end and for lines of the terminal.
 const POLL: Duration = Duration::from_millis(50);
 
-/// Serves the page until `is_over`. `options` has the folders and limits that no argument gives.
+/// Serves the page until `is_over` returns true. `options` supplies the folders and limits that have no argument.
 ///
 /// # Errors
 /// If an argument is wrong, or the page cannot be served.
@@ -61,13 +61,13 @@ fn serve(cli: &Arguments, options: Options, program: Program, is_over: &dyn Fn()
             announce(&web, "a new one")?;
         }
     }
-    // Pages are told that the server ends, then robots are given back.
+    // First the pages are notified of the end, then the sessions return their leases.
     drop(web);
     drop(manager);
     Ok(())
 }
 
-/// Refuses to let other computers edit sources, and a folder that cannot be opened.
+/// Refuses `--source` if other computers can reach the page, or if the folder cannot be opened.
 fn may_edit(cli: &Arguments) -> Result<(), Failed> {
     let Some(folder) = &cli.source else { return Ok(()) };
     if cli.listen.is_some_and(|address| !address.is_loopback()) {
@@ -84,7 +84,7 @@ fn announce(web: &Web, note: &str) -> Result<(), Failed> {
     print(&format!("{url}  ({note}{more})"))
 }
 
-/// Prints a line; another program may wait for it.
+/// Prints a line and flushes it, because another program may wait for it.
 fn print(line: &str) -> Result<(), Failed> {
     let mut out = io::stdout().lock();
     let failed = |error| Failed::new(format!("cannot print: {error}"), "keep the reader of the output open");
@@ -102,7 +102,7 @@ fn chosen(cli: &Arguments, recordings: std::path::PathBuf, options: Options) -> 
     }
 }
 
-/// Binds the port: the one of the command line, or the usual one, or any that is free.
+/// Binds the port of the command line; without one [`PORT`], or any free port if that fails.
 fn listen(cli: &Arguments) -> Result<TcpListener, Failed> {
     let address = cli.listen.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
     let bind = |port| TcpListener::bind((address, port));
@@ -116,7 +116,7 @@ fn listen(cli: &Arguments) -> Result<TcpListener, Failed> {
     })
 }
 
-/// Lines that a person types at a terminal.
+/// Returns a receiver of one entry for each line that is typed at the terminal.
 fn lines() -> Receiver<()> {
     let (sender, lines) = channel();
     if io::stdin().is_terminal() {

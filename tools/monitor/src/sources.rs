@@ -8,7 +8,7 @@ use crate::cli::Arguments;
 use crate::program::Program;
 use crate::protocol::Open;
 
-/// What the page shows at first, and the folder of recordings.
+/// Sessions that are opened at the start, and the folder of recordings.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Sources {
     pub(crate) open: Vec<Open>,
@@ -42,7 +42,7 @@ pub(crate) fn read(cli: &Arguments, program: &Program) -> Result<Sources, Invali
     Ok(Sources { open, recordings: recordings.unwrap_or_else(|| "recordings".into()) })
 }
 
-/// Refuses to record several sessions or none in a file, and a file that cannot be made.
+/// Refuses to record no session or several ones in a file, and a file that cannot be created.
 fn may_record(file: &Path, open: &[Open]) -> Result<(), Invalid> {
     let live = open.iter().filter(|source| !matches!(source, Open::Recording { .. })).count();
     if live != 1 {
@@ -64,7 +64,7 @@ fn may_record(file: &Path, open: &[Open]) -> Result<(), Invalid> {
     Err(Invalid::new(what, "make the folder, or name another file with --record"))
 }
 
-/// Returns the file name of a recording. The page opens recordings of one folder: that of the first recording.
+/// Returns the file name of a recording. All recordings are in one folder: `folder`, or that of the first recording.
 fn recording(path: &Path, folder: &mut Option<PathBuf>) -> Result<String, Invalid> {
     if !path.is_file() {
         return Err(Invalid::new(format!("there is no file `{}`", path.display()), "is the path right?"));

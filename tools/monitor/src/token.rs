@@ -1,4 +1,4 @@
-//! The file with the secret that lets pages of other computers in.
+//! The token file: its secret admits pages on other computers.
 
 use std::fs::{self, OpenOptions};
 use std::io::Write;
@@ -7,11 +7,11 @@ use std::path::Path;
 use crate::protocol::Failed;
 use crate::{files, web};
 
-/// Fewest characters of a secret.
+/// Smallest length of a secret, characters.
 const MIN_LENGTH: usize = 32;
 const HELP: &str = "remove the file: a new one is made with a random secret";
 
-/// Reads the secret; makes the file if there is none. Returns it, and whether the file is new.
+/// Reads the secret, or creates the file with a new one. Returns the secret, and whether the file is new.
 pub(crate) fn read(path: &Path) -> Result<(String, bool), Failed> {
     if !path.exists() {
         return make(path).map(|token| (token, true));

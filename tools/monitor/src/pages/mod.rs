@@ -1,4 +1,4 @@
-//! All pages, and the queue of what each receives.
+//! All pages, each with the queue of its messages.
 
 mod outbox;
 
@@ -18,7 +18,7 @@ pub(crate) struct Pages {
     all: Mutex<BTreeMap<PageId, Arc<dyn Outbox>>>,
 }
 
-/// Locks a mutex; what a thread that panicked left behind is used as it is.
+/// Locks a mutex, also if it is poisoned: the data that a panicked thread left are used unchanged.
 pub(crate) fn lock<T: ?Sized>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

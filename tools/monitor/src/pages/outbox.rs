@@ -1,19 +1,19 @@
-//! What a page receives.
+//! Queue of messages to a page.
 
 use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::protocol::{InfoSample, SessionId, ToPage};
 
-/// Queue of a page. No method ever waits.
+/// Queue of messages to a page. No method blocks.
 pub trait Outbox: Send + Sync {
     /// Adds a message that must not be lost. The queue is bounded: if it is full, the page is disconnected.
     fn state(&self, message: ToPage);
 
-    /// Adds a binary frame that must not be lost, in order with [`state`](Self::state): the image that an answer needs.
+    /// Adds a binary frame that must not be lost, in order with [`state`](Self::state): the image that belongs to an answer.
     fn binary(&self, frame: Arc<[u8]>);
 
-    /// Adds data. It [replaces](Frame::replacing) an older frame with the same key that was not sent yet.
+    /// Adds data. The frame [replaces](Frame::replacing) an older one with the same key that was not sent yet.
     fn data(&self, key: Key, frame: Frame);
 }
 
@@ -30,7 +30,7 @@ pub enum Frame {
 }
 
 impl Frame {
-    /// The frame of a message.
+    /// Returns the frame of a message.
     #[must_use]
     pub fn of(message: ToPage) -> Self {
         Self::Message(Arc::new(message))
@@ -68,7 +68,7 @@ fn limit_samples(samples: &mut Vec<InfoSample>) {
     }
 }
 
-/// What makes two frames of data the same: the later one replaces the earlier one.
+/// Key of a data frame. A later frame replaces an earlier one with the same key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Key {
     /// Session.

@@ -1,4 +1,4 @@
-//! Images outside robots and recordings.
+//! Camera images, and image files of a program.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,19 +10,19 @@ use bica_wire::model::Invalid;
 pub struct Image {
     /// Number in the session, from 0.
     pub number: u32,
-    /// Time of the cycle that took it in, µs.
+    /// Time of the cycle that received the image, µs.
     pub time_us: u64,
-    /// Name of the camera that took it; empty if it is unknown.
+    /// Name of the camera; empty if it is unknown.
     pub camera: Arc<str>,
     /// Width, px.
     pub width: u16,
     /// Height, px.
     pub height: u16,
-    /// YUYV 4:2:2.
+    /// Pixels in YUYV 4:2:2.
     pub yuyv: Arc<[u8]>,
 }
 
-/// Files of images that a program can read, which are shown as a session.
+/// Image files that a program can read. They are shown as a session.
 pub trait ImageFiles: Send + Sync {
     /// Name of the session.
     fn name(&self) -> String;
@@ -33,9 +33,9 @@ pub trait ImageFiles: Send + Sync {
     /// If the folder cannot be read.
     fn list(&self) -> Result<Vec<PathBuf>, Invalid>;
 
-    /// Reads a file: width, height, px, and the pixels in YUYV 4:2:2.
+    /// Reads a file. Returns width and height, px, and the pixels in YUYV 4:2:2.
     ///
     /// # Errors
-    /// Why it is skipped.
+    /// The reason why the file is skipped.
     fn read(&self, file: &Path) -> Result<(u16, u16, Vec<u8>), String>;
 }

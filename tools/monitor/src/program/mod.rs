@@ -1,4 +1,4 @@
-//! What a program adds to the monitor: worlds, replay, panels.
+//! Additions of a program to the monitor: worlds, replay, images, panels.
 
 mod extension;
 mod images;
@@ -15,12 +15,12 @@ use bica::Graph;
 
 use crate::protocol::Failed;
 
-/// What a program adds to the monitor.
+/// Additions of a program to the monitor.
 #[derive(Default)]
 pub struct Program {
-    /// Tree of its robot: tune files are checked, and recordings of this tree are described and run again with it.
+    /// Tree of the program's robot. Tune files are checked with it, and recordings of this tree can be run again.
     pub graph: Option<&'static Graph>,
-    /// Worlds that it can simulate; the first one is shown if nothing else is asked for.
+    /// Worlds that the program can simulate. The first one is shown if the command line names neither a source nor a world.
     pub worlds: Vec<Box<dyn LocalWorld>>,
     /// Runs recordings again.
     pub rerun: Option<Rerun>,
@@ -34,7 +34,7 @@ impl Program {
     /// Finds a world.
     ///
     /// # Errors
-    /// If there is none of this name.
+    /// If there is no world with this name.
     pub(crate) fn world(&self, name: &str) -> Result<&dyn LocalWorld, Failed> {
         let unknown = || {
             let known: Vec<_> = self.worlds.iter().map(|world| world.name()).collect();
@@ -47,7 +47,7 @@ impl Program {
         self.extensions.iter().find(|one| one.name() == name).map(|one| &**one)
     }
 
-    /// Whether a tree with this hash is that of the program.
+    /// Returns whether the program's tree has this hash.
     pub(crate) fn has_tree(&self, hash: &str) -> bool {
         self.graph.is_some_and(|graph| format!("{:016x}", bica::graph::hash(graph)) == hash)
     }

@@ -11,24 +11,24 @@ use bica_wire::model::Invalid;
 
 /// A world that a program can simulate in its own process.
 ///
-/// It is a robot behind a link, as any other: pages see it and control its time over that link.
+/// The monitor attaches to it over a link, as to any robot: pages see it and control its time over that link.
 pub trait LocalWorld: Send + Sync {
     /// Name by which it is opened, such as `built-in`.
     fn name(&self) -> &str;
 
-    /// Options besides the seed that the page offers; there may be more.
+    /// Options besides the seed that the page offers. The world may accept more.
     fn options(&self) -> Vec<WorldOption> {
         Vec::new()
     }
 
-    /// Checks a set-up, and returns what runs it.
+    /// Checks a set-up, and returns the function that runs it.
     ///
     /// # Errors
-    /// If there is no such world.
+    /// If the world cannot be run with this set-up.
     fn prepare(&self, setup: &WorldSetup) -> Result<Game, Invalid>;
 }
 
-/// Runs a world in a thread of its own: serves its link at [`WorldRun::address`], whose offers contain
+/// Function that runs a world in its own thread. It serves a link at [`WorldRun::address`], whose offers contain
 /// [`PAUSE`](bica_wire::message::Offers::PAUSE), until [`WorldRun::is_ended`]. Its time follows the clock.
 pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Invalid> + Send>;
 
@@ -37,15 +37,15 @@ pub type Game = Box<dyn FnOnce(&WorldRun) -> Result<(), Invalid> + Send>;
 pub struct WorldSetup {
     /// Seed.
     pub seed: u64,
-    /// Texts of options. The world checks them.
+    /// Values of options by name, as text. The world checks them.
     pub options: BTreeMap<String, String>,
     /// File with parameters of this world, if there is one.
     pub tune: Option<PathBuf>,
-    /// Parameters `Component.name=value` over that file: what pages have changed before the world began again.
+    /// Parameters `Component.name=value` that override that file: those that pages changed before the world was restarted.
     pub set: Vec<String>,
 }
 
-/// A run of a world, for the world and for its session. Clones are the same run.
+/// A run of a world, shared by the world and its session. Clones refer to the same run.
 #[derive(Clone, Debug)]
 pub struct WorldRun(Arc<Shared>);
 
@@ -85,31 +85,31 @@ impl WorldRun {
         &self.0.recording
     }
 
-    /// Whether the world is to end.
+    /// Returns whether the world must end.
     #[must_use]
     pub fn is_ended(&self) -> bool {
         lock(&self.0.state).is_ended
     }
 
-    /// Whether the rules of the world have ended the run. The world then [pauses](bica_link::LinkRequests::pause).
+    /// Returns whether the rules of the world have ended the run. The world then [pauses](bica_link::LinkRequests::pause).
     #[must_use]
     pub fn is_over(&self) -> bool {
         lock(&self.0.state).is_over
     }
 
-    /// The rules of the world have ended the run; it can be continued. Returns whether they had not before.
+    /// Marks the run as ended by the rules of the world; it can be continued. Returns whether it was not marked before.
     #[must_use]
     pub fn over(&self) -> bool {
         !std::mem::replace(&mut lock(&self.0.state).is_over, true)
     }
 
-    /// Returns the next note of a person, for the recording.
+    /// Returns the next note of a person, for the recording; none if there is no new one.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         lock(&self.0.state).notes.pop_front()
     }
 
-    /// The run is not recorded, or not any more.
+    /// Reports why the run is not recorded, or no longer recorded.
     pub fn not_recorded(&self, reason: &str) {
         lock(&self.0.state).not_recorded = Some(reason.to_owned());
     }
@@ -122,7 +122,7 @@ impl WorldRun {
         lock(&self.0.state).notes.push_back(text.to_owned());
     }
 
-    /// Why the recording ended before the run.
+    /// Returns why the recording ended before the run; none if it did not.
     pub(crate) fn recording_ended(&self) -> Option<String> {
         lock(&self.0.state).not_recorded.clone()
     }
