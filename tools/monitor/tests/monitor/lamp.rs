@@ -180,7 +180,7 @@ pub(crate) struct Room {
 }
 
 impl Room {
-    /// A room whose time begins with a cycle.
+    /// A room whose clock begins at a cycle.
     pub(crate) const fn at(cycle: u64) -> Self {
         Self { cycle, x: 1.0, pixels: [0; IMAGE_BYTES] }
     }
@@ -234,7 +234,7 @@ pub(crate) fn app() -> App<LampTree> {
     App::new("lamp").world("room", |_| Room::at(0))
 }
 
-/// What the lamp adds to the monitor.
+/// Additions of the lamp to the monitor.
 pub(crate) fn program() -> Program {
     app().monitor()
 }

@@ -1,7 +1,7 @@
 //! The monitor of a robot that only these tests know: a lamp.
 //!
-//! [`sessions`] and [`sources`] test the level of [`bica_monitor::sessions::Manager`], with pages that are programs; [`attacks`] the web
-//! server, with raw sockets. What only a browser shows is in `tools/jmanager/tests/browser`.
+//! [`sessions`] and [`sources`] test the level of [`bica_monitor::sessions::Manager`], with simulated pages; [`attacks`] tests the
+//! web server, with raw sockets. What only a browser shows is in `tools/jmanager/tests/browser`.
 
 mod attacks;
 mod lamp;

@@ -1,4 +1,4 @@
-//! A page that is a program.
+//! A simulated page.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use serde_json::Value;
 /// Longest wait for anything.
 pub(crate) const LONG: Duration = Duration::from_mins(2);
 
-/// What a page received.
+/// A message or a frame that a page received.
 #[derive(Clone, Debug)]
 pub(crate) enum Got {
     /// A message.
@@ -75,11 +75,11 @@ impl Bench {
     }
 }
 
-/// A page that is a program.
+/// A simulated page, which sends requests and receives messages.
 pub(crate) struct Page {
     pub(crate) bench: Arc<Bench>,
     pub(crate) id: PageId,
-    /// The session that requests are about: the first one, if no other was chosen.
+    /// Session that requests concern: the first one, if no other was chosen.
     pub(crate) session: Cell<Option<SessionId>>,
     inbox: Receiver<Got>,
     last: AtomicU32,
@@ -110,7 +110,7 @@ impl Page {
         id
     }
 
-    /// Waits for what `found` takes out of what comes; a wait in vain prints what came instead.
+    /// Waits until `found` returns a value for a received message or frame. If it never does, the panic shows the newest messages.
     pub(crate) fn wait<T>(&self, what: &str, mut found: impl FnMut(&Got) -> Option<T>) -> T {
         let until = Instant::now() + LONG;
         loop {
@@ -121,7 +121,7 @@ impl Page {
             if let Got::Message(message) = &got {
                 let mut newest = self.newest.borrow_mut();
                 if message["type"] == "described" {
-                    // The update is of the run before.
+                    // The last update belongs to the previous run.
                     newest.retain(|_, old| old["type"] != "update");
                 }
                 newest.insert(format!("{} {}", message["type"], message["session"]["id"]), message.clone());
@@ -140,7 +140,7 @@ impl Page {
         })
     }
 
-    /// The newest message of a type for which `found` returns a value: the last one that came, or one that comes.
+    /// Returns the value of `found` for the newest message of a type, or waits for a message of this type for which it returns one.
     pub(crate) fn state<T>(&self, kind: &str, mut found: impl FnMut(&Value) -> Option<T>) -> T {
         let last = self.newest.borrow().values().filter(|one| one["type"] == kind).find_map(&mut found);
         last.unwrap_or_else(|| self.message(kind, found))
@@ -157,7 +157,7 @@ impl Page {
         })
     }
 
-    /// The state after the last cycle.
+    /// Returns the state after the last cycle.
     pub(crate) fn now(&self) -> Value {
         self.ask(Request::At { time_us: u64::MAX, info: vec![], image: false }).unwrap()
     }
@@ -169,7 +169,7 @@ impl Page {
         self.stands()
     }
 
-    /// The state of a paused world, once the last cycles before the pause have arrived.
+    /// Returns the state of a paused world, once the last cycles before the pause have arrived.
     pub(crate) fn stands(&self) -> Value {
         std::thread::sleep(Duration::from_millis(300));
         self.now()
@@ -180,13 +180,13 @@ impl Page {
         self.state("update", |update| (update["cycle"].as_u64()? >= number).then_some(()));
     }
 
-    /// All lines of the log.
+    /// Returns all lines of the log.
     pub(crate) fn lines(&self) -> Vec<Value> {
         let request = Request::Lines { from_us: 0, until_us: u64::MAX, limit: 1000 };
         self.ask(request).unwrap().as_array().unwrap().clone()
     }
 
-    /// Waits for a session in a state.
+    /// Waits for a message about a session for which `is` returns true; returns the session.
     pub(crate) fn session(&self, mut is: impl FnMut(&Value) -> bool) -> Value {
         self.message("session", |message| is(&message["session"]).then(|| message["session"].clone()))
     }
@@ -198,7 +198,7 @@ impl Drop for Page {
     }
 }
 
-/// Options with all folders in this one.
+/// Options with all folders below this one.
 pub(crate) fn options(folder: &Folder) -> Options {
     Options {
         recordings: folder.0.join("recordings"),

@@ -14,7 +14,7 @@ use serde_json::Value;
 use crate::lamp::{CYCLE, EyeTree, LampTree, Room, Sensors};
 use crate::page::{Bench, Page};
 
-/// A robot that is served at a TCP port until this is dropped.
+/// A robot that is served at a TCP port until this value is dropped.
 pub(crate) struct Served {
     pub(crate) address: String,
     end: Arc<AtomicBool>,
@@ -22,12 +22,12 @@ pub(crate) struct Served {
 }
 
 impl Served {
-    /// Serves a lamp whose time goes on.
+    /// Serves a lamp whose time cannot be paused.
     pub(crate) fn device() -> Self {
         Self::device_at(0)
     }
 
-    /// Serves a lamp whose time begins with a cycle.
+    /// Serves a lamp whose clock begins at a cycle.
     pub(crate) fn device_at(cycle: u64) -> Self {
         Self::start::<LampTree>("127.0.0.1:0", Offers::default(), cycle)
     }

@@ -171,7 +171,7 @@ fn no_response_sets_credentials() {
             assert!(!response.body.contains(secret) && !response.head.contains(secret), "{path}");
         }
     }
-    // What a browser sends to every port opens nothing.
+    // Cookies and credentials, which a browser sends to every port, open no socket.
     let secret = entered["secret"].as_str().unwrap();
     let (cookie, bearer) = (format!("Cookie: jmanager={secret}"), format!("Authorization: Bearer {TOKEN}"));
     assert_eq!(target.upgrade(&[&target.host(), &cookie, &bearer]), 403);

@@ -65,13 +65,13 @@ impl Target {
         stream
     }
 
-    /// Sends a request with these lines of head after the first one.
+    /// Sends a request with these header lines after the first line.
     pub(crate) fn send(&self, first: &str, lines: &[&str], body: &str) -> Response {
         let mut stream = self.connect();
         let (lines, length) = (lines.join("\r\n"), body.len());
         let text =
             format!("{first} HTTP/1.1\r\n{lines}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}");
-        // The server may close before it has read all; what it sent is read anyhow.
+        // The server may close before it has read all; its response is read in any case.
         let _ = stream.write_all(text.as_bytes());
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
@@ -95,7 +95,7 @@ impl Target {
         format!("Origin: http://{}", self.address)
     }
 
-    /// Asks for a WebSocket.
+    /// Requests a WebSocket.
     pub(crate) fn upgrade(&self, lines: &[&str]) -> u16 {
         let mut stream = self.connect();
         let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13";
@@ -151,7 +151,7 @@ pub(crate) fn message(page: &mut WebSocket<TcpStream>) -> Result<Value, Error> {
     }
 }
 
-/// Whether nothing came within the timeout of a read.
+/// Returns whether nothing came within the timeout of a read.
 pub(crate) fn is_silent(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
 }

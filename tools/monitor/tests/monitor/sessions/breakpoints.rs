@@ -13,7 +13,7 @@ fn state(component: usize, state: usize) -> Breakpoint {
     Breakpoint { component, state: Some(state), transition: None }
 }
 
-/// The only transition from off to on, and these states.
+/// Breakpoint on the only transition from off to on, and the indices of both states.
 fn lit(description: &Value) -> (Breakpoint, usize, usize) {
     let (component, transition) = find(description, "Lamp", "transitions", "is_lit");
     let state = |name: &str| find(description, "Lamp", "states", name).1;
@@ -36,12 +36,12 @@ fn step_of_many_cycles_stops_at_a_breakpoint() {
     assert_eq!(moment["components"][transition.component][2], to, "{moment}");
     assert_eq!(page.ask(Request::NextHit { from_us: 0 }).unwrap()["time_us"], time_us);
     assert!(page.ask(Request::NextHit { from_us: time_us }).unwrap().is_null());
-    // It is reached once; one cycle at a time goes on from there.
+    // The breakpoint is reached once: a step of one cycle continues from there.
     page.ask(Request::Step { cycles: 1 }).unwrap();
     page.cycle(moment["cycle"].as_u64().unwrap() + 1);
 }
 
-/// Waits for a hit of a robot; each state has a breakpoint, so that one is reached soon.
+/// Waits until a robot reaches a breakpoint. Each state has one, so that one is reached soon.
 fn hit_behind_a_link(robot: &Served, then: impl Fn(&Page, &Value)) {
     let (page, description) = attached(&robot.address);
     let (component, _) = find(&description, "Lamp", "states", "on");
@@ -133,7 +133,7 @@ fn breakpoints_that_do_not_fit_the_tree_are_refused() {
     assert_eq!(list, json!([]));
 }
 
-/// In each cycle one is added to what the conditions look at.
+/// The conditions depend on a counter that increases by one in each cycle.
 #[test]
 fn breakpoint_is_reached_by_its_transition_only() {
     let lamp = Served::device();

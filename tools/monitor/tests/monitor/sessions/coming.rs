@@ -1,4 +1,4 @@
-//! A page that comes while something changes.
+//! A page that connects while sessions change.
 
 use std::sync::{Arc, Mutex};
 
@@ -30,7 +30,7 @@ fn session_closed_while_a_page_comes_is_closed() {
     bench.manager.open(Open::Robot { address: "tcp://127.0.0.1:1".to_owned() }).unwrap();
     let page = Arc::new(Closing(Arc::clone(&bench), Mutex::default()));
     let id = bench.manager.attach(Arc::clone(&page) as Arc<dyn Outbox>);
-    // The manager owns the page, and the page the manager.
+    // The manager and the page own each other; this ends the cycle.
     bench.manager.detach(id);
     let got = page.1.lock().unwrap();
     assert_eq!(got[0]["sessions"].as_array().unwrap().len(), 1);

@@ -1,4 +1,4 @@
-//! The recording that a monitor makes of a robot, beside that of the robot's own program.
+//! The recording of a robot by a monitor, compared with the recording by the robot's own program.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -70,9 +70,9 @@ fn run(folder: &Path) -> [PathBuf; 2] {
     files
 }
 
-/// Tunes and holds the lamp, and leaves it to its tree.
+/// Tunes the lamp, sets rate and hold of the camera, and releases control.
 fn operate(address: &str) {
-    // The robot's time is faster than the clock, from which a client computes an expiry.
+    // The robot's time is faster than the clock from which a client computes the expiry of a request.
     let options = ClientOptions { timeout: LONG, expiry: FOREVER };
     let mut operator = Client::connect(&address.parse().unwrap(), options).unwrap();
     operator.acquire(false).unwrap();
@@ -107,7 +107,7 @@ fn kept_recording_equals_that_of_the_robot() {
     let mut values = 0;
     for (number, cycle) in &kept {
         let own = &own[number];
-        // A cycle that the link omitted has its outputs in the next one.
+        // Outputs of a cycle that the link omitted are in the next cycle.
         let is_complete = number.checked_sub(1).is_some_and(|before| kept.contains_key(&before));
         assert_eq!((&cycle.tree, cycle.tick.instant), (&own.tree, number * CYCLE_US), "{number}");
         for value in cycle.information.iter().flat_map(|record| &record.values).filter(|_| is_complete) {
@@ -127,9 +127,9 @@ fn kept_recording_equals_that_of_the_robot() {
     let changes =
         |requests: &[(u64, _)]| requests.iter().map(|(_, request)| format!("{request:?}")).collect::<Vec<_>>();
     assert_eq!(changes(&sent), changes(&applied));
-    assert_eq!(applied.len(), 5, "three of the operator, two at its end: {applied:?}");
+    assert_eq!(applied.len(), 5, "three of the operator, two as its lease ends: {applied:?}");
     for ((kept_in, _), (number, request)) in sent.iter().zip(&applied) {
-        // A cycle that the link omitted has its requests in the next one.
+        // Requests of a cycle that the link omitted are in the next cycle.
         assert!(kept_in == number || (kept_in > number && !kept.contains_key(number)), "{request:?}");
     }
     let held = kept.values().filter_map(|cycle| cycle.holds.as_ref().map(|holds| holds.holds[1]));

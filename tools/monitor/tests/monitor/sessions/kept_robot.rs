@@ -28,7 +28,7 @@ fn keep(page: &Page, name: &str) -> Value {
     page.ask(Request::KeepRecording { name: name.to_owned() }).unwrap()
 }
 
-/// The state at a time and the number in the image's frame.
+/// Returns the state at a time, and the number of the image in its frame.
 fn at(page: &Page, session: u32, time_us: u64, info: (usize, usize)) -> (Value, u32) {
     page.session.set(Some(session));
     let id = page.send(Request::At { time_us, info: vec![info], image: true });
@@ -53,7 +53,7 @@ fn kept_recording_equals_received() {
     let watch = Watch { images: Some(WatchImages { max_hz: 30.0 }), ..Watch::default() };
     page.ask(Request::Watch { watch }).unwrap();
     page.wait("the first image", |got| matches!(got, Got::Binary(_)).then_some(()));
-    // All moments that are compared have an image.
+    // From this time on each moment that is compared has an image.
     let with_images = page.message("update", |update| update["time_us"].as_u64());
     page.ask(Request::Acquire {}).unwrap();
     let (component, param) = find(&description, "Lamp", "params", "gain");
@@ -101,7 +101,7 @@ fn kept_recording_equals_received() {
         for (live, recorded) in
             live["components"].as_array().unwrap().iter().zip(recorded["components"].as_array().unwrap())
         {
-            // What was before the first cycle in memory is not known.
+            // The time of the last change is not compared: it is unknown before the first cycle in memory.
             assert_eq!(live.as_array().unwrap()[..4], recorded.as_array().unwrap()[..4], "at {time_us}");
         }
     }
@@ -194,11 +194,11 @@ fn slow_robot_is_recorded_while_it_is_received() {
     bench.manager.open_recorded(source, &file).unwrap();
     let page = Page::new(&bench);
     page.message("described", |_| Some(()));
-    // No page shows images.
+    // Images are recorded although no page watches them.
     page.session(|one| {
         one["recording"]["file"] == file.to_str().unwrap() && one["recording"]["bytes"].as_u64() > Some(1_000_000)
     });
-    // What a server that is killed now leaves behind.
+    // The file that a server leaves if it is killed now.
     let killed = folder.0.join("killed.mcap");
     fs::copy(&file, &killed).unwrap();
     let left = info(&killed);

@@ -54,14 +54,14 @@ fn span_of_a_world_and_of_a_recording_is_kept() {
         let (_, info) = opened(&page, name);
         (info["from_us"].as_u64().unwrap(), info["until_us"].as_u64().unwrap())
     };
-    // A recording begins at zero, and the second span is one of the first.
+    // A kept span begins at zero, and the second span is cut from the first one.
     assert_eq!(span("part.mcap"), (0, 1_000_000));
     keep("less", 600_000, 700_000).unwrap();
     assert_eq!(span("less.mcap"), (0, 100_000));
     let error = keep("none", 2_600_000, 2_700_000).unwrap_err();
     assert!(error["text"].as_str().unwrap().contains("no such span: it ends at 0.10 s"), "{error}");
     let files = std::fs::read_dir(page.bench.folder.0.join("recordings")).unwrap();
-    assert_eq!(files.count(), 2, "what was not kept is removed");
+    assert_eq!(files.count(), 2, "an incomplete file is removed");
 }
 
 #[test]

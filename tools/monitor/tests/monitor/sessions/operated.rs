@@ -79,7 +79,7 @@ fn actions_apply_to_a_running_and_a_paused_world() {
     page.paused();
     let answer = page.ask(place(0.5)).unwrap();
     lies_at(&page, 0.5);
-    assert_eq!(place_in(&page.now()["truth"]), 0.5, "it is there before time goes on");
+    assert_eq!(place_in(&page.now()["truth"]), 0.5, "the lamp is there before the next cycle");
     page.ask(Request::Step { cycles: 1 }).unwrap();
     page.message("update", |update| (update["cycle"] == answer["cycle"]).then_some(()));
     page.ask(Request::Release {}).unwrap();

@@ -1,4 +1,4 @@
-//! What a page gets of a world that is paused.
+//! Data that a page receives of a paused world.
 
 use bica_monitor::protocol::{Request, Watch, WatchImages, WatchInfo};
 use serde_json::{Value, json};
@@ -28,7 +28,7 @@ fn watched(page: &Page, (component, info): (usize, usize)) -> (u32, u64, u64, Va
             _ => {}
         }
         let ((number, time_us), count, truth) = (image?, count?, truth.clone()?);
-        // Of a busy computer an older image may come before the newest one.
+        // On a busy computer an older image may come before the newest one.
         (u64::from(number) + 1 >= count).then_some((number, time_us, count, truth))
     })
 }
@@ -44,7 +44,7 @@ fn page_gets_the_newest_image_of_a_paused_world() {
     assert!(first.1 <= time_us && time_us - first.1 < 3 * IMAGE_CYCLES * CYCLE_US, "{first:?} at {time_us}");
     let reloaded = Page::new(&page.bench);
     assert_eq!(watched(&reloaded, count), first);
-    // Nobody watches any more, then somebody does again.
+    // No page watches the world any more, then one does again.
     drop(reloaded);
     page.ask(Request::Watch { watch: Watch::default() }).unwrap();
     assert_eq!(watched(&page, count), first);
@@ -56,7 +56,7 @@ fn page_gets_the_newest_image_of_a_paused_world() {
     });
 }
 
-/// What a page shows of a moment before the newest one.
+/// Data of a moment before the newest one.
 #[test]
 fn past_moment_has_its_conditions_costs_and_truth() {
     let (page, description) = running();

@@ -74,7 +74,7 @@ fn recording_shows_states_images_and_outputs() {
         assert_eq!(&frame[32..32 + camera], b"eye");
         assert_eq!(frame.len(), 32 + camera + IMAGE_BYTES);
         let number = moment["image"].as_u64().unwrap();
-        // Information is recorded in every tenth cycle: the count of images is that of one taken before.
+        // Outputs are recorded in every tenth cycle, so that the count may be that of an earlier image.
         let count = moment["info"][0][3].as_u64().unwrap();
         assert!(count <= number + 1 && number + 1 - count < 5, "{count} {number}");
     }
@@ -96,7 +96,7 @@ fn run_again_finds_the_first_difference() {
     let again = |settings: Vec<NamedSetting>| {
         let answer = page.ask(Request::RunAgain { settings }).unwrap();
         let again = answer["session"].as_u64().unwrap() as u32;
-        // A busy machine may have repeated it already.
+        // The run may have ended already.
         if let Err(error) = page.ask(Request::Compare { other: again }) {
             assert!(error["text"].as_str().unwrap().contains("still being"), "{error}");
         }

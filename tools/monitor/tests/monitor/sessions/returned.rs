@@ -16,7 +16,7 @@ use crate::served::Served;
 /// Number of the first cycle of a lamp that has shone for a thousand seconds, and its time, µs.
 const LONG_LIT: (u64, u64) = (1_000_000_000 / CYCLE_US, 1_000_000_000);
 
-/// What a cable leads to while it is whole, and its connections.
+/// The robot to which a cable leads, none while it is cut; and its connections.
 #[derive(Default)]
 struct Ends {
     robot: Option<String>,
@@ -69,7 +69,7 @@ fn later(page: &Page, than: u64) -> u64 {
     page.message("update", |update| update["time_us"].as_u64().filter(|time| *time > than))
 }
 
-/// Opens a lamp that has shone for long, lets it be watched, and cuts its cable. Returns the last time that a page got, µs.
+/// Opens a lamp that has shone for long, watches it for a while, and cuts its cable. Returns the last time that a page received, µs.
 fn watched_and_cut(page: &Page, cable: &Cable) -> u64 {
     page.open(Open::Robot { address: cable.address.clone() });
     page.session(|one| one["connection"] == "connected");
@@ -129,10 +129,10 @@ fn restarted_or_other_robot_has_an_empty_history() {
         cable.mend(&other.address);
         page.message("described", |_| Some(()));
         let shown = page.message("update", |update| update["time_us"].as_u64());
-        assert!(shown < LONG_LIT.1 || shown > last + LONG_LIT.1, "nothing of the first one is shown: {shown}");
+        assert!(shown < LONG_LIT.1 || shown > last + LONG_LIT.1, "no cycle of the first robot is shown: {shown}");
         let bars = bars(&page);
         assert!(bars.iter().all(|bar| bar.1 < LONG_LIT.1 || bar.0 > last), "{first}: {bars:?}");
-        // The session is told to a page that comes now as it is.
+        // A new page receives the current state of the session.
         let late = Page::new(&page.bench);
         let sessions = late.message("hello", |hello| Some(hello["sessions"].clone()));
         assert_eq!(sessions[0]["gaps"], serde_json::json!([]), "{first}");

@@ -113,7 +113,7 @@ fn note_after_restart_belongs_to_the_new_run() {
 fn the_past_agrees_with_what_was_live() {
     let (page, description) = running();
     let (component, info) = find(&description, "Eye", "info", "count");
-    // In a cycle in which nothing changes: a change would be both the end of a bar and the state after it.
+    // Only a cycle in which nothing changes: the time of a change belongs both to the bar that ends and to the state after it.
     let live = page.message("update", |update| {
         let is_constant =
             update["components"].as_array()?.iter().all(|now| now[4].as_u64() < update["time_us"].as_u64());
@@ -149,7 +149,7 @@ fn the_past_agrees_with_what_was_live() {
 #[test]
 fn a_full_disk_is_reported_and_the_world_goes_on() {
     let folder = Folder::new("sessions");
-    // Whatever is written to this device fails as on a full disk.
+    // Every write to this device fails, as on a full disk.
     std::fs::create_dir_all(folder.0.join("spool")).unwrap();
     std::os::unix::fs::symlink("/dev/full", folder.0.join("spool/session-1.mcap")).unwrap();
     let (page, _) = running_on(&Bench::with(folder, |options| options));

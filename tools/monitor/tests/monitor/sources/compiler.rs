@@ -57,7 +57,7 @@ fn slow_messages_of_a_check_have_their_place() {
     assert_eq!((&error["span"], &error["version"]), (&json!([at, at + 4]), &json!(1)), "{error}");
     assert_eq!(error["level"], "error");
     assert!(error["text"].as_str().unwrap().contains("mismatched types"), "{error}");
-    // A page that comes later sees it, too.
+    // A page that connects later receives the result, too.
     let late = View::new(&bench);
     assert_eq!(checked(&late)["messages"], check["messages"]);
     replace(&view, "src/lib.rs", "true", "let ä = 1;\n    2");
@@ -101,7 +101,7 @@ fn missing_package_and_broken_manifest_are_errors() {
     assert!(!build(&view, "failed")["text"].as_str().unwrap().is_empty());
 }
 
-/// Whether a process is there.
+/// Returns whether a process exists.
 fn is_alive(pid: &str) -> bool {
     let status = Command::new("kill").args(["-0", pid]).stderr(Stdio::null()).status().unwrap();
     status.success()
@@ -179,7 +179,7 @@ fn slow_failed_build_leaves_the_last_program_running() {
     assert_eq!(failed["messages"][0]["file"], "src/main.rs", "{failed}");
     assert!(is_alive(&pid));
 
-    // A program that does not start leaves it running, too.
+    // A program that does not start leaves the previous one running, too.
     replace(&view, "src/main.rs", "from_secs(true)", "from_secs(std::process::exit(3))");
     replace(&view, "src/main.rs", "println!", "eprintln!(\"no link\"); if false { println!");
     replace(&view, "src/main.rs", "unwrap());\n    std::thread", "unwrap()); }\n    std::thread");

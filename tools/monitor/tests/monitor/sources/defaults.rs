@@ -36,7 +36,7 @@ fn tuned_value_becomes_the_default_of_its_source() {
     assert!(saved["diff"].as_str().unwrap().contains(line), "{saved}");
     let text = LAMP.replace("default = 0.7,", "default = 1.0,");
     assert_eq!(sources.read("lamp.rs"), text);
-    // Where it is declared and read, as the text is now.
+    // The places of declaration and reads, in the current text.
     let uses = view.request(Request::ParamUses { component: gain.0, param: gain.1 }).unwrap();
     let lines = uses.as_array().unwrap().iter().map(|one| (one["file"].clone(), one["text"].clone()));
     let expected = text.lines().filter(|line| line.contains(".gain") || line.trim() == "gain: f32,");

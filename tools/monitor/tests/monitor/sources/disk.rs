@@ -1,4 +1,4 @@
-//! The file on disk, which other programs change, too.
+//! Files on disk that other programs change, too.
 
 use std::fs;
 
@@ -40,7 +40,7 @@ fn foreign_edit_appears_and_can_be_undone() {
     sources.write("player.rs", &theirs);
     let shown = view.until("player.rs", "the edit", |shown| shown.version == 1);
     assert_eq!((shown.text, &shown.state["by"], &shown.state["saved"]), (theirs, &json!("file"), &json!(true)));
-    // The same length, within the resolution of the clock of some file systems.
+    // A text of the same length, written within the resolution of the clock of some file systems.
     let same_length = PLAYER.replace("/// Looks.", "/// Leaps far.").replace("Leaps far", "Looks fat");
     sources.write("player.rs", &same_length);
     view.until("player.rs", "the second edit", |shown| shown.text == same_length);
@@ -61,7 +61,7 @@ fn edits_at_different_places_are_merged() {
     assert_eq!(sources.read("player.rs"), both);
 }
 
-/// Edits the same word here and in the file; returns the text of the file.
+/// Edits the same word on the page and in the file; returns the text of the file.
 fn conflict(sources: &Sources, view: &View) -> String {
     view.type_behind("player.rs", "let _ = ", "2").unwrap();
     let theirs = PLAYER.replace("= 1", "= 3");
@@ -130,13 +130,13 @@ fn deleted_file_keeps_its_text_and_can_return() {
     let shown = view.until("player.rs", "deleted", |shown| shown.state["deleted"] == true);
     assert_eq!((shown.text.as_str(), &shown.state["saved"]), (PLAYER, &json!(false)));
     view.type_behind("player.rs", "let _ = ", "2 + ").unwrap();
-    // It is not made again behind the back of whoever deleted it.
+    // An edit alone does not create the deleted file again.
     std::thread::sleep(std::time::Duration::from_millis(1200));
     assert!(!sources.path("player.rs").exists());
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     view.until("player.rs", "saved", |shown| shown.state["saved"] == true && shown.state["deleted"] == false);
     assert!(sources.read("player.rs").contains("2 + 1"));
-    // It comes back by another program.
+    // Another program creates the file again.
     fs::remove_file(sources.path("player.rs")).unwrap();
     view.until("player.rs", "deleted again", |shown| shown.state["deleted"] == true);
     sources.write("player.rs", PLAYER);

@@ -23,7 +23,7 @@ fn all_pages_share_one_text_and_history() {
     assert_eq!(other.shown("player.rs").state["by"], "page");
     other.type_behind("player.rs", "let _ = 1;", " // typed").unwrap();
     one.until("player.rs", "typing", |shown| shown.text.contains("// typed") && shown.text.contains("fn wait"));
-    // Undo takes back what was done last, on whatever page.
+    // Undo reverts the last step, of any page.
     one.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
     assert!(!one.shown("player.rs").text.contains("// typed"));
     one.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
@@ -72,7 +72,7 @@ fn refused_edits_say_why_and_change_nothing() {
         let text = text_of(view.edit("player.rs", &edits));
         assert!(text.to_lowercase().contains(&why.to_lowercase()), "{edits}: {text}");
     }
-    // The second of two is refused: the first is not applied.
+    // The second of two edits is refused: the first one is not applied.
     let both = json!([add("good")[0], add("fn")[0]]);
     text_of(view.edit("player.rs", &both));
     assert_eq!((view.shown("player.rs").version, view.shown("player.rs").text.as_str()), (0, PLAYER));
@@ -102,14 +102,14 @@ fn moved_states_follow_a_new_name() {
     assert_eq!(position(&view, "walk").unwrap()["x"], 320);
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     assert_eq!(sources.read("player.vicode"), "Player walk 320 80\n");
-    // A brace that is not closed hides `walk` while a visible state is moved.
+    // A comment that is not closed hides `walk` while a visible state is moved.
     view.type_behind("player.rs", "fn look(&mut self) {", " /* ").unwrap();
     assert!(position(&view, "walk").is_none(), "the state is hidden");
     moved("look", 40).unwrap();
     assert_eq!(sources.read("player.vicode"), "Player look 40 80\nPlayer walk 320 80\n");
     view.ask(json!({ "type": "undo_file", "file": "player.rs" })).unwrap();
     assert_eq!(position(&view, "walk").unwrap()["x"], 320);
-    // Names come from the model only: no line can be smuggled in.
+    // Only names in the model are accepted: no line can be injected.
     text_of(moved("walk 1 1\nEvil state", 1));
     text_of(moved("walk", i32::MIN + 1));
     // Another program moves a state.
@@ -118,7 +118,7 @@ fn moved_states_follow_a_new_name() {
     let answer = view.ask(json!({ "type": "arrange_states", "file": "player.rs", "component": "Player" })).unwrap();
     assert!(answer["positions"].as_array().unwrap().iter().all(|one| one["placed"] == false));
     assert_eq!(sources.read("player.vicode"), "Other state 1 2\n", "lines of other components stay");
-    // A layout that was not merged is not overwritten.
+    // A layout file with an unresolved merge conflict is not overwritten.
     sources.write("player.vicode", "<<<<<<< ours\n");
     view.until("player.rs", "the mistake", |shown| shown.state["problem"].as_str().unwrap().contains("<<<<"));
     assert!(text_of(moved("walk", 7)).contains("line 1"));
@@ -139,7 +139,7 @@ fn notes_stay_while_the_text_is_broken() {
     assert_eq!(sources.read("player.vicode"), both);
     let drawing = view.ask(json!({ "type": "draw_file", "file": "player.rs", "component": "Player", "format": "svg" }));
     assert!(drawing.unwrap()["text"].as_str().unwrap().contains(">Evil state 1 2<"));
-    // A brace that is not closed hides states and components.
+    // A comment that is not closed hides states and components.
     view.type_behind("player.rs", "fn look(&mut self) {", " /* ").unwrap();
     view.ask(json!({ "type": "save_file", "file": "player.rs" })).unwrap();
     assert_eq!(sources.read("player.vicode"), both);

@@ -20,7 +20,7 @@ fn no_file_is_read_or_written_through_a_link() {
     assert!(text_of(view.ask(json!({ "type": "save_file", "file": "player.rs" }))).contains("outside"));
     assert_eq!(fs::read_to_string(&secret).unwrap(), "// secret\n");
     assert!(!view.shown("player.rs").text.contains("secret"));
-    // The layout beside a source is no way out either.
+    // The layout file beside a source is not read through a symbolic link either.
     let sources = Sources::player();
     std::os::unix::fs::symlink(&secret, sources.path("player.vicode")).unwrap();
     let bench = sources.bench();

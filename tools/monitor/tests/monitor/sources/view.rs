@@ -1,4 +1,4 @@
-//! A page that shows files, and changes its copies as it is told.
+//! A simulated page that shows files, and applies received changes to its copies.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -103,12 +103,12 @@ impl Sources {
     }
 }
 
-/// A file as the page has it.
+/// The page's copy of a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     pub(crate) version: u64,
     pub(crate) text: String,
-    /// The last message without what belongs to one change.
+    /// The last message about the file.
     pub(crate) state: Value,
 }
 
@@ -138,7 +138,7 @@ impl View {
         self.files.borrow()[file].clone()
     }
 
-    /// Waits for a message; changes of files are taken in.
+    /// Waits for a message, and applies the received changes of files.
     pub(crate) fn wait<T>(&self, what: &str, mut found: impl FnMut(&Value) -> Option<T>) -> T {
         self.page.wait(what, |got| {
             let Got::Message(message) = got else { return None };
@@ -191,13 +191,13 @@ impl View {
         self.ask(json!({ "type": "edit_file", "file": file, "version": version, "edits": edits }))
     }
 
-    /// Types a text behind another one.
+    /// Inserts a text after another one.
     pub(crate) fn type_behind(&self, file: &str, before: &str, text: &str) -> Result<Value, Value> {
         let at = self.shown(file).text.find(before).expect("the text is there") + before.len();
         self.edit(file, &json!([{ "edit": "replace", "span": [at, at], "text": text }]))
     }
 
-    /// Waits until the state of a file is as wanted; returns the file.
+    /// Waits until `is` returns true for a file; returns the file.
     pub(crate) fn until(&self, file: &str, what: &str, is: impl Fn(&Shown) -> bool) -> Shown {
         if !is(&self.shown(file)) {
             self.wait(what, |message| {
@@ -207,13 +207,13 @@ impl View {
         self.shown(file)
     }
 
-    /// Waits until the file has the text.
+    /// Waits until the file is saved.
     pub(crate) fn until_saved(&self, file: &str) {
         self.until(file, "saved", |shown| shown.state["saved"] == true);
     }
 }
 
-/// The text of an error.
+/// Returns the text of an error; panics if there is none.
 pub(crate) fn text_of(result: Result<Value, Value>) -> String {
     let error = result.expect_err("it is refused");
     assert!(!error["help"].as_str().unwrap().is_empty(), "{error}");
