@@ -14,7 +14,7 @@ const PIECES: usize = 16;
 /// Size of a component, px.
 const BOX: Vec2 = Vec2::new(BOX_WIDTH as f32, BOX_HEIGHT as f32);
 
-/// Draws states of one tree; each component keeps its place.
+/// Drawing of the states of one tree; each component has the same position in every picture.
 #[derive(Debug)]
 pub struct TreeView {
     layers: Layers,
@@ -24,7 +24,7 @@ pub struct TreeView {
 }
 
 impl TreeView {
-    /// A view of a tree, in pictures of this size, px.
+    /// A view of a tree for pictures of `width` × `height` px.
     #[must_use]
     pub fn new(tree: &Description, width: usize, height: usize) -> Self {
         let layers = Layers::new(tree);
@@ -70,7 +70,7 @@ impl TreeView {
         part * (self.size - BOX)
     }
 
-    /// Upper end of a segment's port at an item.
+    /// Point on the upper edge of an item's box, for a port at `x` in the layout.
     fn port(&self, item: usize, x: f64) -> Vec2 {
         let (middle, _) = self.placement.of(item);
         self.corner(item) + Vec2::new((x - middle) as f32 + 0.5 * BOX.x, 0.0)

@@ -17,11 +17,11 @@ pub enum Kind {
     Actuation,
 }
 
-/// Largest number of components and of links of a tree from outside; a layout takes a time that grows with their square.
+/// Largest number of components and of links of a received tree. The time of a layout grows with their square.
 const MAX_COMPONENTS: usize = 256;
 const MAX_LINKS: usize = 4 * MAX_COMPONENTS;
 
-/// The kind of each component; nothing of a tree that is too large to draw, or whose links lead nowhere.
+/// Returns the kind of each component; empty if the tree is too large to draw, or if its root or a link has an invalid index.
 #[must_use]
 pub fn kinds(tree: &Description) -> Vec<Kind> {
     let (count, links) = (tree.components.len(), tree.components.iter().flat_map(|component| &component.links));

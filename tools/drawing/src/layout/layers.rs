@@ -144,7 +144,7 @@ impl Layers {
     }
 }
 
-/// Layer of each component: below all its activators, and the lowest one if it activates nothing. Links that close a cycle lead up.
+/// Returns the layer of each component: below all its activators; the lowest layer if it has no links. Links that close a cycle lead up.
 fn depths(tree: &Description) -> Vec<usize> {
     let (ranks, nodes) = (ranks(tree), &tree.components);
     let links = nodes.iter().enumerate().flat_map(|(from, node)| node.links.iter().map(move |link| (from, link.to)));
@@ -160,7 +160,7 @@ fn depths(tree: &Description) -> Vec<usize> {
     (0..depths.len()).map(|node| if is_leaf(node) { bottom } else { depths[node] }).collect()
 }
 
-/// Place of each component in an order in which activators come first; with a cycle what is on it and after it comes last.
+/// Returns the rank of each component in an order with activators first. Components on a cycle and below it come last.
 fn ranks(tree: &Description) -> Vec<usize> {
     let count = tree.components.len();
     let (mut ranks, mut activators) = (vec![count; count], vec![0_usize; count]);

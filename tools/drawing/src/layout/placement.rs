@@ -85,7 +85,7 @@ fn bounds(layers: &Layers, x: &[f64]) -> (f64, f64) {
     (if left.is_finite() { left } else { 0.0 }, right)
 }
 
-/// Moves each layer towards its neighbours, in turn, as far as its order and the gaps allow.
+/// Returns the x of each item. Each layer in turn is moved towards its neighbours, as far as its order and the gaps allow.
 fn columns(layers: &Layers) -> Vec<f64> {
     let mut x = vec![0.0; layers.items.len()];
     for row in &layers.rows {
@@ -127,7 +127,7 @@ fn spread(layers: &Layers, row: &[usize], x: &mut [f64]) {
     }
 }
 
-/// Mean of an item's neighbours.
+/// Returns the mean x of an item's neighbours; its own x without neighbours.
 fn barycentre(layers: &Layers, item: usize, x: &[f64]) -> f64 {
     let neighbours = layers.neighbours(item, true).chain(layers.neighbours(item, false)).map(|other| x[other]);
     let (sum, count) = neighbours.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
@@ -148,7 +148,7 @@ fn ports(layers: &Layers, x: &[f64]) -> Vec<(f64, f64)> {
     ports
 }
 
-/// Segments at one edge of a box, each with its x.
+/// Returns the indices of the segments at one edge of a box, each with the x of its port.
 fn along_edge(
     layers: &Layers,
     x: &[f64],
