@@ -74,7 +74,7 @@ fn of_machine(of: &Component, code: &Code) -> Vec<Fix> {
                 name: found.clone(),
                 docs: String::new(),
                 initial: false,
-                // Without a transition that leaves it, it would be the next mistake.
+                // No transition leaves the new state; if it were not last, it would be a dead end.
                 last: true,
                 body: String::new(),
                 after: None,

@@ -1,9 +1,8 @@
 //! VICODE: state machines of BICA, read from their Rust source and edited there.
 //!
-//! The Rust file is the only source. [`read()`] makes a [`Model`](model::Model) of any text, also of one that is broken or half
-//! typed; a [`Document`] is a file that is open: it takes [`Edit`]s, makes each a few [`Splice`]s of the text, undoes them, and
-//! merges what changed in the file meanwhile. All bytes outside of the splices stay. The rules are those of the macros, by
-//! the macros' own code.
+//! The Rust file is the only source. [`read()`] derives a [`Model`](model::Model) from any text, also from one with syntax errors. A
+//! [`Document`] is an open file: it applies [`Edit`]s as [`Splice`]s of the text, undoes them, and merges changes of the file on disk.
+//! Bytes outside the splices stay unchanged. The rules are those of the macros, checked by the macros' own code.
 //!
 //! ```
 //! use bica_vicode::{Document, Edit};

@@ -43,7 +43,7 @@ impl History {
         }
     }
 
-    /// Returns the number of the change of several documents that the step to undo, or to redo (`again`), belongs to.
+    /// Returns the group of the step to undo, or with `again` to redo: the number of a change of several documents.
     pub(super) fn next_group(&self, again: bool) -> Option<usize> {
         let index = if again { self.done } else { self.done.checked_sub(1)? };
         self.steps.get(index)?.group

@@ -44,7 +44,7 @@ pub struct Change {
 pub enum External {
     /// The document has the same text already.
     Same,
-    /// The document has both changes now.
+    /// Both changes are merged in the document.
     Merged(Change),
     /// Both changed the same part. The document keeps its text until one version is chosen.
     Conflict(Conflict),
@@ -78,7 +78,7 @@ impl Document {
         }
     }
 
-    /// Sets the longest line of new code, characters.
+    /// Sets the maximum line length of new code, characters.
     #[must_use]
     pub const fn with_width(mut self, width: usize) -> Self {
         self.width = width;
@@ -97,7 +97,7 @@ impl Document {
         &self.model
     }
 
-    /// Returns the version of the text, which grows with each change, also by undo and redo.
+    /// Returns the version of the text. Each change increases it, also undo and redo.
     #[must_use]
     pub const fn version(&self) -> u64 {
         self.version
@@ -148,7 +148,7 @@ impl Document {
         self.history.group(group);
     }
 
-    /// Returns the number of the change of several documents that the step to undo, or to redo (`again`), belongs to.
+    /// Returns the group of the step to undo, or with `again` to redo: the number of a change of several documents.
     #[must_use]
     pub fn next_group(&self, again: bool) -> Option<usize> {
         self.history.next_group(again)
@@ -183,7 +183,7 @@ impl Document {
         if let Some(conflict) = &mut self.conflict {
             theirs.clone_into(&mut conflict.theirs);
             if *theirs == *self.saved {
-                // The other side took its change back.
+                // The file has its former text again.
                 self.conflict = None;
                 return External::Same;
             }

@@ -66,7 +66,7 @@ fn parts(text: &str) -> Vec<Part> {
     parts
 }
 
-/// Adds the difference of two parts, the first at offset `at`.
+/// Returns the splices between two parts, the first of which begins at offset `at`.
 fn lines(at: usize, from: &str, to: &str) -> Vec<Splice> {
     if from == to {
         return Vec::new();
@@ -83,7 +83,7 @@ fn lines(at: usize, from: &str, to: &str) -> Vec<Splice> {
     splices
 }
 
-/// Adds the difference of two texts without a common line, the first at offset `at`.
+/// Returns the splices between two texts without a common line, the first of which begins at offset `at`.
 fn within(at: usize, from: &str, to: &str) -> Vec<Splice> {
     let (old, new) = (words(from), words(to));
     let (old_at, new_at) = (offsets(&old), offsets(&new));

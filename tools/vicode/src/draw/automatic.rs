@@ -1,5 +1,5 @@
-//! A layout of a machine that nobody arranged: states in columns by their distance from the initial one, ordered within a column
-//! so that few transitions cross. The same machine has the same layout on each machine.
+//! Automatic layout of a state machine: states in columns by their distance from the initial state, ordered within a column so that few
+//! transitions cross. The result is the same on every computer.
 
 use super::parts::{height, hooks_of};
 use crate::files::{Layout, Position};
@@ -7,17 +7,17 @@ use crate::model::{Component, links};
 
 /// Distance of the centres of two columns, points.
 const COLUMN: i32 = 340;
-/// White between two states of a column, points.
+/// Gap between two states of a column, points.
 const GAP: i32 = 100;
 /// Centre of the first state, points.
 const FIRST: Position = Position { x: 110, y: 90 };
-/// Passes over the columns that reduce crossings.
+/// Number of passes over the columns that reduce crossings.
 const SWEEPS: usize = 12;
 
 /// Returns the positions of all states: those of `layout` where it has them, automatic ones elsewhere.
 #[must_use]
 pub fn automatic(component: &Component, layout: &Layout) -> Vec<Position> {
-    // Transitions from all states say nothing about neighbourhood.
+    // Transitions that leave all states are ignored: they connect no particular neighbours.
     let machine = component.machine();
     let named = machine.edges.iter().filter(|edge| !edge.any);
     let columns = columns(component, &named.map(|edge| (edge.from, edge.to)).collect::<Vec<_>>());
@@ -48,7 +48,7 @@ fn columns(component: &Component, edges: &[(usize, usize)]) -> Vec<Vec<usize>> {
     let mut column = vec![None; count];
     let initial = component.states.iter().position(|state| state.initial).unwrap_or(0);
     let mut open = std::collections::VecDeque::new();
-    // What the initial state does not reach begins with itself, in the order of the text.
+    // A state that no earlier start reaches is a start itself, in column 0, in the order of the text.
     for start in [initial].into_iter().chain(0..count).filter(|start| *start < count) {
         if column[start].is_some() {
             continue;
@@ -88,7 +88,7 @@ fn sort(columns: &mut [Vec<usize>], edges: &[(usize, usize)], forward: bool) {
             let others = ends.filter(|(end, other)| **end == state && other != end).map(|(_, other)| other);
             let places = others.filter_map(|other| fixed.iter().position(|one| one == other));
             let (sum, number) = places.fold((0, 0), |(sum, number), place| (sum + place, number + 1));
-            // In thousandths, so that no rounding of floats decides.
+            // Integer thousandths, so that the order does not depend on the rounding of floats.
             (sum * 1000_usize).checked_div(number).unwrap_or(old * 1000)
         };
         let mut keyed: Vec<(usize, usize)> =

@@ -9,10 +9,10 @@ use crate::compare::Marks;
 use crate::files::Layout;
 use crate::model::{Component, Function, links};
 
-/// White around all, points.
+/// Margin around the drawing, points.
 const MARGIN: f32 = 50.0;
 
-/// State that is left, `None` for all, and state that is entered.
+/// State that is left (`None`: all states), and state that is entered.
 type Pair = (Option<usize>, usize);
 
 /// A machine with the coordinates of all its parts.
@@ -26,9 +26,9 @@ pub struct Diagram {
     pub height: f32,
     /// States.
     pub nodes: Vec<Node>,
-    /// Transitions; those between the same states are one.
+    /// Transitions; those between the same states share one edge.
     pub edges: Vec<Edge>,
-    /// Whether it shows the difference of two versions: what has no mark is equal.
+    /// Whether it shows the difference of two versions, in which parts without a mark are equal.
     pub is_difference: bool,
     /// Lines below the drawing.
     pub notes: Vec<String>,
@@ -106,7 +106,7 @@ impl Diagram {
         Edge { label_at: points[points.len() / 2], labels, points }
     }
 
-    /// Moves everything inside the frame, and sets its size.
+    /// Moves all parts so that they lie inside the drawing, and sets its size.
     fn frame(&mut self) {
         let corners = |node: &Node| {
             let ((x, y), (width, height)) = (node.centre, node.size);

@@ -1,4 +1,4 @@
-//! Formats of other programs.
+//! Drawings in the formats of Mermaid and Graphviz.
 
 use std::fmt::Write;
 
@@ -29,7 +29,7 @@ pub fn mermaid(component: &Component) -> String {
     out
 }
 
-/// Writes signs that may mean something to Mermaid as entities.
+/// Replaces characters that may be syntax of Mermaid by entities.
 fn entities(text: &str) -> String {
     let entity = |sign: char| {
         if sign.is_ascii_punctuation() && sign != '_' { format!("#{};", u32::from(sign)) } else { sign.into() }
@@ -56,7 +56,7 @@ pub fn dot(component: &Component) -> String {
     out + "}\n"
 }
 
-/// Returns from, to and label of each transition.
+/// Returns the state that is left, the state that is entered, and the label of each transition.
 fn labels(component: &Component) -> Vec<(&str, &str, String)> {
     let name = |state: usize| component.states[state].function.name.text.as_str();
     component.machine().edges.iter().map(|edge| (name(edge.from), name(edge.to), label(edge))).collect()

@@ -24,15 +24,15 @@ pub struct Node {
     pub centre: (f32, f32),
     /// Width and height, points.
     pub size: (f32, f32),
-    /// Type of what it takes from the transitions that enter it.
+    /// Type of the found value that the state takes from the transitions that enter it.
     pub takes: Option<String>,
     /// Result with which the machine ends in it.
     pub end: Option<&'static str>,
     /// Its hooks.
     pub hooks: Vec<String>,
-    /// Its children and those of its hooks. Those of the transitions that leave it belong to the transitions here.
+    /// Links of the state and of its hooks, without those of the transitions that leave it.
     pub links: Vec<Link>,
-    /// How it differs, in a difference.
+    /// Mark of the state in a difference; `None` if it is equal.
     pub mark: Option<Change>,
 }
 
@@ -52,16 +52,16 @@ pub struct Edge {
 pub struct Label {
     /// Text; with a mark it begins with the sign of the mark.
     pub text: String,
-    /// How it differs, in a difference.
+    /// Mark of the transition in a difference; `None` if it is equal.
     pub mark: Option<Change>,
 }
 
-/// Returns the height of a state with some lines below its name, points.
+/// Returns the height of a state with `lines` lines below its name, points.
 pub(super) fn height(lines: usize) -> f32 {
     HEIGHT + LINE * lines as f32
 }
 
-/// Formats the name of a state that may take something: `kick ← Kick`.
+/// Formats the name of a state with the type of the found value that it takes: `kick ← Kick`.
 pub(super) fn titled(name: &str, takes: Option<&str>) -> String {
     takes.map_or_else(|| name.to_owned(), |of| format!("{name} ← {of}"))
 }
@@ -91,7 +91,7 @@ impl Label {
 }
 
 impl Edge {
-    /// How it differs: as all its transitions do, else it is equal.
+    /// Returns the mark that all its transitions have in common, if any.
     #[must_use]
     pub fn mark(&self) -> Option<Change> {
         let first = self.labels.first()?.mark;

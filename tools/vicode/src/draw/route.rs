@@ -1,4 +1,4 @@
-//! Curves between placed states, and places of their names: apart from each other and from states, as far as possible.
+//! Curves between placed states, and positions of their labels: apart from each other and from states, as far as possible.
 
 use super::parts::{Edge, Node};
 
@@ -6,17 +6,17 @@ type Point = (f32, f32);
 
 /// Number of parts of a curve.
 const PARTS: u8 = 64;
-/// Distance of a curve from a state that it does not join, points.
+/// Minimum distance of a curve from states that it does not connect, points.
 const APART: f32 = 6.0;
-/// Bends that are tried, beyond the usual one, points; negative ones are on the other side.
+/// Candidates for the additional bend of a curve, points; negative values bend it to the other side.
 const TRIES: [f32; 11] = [0.0, 40.0, 80.0, -44.0, 130.0, -90.0, 190.0, -140.0, 250.0, -200.0, 320.0];
-/// Places of a name along its curve that are tried, the best first.
+/// Candidates for the position of a label along its curve, 0 to 1, the preferred one first.
 const ALONG: [f32; 9] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82];
-/// Width of a letter and height of a line of a name, points.
+/// Width of a letter and height of a line of a label, points.
 const LETTER: (f32, f32) = (6.0, 13.0);
 
-/// The course from one state to another: a curve to the right of the way, so that there and back are two curves. It is bent more if it
-/// would cross other states.
+/// Returns the curve from one state to another. It bends to the right of the straight line, so that the curves of both directions are
+/// apart. It bends more, or to the left, if it would cross other states.
 pub(super) fn course(from: &Node, to: &Node, all: &[Node]) -> Vec<Point> {
     let (dx, dy) = (to.centre.0 - from.centre.0, to.centre.1 - from.centre.1);
     let length = dx.hypot(dy).max(1.0);
@@ -50,7 +50,7 @@ fn curve(from: Point, middle: Point, to: Point, t: f32) -> Point {
 /// A rectangle: left, top, right, bottom.
 type Area = [f32; 4];
 
-/// Moves the names of transitions along their curves to where they cover states and other names least.
+/// Moves the labels of transitions along their curves to where they least overlap states and other labels.
 pub(super) fn place_names(edges: &mut [Edge], nodes: &[Node]) {
     let mut taken: Vec<Area> = nodes.iter().map(|node| around(node.centre, node.size)).collect();
     for edge in edges {
@@ -60,7 +60,7 @@ pub(super) fn place_names(edges: &mut [Edge], nodes: &[Node]) {
             let last = (edge.points.len() - 1) as f32;
             let places = ALONG.iter().map(|part| edge.points[(part * last) as usize]);
             let cost = |at: &Point| taken.iter().map(|area| overlap(*area, around(*at, size))).sum::<f32>();
-            // The first of equally good ones.
+            // Of equal costs the first is taken.
             let best =
                 places.map(|at| (cost(&at), at)).reduce(|best, other| if other.0 < best.0 { other } else { best });
             edge.label_at = best.map_or(edge.label_at, |(_, at)| at);

@@ -10,7 +10,7 @@ const FILL: &str = "#fff3d6";
 const BORDER: &str = "#bf8700";
 const TEXT: &str = "#1f2328";
 const GREY: &str = "#7d8590";
-/// Small text that lines do not shine through.
+/// Attributes of small text with a white outline, which hides lines behind the letters.
 const OUTLINED: &str = "font-size=\"10\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 /// Height of a line below the drawing, points.
@@ -30,7 +30,7 @@ struct Style {
 const PLAIN: Style = Style { fill: FILL, border: BORDER, text: TEXT, dashes: "", thickness: 1.5 };
 const EQUAL: Style = Style { fill: "#ffffff", border: "#b4bbc4", text: "#5c6570", ..PLAIN };
 
-/// Colours of marks; never the colour alone: names have a sign, too.
+/// Returns the style of a mark. Names also have a sign, so that the colour is not the only difference.
 const fn style(mark: Option<Change>, is_difference: bool) -> Style {
     match mark {
         None if is_difference => EQUAL,
@@ -143,7 +143,7 @@ fn legend(out: &mut String, diagram: &Diagram) {
 /// Draws the lines below the diagram.
 fn below(out: &mut String, diagram: &Diagram) {
     for (index, note) in diagram.notes.iter().enumerate() {
-        // Lines at the margin are headings.
+        // Lines without indentation are headings.
         let sign = note.strip_prefix(' ').filter(|_| diagram.is_difference);
         let mark = match sign.and_then(|note| note.trim_start().chars().next()) {
             Some('+') => Some(Change::Added),

@@ -22,11 +22,11 @@ pub enum FileError {
     Outside(String),
     /// Not a source file.
     NoSource(String),
-    /// The file is not there.
+    /// The file does not exist.
     Missing(String),
-    /// The file may not be changed.
+    /// The file is read-only.
     ReadOnly(String),
-    /// The file was changed after it was read; its text now.
+    /// The file was changed after it was read; its present text.
     Changed(String),
     /// The file exists already.
     Exists(String),
@@ -125,7 +125,7 @@ impl Folder {
         })
     }
 
-    /// Writes a new text, made from `read`, the text of the file when it was read.
+    /// Replaces the text of a file, which must still be `read`.
     ///
     /// # Errors
     /// If the file differs from `read`, or cannot be written. It is unchanged then.

@@ -1,5 +1,5 @@
-//! Layout files: positions of states, and notes on the drawing, beside the source. They have sorted lines, one for each, so that
-//! merges in version control.
+//! Layout files beside the source: positions of states, and notes on the drawing. Each entry is one line, and the lines are sorted, so
+//! that version control can merge them.
 //!
 //! ```text
 //! Player * - - "Nobody has given this note a place."
@@ -26,13 +26,13 @@ pub struct Position {
 /// A note on a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Note {
-    /// Centre; without one it stands below the machine.
+    /// Centre; `None`: the note is shown below the machine.
     pub at: Option<Position>,
     /// Text.
     pub text: String,
 }
 
-/// Positions of states that a person has placed, and notes.
+/// Positions of states that were set by hand, and notes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Layout {
     positions: BTreeMap<(String, String), Position>,
@@ -68,7 +68,7 @@ impl Layout {
         source.with_extension("vicode")
     }
 
-    /// Parses a layout. Of several positions of a state, as after a merge, the last one counts.
+    /// Parses a layout. If a state has several positions, as after a merge, the last one counts.
     ///
     /// # Errors
     /// If a line is invalid. A person has to correct the file before it is written again.
@@ -129,14 +129,14 @@ impl Layout {
         self.positions.remove(&(key(component), state.to_owned()));
     }
 
-    /// Returns whether the first word of a line is that of a component.
+    /// Returns whether the first word of a line of a layout denotes this component.
     #[must_use]
     pub fn is_of(word: &str, component: &str) -> bool {
         word == key(component)
     }
 }
 
-/// Returns a component's word in the file: `one::Eye#2` for `one::Eye<320, 240>#2`.
+/// Returns the word that denotes a component in a layout, without type arguments: `one::Eye#2` for `one::Eye<320, 240>#2`.
 fn key(component: &str) -> String {
     let (before, rest) = component.split_once('<').unwrap_or((component, ""));
     let behind = rest.rsplit_once('>').map_or("", |(_, behind)| behind);

@@ -17,11 +17,11 @@ pub fn save(path: &Path, content: &[u8], permissions: Option<Permissions>) -> io
     let temporary = temporary(path);
     let written = write(&temporary, content, permissions).and_then(|()| fs::rename(&temporary, path));
     if written.is_err() {
-        // What is wrong is known already; a file that was never made cannot be removed.
+        // The first error is returned. Removal fails if the temporary file was never created.
         let _ = fs::remove_file(&temporary);
         return written;
     }
-    // The name of the file is safe only when its folder is written; some systems cannot open folders.
+    // The rename is durable only after the folder is synchronised; some systems cannot open folders.
     if let Some(folder) = path.parent().and_then(|folder| File::open(folder).ok()) {
         let _ = folder.sync_all();
     }

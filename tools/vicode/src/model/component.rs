@@ -8,16 +8,16 @@ use super::{Docs, Function, Name, Span};
 /// A component.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Component {
-    /// Unique key in the file: `Eye<4>`, within a module of the file `module::Eye<4>`; the second one of the
-    /// same key is `Eye<4>#2`.
+    /// Unique key in the file: `Eye<4>`, or `module::Eye<4>` in a module of the file. The second component with the same key has
+    /// `Eye<4>#2`.
     pub key: String,
-    /// Modules of the file that contain it, as `one::two`; empty at the top.
+    /// Path of the modules in the file that contain it, `one::two`; empty at the top level.
     pub module: String,
     /// Its type as written.
     pub name: Name,
     /// The impl block with its attributes.
     pub span: Span,
-    /// Text between the braces of the block; `None` if one is missing.
+    /// Text between the braces of the block; `None` if a brace is missing.
     pub block: Option<Span>,
     /// The attribute `#[component]`.
     pub options: Options,
@@ -25,7 +25,7 @@ pub struct Component {
     pub docs: Docs,
     /// The function `step`.
     pub step: Option<Function>,
-    /// Functions with `#[state]`, in the order of the text, as are all lists.
+    /// Functions with `#[state]`. All lists are in the order of the text.
     pub states: Vec<State>,
     /// Functions with `#[transition]`.
     pub transitions: Vec<Transition>,
@@ -73,7 +73,7 @@ impl Component {
         self.transitions.iter().find(|transition| transition.function.name.text == name)
     }
 
-    /// Returns the type of what a state takes from the transitions that enter it.
+    /// Returns the type of the found value that a state takes from the transitions that enter it.
     #[must_use]
     pub fn takes(&self, state: &str) -> Option<&str> {
         let hooks = self.hooks.iter().filter(|hook| hook.role == HookRole::Entry);
@@ -109,7 +109,7 @@ impl Options {
 /// An option.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Setting {
-    /// The whole, without a comma.
+    /// Whole option, without the comma.
     pub span: Span,
     /// The word before `=`.
     pub key: Name,
@@ -147,7 +147,7 @@ impl State {
 pub struct Transition {
     /// Its function.
     pub function: Function,
-    /// One for each attribute, in the order of the text.
+    /// Transitions of the condition, one for each attribute, in the order of the text.
     pub arrows: Vec<Arrow>,
 }
 
@@ -165,7 +165,7 @@ pub struct Arrow {
     pub from_span: Span,
     /// State that it enters.
     pub to: Name,
-    /// Least time in the state before it, ms: its value and its place, with the comma before it.
+    /// Minimum time in the state that is left, ms, and the span of this option with the comma before it.
     pub after_ms: Option<(u32, Span)>,
     /// The parameter that is the least time, `Approach::patience`, and its place.
     pub after: Option<(String, Span)>,
@@ -215,7 +215,7 @@ fn sources<S: Serializer>(sources: &Sources, serializer: S) -> Result<S::Ok, S::
     }
 }
 
-/// A function that runs when a state is entered or left, before the transitions that leave it, or when the component becomes active or
+/// A function that runs when a state is entered or left, before its transitions are tried, or when the component becomes active or
 /// latent.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Hook {
@@ -248,13 +248,13 @@ pub enum HookRole {
 }
 
 impl HookRole {
-    /// Whether its attribute names states.
+    /// Returns whether its attribute names states.
     #[must_use]
     pub const fn is_of_states(self) -> bool {
         matches!(self, Self::Entry | Self::Exit | Self::Before)
     }
 
-    /// The attribute.
+    /// Returns the name of the attribute.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -267,7 +267,7 @@ impl HookRole {
     }
 }
 
-/// A getter for the operator.
+/// An output: a getter with `#[info]`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Info {
     /// Its function.

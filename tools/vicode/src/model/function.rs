@@ -9,7 +9,7 @@ use super::{Name, Span};
 pub struct Function {
     /// Its name.
     pub name: Name,
-    /// The whole with docs, attributes, and the comments directly above.
+    /// Whole function with docs, attributes, and the comments directly above.
     pub span: Span,
     /// Its doc comment.
     pub docs: Docs,
@@ -19,12 +19,12 @@ pub struct Function {
     pub arguments: Vec<Argument>,
     /// `T` of a condition that returns `Option<T>`, as written.
     pub carries: Option<Name>,
-    /// Text between the braces; `None` if one is missing.
+    /// Text between the braces; `None` if a brace is missing.
     pub body: Option<Span>,
 }
 
 impl Function {
-    /// Returns the type of what an entry hook takes from the transition that enters its state.
+    /// Returns the type of the found value that an entry hook takes from the transition that enters its state.
     #[must_use]
     pub fn takes(&self) -> Option<&str> {
         self.arguments
@@ -44,9 +44,9 @@ impl Function {
 /// A doc comment.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Docs {
-    /// Lines without the comment marks and the indentation that all have in common, joined by line breaks.
+    /// Lines without comment marks and common indentation, joined by line breaks.
     pub text: String,
-    /// From its first to its last line; `None` without one.
+    /// Span from the first to the last line; `None` without a doc comment.
     pub span: Option<Span>,
     /// Whether it consists of `///` lines only.
     pub plain: bool,
@@ -57,7 +57,7 @@ pub struct Docs {
 pub struct Argument {
     /// The pattern before the colon.
     pub name: Name,
-    /// The whole, without a comma.
+    /// Whole argument, without the comma.
     pub span: Span,
     /// Type as written.
     pub written: Name,
@@ -88,7 +88,7 @@ pub enum Input {
         /// The struct of parameters.
         parameters: String,
     },
-    /// `Found<T>` or `Option<Found<T>>`: what the transition found that enters the state.
+    /// `Found<T>` or `Option<Found<T>>`: the found value of the transition that enters the state.
     Found {
         /// Type of the value.
         of: String,

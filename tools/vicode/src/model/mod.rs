@@ -46,7 +46,7 @@ pub struct Problem {
     pub message: String,
     /// Reporter.
     pub from: Reporter,
-    /// Its code, if a fix is known.
+    /// Code of the mistake, if a fix is known.
     #[serde(skip)]
     pub code: Option<Code>,
 }

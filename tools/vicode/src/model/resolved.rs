@@ -19,7 +19,7 @@ pub struct Link {
 }
 
 impl Component {
-    /// The state machine by indices of states; what names an unknown state is left out.
+    /// Returns the state machine with indices of states. Hooks and transitions that name an unknown state are left out.
     #[must_use]
     pub fn machine(&self) -> Machine<&Function> {
         let hooks = |role| {

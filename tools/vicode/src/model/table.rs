@@ -7,7 +7,7 @@ use super::{Docs, Name, Span};
 /// A constant whose value is a table of numbers, such as the keyframes of a motion.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Table {
-    /// Address in the file: the name, with `#2` after it for the second one of that name.
+    /// Unique key in the file: the name; `#2` is appended for the second table of that name.
     pub key: String,
     /// Name of the constant, or of the variant for which a `match` returns the table.
     pub name: Name,
@@ -17,9 +17,9 @@ pub struct Table {
     pub span: Span,
     /// Doc comment.
     pub docs: Docs,
-    /// Place between the brackets of the rows; none if the table is one row that is no element of an array.
+    /// Span between the brackets of the rows; none if the table is a single row outside an array.
     pub array: Option<Span>,
-    /// Place of the length of the array in the type; none for a slice.
+    /// Span of the array length in the type; none for a slice.
     pub length: Option<Span>,
     /// The rows.
     pub rows: Vec<Row>,
@@ -30,7 +30,7 @@ pub struct Table {
 pub struct Row {
     /// Place.
     pub span: Span,
-    /// Place between the brackets of a row that is a list of pairs of a name and a number.
+    /// Span between the brackets, for a row that is a list of pairs of name and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pairs: Option<Span>,
     /// Its cells.
@@ -40,7 +40,7 @@ pub struct Row {
 /// A number in a row, or the name of a constant.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cell {
-    /// Names of fields, and positions of arguments and elements from 0, with dots between; in a list of pairs the name of the pair.
+    /// Path of the number in its row: field names and zero-based positions, separated by dots; in a list of pairs the name of the pair.
     pub name: String,
     /// Place.
     pub span: Span,
