@@ -8,7 +8,7 @@ use crate::model::{Arrow, Component, Function, Model, Transition};
 pub(super) struct Context<'a> {
     pub(super) text: &'a str,
     pub(super) model: &'a Model,
-    /// Longest line of new code, characters.
+    /// Maximum line length of new code, characters.
     pub(super) width: usize,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn state(component: &Component, name: &str) -> Result<(), Refusal> {
     Err(Refusal::new(format!("no state is called `{name}`: there is {known}")))
 }
 
-/// Names in backticks, separated by commas; `none` without any.
+/// Formats names in backticks, separated by commas; `none` without any.
 pub(super) fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     if names.is_empty() { "none".to_owned() } else { names.join(", ") }

@@ -9,7 +9,7 @@ use super::target::{Target, Use};
 use super::uses::of_each;
 use crate::model::{Component, Function, Hook, Name, Sources, Span, Transition};
 
-/// Deletes a function; with a state also its part of transitions and hooks.
+/// Deletes a function. A state is also removed from transitions and hooks; those that only that state needs are deleted.
 pub(super) fn delete(context: &Context<'_>, component: &str, name: &str) -> Result<Vec<Splice>, Refusal> {
     let component = context.component(component)?;
     let mut gone = vec![function(component, name)?];
@@ -44,7 +44,7 @@ fn unused(context: &Context<'_>, component: &Component, gone: &[&Function]) -> R
     Ok(())
 }
 
-/// Returns whether a place is in a doc comment, which compiles without the function.
+/// Returns whether a use is in a comment line; such a use does not prevent the deletion.
 fn in_comment(text: &str, place: Span) -> bool {
     text[line_start(text, place.start)..place.start].trim_start().starts_with("//")
 }
@@ -90,7 +90,7 @@ fn of_hook<'a>(text: &str, hook: &'a Hook, state: &str, gone: &mut Vec<&'a Funct
     }
 }
 
-/// Removes a name, but not the only one, from `a | b | c`.
+/// Removes a name from `a | b | c`, of which another name remains.
 fn without(text: &str, names: &[Name], state: &str) -> Vec<Splice> {
     let mut removed = Vec::new();
     for (index, name) in names.iter().enumerate().filter(|(_, name)| name.text == state) {

@@ -40,7 +40,7 @@ pub(super) fn set(
         let white = behind.len() - behind.trim_start().len();
         return Ok(vec![Splice::remove(Span::new(span.start, end + white))]);
     }
-    // The comment ends before its line end, and begins after its indentation.
+    // The span excludes the indentation of the first line, and the last line break.
     let lines = lines.trim_start_matches([' ', '\t']).trim_end();
     Ok(vec![Splice::new(span, lines)])
 }

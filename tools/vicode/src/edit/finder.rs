@@ -20,7 +20,7 @@ pub(super) fn find<'a>(types: Types<'_>, names: &[&'a str]) -> Vec<(&'a str, Use
     let source = types.outline.source;
     let mut finder = Finder { types, names, uses: Vec::new(), bindings: Vec::new() };
     finder.visit_file(&source.file);
-    // What is no Rust decides nothing.
+    // Parts that were omitted because of syntax errors cannot be resolved: each occurrence of a name is an uncertain use.
     let unread = source.tokens.iter().filter(|token| source.omitted.iter().any(|part| part.contains(token.span)));
     for token in unread {
         finder.add(token.text, token.span, |_| None);
@@ -42,7 +42,7 @@ impl Finder<'_, '_> {
         self.types.outline.source.of(node)
     }
 
-    /// Adds a place if its name is searched and may refer to the function.
+    /// Adds a use if the name is one of those searched and may refer to the function.
     fn add(&mut self, name: &str, span: Span, is_use: impl FnOnce(&Self) -> Option<bool>) {
         let name = name.strip_prefix("r#").unwrap_or(name);
         let Some(name) = self.names.iter().find(|one| **one == name) else { return };
@@ -120,7 +120,7 @@ impl Finder<'_, '_> {
         }
     }
 
-    /// Searches a function in a scope of its own for variables.
+    /// Searches a function with its own scope of variables.
     fn function(&mut self, walk: impl FnOnce(&mut Self)) {
         let outer = std::mem::take(&mut self.bindings);
         walk(self);
@@ -145,7 +145,7 @@ impl Finder<'_, '_> {
                 (_, Some(name)) => self.of_variable(name),
                 _ => None,
             },
-            // What `Player::new()` or `Player(1)` makes.
+            // Value of `Player::new()` or `Player(1)`.
             Expr::Call(call) => match &*call.func {
                 Expr::Path(path) if is_type(last(path)) => self.types.of_syn_path(&path.path, 0),
                 Expr::Path(path) if last(path) == "new" || last(path) == "default" => self.of_owner(path),

@@ -83,8 +83,8 @@ fn new(
     Ok(vec![layout::insert(context.text, component, &style, after, &code)?])
 }
 
-/// Returns the function after which a new one is inserted: the named one; else the last of its role (0 states, 1 transitions,
-/// 2 hooks) or of a role before it. `None` is the end of the block.
+/// Returns the function after which a new one is inserted: `after` if given, else the last function of the role (0 states, 1 transitions,
+/// 2 hooks) or of an earlier role. `None` stands for the end of the block.
 fn behind<'a>(component: &'a Component, after: Option<&str>, role: usize) -> Result<Option<&'a Function>, Refusal> {
     if let Some(after) = after {
         return function(component, after).map(Some);
@@ -156,7 +156,7 @@ pub(super) fn shift(
         }
         let code = moved.span.of(context.text);
         let space = format!("{}{}{}", style.newline, style.newline, style.indent);
-        // A comment at the end of the moved lines would swallow what follows on the same line; `space` begins a new one.
+        // The moved code may end with a line comment; `space` begins a new line, so that the comment does not include the target.
         return Ok(vec![Splice::remove(removal), Splice::insert(target.span.start, format!("{code}{space}"))]);
     }
     let last = component.functions().max_by_key(|function| function.span.start);

@@ -117,7 +117,7 @@ fn is_known(outline: &Outline<'_>, module: usize, name: &str) -> bool {
         Item::Type(item) => item.ident == name,
         _ => false,
     };
-    // `use super::*` brings the names of the module around it.
+    // `use super::*` imports the names of the outer module.
     let takes_all = all.iter().any(|one| one.name.is_none() && one.path == ["super"]);
     let outer = || outline.outwards(Some(module)).skip(1).find(|region| outline.items(*region).is_some());
     all.iter().any(|one| one.name.as_deref() == Some(name))

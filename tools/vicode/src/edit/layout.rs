@@ -21,7 +21,7 @@ pub(super) fn insert(
         let end = line_end(text, after.span.end);
         let rest = text[after.span.end..end].trim();
         if rest.is_empty() || rest.starts_with("//") && !rest.starts_with("///") {
-            // The text that follows may begin at the end of this line.
+            // The following text begins with the line break at `end`.
             return Ok(Splice::insert(end, format!("{newline}{newline}{code}")));
         }
         let indent = &style.indent;

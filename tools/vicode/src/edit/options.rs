@@ -48,7 +48,7 @@ fn added(text: &str, component: &Component, new: &str) -> Splice {
     }
 }
 
-/// Returns the span of an option with its comma; for the only one, of the parentheses.
+/// Returns the span of an option with its comma; if it is the only option, the span of the parentheses.
 fn removed(options: &Options, old: &Setting) -> Span {
     let index = options.settings.iter().position(|setting| setting == old).unwrap_or_default();
     let next = options.settings.get(index + 1);

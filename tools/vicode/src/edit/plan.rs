@@ -41,7 +41,7 @@ fn accepted(before: &Model, after: &Model, edit: &Edit) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Returns whether mistakes of the macro are the edit's own. Other edits may leave a machine incomplete until the next one.
+/// Returns whether an edit is refused if it adds a mistake of the macros. Other edits may leave a machine incomplete until the next edit.
 const fn is_local(edit: &Edit) -> bool {
     matches!(
         edit,

@@ -80,7 +80,7 @@ impl Reads<'_, '_> {
         }
     }
 
-    /// Searches a function in a scope of its own for variables.
+    /// Searches a function with its own scope of variables.
     fn function(&mut self, walk: impl FnOnce(&mut Self)) {
         let outer = std::mem::take(&mut self.values);
         walk(self);

@@ -1,4 +1,4 @@
-//! Edits, and why they are refused.
+//! Edits, and reasons for their refusal.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +24,9 @@ pub enum Edit {
         body: String,
         after: Option<String>,
     },
-    /// Adds a transition `name` from the states `from` (`["*"]`: all) to the state `to`. Without `body` it is never taken, or with
-    /// `after_ms` at that time. If the state takes something, the transition returns an `Option` of it.
+    /// Adds a transition `name` from the states `from` (`["*"]`: all) to the state `to`. If that state takes a found value, the
+    /// transition returns an `Option` of it: `None` without `body`. Otherwise it returns `bool`: without `body` `false`, or with
+    /// `after_ms` `true`.
     AddTransition {
         component: String,
         name: String,
@@ -38,7 +39,7 @@ pub enum Edit {
         docs: String,
         after: Option<String>,
     },
-    /// Adds a hook `name`; `states` are those of an entry or exit hook, or of one before transitions.
+    /// Adds a hook `name`. Entry, exit and before hooks need `states`.
     AddHook {
         component: String,
         name: String,
@@ -51,11 +52,11 @@ pub enum Edit {
         docs: String,
         after: Option<String>,
     },
-    /// Adds functions as written: what was copied from another component.
+    /// Adds functions as written, such as those copied from another component.
     InsertCode { component: String, code: String, after: Option<String> },
-    /// Renames a function and all its uses in the block, and by the component's name in the file.
+    /// Renames a function, the attributes that name it, and its uses in the file.
     Rename { component: String, function: String, to: String },
-    /// Deletes a function; with a state what only that state needs.
+    /// Deletes a function; with a state also the transitions and hooks that only that state needs.
     Delete { component: String, function: String },
     /// Moves a function before another, or to the end.
     Move { component: String, function: String, before: Option<String> },
@@ -95,7 +96,7 @@ pub enum Edit {
         arrow: usize,
         to: String,
     },
-    /// Sets or removes the least time in the state before a transition.
+    /// Sets or removes the minimum time in the state before a transition.
     SetTimer {
         component: String,
         transition: String,
@@ -149,11 +150,11 @@ pub enum Edit {
     },
     /// Deletes a row, counted from 0.
     DeleteRow { table: String, row: usize },
-    /// Replaces a part of the text: typing.
+    /// Replaces a part of the text, as typing does.
     Replace { span: Span, text: String },
 }
 
-/// A number that a table of constants gets.
+/// New number in a table of constants.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NewNumber {
@@ -161,7 +162,7 @@ pub struct NewNumber {
     pub row: usize,
     /// Name of the cell. In a row of pairs a new name adds a pair.
     pub cell: String,
-    /// The number; without one its pair is removed.
+    /// The number; `None` removes the pair.
     pub value: Option<f64>,
 }
 

@@ -35,7 +35,7 @@ impl Splice {
                 new.push(' ');
             }
             new.push_str(token.text);
-            // A line comment must not swallow what follows.
+            // The space after a line comment is kept: its line break ends the comment.
             if let Some(space) = tokens.get(index + 1).filter(|next| next.kind == Kind::Space) {
                 new.push_str(space.text);
             }
@@ -78,7 +78,7 @@ pub fn ordered(text: &str, mut splices: Vec<Splice>) -> Option<Vec<Splice>> {
     Some(ordered)
 }
 
-/// Applies splices, which are in order, to a text.
+/// Applies ordered splices to a text.
 #[must_use]
 pub fn applied(text: &str, splices: &[Splice]) -> String {
     let mut result = String::with_capacity(text.len());

@@ -3,7 +3,7 @@
 use crate::model::Component;
 use crate::read::{Kind, lexed};
 
-/// The longest line that `rustfmt` writes without a configuration, characters.
+/// Default line length of `rustfmt`, characters.
 pub const DEFAULT_WIDTH: usize = 100;
 
 /// Format of a file.
@@ -11,7 +11,7 @@ pub const DEFAULT_WIDTH: usize = 100;
 pub(super) struct Style {
     /// `\n` or `\r\n`.
     pub(super) newline: &'static str,
-    /// Longest line, characters.
+    /// Maximum line length, characters.
     pub(super) width: usize,
     /// Indentation of the functions of the block.
     pub(super) indent: String,
@@ -68,7 +68,7 @@ impl Style {
             return String::new();
         }
         let mut result = String::new();
-        // A carriage return alone is no Rust in a doc comment.
+        // Rust does not allow a bare carriage return in a doc comment.
         for line in docs.replace("\r\n", "\n").split(['\n', '\r']).map(str::trim_end) {
             result.push_str(indent);
             result.push_str(if line.is_empty() { "///" } else { "/// " });

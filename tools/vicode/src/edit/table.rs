@@ -32,7 +32,7 @@ pub(super) fn set(context: &Context<'_>, key: &str, numbers: &[NewNumber]) -> Re
     };
     let mut other: Vec<usize> = numbers.iter().filter(is_other).map(|one| one.row).collect();
     other.sort_unstable();
-    // A row that gets or loses several pairs is written anew.
+    // A row that gains or loses several pairs is rewritten.
     let anew = |row: usize| other.iter().filter(|one| **one == row).count() > 1;
     let mut rows: Vec<usize> = other.iter().copied().filter(|row| anew(*row)).collect();
     rows.dedup();
@@ -65,11 +65,11 @@ pub(super) fn set(context: &Context<'_>, key: &str, numbers: &[NewNumber]) -> Re
     Ok(splices)
 }
 
-/// Formats a number in the form of the one that it replaces: whole if that is, with at least as many decimals.
+/// Formats a number like the one that it replaces: as an integer if that is one, else with at least as many decimals.
 fn number(old: &str, value: f64) -> String {
     let Some((_, fraction)) = old.split_once('.') else { return format!("{}", value.round() as i64) };
     let scale = 10_f64.powi(DECIMALS as i32);
-    // The sum turns -0 into 0.
+    // Adding 0 turns -0 into 0.
     let value = (value * scale).round() / scale + 0.0;
     let shortest = format!("{value}");
     let (whole, digits) = shortest.split_once('.').unwrap_or((&shortest, ""));
@@ -195,7 +195,7 @@ pub(super) fn insert(
     Ok(splices)
 }
 
-/// Returns the indentation of an array on one line that would be too long with another row, unless it has a comment.
+/// Returns the indentation of a one-line array that would be too long with another row; `None` if it fits or has a comment.
 fn too_long<'a>(context: &Context<'a>, array: Span, code: &str) -> Option<&'a str> {
     let (text, written) = (context.text, array.of(context.text));
     let begin = text[..array.start].rfind('\n').map_or(0, |at| at + 1);

@@ -9,7 +9,7 @@ use crate::model::Span;
 pub struct Use {
     /// The name.
     pub span: Span,
-    /// Whether the type before the name is the component; otherwise the file does not decide it.
+    /// Whether the type before the name is certainly the component; false if the file alone does not decide.
     pub certain: bool,
 }
 
@@ -20,6 +20,6 @@ pub struct Target {
     pub(super) names: Vec<String>,
     /// Modules of its file that contain it.
     pub(super) module: String,
-    /// Whether other files have a component of that name, so that its name alone decides nothing.
+    /// Whether other files have a component of that name, so that the name is ambiguous.
     pub(super) has_namesakes: bool,
 }

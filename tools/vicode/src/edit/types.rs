@@ -7,7 +7,7 @@ use super::imports::{Import, imports, uses};
 use super::target::Target;
 use crate::read::{Node, Outline};
 
-/// Resolver of types; it returns `None` where the file does not decide.
+/// Resolver of types. Its methods return `None` if the file alone does not decide.
 #[derive(Clone, Copy)]
 pub(super) struct Types<'a> {
     pub(super) target: &'a Target,
@@ -100,7 +100,7 @@ impl<'a> Types<'a> {
             [module, rest @ ..] => match self.inner(module, scope) {
                 Some(item) if self.outline.parent(item + 1) == Some(item) => self.in_scope(rest, item + 1, depth + 1),
                 None if is_block => self.in_scope(path, self.outer(scope)?, depth + 1),
-                // Another crate has no component of this file.
+                // A path to another crate cannot name a component of this file.
                 None if self.is_home => Some(false),
                 _ => self.by_name(rest.last()?),
             },
@@ -120,7 +120,7 @@ impl<'a> Types<'a> {
                         continue;
                     };
                     let path: Vec<&str> = path.iter().map(String::as_str).collect();
-                    // `use Name` must not lead back to itself.
+                    // `use Name` would resolve to itself.
                     return if path == [name] { self.by_name(name) } else { self.in_scope(&path, scope, depth + 1) };
                 }
                 _ => {}

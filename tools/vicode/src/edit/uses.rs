@@ -15,7 +15,7 @@ impl Target {
         let name = component.name.text.split('<').next().unwrap_or_default();
         let name = name.rsplit("::").next().unwrap_or_default().trim().to_owned();
         let mut target = Self { names: vec![name], module: component.module.clone(), has_namesakes };
-        // Without the word nothing has to be parsed.
+        // A text without `type` has no aliases, and is not parsed.
         let Some(source) = text.contains("type ").then(|| parse(text)).flatten() else { return target };
         let outline = Outline::of(&source);
         let types = Types { target: &target, is_home: true, outline: &outline };
@@ -29,7 +29,7 @@ impl Target {
     }
 }
 
-/// Returns the uses of a component's function `name` in a text, without its definition; `is_home` if the text has the component.
+/// Returns the uses of a component's function `name` in a text, without its definition; `is_home`: the text contains the component.
 #[must_use]
 pub fn uses(text: &str, target: &Target, name: &str, is_home: bool) -> Vec<Use> {
     of_each(text, target, &[name], is_home).into_iter().map(|(_, one)| one).collect()
