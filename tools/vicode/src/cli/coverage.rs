@@ -41,7 +41,7 @@ pub(super) fn run(
     Ok(true)
 }
 
-/// Adds a recording; of a truncated one all readable cycles.
+/// Adds a recording; if it is truncated, all readable cycles.
 fn add(visits: &mut Visits, path: &Path, component: &str) -> Result<(), String> {
     let mut recording = Recording::open(path).map_err(|error| error.to_string())?.without_blobs();
     let header = recording.header().clone();

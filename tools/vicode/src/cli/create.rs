@@ -61,7 +61,7 @@ fn parent_of(folder: &Path) -> Result<PathBuf, String> {
     })
 }
 
-/// Edits a file, from its new text if it was edited before.
+/// Edits a file; starts from the text after an earlier edit, if any.
 fn change(
     changes: &mut Vec<Changed>,
     path: &Path,

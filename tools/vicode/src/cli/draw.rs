@@ -50,7 +50,7 @@ fn picture(_: &Diagram, _: &Path) -> Result<(), String> {
     Err("this program was built without pictures: take `--format svg`, or build it with the feature `png`".to_owned())
 }
 
-/// Refuses to print a picture on a terminal.
+/// Returns the default file name of a picture: `player.png` for `Player`.
 fn default_picture(component: &Component) -> PathBuf {
     PathBuf::from(component.name.text.split('<').next().unwrap_or_default().to_lowercase()).with_extension("png")
 }

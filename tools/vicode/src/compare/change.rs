@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// How a part of the second version differs from the first one.
+/// Change of a part from the first to the second version.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Change {
@@ -15,7 +15,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// The sign before its name: `+`, `-`, `~`.
+    /// Returns the sign before the part's name: `+`, `-`, `~`.
     #[must_use]
     pub const fn sign(self) -> char {
         match self {
@@ -35,7 +35,7 @@ pub struct PartChange {
     pub name: String,
     /// Its change.
     pub change: Change,
-    /// Its properties with a difference; of an added or removed part all.
+    /// Properties that differ; all properties of an added or removed part.
     pub details: Vec<Detail>,
 }
 

@@ -17,7 +17,7 @@ pub(super) struct Part {
 /// A property of a part.
 pub(super) struct Fact {
     pub(super) what: String,
-    /// Value for people.
+    /// Displayed value.
     pub(super) value: String,
     /// Normalised value for comparisons.
     pub(super) meaning: String,

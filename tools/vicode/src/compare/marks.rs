@@ -40,7 +40,7 @@ impl Marks {
             states.entry(state.text.clone()).or_insert(Change::Changed);
         }
         let (before, after) = (old.map_or_else(Vec::new, arrows), new.map_or_else(Vec::new, arrows));
-        // Sources and targets are changes of single arrows, all else of the whole transition.
+        // Changed sources, targets and timers belong to single arrows, all other changes to the whole transition.
         let is_whole = |part: &PartChange| {
             let of_one = ["from", "to", "timer", "when", "times"];
             part.details.iter().any(|one| of_one.iter().all(|word| !one.what.starts_with(word)))

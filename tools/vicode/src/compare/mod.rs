@@ -35,7 +35,7 @@ pub struct ComponentChange {
     pub change: Change,
     /// Its parts with a difference.
     pub parts: Vec<PartChange>,
-    /// The same, grouped by drawn element.
+    /// Differences, grouped by drawn element.
     pub marks: Marks,
 }
 
@@ -70,7 +70,7 @@ pub fn compare(before: Version<'_>, after: Version<'_>) -> Comparison {
 }
 
 impl Comparison {
-    /// Whether the versions are equal.
+    /// Returns whether the versions are equal.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.components.is_empty() && self.parameters.is_empty()

@@ -1,4 +1,4 @@
-//! Comparisons in lines of text.
+//! Comparisons as text.
 
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub fn report(comparison: &Comparison) -> String {
 
 fn of_part(out: &mut String, part: &PartChange) {
     line(out, 1, &format!("{} {} {}", part.change.sign(), part.part, part.name));
-    // The code of what is new or gone is in the file.
+    // Docs and code of added and removed parts are omitted: they are in the file.
     let is_short = |one: &&Detail| part.change == Change::Changed || (one.what != "docs" && one.what != "code");
     part.details.iter().filter(is_short).for_each(|one| of_detail(out, one));
 }

@@ -40,8 +40,8 @@ impl Visits {
         (self.last, self.runs) = (None, self.runs + 1);
     }
 
-    /// Adds a sample: the state from a time on, µs, until the next sample; `None` while the component is latent. Samples of all cycles
-    /// and samples of all changes give the same result, if the last cycle has a sample.
+    /// Adds a sample: the state from `time_us` µs until the next sample; `None` while the component is latent. Samples of all cycles and
+    /// samples of changes only give the same result if the last cycle has a sample.
     pub fn sample(&mut self, time_us: u64, state: Option<&str>) {
         let before = self.last.replace((time_us, state.map(str::to_owned)));
         let (since, left) = before.map_or((time_us, None), |(since, left)| (since, left));
@@ -105,7 +105,7 @@ pub struct TransitionCoverage {
     /// Number of changes from the one state to the other; `None` for a transition from a state to itself, which samples of states
     /// do not show.
     pub taken: Option<u64>,
-    /// Other transitions between the same states; samples of states do not tell them apart.
+    /// Other transitions between the same states; samples of states do not distinguish them.
     pub or: Vec<String>,
 }
 
@@ -143,7 +143,8 @@ impl Coverage {
         self.states.iter().filter(|state| state.stays.visits > 0).count()
     }
 
-    /// Returns the number of conditions that led to another state, and of all that can. Several conditions between the same states
+    /// Returns the number of conditions that led to another state, and the number of all that can. Of several conditions between the same
+    /// states each one counts as taken.
     #[must_use]
     pub fn taken(&self) -> (usize, usize) {
         let names = |is_counted: &dyn Fn(&&TransitionCoverage) -> bool| {

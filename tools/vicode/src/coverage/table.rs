@@ -54,7 +54,8 @@ impl Display for Coverage {
 }
 
 impl Coverage {
-    /// Returns name with target, number of changes, and sources of each transition; transitions of one name to one state are one.
+    /// Returns a row for each transition: its name with sources and target, number of changes, and a note on its sources and
+    /// alternatives. Transitions with the same name and target share a row.
     fn rows(&self) -> Vec<(String, Option<u64>, String)> {
         let mut groups: Vec<Vec<&TransitionCoverage>> = Vec::new();
         for one in &self.transitions {

@@ -57,7 +57,7 @@ fn plain(ty: &Type) -> String {
     text::written(ty).replace("r#", "")
 }
 
-/// Sorts a function by its role, which its first attribute with a role assigns.
+/// Adds a function to the list of its role, which its first attribute with a role determines.
 fn sort(source: &Source<'_>, component: &mut Component, item: &ImplItemFn, own: &Type) {
     let function = function(source, item, own);
     let roles = || item.attrs.iter().filter_map(|one| Some((syntax::role(one)?, one)));

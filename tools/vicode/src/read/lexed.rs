@@ -41,7 +41,7 @@ impl Token<'_> {
         self.kind == Kind::Comment && ["///", "//!", "/**", "/*!"].iter().any(|mark| self.text.starts_with(mark))
     }
 
-    /// Returns whether it is this name.
+    /// Returns whether it is this word, with or without `r#`.
     pub(crate) fn is(&self, name: &str) -> bool {
         self.kind == Kind::Word && self.text.strip_prefix("r#").unwrap_or(self.text) == name
     }

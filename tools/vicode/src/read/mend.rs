@@ -8,7 +8,7 @@ use syn::File;
 use super::lexed::{Kind, Token, prefix};
 use crate::model::{Problem, Span};
 
-/// Largest number of omitted parts; of a text with more errors nothing is read.
+/// Largest number of omitted parts; of a text with more errors no item is read.
 const MOST: usize = 40;
 
 /// Parses a text; returns its items, its syntax errors, and the omitted parts.
@@ -32,7 +32,7 @@ pub(super) fn file(text: &str, tokens: &[Token<'_>]) -> (File, Vec<Problem>, Vec
 }
 
 struct Mender<'a> {
-    /// Tokens that are not omitted, with those brackets.
+    /// Tokens that are not omitted, and appended brackets.
     tokens: Vec<Token<'a>>,
     /// The text with spaces in place of omitted parts, and missing brackets after its end.
     plain: String,
@@ -65,7 +65,7 @@ impl Mender<'_> {
             if closing(token).is_some() {
                 open.push(index);
             } else if is_closing(token) {
-                // Parentheses end with the braces around them, but not the other way round.
+                // A closing brace also closes brackets within the braces; other closing brackets close no brace.
                 let at = open.iter().rposition(|one| closing(&self.tokens[*one]) == Some(token.text));
                 let is_within = |at: &usize| open[at + 1..].iter().all(|one| self.tokens[*one].text != "{");
                 let at = at.filter(|at| token.text == "}" || is_within(at));
@@ -99,11 +99,11 @@ impl Mender<'_> {
         }
     }
 
-    /// Omits the part between the separators around the place where the parser stopped, or all between the brackets
-    /// around it. In braces a closing brace ends a part.
+    /// Omits the part between the separators around the position of a parser error. If that part is empty, it omits the content of the
+    /// brackets around it, or else the brackets. In braces a closing brace ends a part.
     fn unexpected(&mut self, error: &syn::Error) {
         let range = error.span().byte_range();
-        // The parser gives no place to the end of the text.
+        // An error at the end of the text has an empty range.
         let at = if range.is_empty() { self.plain.len() } else { range.start };
         self.report(Span::new(at, range.end.max(at)), error.to_string());
         let at = self.tokens.partition_point(|token| token.span.start < at);

@@ -12,7 +12,7 @@ const RECURSIVE: &str = "< = else return break move async unsafe const dyn impl 
 /// Returns whether a parser may recurse too deeply.
 pub(super) fn is_too_deep(tokens: &[Token<'_>]) -> bool {
     let tokens: Vec<&Token<'_>> = tokens.iter().filter(|token| !token.is_trivia()).collect();
-    // The weight of what stands since the last separator within each open bracket, the bracket included.
+    // Weight of the tokens since the last separator within each open bracket, including the bracket.
     let mut levels = vec![0];
     let mut sum = 0;
     for (index, token) in tokens.iter().enumerate() {

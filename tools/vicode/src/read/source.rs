@@ -44,7 +44,7 @@ impl Source<'_> {
     /// Returns the span of a node.
     pub(crate) fn of(&self, node: &impl Spanned) -> Span {
         let range = node.span().byte_range();
-        // Brackets that the text lacks stand after its end.
+        // Missing brackets were appended after the end of the text.
         Span::new(range.start.min(self.text.len()), range.end.min(self.text.len()))
     }
 

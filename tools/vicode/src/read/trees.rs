@@ -9,7 +9,7 @@ use super::{Kind, Token, lexed};
 pub struct TreeSource {
     /// Name of the struct.
     pub name: String,
-    /// Cycles a second; 100 if it is not known.
+    /// Cycles per second; 100 if unknown.
     pub cycle_hz: f64,
     /// Names in the list of components.
     pub components: Vec<String>,

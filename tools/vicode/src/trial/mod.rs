@@ -50,7 +50,7 @@ pub struct Trial {
     pub period_us: u64,
     /// Time of the next run, µs.
     pub next_run_us: u64,
-    /// The stay in each state, the current one at the end. The first one begins with the first run.
+    /// Stays in states in the order of time, the current one at the end. The first one begins with the first run.
     pub visits: Vec<Visit>,
     /// Ways out of the current state, in the order in which they are tried.
     pub ways: Vec<Way>,
@@ -84,14 +84,14 @@ pub struct Way {
     pub to: String,
     /// Whether the condition holds.
     pub on: bool,
-    /// Time until its timer lets it be taken, µs; 0 without a timer.
+    /// Time until its timer allows it, µs; 0 without a timer.
     pub remaining_us: u64,
     /// How often it can still be taken in a row; `None` if it does not count.
     pub left: Option<u8>,
 }
 
 impl Trial {
-    /// Evaluates a trial of a machine of a file whose tree has `cycle_hz` cycles a second.
+    /// Evaluates a trial of a machine in a tree with `cycle_hz` cycles per second; `text` is the machine's file.
     ///
     /// # Errors
     /// If the machine has no states, a step names no transition of it, or the trial is too long.
@@ -119,7 +119,7 @@ impl Trial {
 struct Machine<'a> {
     names: Vec<String>,
     edges: Vec<Edge<&'a Function>>,
-    /// The edges, for the machine.
+    /// The edges in the form that `lone` takes.
     transitions: Vec<graph::Transition>,
     lone: LoneMachine,
     cycle_hz: f32,
@@ -175,12 +175,12 @@ impl<'a> Machine<'a> {
         })
     }
 
-    /// Instant of the next cycle.
+    /// Returns the instant of the next cycle.
     fn next(&self) -> Instant {
         instant_of_cycle(self.cycle_hz, self.cycle)
     }
 
-    /// Lets time pass, with the cycles in it.
+    /// Advances the time by `us` µs, and runs the cycles in it.
     fn advance(&mut self, us: u64, step: usize) -> Result<(), String> {
         let end = self.now + us;
         if end > LONGEST {

@@ -22,7 +22,7 @@ pub struct Place {
 pub struct Tree {
     /// Public path.
     pub path: String,
-    /// Cycles a second.
+    /// Cycles per second.
     pub cycle_hz: f64,
 }
 
@@ -38,28 +38,28 @@ impl Place {
         Self { component: package.path(file, name), tree }
     }
 
-    /// Cycles a second of the tree; 100 without one.
+    /// Returns the cycles per second of the tree; 100 without a tree.
     #[must_use]
     pub fn cycle_hz(&self) -> f64 {
         self.tree.as_ref().map_or(100.0, |tree| tree.cycle_hz)
     }
 }
 
-/// A type without its arguments.
+/// Returns a type without its arguments.
 pub(super) fn base(name: &str) -> &str {
     name.split('<').next().unwrap_or_default().trim()
 }
 
 /// A package of Cargo.
 struct Package {
-    /// Its library as code names it.
+    /// Name of its library in code.
     library: String,
     /// Folder with its sources.
     sources: PathBuf,
 }
 
 impl Package {
-    /// The package of a file.
+    /// Returns the package of a file.
     fn of(file: &Path) -> Option<Self> {
         let folder = file.ancestors().skip(1).find(|folder| folder.join("Cargo.toml").is_file())?;
         let manifest = fs::read_to_string(folder.join("Cargo.toml")).ok()?;
@@ -76,7 +76,7 @@ impl Package {
         Some(Self { library: name?, sources: folder.join("src") })
     }
 
-    /// The path by which other packages name a type: modules that are private and whose type is exported are left out.
+    /// Returns the path of a type for other packages. Private modules whose type their parent exports are left out.
     fn path(&self, file: &Path, name: &str) -> String {
         let below = file.strip_prefix(&self.sources).unwrap_or(file).with_extension("");
         let mut modules: Vec<&str> = below.iter().filter_map(|part| part.to_str()).collect();
@@ -94,7 +94,7 @@ impl Package {
         path.join("::")
     }
 
-    /// Text of a module; empty if it is not found.
+    /// Returns the text of a module; empty if it is not found.
     fn module(&self, modules: &[&str]) -> String {
         let folder = modules.iter().fold(self.sources.clone(), |folder, module| folder.join(module));
         let files = if modules.is_empty() {
@@ -105,7 +105,7 @@ impl Package {
         files.iter().find_map(|file| fs::read_to_string(file).ok()).unwrap_or_default()
     }
 
-    /// The first tree of the package with a component, and its file.
+    /// Returns the first tree of the package with a component, and its file.
     fn tree(&self, component: &str) -> Option<(PathBuf, TreeSource)> {
         let mut files = Vec::new();
         walk(&self.sources, 0, &mut files);
@@ -117,7 +117,7 @@ impl Package {
     }
 }
 
-/// Whether a module has `pub use module::Name`, also in braces or by `*`, and no `pub mod module`.
+/// Returns whether a module has `pub use module::Name`, also in braces or by `*`, and no `pub mod module`.
 fn exports(text: &str, module: &str, name: &str) -> bool {
     let words: Vec<&str> = lexed(text).iter().filter(|token| !token.is_trivia()).map(|token| token.text).collect();
     let is_public = words.windows(3).any(|three| three == ["pub", "mod", module]);
@@ -131,7 +131,7 @@ fn exports(text: &str, module: &str, name: &str) -> bool {
     exported && !is_public
 }
 
-/// All Rust files below a folder, sorted.
+/// Appends all Rust files below a folder, in sorted order.
 fn walk(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     let mut paths: Vec<PathBuf> = entries.filter_map(Result::ok).map(|entry| entry.path()).collect();

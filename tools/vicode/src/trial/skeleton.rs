@@ -12,8 +12,8 @@ use crate::model::{Component, LinkKind};
 const NAMED: usize = 4;
 
 impl Trial {
-    /// A test of the machine in its tree: the same states for the same times. Comments say where the inputs of which conditions are to be
-    /// set; until then the test is ignored.
+    /// Returns a test of the machine in its tree, which expects the same states for the same times. Comments mark where the inputs of a
+    /// condition have to be set; until then the test is ignored.
     #[must_use]
     pub fn skeleton(&self, component: &Component, text: &str, place: &Place, steps: &[Step]) -> String {
         let name = base(&component.name.text);
@@ -38,7 +38,7 @@ impl Trial {
             let Step::Run(ms) = step else { continue };
             now += u64::from(*ms) * 1000;
             while let Some(visit) = entered.next_if(|visit| visit.step == number) {
-                // Whether a state was entered anew does not show in its name.
+                // A test cannot see that a state was entered again from itself.
                 if visit.state == state {
                     continue;
                 }
@@ -56,18 +56,18 @@ impl Trial {
         out + "}\n"
     }
 
-    /// Time of a cycle, µs.
+    /// Returns the time of a cycle, µs.
     fn instant(&self, cycle: u64) -> u64 {
         instant_of_cycle(self.cycle_hz, cycle).as_micros()
     }
 
-    /// The first cycle that is not before a time, µs.
+    /// Returns the first cycle that is not before a time, µs.
     fn first_cycle(&self, us: u64) -> u64 {
         let near = (us as f64 * f64::from(self.cycle_hz) / 1e6) as u64;
         (near.saturating_sub(1)..near + 2).find(|cycle| self.instant(*cycle) >= us).unwrap_or(near)
     }
 
-    /// The cycles from `next` to before `end` in a state.
+    /// Writes the expectation that the component stays in a state from cycle `next` to before cycle `end`.
     fn stays(&self, out: &mut String, (name, state): (&str, &str), next: u64, end: u64) {
         if next >= end {
             return;
@@ -93,7 +93,7 @@ const fn milliseconds(us: u64) -> u64 {
     us / 1000
 }
 
-/// What has to be set for a switch.
+/// Writes the comment that a condition has to hold, or must not hold, from a switch on.
 fn comment(out: &mut String, component: &Component, text: &str, step: &Step) {
     let Step::Switch { condition, on } = step else { return };
     let Some(transition) = component.transition(condition) else { return };
