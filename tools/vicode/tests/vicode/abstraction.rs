@@ -1,11 +1,11 @@
-//! A component without places, and the meaning of edits on it: what the model must be afterwards.
+//! Reference model of edits: a component without spans, and the effect of each edit on it.
 
 use std::collections::BTreeMap;
 
 use bica_vicode::Edit;
 use bica_vicode::model::{Component, Function, HookRole, LinkKind, Sources};
 
-/// Where a new function goes: after the last one of its role, else of a role before it.
+/// Role of a function. A new function is inserted after the last one of its role, or of an earlier role.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 enum Role {
     State,

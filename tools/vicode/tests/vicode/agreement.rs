@@ -14,7 +14,7 @@ fn list<T>(of: &[T], one: impl Fn(&T) -> Value) -> Value {
     of.iter().map(one).collect()
 }
 
-/// A component as [`node`] has it.
+/// Converts a component to the form of [`node`].
 fn model(component: &Component) -> Value {
     let number = |key| component.options.get(key).map(|one| one.value.as_ref().unwrap().text.parse::<f64>().unwrap());
     let doc = |function: &Function| function.docs.text.clone();
@@ -49,7 +49,7 @@ fn model(component: &Component) -> Value {
     })
 }
 
-/// A component of a tree's description without its parameters.
+/// Converts a component of a tree's description, without its parameters.
 fn node(node: &Value, tree: &Value) -> Value {
     let each = |key: &str, one: &dyn Fn(&Value) -> Value| list(node[key].as_array().unwrap(), one);
     let named = |one: &Value| json!([one["name"], one["doc"]]);
@@ -78,7 +78,7 @@ fn node(node: &Value, tree: &Value) -> Value {
     })
 }
 
-/// Compares a component with its description in that of a tree.
+/// Compares a component with its description in a tree's description.
 pub(crate) fn agrees(component: &Component, tree: &Value) {
     let mut nodes = tree["components"].as_array().unwrap().iter();
     let found = nodes.find(|node| node["name"] == component.name.text.as_str()).expect("a component of the tree");

@@ -1,4 +1,4 @@
-//! What transitions carry, and hooks before them.
+//! Found values of transitions, and before hooks.
 
 use bica_vicode::compare::{Version, compare};
 use bica_vicode::draw::{Diagram, Node, dot, mermaid};

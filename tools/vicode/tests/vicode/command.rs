@@ -133,7 +133,7 @@ activation_tree! {
     assert_eq!(fs::read_dir(folder.file("src")).unwrap().count(), 2);
 }
 
-/// `limit` stands before the command; a limit of the file size of 1024 bytes takes effect while the new text is written.
+/// Saves an edit with a limit of 1024 bytes for written files, which the new text exceeds. `limit` is shell code before the command.
 #[cfg(unix)]
 fn save_with_limit(limit: &str) -> Ran {
     let folder = Folder::new("command");

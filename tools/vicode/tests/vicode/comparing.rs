@@ -180,7 +180,7 @@ fn file_is_compared_with_its_last_commit() {
     for part in [">+ run<", ">- walk<", ">- seen<", ">~ tired after 800 ms<", "- ball.seen()<", "grey: equal"] {
         assert!(drawing.contains(part), "{part}");
     }
-    // What the commit does not have is new.
+    // A file that the commit does not have is added as a whole.
     fs::write(folder.file("new.rs"), BEFORE).unwrap();
     assert!(vicode(&["diff", "new.rs"]).stdout.starts_with("+ A\n"));
     assert_eq!(vicode(&["diff", "a.rs", "a.rs", "--svg", "e.svg"]).code, Some(2));

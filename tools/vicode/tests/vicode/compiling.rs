@@ -15,7 +15,7 @@ use crate::machines::{PARTS, machine};
 use crate::random::Random;
 use crate::sources;
 
-/// A machine after random edits, if the rules of the macro find nothing wrong with it.
+/// Returns a machine after random edits, if the rules of the macro find no mistake in it.
 fn edited(seed: u64) -> Option<Document> {
     let mut random = Random::new(seed);
     let mut document = Document::new(&machine(&mut random, true));
@@ -27,7 +27,7 @@ fn edited(seed: u64) -> Option<Document> {
     document.model().problems.is_empty().then_some(document)
 }
 
-/// Children of the machine, without their arguments as they are imported.
+/// Returns the types of the machine's children.
 fn children(document: &Document) -> BTreeSet<String> {
     document.model().components[0].links().into_iter().map(|link| link.child).collect()
 }

@@ -1,4 +1,4 @@
-//! Which states and transitions of a machine were visited.
+//! Coverage of the states and transitions of a machine.
 
 use std::fs;
 
@@ -17,7 +17,7 @@ const MACHINE: &str = "#[component]\nimpl A {\n    #[state(initial)]\n    fn one
     #[transition(* -> three)]\n    fn end(&self) -> bool { true }\n    \
     #[transition(two -> two)]\n    fn stay(&self) -> bool { true }\n}\n";
 
-/// Changes of the state; the last one is the end.
+/// Changes of the state, with times in µs; the last entry is the end of the run.
 const COURSE: [(u64, Option<&str>); 7] = [
     (0, None),
     (10, Some("one")),
@@ -75,7 +75,7 @@ fn samples_of_all_cycles_count_as_those_of_changes() {
     assert_eq!(coverage(&changes), coverage(&cycles));
 }
 
-/// The time in each state is that of its cycles, counted in another way.
+/// The time in each state agrees with the number of its cycles in the recording.
 #[test]
 fn coverage_of_a_recorded_game_has_all_its_time() {
     let root = sources::root().canonicalize().unwrap();

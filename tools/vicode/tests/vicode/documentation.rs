@@ -1,4 +1,4 @@
-//! `docs/vicode.md` says what the library does.
+//! Agreement of `docs/vicode.md` with the library.
 
 use bica_vicode::Edit;
 
@@ -24,7 +24,7 @@ fn page_lists_every_edit_and_field() {
         let row = page.lines().find(|line| line.starts_with(&format!("| `{name}` "))).unwrap();
         let fields = row.split('|').nth(2).unwrap();
         let required: Vec<&str> = fields.split('(').next().unwrap().split('`').skip(1).step_by(2).collect();
-        // Without any field the first one is missing, and it is the first in the list.
+        // An edit without fields is refused because of its first required field, which is the first in the list.
         let missing = serde_json::from_str::<Edit>(&format!(r#"{{"edit": "{name}"}}"#)).unwrap_err().to_string();
         assert!(missing.contains(&format!("missing field `{}`", required[0])), "{name}: {missing}");
     }

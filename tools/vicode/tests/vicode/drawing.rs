@@ -28,7 +28,7 @@ fn names(edge: &Edge) -> [f32; 4] {
     around(edge.label_at, (LETTER.0 * longest as f32, LETTER.1 * edge.labels.len() as f32))
 }
 
-/// The number of states that the inner part of a curve crosses: its ends lie at states.
+/// Returns the number of states that a curve crosses without its end points, which lie at states.
 fn crossed(edge: &Edge, nodes: &[Node]) -> usize {
     let inner = &edge.points[1..edge.points.len() - 1];
     let is_in = |node: &&Node| {
@@ -56,7 +56,7 @@ fn curves_cross_no_state_and_names_cover_nothing() {
     }
 }
 
-/// Column by column: the distance from the initial state over the transitions that name the states they leave.
+/// The distance counts only transitions that name the states they leave.
 #[test]
 fn column_of_a_state_is_its_distance_from_the_start() {
     let texts = ["player", "examples"].into_iter().flat_map(components);
@@ -77,7 +77,7 @@ fn column_of_a_state_is_its_distance_from_the_start() {
             let name = &component.states[state].function.name.text;
             assert_eq!(placed[state].x, placed[initial].x + 340 * *far as i32, "{name}");
         }
-        // A state has the links of the graph without transitions.
+        // The links of a drawn state are those of the graph without transitions.
         let nodes = Diagram::of(&component, &Layout::default()).nodes;
         let alone = Component { transitions: Vec::new(), ..component.clone() };
         assert_eq!(nodes.into_iter().flat_map(|node| node.links).collect::<Vec<_>>(), alone.links());

@@ -1,4 +1,4 @@
-//! Random edits: the bytes, the model, and the way back.
+//! Random edits: unchanged bytes, expected model, and undo.
 
 use std::fs;
 
@@ -12,7 +12,7 @@ use crate::machines::{BODIES, CHILDREN, CONDITIONS, machine, namesakes};
 use crate::random::Random;
 use crate::sources;
 
-/// Edits with their fields; those that are more likely stand twice.
+/// Edits with their fields; likelier ones are listed twice.
 const KINDS: [&str; 25] = [
     "add_state name docs initial last body",
     "add_transition name from to after_ms body docs",
@@ -108,14 +108,14 @@ pub(crate) fn edit(random: &mut Random, component: &Component, fresh: &mut usize
     serde_json::from_value(edit).unwrap()
 }
 
-/// Names of the functions whose text an edit may change, besides those that name a state of it.
+/// Returns the names of the functions that an edit names, whose text it may change.
 fn touched(edit: &Edit) -> Vec<String> {
     let edit = serde_json::to_value(edit).unwrap();
     let fields = ["function", "state", "transition", "hook"].iter().filter(|_| edit["edit"] != "copy");
     fields.filter_map(|field| edit[field].as_str().map(str::to_owned)).collect()
 }
 
-/// Functions that an edit has no reason to change have the same bytes as before.
+/// Checks that functions which an edit does not concern keep their bytes.
 fn others_are_untouched(edit: &Edit, before: (&Component, &str), after: (&Component, &str)) {
     if let Edit::Rename { function, to, .. } = edit {
         let plain = |text: &str| text.replace("r#", "");
@@ -142,7 +142,7 @@ fn others_are_untouched(edit: &Edit, before: (&Component, &str), after: (&Compon
     assert_eq!(before.1[before.0.span.end..], after.1[after.0.span.end..], "{edit:?}");
 }
 
-/// Applies one random edit and checks all that must hold; returns whether it was accepted.
+/// Applies one random edit and checks its result; returns whether it was accepted.
 fn step(document: &mut Document, random: &mut Random, fresh: &mut usize) -> bool {
     let before: Model = document.model().clone();
     let old = document.text().to_owned();
@@ -207,7 +207,7 @@ fn random_edits_change_nothing_else() {
     assert!(accepted > refused, "{accepted} {refused}");
 }
 
-/// Six of eight files are hostile: 2,025.
+/// Six of eight files, 2025 of 2700, have hostile formatting.
 #[test]
 #[ignore = "long: `cargo xtask long` runs it"]
 fn long_random_edits_change_nothing_else() {
@@ -237,7 +237,7 @@ fn opening_and_saving_changes_no_byte() {
         let copy = path.file("copy.rs");
         fs::write(&copy, &bytes).unwrap();
         let written = fs::metadata(&copy).unwrap().modified().unwrap();
-        // What is no text is refused.
+        // A file that is not UTF-8 is refused.
         let Ok(text) = folder.read("copy.rs") else {
             assert!(String::from_utf8(bytes).is_err(), "{}", file.display());
             continue;

@@ -1,4 +1,4 @@
-//! Files: whole, below the folder, never overwritten.
+//! Access to files: atomic, only below the folder, without overwriting changes of others.
 
 use std::fs;
 

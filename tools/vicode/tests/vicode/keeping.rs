@@ -3,7 +3,7 @@
 use bica_vicode::model::Span;
 use bica_vicode::{Document, Edit};
 
-/// The text after an edit, given as JSON, or why it is refused.
+/// Returns the text after an edit given as JSON, or the message of its refusal.
 pub(crate) fn edited(text: &str, edit: &str) -> Result<String, String> {
     let edit: Edit = serde_json::from_str(edit).expect(edit);
     let mut document = Document::new(text);

@@ -1,4 +1,4 @@
-//! Machines made at random, with hostile formatting.
+//! Random machines with hostile formatting.
 
 use std::fmt::Write;
 
@@ -27,14 +27,14 @@ pub(crate) const BODIES: [&str; 9] = [
 pub(crate) const CONDITIONS: [&str; 5] =
     ["true", "self.n > 3", "{ let x = [1, 2]; x[0] == 2 }", "// why\nself.n == 0", "!matches!(self.n, 1 | 2)"];
 
-/// Makes a file.
+/// Generator of a file.
 pub(crate) struct Maker<'a> {
     random: &'a mut Random,
     hostile: bool,
     text: String,
 }
 
-/// A file with one machine `Machine`; without hostile formatting as rustfmt would write it.
+/// Returns a file with one machine `Machine`. Without hostile formatting it is formatted as by rustfmt.
 pub(crate) fn machine(random: &mut Random, hostile: bool) -> String {
     let mut maker = Maker { random, hostile, text: String::new() };
     maker.file();
@@ -46,7 +46,7 @@ pub(crate) fn machine(random: &mut Random, hostile: bool) -> String {
         .collect()
 }
 
-/// A hostile file with machines of one name, in modules and twice in one, whose braces may not match.
+/// Returns a hostile file with machines of the same name, in modules and twice in one module. Its braces may not match.
 pub(crate) fn namesakes(random: &mut Random) -> String {
     let mut text = machine(random, true);
     for module in ["inner", "deep { pub mod er"] {
@@ -126,7 +126,7 @@ impl Maker<'_> {
         }
     }
 
-    /// ` | b` with another state, at times.
+    /// Returns ` | b` with another state, or at random nothing.
     fn more(&mut self, states: &[&str], not: &str) -> String {
         let other = *self.random.pick(states);
         if other != not && self.random.percent(30) {

@@ -1,4 +1,4 @@
-//! Edits on both sides.
+//! Merges of edits in the document and changes of its file.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ fn edited(document: &mut Document, random: &mut Random, count: usize, mut fresh:
     }
 }
 
-/// What one side did to a function is in the result, if the other side left that function alone.
+/// Checks that the result has the change of one side to each function that the other side left unchanged.
 fn no_edit_is_lost(base: &str, one: &str, other: &str, merged: &str) {
     let (base, one, other, merged) = (functions(base), functions(one), functions(other), functions(merged));
     // A function that one side renamed and the other one changed has the new name and the change.

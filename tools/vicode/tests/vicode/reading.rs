@@ -3,7 +3,7 @@
 use bica_vicode::model::{Input, LinkKind, Model, Reporter, Sources};
 use bica_vicode::{read, trees};
 
-/// A machine with everything that makes reading hard.
+/// A machine whose layout is hard to read: byte order mark, carriage returns, comments in attributes, raw identifiers.
 const HOSTILE: &str = "\u{feff}//! File.\r\n\r\nuse bica::prelude::*;\r\n\r\n\
     #[cfg(all())] /* odd */ #[component( hz=30 , // thirty\r\n   resume,)]\r\nimpl Player\r\n\
     {\r\n  const N: u8 = 1; #[state(initial)] // why\r\n  /// Looks.\r\n  \

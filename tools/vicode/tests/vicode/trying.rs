@@ -1,4 +1,4 @@
-//! Machines that are tried without their program.
+//! Trials of machines without their program.
 
 use bica::prelude::*;
 use bica::runner::harness::Harness;
@@ -48,7 +48,7 @@ macro_rules! switched {
         }
     )*
 
-    /// What `try_at` returns for each rate.
+    /// Runs `try_at` with the rate that the seed selects.
     fn at_each_rate(seed: u64) -> usize {
         let one = [$(|seed| try_at::<$tree, $name>(
             &mut Random::new(seed), $cycle_hz.into(), concat!($("hz = ", $hz)?), |test, index, on| test.tree_mut().get_mut::<$name>().on[index] = on,
@@ -74,15 +74,15 @@ switched! {
 
 const CONDITIONS: [&str; 7] = ["seen", "lost", "again", "tired", "late", "anew", "afraid"];
 
-/// The machine above with a rate, as a text.
+/// Returns the source text of the machine above with a rate.
 fn source(hz: &str) -> String {
     let (_, rest) = include_str!("trying.rs").split_once("impl $name ").unwrap();
     let (body, _) = rest.split_once(" // end of the machine").unwrap();
     format!("#[component({hz})]\nimpl Switched {}", body.replace("$name", "Switched"))
 }
 
-/// Random steps in a trial and in the tree: the same transitions at the same times. Then the printed test in a new tree; returns the
-/// number of transitions.
+/// Takes random steps in a trial and in the tree, and compares the times of their transitions. Then it runs the printed test in a new
+/// tree. Returns the number of transitions.
 fn try_at<T: Tree + Has<C> + Default, C: 'static>(
     random: &mut Random,
     cycle_hz: f64,
@@ -124,7 +124,7 @@ fn try_at<T: Tree + Has<C> + Default, C: 'static>(
     found.len()
 }
 
-/// Does what a line of a printed test says.
+/// Executes a line of a printed test.
 fn follow<T: Tree + Has<C>, C: 'static>(test: &mut Harness<T>, line: &str, set: fn(&mut Harness<T>, usize, bool)) {
     let duration = || {
         let (unit, rest) = line.split_once("Duration::from_").unwrap().1.split_once('(').unwrap();
@@ -148,7 +148,7 @@ fn trial_and_its_test_agree_with_the_tree() {
     assert!(taken > 3000, "{taken} transitions");
 }
 
-/// Parentheses and suffixes are the language's, and the page steps to the next run.
+/// A rate may have parentheses and a suffix, as in Rust. The page steps to the next run.
 #[test]
 fn rates_are_read_as_the_macros_read_them() {
     let run = |hz: &str| {
@@ -184,7 +184,7 @@ fn ways_out_are_listed_with_their_timers() {
     }
 }
 
-/// The module `tried` is this test, so that it is compiled.
+/// The expected test is the module `tried`, so that it is compiled.
 #[test]
 fn what_was_tried_becomes_a_test_that_compiles() {
     let text = sources::text("examples/wall_follower/robot.rs");
