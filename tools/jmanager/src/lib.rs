@@ -37,7 +37,7 @@ impl Default for SoccerOptions {
     }
 }
 
-/// Returns what soccer adds to the monitor.
+/// Returns the program of the monitor with the parts for soccer.
 #[must_use]
 pub fn program(options: SoccerOptions) -> Program {
     let options = Arc::new(options);

@@ -11,7 +11,7 @@ use super::world::ROBOTS;
 use super::{SoccerOptions, program};
 use bica_monitor::sessions::Options;
 
-/// The forward in the built-in world, for a day.
+/// Command that runs the forward in the built-in world for a day.
 const RUN: &str = "-p bica-player-program --bin player -- play --serve {address} --seed {seed} --robots {robots} \
                    --seconds 86400";
 
@@ -25,7 +25,7 @@ pub fn run() -> ExitCode {
     serve(cli).map_or_else(ExitCode::from, ExitCode::from)
 }
 
-/// Runs a command of VICODE: 0 all is well, 1 a file has mistakes, 2 the command is not possible.
+/// Runs a command of VICODE. Exit code 0: no mistakes; 1: a file has mistakes; 2: the command failed.
 fn vicode(command: &bica_vicode::cli::Command) -> ExitCode {
     let mut out = io::stdout().lock();
     let result = bica_vicode::cli::run(command, &mut out);

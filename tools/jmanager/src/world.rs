@@ -58,7 +58,7 @@ impl LocalWorld for SoccerWorld {
             layers.read(tune)?;
         }
         setup.set.iter().try_for_each(|assignment| layers.assign(assignment, "the page"))?;
-        // Without end, in real time.
+        // Without time limit, in real time.
         let rules = Rules {
             world: self.kind,
             seed: setup.seed,
@@ -96,7 +96,7 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
     };
     let address = run.address();
     let serve = ServeOptions { address: &address, anywhere: false, started: &started };
-    // Images are not stored: the same world is made again from its rules.
+    // Images are not stored: a replay generates the same world from its rules.
     let record = RecordOptions {
         path: run.recording(),
         images: ImagePolicy::None,
@@ -109,7 +109,7 @@ fn play(rules: &Rules, run: &WorldRun) -> Result<(), Failure> {
         if has_begun.get() {
             return Err(failure);
         }
-        // The world or its file cannot be made. Without a file only the world's failure is left.
+        // The world or the file cannot be created. A second attempt without a file fails only because of the world.
         let Invalid { what, help, .. } = failure.into();
         run.not_recorded(&format!("{what}: {help}"));
         play_controlled(rules, &mut (), &mut Control(run), None, Some(serve)).map(drop)

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// How the field boundary (the end of the field) in an image was found, px.
+/// Field boundary in an image and its evidence, px.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Boundary {
     /// The scanned columns, from the left.
@@ -20,7 +20,7 @@ pub(super) struct BoundaryColumn {
     pub(super) x: f32,
     /// Row of the edge of the carpet; none where there is too little green.
     pub(super) y: Option<f32>,
-    /// Whether it supports the boundary, or why not.
+    /// Whether it supports the boundary, or the reason why not.
     pub(super) verdict: BoundaryVerdict,
 }
 

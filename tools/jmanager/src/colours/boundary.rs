@@ -1,4 +1,4 @@
-//! How the field boundary in an image is found: the robot's own code on the same image.
+//! Detection of the field boundary in an image by the robot's own code.
 
 use bica_link::{Description, Param};
 use bica_vision::colour::Filters;
@@ -15,14 +15,14 @@ use bica_monitor::protocol::Failed;
 /// Component with the thresholds as parameters.
 const COMPONENT: &str = "FieldBoundary";
 
-/// What the panel asks for: the [`Boundary`] in an image.
+/// Request of the panel: the [`Boundary`] in an image.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Message {
     image: u32,
 }
 
-/// The panel of the field boundary: with the colours of the tuner and the thresholds of the robot.
+/// Panel of the field boundary. It uses the colours of the tuner and the thresholds of the robot.
 pub(crate) struct Panel;
 
 impl Extension for Panel {
@@ -72,7 +72,7 @@ fn find(tree: Option<&Description>, image: &Image, filters: &Filters) -> Result<
     })
 }
 
-/// The thresholds in force in the robot.
+/// Returns the thresholds that are in force in the robot.
 fn tuning(tree: &Description) -> BoundaryTuning {
     let default = BoundaryTuning::DEFAULT;
     let Some(component) = tree.components.iter().find(|one| one.name == COMPONENT) else { return default };

@@ -1,4 +1,4 @@
-//! Limits of one colour class, and how picked pixels change them.
+//! Limits of one colour class, and their adjustment to picked pixels.
 
 use bica_vision::colour::Filter;
 use bica_vision::frame::Pixel;
@@ -17,11 +17,11 @@ pub(super) struct Limits {
     /// Percent.
     pub(super) saturation: (u16, u16),
     pub(super) luma: (u8, u8),
-    /// Least length of the chroma vector, counts.
+    /// Minimum length of the chroma vector, counts.
     pub(super) chroma: u8,
 }
 
-/// What limits are on: hue in degrees, saturation in percent, luma and chroma in counts.
+/// Measured values of a pixel: hue in degrees, saturation in percent, luma and chroma in counts.
 #[derive(Clone, Copy, Debug)]
 struct Measured {
     hue: f32,
@@ -39,7 +39,7 @@ impl Measured {
     }
 }
 
-/// The colour at the centre of a pixel's cell in the table that classifies.
+/// Returns the colour at the centre of a pixel's cell in the classification table.
 pub(super) fn cell(pixel: Pixel) -> Pixel {
     Pixel::new(pixel.y & !15 | 8, pixel.cb & !3 | 2, pixel.cr & !3 | 2)
 }
@@ -62,16 +62,16 @@ impl Limits {
         self.hue.map_or(filter, |(from, to)| filter.hue(from, to))
     }
 
-    /// Whether the robot classifies the pixel so.
+    /// Returns whether the robot assigns the pixel to the class.
     pub(super) fn has(&self, pixel: Pixel) -> bool {
         self.filter().accepts(pixel) && self.filter().accepts(cell(pixel))
     }
 
-    /// Returns the smallest limits that have the pixel too.
+    /// Returns the smallest limits that also contain the pixel.
     pub(super) fn grown(mut self, pixel: Pixel) -> Self {
         for colour in [pixel, cell(pixel)] {
             let Measured { hue, saturation, luma, chroma } = Measured::new(colour);
-            // What is measured is rounded to whole numbers, so a limit may have to go one farther.
+            // Measured values are rounded to whole numbers, so a limit may have to move one or two further.
             for slack in 0..3 {
                 if self.filter().accepts(colour) {
                     break;
@@ -87,8 +87,8 @@ impl Limits {
         self
     }
 
-    /// Returns limits without the pixel: the limit moves that gives up least, and keeps the pixels that belong to the class if that
-    /// is possible.
+    /// Returns limits without the pixel. One limit moves: the one that excludes the fewest pixels of `kept` and, of these, loses the
+    /// smallest part of its range.
     pub(super) fn shrunk(self, pixel: Pixel, kept: &[Pixel]) -> Self {
         let colour = if self.filter().accepts(cell(pixel)) { cell(pixel) } else { pixel };
         let lost = |limits: &Self| kept.iter().filter(|pixel| !limits.has(**pixel)).count();
@@ -102,7 +102,7 @@ impl Limits {
         best.map_or(self, |(limits, _)| limits)
     }
 
-    /// Limits of which one is moved past a colour, each with the share of its range that is given up.
+    /// Returns candidate limits that exclude a colour by one moved limit, each with the lost fraction of its range.
     fn candidates(self, at: &Measured) -> Vec<(Self, f32)> {
         let mut all = Vec::new();
         let share = |lost: f32, of: f32| (lost / of.max(1.0)).abs();
@@ -122,7 +122,7 @@ impl Limits {
             }
         }
         let (least, most) = self.saturation;
-        // Saturations above 100 % are rare, so the range that counts ends there.
+        // Saturations above 100 % are rare, so the range ends there for the fraction.
         let width = f32::from(most.min(100).saturating_sub(least));
         let (above, below) = (at.saturation.floor() as u16 + 1, (at.saturation.ceil() as u16).saturating_sub(1));
         if above < most {
@@ -153,7 +153,7 @@ impl Limits {
     }
 }
 
-/// Widens a range of hues on the nearer side; `slack` degrees farther.
+/// Widens a range of hues on the nearer side, by `slack` degrees more than necessary.
 fn widened((from, to): (i16, i16), hue: f32, slack: i16) -> (i16, i16) {
     let after = (hue - f32::from(from)).rem_euclid(360.0);
     let width = f32::from(to - from);
@@ -161,7 +161,7 @@ fn widened((from, to): (i16, i16), hue: f32, slack: i16) -> (i16, i16) {
         return (from, to);
     }
     if after <= width {
-        // It is inside, but the limits in the robot's units are a little narrower.
+        // The hue is inside, but the limits in the robot's units are slightly narrower.
         let (from, to) = if after < width - after { (from - slack, to) } else { (from, to + slack) };
         let begin = from.rem_euclid(360);
         return (begin, begin + (to - from).min(MAX_WIDTH));

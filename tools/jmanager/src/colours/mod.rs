@@ -54,7 +54,7 @@ impl Edit {
         Self { limits, picked: Default::default(), undo: Vec::new() }
     }
 
-    /// The limits that are in force in a robot; those of the built-in profile for a robot without such parameters.
+    /// Returns the limits that are in force in a robot; those of the built-in profile for a robot without such parameters.
     fn of_robot(description: Option<&Description>) -> Self {
         let mut edit = Self::new(&BUILT_IN);
         let component = description.and_then(|tree| tree.components.iter().find(|one| one.name == COMPONENT));
@@ -113,7 +113,7 @@ impl Edit {
         json!({ "classes": classes, "text": text, "undo": self.undo.len() })
     }
 
-    /// The settings of the robot's parameters.
+    /// Returns the settings of the robot's parameters.
     fn settings(&self, description: &Description) -> Result<Vec<NamedSetting>, Failed> {
         let none = || Failed::new("this robot has no parameters of colours", "save the profile instead");
         let component = description.components.iter().find(|one| one.name == COMPONENT).ok_or_else(none)?;
@@ -139,22 +139,22 @@ impl Edit {
     }
 }
 
-/// What a session remembers: the profile under edit, once it was changed.
+/// Memory of a session: the profile under edit, after its first change.
 type Edited = Option<Edit>;
 
-/// What the panel asks for.
+/// Requests of the panel.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum Request {
     /// Reads the classes that are in force: `{"classes": [{"name", "colour", "limits": …}], "text": profile TOML}`.
     Read {},
-    /// Assigns pixels of an image to a class, or takes them away. As `Read`.
+    /// Assigns pixels of an image to a class, or removes them. Answer as `Read`.
     Pick { class: usize, remove: bool, image: u32, pixels: Vec<(u16, u16)> },
-    /// Undoes the last change. As `Read`.
+    /// Undoes the last change. Answer as `Read`.
     Undo {},
-    /// Replaces the profile by a saved or built-in one, or by the limits of the `robot`. As `Read`.
+    /// Replaces the profile by a saved or built-in one, or by the limits of the `robot`. Answer as `Read`.
     Load { name: String },
-    /// Classifies an image: a binary frame with the classes comes before the answer.
+    /// Classifies an image: a binary frame with the classes precedes the answer.
     Classify { image: u32 },
     /// Recall and precision on labelled images: `{"rows": [{"object", "recall", "precision", "images"}]}`.
     Score {},
@@ -164,7 +164,7 @@ enum Request {
     Save { name: String },
 }
 
-/// The profile under edit of a session. Until something is changed, the limits that are in force are those of the robot.
+/// Returns the profile under edit of a session. Before the first change these are the limits that are in force in the robot.
 fn edit_of(asked: &dyn Asked) -> Edit {
     let edit = asked.memory().of::<Edited>().clone();
     edit.unwrap_or_else(|| Edit::of_robot(asked.description().as_deref()))
@@ -265,7 +265,7 @@ fn pixels_of(image: &Image, places: &[(u16, u16)]) -> Result<Vec<Pixel>, Failed>
     places.iter().map(pixel).collect()
 }
 
-/// Sends the class of each pixel, by the table that the robot uses.
+/// Sends the class of each pixel, by the same kind of table as in the robot.
 fn classify(asked: &dyn Asked, image: &Image, edit: &Edit) -> Result<Reply, Failed> {
     let table = Box::new(CompactTable::compile(&edit.filters()));
     let frame = Frame::new(image.width, image.height, &image.yuyv);

@@ -18,14 +18,14 @@ use bica_wire::model::Invalid;
 /// Radius of a ball of 2009, m.
 const RADIUS: f32 = 0.0325;
 
-/// Scores a profile in a thread of its own; the answer follows.
+/// Scores a profile in a separate thread, which sends the answer.
 pub(super) fn start(asked: &dyn Asked, folder: Option<&Path>, filters: &Filters) -> Result<Reply, Failed> {
     let none = || Failed::new("there are no labelled images", "start the program with --images DIR");
     let (folder, filters) = (folder.ok_or_else(none)?.to_owned(), *filters);
     asked.later(Box::new(move || score(&folder, &filters).map_err(|failure| Invalid::from(failure).into())))
 }
 
-/// The file with the labels of a folder: in it, or beside it.
+/// Returns the file with the labels of a folder: in it, or beside it.
 fn labels(folder: &Path) -> Result<PathBuf, Failure> {
     let inside = folder.join("labels.csv");
     let beside = folder.join("..").join("labels.csv");

@@ -8,19 +8,19 @@ use serde::Serialize;
 
 use super::robot::rows;
 
-/// Step of a joint from which its axis is found, rad.
+/// Step of a joint with which its axis is determined, rad.
 const STEP: f32 = 0.1;
-/// Least angle of a step that is no rounding error, rad.
+/// Minimum angle of a step that is no rounding error, rad.
 const LEAST: f32 = 0.01;
-/// Number of sides of tubes and of meridians of spheres.
+/// Number of sides of a tube, and of meridians of a sphere.
 const SIDES: usize = 10;
 /// Number of bands of a sphere.
 const BANDS: usize = 5;
 
-/// A body: its links from the torso outwards.
+/// Body of a robot: its links from the torso outwards.
 #[derive(Serialize)]
 pub(super) struct Body {
-    /// Frame of the first link, as outputs name it.
+    /// Frame of the first link, as named in outputs.
     frame: &'static str,
     /// All joints of the robot.
     #[serde(skip)]
@@ -31,11 +31,11 @@ pub(super) struct Body {
 /// A rigid link.
 #[derive(Serialize)]
 struct Link {
-    /// Number of the link that carries it; none of the first.
+    /// Index of the link that carries it; none for the first one.
     parent: Option<usize>,
     /// Pose in the frame of its parent while the joint is at 0: three rows of four numbers, m.
     pose: [f32; 12],
-    /// The joint that turns it about `axis`, a unit vector through the origin of its frame.
+    /// Joint that rotates it about `axis`, a unit vector through the origin of its frame.
     joint: Option<String>,
     axis: [f32; 3],
     meshes: Vec<Mesh>,
@@ -58,7 +58,7 @@ impl Body {
     }
 }
 
-/// Number of the segment that carries another one.
+/// Returns the index of the segment that carries another one.
 fn parent(index: usize) -> Option<usize> {
     match Segment::ALL[index] {
         Segment::Torso => None,
@@ -109,12 +109,12 @@ impl Mesh {
     }
 }
 
-/// The two triangles of a face with four corners.
+/// Returns the two triangles of a face with four corners.
 fn face([a, b, c, d]: [Vec3; 4]) -> [Vec3; 6] {
     [a, b, c, a, c, d]
 }
 
-/// The surface between rings of [`SIDES`] points: `point(ring, side)`.
+/// Returns the surface between rings of [`SIDES`] points: `point(ring, side)`.
 fn between(rings: usize, point: impl Fn(usize, usize) -> Vec3) -> Vec<Vec3> {
     let side = |ring: usize, side: usize| {
         face([point(ring, side), point(ring, side + 1), point(ring + 1, side + 1), point(ring + 1, side)])

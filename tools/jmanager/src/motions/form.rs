@@ -1,4 +1,4 @@
-//! How the numbers of a motion in a source are postures of a robot.
+//! Conversion of the numbers of a motion in a source to postures of a robot.
 
 mod handles;
 
@@ -32,42 +32,42 @@ pub(super) struct Form {
     /// The cell with the duration, and its unit, s.
     #[serde(skip_serializing_if = "Option::is_none")]
     time: Option<(&'static str, f32)>,
-    /// How the duration follows from the postures if no cell has it.
+    /// Rule for the duration of a row without a duration cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pace: Option<Pace>,
-    /// Whether all joints move evenly between two rows; else from rest to rest.
+    /// Whether all joints move at constant speed between two rows; otherwise they accelerate from rest and stop.
     pub(super) linear: bool,
-    /// Whether the motion slows down where a joint would be too fast.
+    /// Whether the motion slows down if a joint would be too fast.
     pub(super) stretches: bool,
     channels: Vec<Channel>,
-    /// Code of the first row of a new motion; none if there is no way to write one.
+    /// Code of the first row of a new motion; none if a new motion is not supported.
     #[serde(skip_serializing_if = "Option::is_none")]
     row: Option<String>,
-    /// By the key of a motion: where it begins, and the motions of the file that belong together.
+    /// By the key of a motion: its start, and the motions of the file that form a sequence.
     sequences: BTreeMap<&'static str, (Start, Vec<&'static str>)>,
     #[serde(skip)]
     pub(super) robot: &'static SimulatedModel,
     /// Whether the rows are poses of a kick.
     #[serde(skip)]
     pub(super) kicks: bool,
-    /// Action of the worlds that moves a limb of its robot; none if their robot is another one.
+    /// Action of the worlds that moves a limb of the robot; none if the worlds have another robot.
     #[serde(skip_serializing_if = "Option::is_none")]
     plays: Option<&'static str>,
-    /// The only world and beginning of its trials.
+    /// Fixed world and start of its trials, if there is no choice.
     #[serde(skip_serializing_if = "Option::is_none")]
     only: Option<&'static str>,
 }
 
-/// Durations by speed: the joint with the longest way moves at most this fast.
+/// Rule for durations: the joint with the longest motion moves at most at `speed`.
 #[derive(Serialize)]
 struct Pace {
-    /// Largest speed, units of the channels per second.
+    /// Maximum speed, units of the channels per second.
     speed: f32,
-    /// Least duration, s.
+    /// Minimum duration, s.
     shortest: f32,
 }
 
-/// Where a motion begins.
+/// Start of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Start {
@@ -82,16 +82,16 @@ pub(super) enum Start {
 /// A number of each row.
 #[derive(Serialize)]
 struct Channel {
-    /// Name of its cell; with a `/` a cell of the constant that a cell names.
+    /// Name of its cell; with a `/` a cell of the constant that the row names.
     cell: String,
     name: String,
     unit: &'static str,
     min: f32,
     max: f32,
     step: f32,
-    /// Value where the row has none.
+    /// Value if the row has none.
     rest: f32,
-    /// Channel that has the value in the mirror image, and whether its sign is another one.
+    /// Index of the channel with this value in the mirror image, and whether the sign changes.
     mirror: (usize, bool),
     /// Joints that it moves.
     #[serde(skip)]
@@ -122,7 +122,7 @@ impl Channel {
 }
 
 impl Channel {
-    /// A number that no joint has directly.
+    /// A channel that is no joint angle.
     fn plain(own: usize, cell: String, name: &str, unit: &'static str, [min, max, step, rest]: [f32; 4]) -> Self {
         let (name, mirror) = (name.to_owned(), (own, false));
         Self { cell, name, unit, min, max, step, rest, mirror, joints: Vec::new(), moves: Vec::new() }
@@ -183,7 +183,7 @@ impl Form {
         }
     }
 
-    /// Rows of pairs of a joint and its angle in degrees, as those of the player of therapy sessions, with its usual tempo.
+    /// Rows of pairs of a joint and its angle, degrees, as in therapy sessions, with the usual speed of their player.
     fn pairs() -> Self {
         let joints = &Joint::ALL[..GET_UP_JOINTS];
         let channel = |joint: &Joint| {
@@ -279,19 +279,19 @@ impl Form {
         &self.name
     }
 
-    /// The numbers of a row at rest.
+    /// Returns the numbers of a row at rest.
     pub(super) fn rest(&self) -> BTreeMap<String, f32> {
         self.channels.iter().map(|channel| (channel.cell.clone(), channel.rest)).collect()
     }
 
-    /// The pose of a kick that a row is.
+    /// Returns the pose of a kick in a row.
     pub(super) fn kick_pose(&self, row: &BTreeMap<String, f32>) -> KickPose {
         let value = |own: usize| row.get(&self.channels[own].cell).copied().unwrap_or(self.channels[own].rest);
         let place = |first: usize| Vec3::new(value(first), value(first + 1), value(first + 2));
         KickPose { hips: place(0), foot: place(3), yaw: value(6), roll: value(7), pitch: value(8) }
     }
 
-    /// The joint angles of a row, rad.
+    /// Returns the joint angles of a row, rad.
     pub(super) fn posture_of(&self, row: &BTreeMap<String, f32>) -> Joints {
         if self.kicks {
             let mut limbs = NAO.dynamic_profile.gait.stand(NAO);
@@ -308,14 +308,14 @@ impl Form {
     }
 }
 
-/// A channel of one joint with its mirror image among the channels of `joints`.
+/// Returns a channel of one joint with its mirror channel among those of `joints`.
 fn mirrored(channel: Channel, joints: &[Joint]) -> Channel {
     let joint = channel.joints[0].0;
     let other = joints.iter().position(|one| *one == joint.mirrored()).unwrap_or_default();
     Channel { mirror: (other, joint.changes_sign_mirrored()), ..channel }
 }
 
-/// Kind of the kick that a motion is.
+/// Returns the kind of kick with the key of a motion.
 pub(super) fn kick_kind(key: &str) -> Option<KickKind> {
     match key {
         "FRONT" => Some(KickKind::Front),

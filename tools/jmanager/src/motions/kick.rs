@@ -1,4 +1,4 @@
-//! Kicks in MuJoCo: with the poses under edit, and with those of this program.
+//! Kicks in MuJoCo: with the edited poses, and with those of this program.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -11,10 +11,10 @@ use bica_motion::side::Side;
 use bica_wire::model::Invalid;
 use serde::Serialize;
 
-/// What became of several kicks.
+/// Result of several kicks.
 #[derive(Clone, Debug)]
 struct Outcome {
-    /// Median distance of the ball, m.
+    /// Median of the farthest distance of the ball, m.
     way: f32,
     /// Median error of its direction, degrees.
     off: f32,
@@ -22,7 +22,7 @@ struct Outcome {
     falls: usize,
 }
 
-/// What a person is told of a trial.
+/// Displayed result of a trial.
 #[derive(Debug, Serialize)]
 pub(super) struct Verdict {
     good: bool,
@@ -30,10 +30,10 @@ pub(super) struct Verdict {
     text: String,
 }
 
-/// Results of the kicks of this program, by kind and number of runs: equal runs have equal results.
+/// Results of this program's kicks, by kind and number of runs. Equal runs have equal results.
 static KNOWN: Mutex<BTreeMap<(u8, u32), Outcome>> = Mutex::new(BTreeMap::new());
 
-/// Tries poses of a kick with the left foot, and compares them with those of this program in the same runs.
+/// Compares edited poses of a kick with the left foot with those of this program, in the same runs.
 pub(super) fn tried(kind: KickKind, frames: Vec<KickFrame>, runs: u32) -> Result<Verdict, Invalid> {
     let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let found = known().get(&(kind as u8, runs)).cloned();
@@ -64,10 +64,10 @@ fn kicked(kind: KickKind, profile: &'static Profile, runs: u32) -> Result<Outcom
     Ok(Outcome { way: median(|run| run.way), off: median(|run| run.off), falls })
 }
 
-/// Profiles of the different kicks that were tried. A motion borrows its profile for ever, so each is kept: about 1 kB.
+/// Profiles of all kicks that were tried. A motion borrows its profile for the static lifetime, so each one is kept: about 1 kB.
 static TRIED: Mutex<Vec<&Profile>> = Mutex::new(Vec::new());
 
-/// The profile with other poses of one kick.
+/// Returns the profile with other poses of one kick.
 fn changed(kind: KickKind, frames: Vec<KickFrame>) -> &'static Profile {
     let Profile { kicks, .. } = *NAO.dynamic_profile;
     let mut tried = TRIED.lock().unwrap_or_else(PoisonError::into_inner);

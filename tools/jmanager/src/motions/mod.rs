@@ -1,5 +1,5 @@
-//! The motion editor's knowledge of humanoids: how rows in sources are postures, what a posture is in space, and what becomes of
-//! a motion in a simulated body.
+//! Humanoids in the motion editor: conversion of rows in sources to postures, geometry of a posture, and trials of a motion in a
+//! simulated body.
 
 mod body;
 mod form;
@@ -35,21 +35,21 @@ const MAX_SECONDS: f32 = 120.0;
 /// Largest number of runs of a trial.
 const MAX_RUNS: u32 = 100;
 
-/// Parts of the way to a pose of a kick on the robot of the session.
+/// Number of parts of the motion to a pose of a kick on the robot of the session.
 const KICK_PARTS: usize = 6;
 
-/// What the panel asks for.
+/// Requests of the panel.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
 enum Message {
     /// All forms.
     Forms {},
-    /// The body of the robot with these joints: a [`Body`], or nothing.
+    /// Returns the body of the robot with these joints: a [`Body`], or nothing.
     Body { joints: Vec<String> },
-    /// Each key posture in space, and what of the motion to it is beyond the motors: list of
+    /// Returns each key posture in space, and the violations of motor limits in the motion to it: list of
     /// `{"shape", "handles", "anchor", "limits"}`; `anchor` is the pose of the frame of the handles.
     Shapes { form: String, keys: Vec<Row> },
-    /// What plays a motion on the robot of the session: a [`Plan`].
+    /// Returns the actions that play a motion on the robot of the session: a [`Plan`].
     Plan { form: String, keys: Vec<Row>, start: Start },
     /// Plays a motion in a simulated body: `{"runs": list, "joints": names}`; a kick: `{"verdict": {"good", "title", "text"}}`.
     Try {
@@ -115,7 +115,7 @@ impl Form {
         Play { keys: keys.iter().map(key).collect(), linear, stretches, start, mujoco: false, runs: 1 }
     }
 
-    /// The plan of a motion. The foot of a kick moves on a straight line, its joints do not, so its ways are divided.
+    /// Plans a motion. The foot of a kick moves on a straight line, but its joints do not, so each motion to a pose is divided.
     fn plan(&self, keys: &[Row], start: Start) -> Plan {
         if !self.kicks {
             return Plan::new(&self.play(keys, start), 1);

@@ -14,9 +14,9 @@ use serde::Serialize;
 
 use super::form::Start;
 
-/// Velocity that pushes a robot over, m/s.
+/// Velocity of the push that makes a robot fall, m/s.
 const PUSH: f32 = 2.3;
-/// Time of a fall until the robot lies still, s.
+/// Time from the push until the robot lies still, s.
 pub(super) const FALL: f32 = 2.5;
 /// Time in the stand before the motion, s.
 pub(super) const BEFORE: f32 = 0.5;
@@ -24,10 +24,10 @@ pub(super) const BEFORE: f32 = 0.5;
 pub(super) const AFTER: f32 = 1.5;
 /// Duration of the motion from the last posture of a get-up to the stand, s.
 pub(super) const STRETCH: f32 = 0.8;
-/// Cycles between two samples of a course.
+/// Number of cycles between two samples of the course.
 const SAMPLE: usize = 2;
 
-/// A posture, and how to reach it.
+/// Key posture, and the motion to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Key {
     /// Duration of the motion to it, s.
@@ -36,7 +36,7 @@ pub(super) struct Key {
     pub(super) stiffness: f32,
 }
 
-/// What is tried.
+/// Trial of a motion.
 #[derive(Debug)]
 pub(super) struct Play {
     pub(super) keys: Vec<Key>,
@@ -44,7 +44,7 @@ pub(super) struct Play {
     pub(super) stretches: bool,
     pub(super) start: Start,
     pub(super) mujoco: bool,
-    /// Number of runs. All but the first differ in friction, gains, dead time, noise and in the zero of each joint.
+    /// Number of runs. All but the first have random friction, gains, dead time, noise and errors of the joint zeros.
     pub(super) runs: u32,
 }
 
@@ -57,14 +57,14 @@ impl Play {
     }
 }
 
-/// What became of it.
+/// Result of a run.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Run {
     /// Time of the first fall after the start, s.
     fell: Option<f32>,
     /// Whether the robot stands at the end.
     stands: bool,
-    /// Greatest current of each joint as a multiple of what its motor bears continuously; none if the world has no currents.
+    /// Largest current of each joint as a multiple of the continuous current of its motor; 0 if the world has no currents.
     load: Vec<(String, f32)>,
     /// Time at which the motion to each key posture ends, s.
     ends: Vec<f32>,
@@ -72,7 +72,7 @@ pub(super) struct Run {
     course: Vec<(f32, Vec<f32>, Vec<f32>)>,
 }
 
-/// Numbers from 0 to 1 that follow from a seed (`SplitMix64`, Steele and others 2014).
+/// Generator of random numbers (`SplitMix64`, Steele and others 2014).
 pub(super) struct Draw(pub(super) u64);
 
 impl Draw {
@@ -137,7 +137,7 @@ fn mujoco(model: &'static SimulatedModel, setup: &Setup, draw: &mut Draw) -> Res
     world.map(|world| Box::new(world) as _).map_err(|error| Invalid::new(error.to_string(), "install MuJoCo anew"))
 }
 
-/// The physics of a run: as they are for the seed 0, else drawn.
+/// Returns the physics of a run: the usual ones for seed 0, else random ones.
 #[cfg(feature = "mujoco")]
 pub(super) fn physics(model: &'static SimulatedModel, seed: u64, draw: &mut Draw) -> bica_sim::mujoco::Physics {
     let usual = bica_sim::mujoco::Physics { cameras: false, ..bica_sim::mujoco::Physics::of(model) };
@@ -189,12 +189,12 @@ impl Player<'_> {
         self.forget();
     }
 
-    /// Forgets what happened before the motion.
+    /// Discards the results of the time before the motion.
     fn forget(&mut self) {
         (self.run, self.time) = (Run::default(), 0.0);
     }
 
-    /// Angles from which the motion begins.
+    /// Returns the angles from which the motion begins.
     fn last(&mut self, start: Start) -> Joints {
         if start == Start::Stand { self.model.stand } else { self.world.sensors().angles }
     }

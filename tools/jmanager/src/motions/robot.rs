@@ -1,4 +1,4 @@
-//! What a posture is for a robot: places of its limbs, centre of mass, limits of its motors.
+//! Posture of a robot: positions of its limbs, centre of mass, and limits of its motors.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::{Segment, Skeleton, ground_from_robot};
@@ -16,7 +16,7 @@ const ROUNDING: f32 = 0.01;
 const GRAVITY: f32 = 9.81;
 /// Half of the step of derivatives, rad.
 const STEP: f32 = 0.005;
-/// Distance of a handle from the axis of a joint below which the joint does not move it, m.
+/// Minimum distance of a handle from the axis of a joint that moves it, m.
 const LEVER: f32 = 0.02;
 
 /// A posture in space. Frame: on the ground under the lower foot, x ahead, y to the left, z up; m.
@@ -33,14 +33,14 @@ pub(super) struct Shape {
     pub(super) torso: [f32; 12],
     #[serde(skip)]
     pub(super) right_sole: [f32; 12],
-    /// Distance of the centre of mass, seen from above, from the edge of what the soles on the ground span; negative beyond it.
+    /// Distance of the centre of mass, seen from above, from the edge of the support polygon; negative outside.
     margin: f32,
-    /// Current that each joint needs to hold the posture on the soles, as a multiple of what its motor bears continuously; none if the
-    /// robot does not stand on its soles.
+    /// Current that each joint needs to hold the posture on the soles, as a multiple of its motor's continuous current; none if the robot
+    /// does not stand on its soles.
     load: Vec<(String, f32)>,
 }
 
-/// A point of a limb that can be dragged, robot frame, m.
+/// A draggable point of a limb, robot frame, m.
 pub(super) struct Handle {
     pub(super) point: Point,
     pub(super) at: Vec3,
@@ -48,7 +48,7 @@ pub(super) struct Handle {
     pub(super) joints: Vec<(Joint, Vec3, Vec3)>,
 }
 
-/// Where on the body a handle is.
+/// Position of a handle on the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Point {
     Hips,
@@ -60,14 +60,14 @@ pub(super) enum Point {
     Toes(Side),
 }
 
-/// What of a motion from one posture to the next the motors cannot do.
+/// Violations of the motors' limits in the motion from one posture to the next.
 #[derive(Serialize)]
 pub(super) struct Limits {
     /// Joints beyond their ranges, with angle and nearest limit, degrees.
     beyond: Vec<(String, f32, f32)>,
-    /// Joints faster than their motors, with the greatest speed and its limit, °/s.
+    /// Joints faster than their motors, with the largest speed and its limit, °/s.
     fast: Vec<(String, f32, f32)>,
-    /// Least duration, s.
+    /// Minimum duration, s.
     least: f32,
 }
 
@@ -106,7 +106,7 @@ pub(super) fn shape(model: &'static SimulatedModel, angles: &Joints) -> Shape {
     }
 }
 
-/// Rotation and translation as three rows.
+/// Returns rotation and translation as three rows.
 pub(super) fn rows(pose: Affine3A) -> [f32; 12] {
     let [x, y, z, at] = pose.to_cols_array_2d();
     core::array::from_fn(|index| [x, y, z, at][index % 4][index / 4])
@@ -177,7 +177,7 @@ fn load(model: &'static SimulatedModel, angles: &Joints, skeleton: &Skeleton, gr
         [is_left, _] => f32::from(u8::from(is_left)),
     };
     let off = centre - (right + share * between).with_z(0.0);
-    // The centre of pressure of each foot, in the frame of its sole.
+    // Centre of pressure of each foot, in the frame of its sole.
     let to_sole = |side: Side, foot: Vec3| (ground * skeleton.sole(side)).inverse().transform_point3(foot + off);
     let feet =
         [(Side::Left, share, to_sole(Side::Left, left)), (Side::Right, 1.0 - share, to_sole(Side::Right, right))];
@@ -201,7 +201,7 @@ fn load(model: &'static SimulatedModel, angles: &Joints, skeleton: &Skeleton, gr
     model.joints.iter().map(of).filter(|(_, load)| load.is_finite()).collect()
 }
 
-/// Distance of a point from the edge of the convex hull of others: positive inside.
+/// Returns the distance of a point from the edge of the convex hull of others; positive inside.
 fn margin(mut points: Vec<Vec2>, point: Vec2) -> f32 {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     // Andrew's monotone chain (1979), counter-clockwise: the lower half, then the upper one.

@@ -11,32 +11,32 @@ use super::play::{AFTER, BEFORE, FALL, Play, STRETCH};
 
 /// Action of the worlds that moves a limb.
 pub(super) const MOVE_LIMB: &str = "move_limb";
-/// Pose at which the robot is placed before a motion: x and y, m, and heading, rad, field frame. It is beside the way of a game.
+/// Pose at which the robot is placed before a motion: x and y, m, and heading, rad, field frame. It is out of the way of a game.
 const PLACE: [f32; 3] = [-1.5, 1.2, 0.0];
-/// The strongest push of the worlds, m/s.
+/// Strongest push of the worlds, m/s.
 const PUSH: f32 = 2.0;
 /// Duration of the motion into the posture of a fall, s.
 const INTO_FALL: f32 = 0.05;
 
-/// What the page asks of the world, and when what happens.
+/// Actions that the page requests of the world, and their times.
 #[derive(Debug, Serialize)]
 pub(super) struct Plan {
-    /// Names and arguments of actions, all before one cycle.
+    /// Names and arguments of actions. All are performed before the same cycle.
     calls: Vec<(&'static str, Vec<Value>)>,
     /// Time before the motion, s.
     before: f32,
-    /// Times at which the ways to the postures end, s after that.
+    /// Times at which the motions to the postures end, s after the start of the motion.
     ends: Vec<f32>,
-    /// Time from the first cycle until the program has the robot again, s.
+    /// Time from the first cycle until the program controls the robot again, s.
     seconds: f32,
-    /// Event of the world that has to follow the beginning of the motion.
+    /// Event of the world that must follow the start of the motion.
     wanted: Option<&'static str>,
     /// Event that must not follow.
     unwanted: Option<&'static str>,
 }
 
 impl Plan {
-    /// Plans the keys of a motion, of which only each one at a multiple of `every` is a posture of the source.
+    /// Plans the keys of a motion. Only every `every`-th key is a posture of the source.
     pub(super) fn new(play: &Play, every: usize) -> Self {
         let lies = play.start != Start::Stand;
         let wanted = if lies { (Some("got_up"), None) } else { (None, Some("fall")) };
@@ -66,7 +66,7 @@ impl Plan {
         plan
     }
 
-    /// Brings the robot into its first posture, and returns that.
+    /// Adds the motion to the first posture, and returns that posture.
     fn begin(&mut self, start: Start) -> Joints {
         let (direction, key) = match start {
             Start::Stand => {
@@ -82,7 +82,7 @@ impl Plan {
         key.posture
     }
 
-    /// Moves all limbs to a posture.
+    /// Adds the motion of all limbs to a posture.
     fn hold(&mut self, posture: &Joints, stiffness: f32, seconds: f32, even: bool) {
         let head = [Joint::HeadYaw, Joint::HeadPitch];
         let [left, right] = [Side::Left, Side::Right];
@@ -113,7 +113,8 @@ mod tests {
     use super::super::play::Key;
     use super::*;
 
-    /// A plan of the get-up of the robot's model, performed in a world; the program of the robot lets it stand.
+    /// Performs a plan of the robot's get-up in a world, while the robot's program lets it stand; returns whether the robot fell and got
+    /// up.
     fn rises(world: &mut dyn World, start: Start, first: &[GetUpFrame]) -> bool {
         let key =
             |frame: &GetUpFrame| Key { seconds: frame.seconds(), posture: frame.posture(NAO, false), stiffness: 1.0 };

@@ -1,4 +1,4 @@
-//! Points of a posture that can be dragged, and how the numbers of a form move them.
+//! Draggable points of a posture, and the effect of a form's numbers on them.
 
 use bica_motion::joints::{Joint, Joints};
 use bica_motion::kinematics::sole;
@@ -10,28 +10,28 @@ use serde::Serialize;
 use super::{Channel, Form};
 use crate::motions::robot::{self, Point};
 
-/// A point of a posture that can be dragged, frame of the torso, or of the right sole in a kick; m.
+/// A draggable point of a posture, m; frame of the torso, or of the right sole in a kick.
 #[derive(Serialize)]
 pub(in crate::motions) struct Handle {
     at: [f32; 3],
-    /// The channels that move it.
+    /// Effects of the channels that move it.
     ways: Vec<Way>,
 }
 
-/// How a channel moves a handle: it turns it about an axis, and moves it.
+/// Effect of a channel on a handle: a rotation about an axis, and a translation.
 #[derive(Serialize)]
 struct Way {
     channel: usize,
     /// A point on the axis.
     origin: [f32; 3],
-    /// Direction of the axis, with the angle by unit of the channel, rad, as its length.
+    /// Direction of the axis; its length is the angle per unit of the channel, rad.
     turn: [f32; 3],
-    /// Way by unit of the channel, m.
+    /// Translation per unit of the channel, m.
     along: [f32; 3],
 }
 
 impl Form {
-    /// The points of a posture that can be dragged.
+    /// Returns the draggable points of a posture.
     pub(in crate::motions) fn handles(&self, posture: &Joints) -> Vec<Handle> {
         let all = robot::handles(self.robot, posture).into_iter();
         if self.kicks {
@@ -92,7 +92,7 @@ mod tests {
                     assert!(error < 1e-3, "{} {name}: {found:?} {expected}", form.name);
                 }
             }
-            // On each side elbow, hand, knee, ankle and toes, and the face; a kick has its foot and the hips.
+            // On each side elbow, hand, knee, ankle and toes, and the face. A kick has its foot and the hips.
             assert_eq!(handles.len(), if form.kicks { 2 } else { 11 }, "{}", form.name);
         }
     }
