@@ -43,7 +43,7 @@ fn pick(remove: bool, image: u32, (x, y): (u16, u16)) -> Request {
     tuner(json!({ "type": "pick", "class": ORANGE, "remove": remove, "image": image, "pixels": [[x, y]] }))
 }
 
-/// Recall and precision of the ball, missed images, wrong detections.
+/// Returns recall and precision of the ball, missed images, and wrong detections.
 fn score(page: &Page) -> (f64, f64, Vec<String>, Vec<String>) {
     let rows = page.ask(tuner(json!({ "type": "score" }))).unwrap();
     let row = &rows["rows"][0];
@@ -53,7 +53,7 @@ fn score(page: &Page) -> (f64, f64, Vec<String>, Vec<String>) {
     (row["recall"].as_f64().unwrap(), precision, names(&row["missed"]), names(&row["wrong"]))
 }
 
-/// Class of each pixel of an image.
+/// Returns the class of each pixel of an image.
 fn classify(page: &Page, image: u32) -> Vec<u8> {
     let id = page.send(tuner(json!({ "type": "classify", "image": image })));
     let frame = page.wait("the classes", |got| match got {
@@ -65,7 +65,7 @@ fn classify(page: &Page, image: u32) -> Vec<u8> {
     frame[32..].to_vec()
 }
 
-/// The pixel of a ball, as near to its centre as possible, that is not orange yet.
+/// Returns the pixel of a ball nearest to its centre that is not yet classified as orange.
 fn place_to_click(classes: &[u8], ball: &Ball) -> Option<(u16, u16)> {
     let (x0, y0, radius) = (ball.centre.x as i32, ball.centre.y as i32, (0.7 * ball.radius) as i32);
     let offsets = (-radius..=radius).flat_map(|dy| (-radius..=radius).map(move |dx| (dx, dy)));
@@ -99,7 +99,7 @@ bica_test_data::images_test! {
         let mut clicks = 0;
         while (recall < 0.97 || precision < 0.99) && clicks < MAX_CLICKS {
             let click = if recall < 0.97 {
-                // The ball that is least like the limits lies in the middle of the missed ones sooner or later.
+                // Steps of seven through the missed images, so that successive clicks are on different balls.
                 let image = &missed[clicks * 7 % missed.len()];
                 let ball = *labels.get(image).unwrap().balls.iter().find(|ball| ball.orange && ball.full).unwrap();
                 let number = numbers[stem(image)];
@@ -139,7 +139,7 @@ bica_test_data::images_test! {
     }
 }
 
-/// Number of an image that the camera has taken.
+/// Returns the number of an image of the camera.
 fn watched_image(page: &Page) -> u32 {
     let images = Some(WatchImages { max_hz: 30.0 });
     page.send(Request::Watch { watch: Watch { images, ..Watch::default() } });

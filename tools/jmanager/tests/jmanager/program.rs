@@ -10,7 +10,7 @@ use tungstenite::{Message, WebSocket};
 
 use crate::page::Folder;
 
-/// A program in a folder of its own; both end with it.
+/// A program in its own folder; both are removed at the end.
 struct Program {
     child: Child,
     folder: Folder,
@@ -41,7 +41,7 @@ impl Program {
         }
     }
 
-    /// Ends it by signals; returns all that it has printed since.
+    /// Ends it by signals; returns its remaining output.
     fn end(mut self, mut output: BufReader<ChildStdout>, signals: &[&str]) -> String {
         let id = self.child.id();
         let kill: Vec<String> = signals.iter().map(|signal| format!("kill -{signal} {id}")).collect();
@@ -62,7 +62,7 @@ impl Drop for Program {
     }
 }
 
-/// The next message of the server; also that it closes the page.
+/// Returns the next message of the server; `{"type": "close"}` if it closes the page.
 fn message(page: &mut WebSocket<TcpStream>) -> Option<Value> {
     loop {
         match page.read().ok()? {

@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 
 use crate::folder::target;
 
-/// Longest time in which it ends its browsers.
+/// Time limit for the end of its browsers.
 const END: Duration = Duration::from_secs(5);
 
-/// Whether `JMANAGER_BROWSER` is `firefox`; else the browser is Chromium.
+/// Returns whether `JMANAGER_BROWSER` is `firefox`; else the browser is Chromium.
 pub(crate) fn is_firefox() -> bool {
     std::env::var("JMANAGER_BROWSER").is_ok_and(|name| name == "firefox")
 }
@@ -22,7 +22,7 @@ fn geckodriver() -> PathBuf {
     if installed.exists() { installed } else { "geckodriver".into() }
 }
 
-/// Most starts of a driver that ends before it has printed its port.
+/// Maximum number of starts of a driver that ends before it prints its port.
 const STARTS: u32 = 5;
 
 /// A driver that ends with its browsers when this is dropped.
@@ -60,15 +60,15 @@ impl Driver {
             child.wait().expect("it has closed its output");
             return None;
         };
-        // The rest is read, so that the driver never waits for a reader.
+        // The rest is read, so that a full pipe never blocks the driver.
         std::thread::spawn(move || lines.for_each(drop));
         Some(Self { child, url: format!("http://127.0.0.1:{port}") })
     }
 
-    /// Asks it to end its browsers and then itself. Killed, it would leave them behind.
+    /// Requests that it ends its browsers and then itself. If it were killed, the browsers would go on.
     fn shut_down(&self) -> std::io::Result<()> {
         if is_firefox() {
-            // Geckodriver knows no such request. It and its browser are one group.
+            // Geckodriver has no such request. It and its browser are one process group.
             let group = format!("-{}", self.child.id());
             return Command::new("kill").args(["-TERM", "--", &group]).status().map(drop);
         }

@@ -8,10 +8,10 @@ use serde_json::{Value, json};
 use crate::input::press;
 use crate::page::{LIMIT, Page};
 
-/// Waits for two frames in which a control stands still, enabled and uncovered. Then lets only it receive the next press. `pressed` waits
-/// until the button is released, as the browser may handle a press after the driver has answered, and tells whether the control was hit: a
-/// page may move between the look and the press. Scripts of a story click too (`GOES_ON`), which is no press. `happened` has the events
-/// of the page, for a story that fails.
+/// Returns whether a control keeps its position for two frames, enabled and uncovered; then only it receives the next press. `pressed`
+/// waits until the button is released, because the browser may handle a press after the driver has answered, and returns whether the
+/// control was hit: the page may move between the check and the press. Clicks by scripts of a story (`GOES_ON`) do not count. `happened`
+/// has the events of the page, for a story that fails.
 const AIM: &str = r"
 const [one] = arguments;
 one.scrollIntoView({ block: 'nearest' });
@@ -55,7 +55,7 @@ return frame().then(frame).then(() => {
 });
 ";
 
-/// The rectangle of an element, once it is the same for some frames, at the most for five seconds.
+/// Returns the rectangle of an element after it was constant for four frames, or after 300 frames.
 const STANDS: &str = r"
 const place = () => { const { x, y, width, height } = arguments[0].getBoundingClientRect(); return [x, y, width, height]; };
 const look = (before, same, frames) => new Promise(requestAnimationFrame).then(() => {
@@ -89,7 +89,7 @@ impl<'a> Element<'a> {
         }
     }
 
-    /// Clicks it if it stands still where a press reaches it; tells whether the press did.
+    /// Clicks the element if it is stable and uncovered; returns whether it was hit.
     pub(crate) async fn try_click(&self) -> Result<bool, CmdError> {
         let client = &self.page.client;
         if client.execute(AIM, vec![self.value.clone()]).await? != true {
@@ -97,7 +97,7 @@ impl<'a> Element<'a> {
         }
         let to = json!({ "type": "pointerMove", "duration": 0, "x": 0, "y": 0, "origin": self.value });
         self.page.mouse(&[&[to][..], &press()].concat()).await;
-        // A press that leads to another page took its script away.
+        // A press that opens another page removes the script of this one.
         Ok(client.execute("return window.pressed?.() ?? true", vec![]).await? == true)
     }
 
@@ -106,13 +106,13 @@ impl<'a> Element<'a> {
         self.run("arguments[0].focus()", Value::Null).await;
     }
 
-    /// Its rectangle in the window: left, top, width, height. What moves is measured once it stands still.
+    /// Returns its rectangle in the window, px: left, top, width, height. A moving element is measured after it has stopped.
     pub async fn place(&self) -> [f64; 4] {
         let place = self.run(STANDS, Value::Null).await;
         [0, 1, 2, 3].map(|index| place[index].as_f64().unwrap_or_default())
     }
 
-    /// Its middle in the window.
+    /// Returns its centre in the window, px.
     pub async fn middle(&self) -> (f64, f64) {
         let [x, y, width, height] = self.place().await;
         (x + width / 2.0, y + height / 2.0)
@@ -125,7 +125,7 @@ impl<'a> Element<'a> {
         self.run(script, json!(value)).await;
     }
 
-    /// An attribute, or the text content for the name `text`.
+    /// Returns an attribute, or the text content for the name `text`.
     pub async fn attribute(&self, name: &str) -> String {
         let script = "const [one, name] = arguments; return name === 'text' ? one.textContent \
             : name === 'value' ? one.value : one.getAttribute(name) ?? ''";

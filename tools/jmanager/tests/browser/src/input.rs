@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::page::Page;
 
-/// Time for which a person presses a button of the mouse, and between two steps of a drag, ms.
+/// Duration of a mouse press, and time between two steps of a drag, ms.
 const PRESS_MS: u64 = 100;
 const STEP_MS: u64 = 15;
 
@@ -19,12 +19,12 @@ impl Page {
         self.act(json!([{ "type": "key", "id": "keys", "actions": actions }])).await;
     }
 
-    /// Presses a key and leaves it down.
+    /// Presses a key and keeps it pressed.
     pub async fn key_down(&self, key: char) {
         self.act(json!([{ "type": "key", "id": "keys", "actions": [{ "type": "keyDown", "value": key }] }])).await;
     }
 
-    /// Lets a key go.
+    /// Releases a key.
     pub async fn key_up(&self, key: char) {
         self.act(json!([{ "type": "key", "id": "keys", "actions": [{ "type": "keyUp", "value": key }] }])).await;
     }
@@ -57,17 +57,17 @@ impl Page {
         self.mouse(&[drawn(from, to), vec![button("pointerUp")]].concat()).await;
     }
 
-    /// Drags as [`drag`](Self::drag), and leaves the button down.
+    /// Drags as [`drag`](Self::drag), and keeps the button pressed.
     pub async fn hold(&self, from: (f64, f64), to: (f64, f64)) {
         self.mouse(&drawn(from, to)).await;
     }
 
-    /// Lets the button of the mouse go.
+    /// Releases the mouse button.
     pub async fn release(&self) {
         self.mouse(&[button("pointerUp")]).await;
     }
 
-    /// Presses the button of the mouse at a point of the window, as long as a person does.
+    /// Clicks at a point of the window, with the duration of a human press.
     pub async fn click_at(&self, at: (f64, f64)) {
         self.mouse(&[&[moved(at)][..], &press()].concat()).await;
     }
@@ -84,7 +84,7 @@ impl Page {
     }
 }
 
-/// A press and the way of a drag.
+/// Returns the actions of a press and of the path of a drag.
 fn drawn(from: (f64, f64), to: (f64, f64)) -> Vec<Value> {
     let mut actions = vec![moved(from), button("pointerDown"), pause(PRESS_MS)];
     for step in 1..=8 {

@@ -1,6 +1,6 @@
 //! A server, a browser, and a page whose controls are found by role and name.
 //!
-//! All of it is for tests: what cannot be started, is not there in time or fails ends the test with a panic that names it.
+//! All of it is for tests: each failure or timeout ends the test with a panic that names the cause.
 
 mod driver;
 mod element;

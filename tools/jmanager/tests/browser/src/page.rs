@@ -14,7 +14,7 @@ use crate::element::Element;
 use crate::folder::target;
 use crate::server::Server;
 
-/// Longest wait for a condition on a busy machine.
+/// Time limit of a condition, for a busy machine.
 pub(crate) const LIMIT: Duration = Duration::from_secs(90);
 const POLL: Duration = Duration::from_millis(100);
 
@@ -51,7 +51,7 @@ impl WebDriverCompatibleCommand for ConsoleLog {
     }
 }
 
-/// A size of the page, px, that the browser's window may not have.
+/// Command that sets the size of the page, px, also to one that a window cannot have.
 #[derive(Debug)]
 struct Size(u32, u32);
 
@@ -67,7 +67,7 @@ impl WebDriverCompatibleCommand for Size {
     }
 }
 
-/// A page that shows a server.
+/// A browser with the page of a server.
 pub struct Page {
     pub(crate) client: Client,
     // Ends the browser when the page is dropped.
@@ -84,7 +84,7 @@ impl Page {
     pub async fn open_with(url: &str, (width, height): (u32, u32), arguments: &[&str]) -> Self {
         let driver = Driver::start();
         let size = format!("--window-size={width},{height}");
-        // The last one: WebGL by the processor, where there is no graphics card.
+        // The last argument: WebGL by the processor if there is no graphics card.
         let fixed = [
             "--headless=new",
             "--no-sandbox",
@@ -118,7 +118,7 @@ impl Page {
 
     /// Runs a script; its arguments are `arguments[0]`, ….
     pub async fn run_with(&self, script: &str, arguments: Vec<Value>) -> Value {
-        // Firefox runs scripts apart from the page, where `import` gives modules of their own.
+        // Firefox runs scripts outside of the page, where `import` returns other instances of the modules.
         let script = &if is_firefox() { script.replace("import(", "window.load(") } else { script.to_owned() };
         self.client.execute(script, arguments).await.unwrap_or_else(|error| panic!("{script}: {error}"))
     }
@@ -153,7 +153,7 @@ impl Page {
         self.until_within(what, script, LIMIT).await
     }
 
-    /// The same with another longest wait.
+    /// Waits as [`until`](Self::until), with another time limit.
     pub async fn until_within(&self, what: &str, script: &str, limit: Duration) -> Value {
         let start = Instant::now();
         loop {
@@ -165,7 +165,7 @@ impl Page {
         }
     }
 
-    /// Waits a little, or ends the story if the limit is over.
+    /// Waits until the next poll, or fails the story after the time limit.
     pub(crate) async fn may_wait(&self, start: Instant, limit: Duration, what: &str) {
         if start.elapsed() > limit {
             self.screenshot("failed").await;
@@ -176,7 +176,7 @@ impl Page {
         sleep(POLL).await;
     }
 
-    /// All visible text.
+    /// Returns all visible text.
     pub async fn text(&self) -> String {
         self.run("return document.body.innerText").await.as_str().unwrap_or_default().to_owned()
     }
@@ -250,7 +250,7 @@ impl Page {
         let arguments = vec![json!(role), json!(name), json!(scope)];
         let start = Instant::now();
         loop {
-            // A control that is drawn again at this moment is no longer there when Firefox names it.
+            // In Firefox the search fails if the control is redrawn at this moment.
             if let Ok(value) = self.client.execute(FIND, arguments.clone()).await
                 && !value.is_null()
             {
@@ -263,13 +263,13 @@ impl Page {
     /// Clicks a control.
     pub async fn click(&self, role: &str, name: &str, scope: &str) {
         let start = Instant::now();
-        // A page may draw a control again between the search and the press.
+        // A page may redraw a control between the search and the press.
         while !matches!(self.find(role, name, scope).await.try_click().await, Ok(true)) {
             self.may_wait(start, LIMIT, &format!("a press on {role} “{name}” in “{scope}”")).await;
         }
     }
 
-    /// Messages of the console that are errors or warnings, without those of a story that reads what a graphics card has drawn.
+    /// Returns errors and warnings of the console, except those of a story that reads pixels back from the graphics card.
     pub async fn console(&self) -> Vec<String> {
         let log = self.client.issue_cmd(ConsoleLog).await.unwrap_or(Value::Null);
         let entries = log.as_array().cloned().unwrap_or_default();
@@ -286,7 +286,7 @@ impl Page {
         std::fs::write(folder.join(format!("{name}.png")), picture).expect("a screenshot file");
     }
 
-    /// Identifiers of the browser's processes.
+    /// Returns the identifiers of the browser's processes.
     pub async fn process(&self) -> Vec<u32> {
         let capabilities = self.client.capabilities().cloned().unwrap_or_default();
         let folder =

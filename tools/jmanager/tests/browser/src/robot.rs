@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::folder::{program, repository};
 
-/// A simulated robot in a process of its own, which ends when this is dropped.
+/// A simulated robot in its own process, which ends when this is dropped.
 pub struct Robot {
     child: Child,
     output: ChildStdout,
@@ -34,7 +34,7 @@ impl Robot {
         let address = lines
             .find_map(|line| Some(line.split_once("monitors attach at ")?.1.trim().to_owned()))
             .expect("the program prints the address of its link");
-        // The rest is read, so that the program never waits for a reader.
+        // The rest is read, so that a full pipe never blocks the program.
         std::thread::spawn(move || lines.for_each(drop));
         let output = child.stdout.take().expect("a pipe");
         Self { child, output, address }
@@ -69,7 +69,7 @@ impl Drop for Robot {
     }
 }
 
-/// Restricts the threads of a process, and what it starts from now on, to processors: `0` or `0-1`.
+/// Restricts the threads of a process, and those that it starts later, to processors: `0` or `0-1`.
 pub fn restrict_to(process: u32, processors: &str) {
     let status =
         Command::new("taskset").args(["-acp", processors, &process.to_string()]).stdout(Stdio::null()).status();

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 use crate::folder::{Folder, program};
 use crate::robot::player;
 
-/// Longest start on a busy machine.
+/// Time limit of the start, for a busy machine.
 const START: Duration = Duration::from_mins(1);
-/// Longest end on a busy machine.
+/// Time limit of the end, for a busy machine.
 const END: Duration = Duration::from_secs(20);
 
 /// A server that ends when this is dropped.
@@ -23,25 +23,25 @@ pub struct Server {
 }
 
 impl Server {
-    /// Starts the program with more arguments, in a folder of its own.
+    /// Starts the program with further arguments, in its own folder.
     #[must_use]
     pub fn start(name: &str, arguments: &[&str]) -> Self {
         Self::start_program(&program("jmanager"), name, arguments)
     }
 
-    /// The same with a folder of sources.
+    /// Starts the program with a folder of sources.
     #[must_use]
     pub fn with_sources(name: &str, sources: &Folder) -> Self {
         Self::start(name, &["--source", &sources.argument("")])
     }
 
-    /// The same with the monitor of an example.
+    /// Starts the monitor of an example.
     #[must_use]
     pub fn start_example(name: &str) -> Self {
         Self::start_program(&program("examples").join(name), name, &["monitor"])
     }
 
-    /// The same with another program of the repository.
+    /// Starts another program of the repository.
     #[must_use]
     pub fn start_other(name: &str, arguments: &[&str]) -> Self {
         Self::start_program(&program(name), name, arguments)
@@ -68,7 +68,7 @@ impl Server {
         Self { child, urls, folder }
     }
 
-    /// The URL that it printed; it works once.
+    /// Returns the URL that it printed; it works once.
     #[must_use]
     pub fn url(&self) -> String {
         self.urls.recv_timeout(START).expect("the server prints a URL")
@@ -81,13 +81,13 @@ impl Server {
         player(&[&["play", "--record", &file], arguments].concat());
     }
 
-    /// Time that the processor has worked for it, s.
+    /// Returns its processor time, s.
     #[must_use]
     pub fn processor_seconds(&self) -> f64 {
         processor_seconds(self.child.id())
     }
 
-    /// Memory that it has, bytes.
+    /// Returns its resident memory, bytes.
     #[must_use]
     pub fn resident_bytes(&self) -> u64 {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).expect("the server runs");
@@ -95,12 +95,12 @@ impl Server {
         line.trim().trim_end_matches(" kB").parse::<u64>().expect("a number") * 1024
     }
 
-    /// Lets it stand still: it answers nothing until [`resume`](Self::resume).
+    /// Stops the process until [`resume`](Self::resume); it answers nothing meanwhile.
     pub fn pause(&self) {
         self.signal("-STOP");
     }
 
-    /// Lets it go on.
+    /// Continues the process.
     pub fn resume(&self) {
         self.signal("-CONT");
     }
@@ -129,7 +129,7 @@ impl Drop for Server {
     }
 }
 
-/// Time that the processor has worked for a process, s.
+/// Returns the processor time of a process, s.
 #[must_use]
 pub fn processor_seconds(process: u32) -> f64 {
     let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("the process runs");
