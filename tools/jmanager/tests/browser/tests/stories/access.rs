@@ -6,7 +6,7 @@ use serde_json::json;
 use crate::glance::SMALL;
 use crate::{open_in, put_beside, tab};
 
-/// Buttons and fields with a side below 24 px, as far as they are shown.
+/// Visible buttons and fields with a side below 24 px.
 pub(crate) const TARGETS: &str = r"
 const small = (one) => { const { width, height } = one.getBoundingClientRect(); return Math.min(width, height) < 23.5; };
 const controls = [...document.querySelectorAll('button, select, input:not([type=range]), summary, [role=button], '
@@ -18,7 +18,7 @@ const size = ({ width, height }) => `${Math.round(width)}×${Math.round(height)}
 return controls.filter(small).map((one) => `${name(one)} ${size(one.getBoundingClientRect())}`);
 ";
 
-/// What axe finds of the two upper levels.
+/// Findings of axe of the levels critical and serious.
 pub(crate) const AXE: &str = r"
 return axe.run(document, { resultTypes: ['violations'] }).then(({ violations }) => violations
   .filter(({ impact }) => impact === 'critical' || impact === 'serious')
@@ -59,7 +59,7 @@ async fn no_layout_has_a_serious_finding_of_axe() {
     load_axe(&page).await;
     in_each_layout(&page, TARGETS).await;
     in_each_layout(&page, AXE).await;
-    // Panels that no layout has: a table, the map in 3D, and two sessions.
+    // Panels that are in no layout: a table, the map in 3D, and two sessions.
     page.press("1").await;
     let table = "import('/lib/dock.js').then(({ open }) => open('table', { rows: ['Odometry.walked', 'Head.pan'] }))";
     page.run(table).await;
@@ -68,7 +68,7 @@ async fn no_layout_has_a_serious_finding_of_axe() {
     page.click("switch", "3D", "Map").await;
     page.counts("[aria-label=Values] thead th", "=== 7").await;
     assert_eq!((page.run(TARGETS).await, page.run(AXE).await), (json!([]), json!([])));
-    // Escape closes a menu also from where it is a key of the panel.
+    // Escape closes a menu even if it is a key of the focused panel.
     page.click("button", "What can be done here", "Map").await;
     page.run("document.querySelector('.component').focus()").await;
     page.press("\u{e00c}").await;

@@ -14,7 +14,7 @@ fn port(url: &str) -> String {
     url.split(['/', ':']).nth(4).expect("a port").to_owned()
 }
 
-/// Starts the server of a foreign page; returns its address, and the heads of the requests that it gets.
+/// Starts the server of a foreign page; returns its address, and the heads of the requests that it receives.
 fn foreign() -> (SocketAddr, Receiver<String>) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = listener.local_addr().expect("an address");
@@ -95,7 +95,7 @@ async fn page_of_another_port_is_powerless() {
 #[tokio::test]
 async fn policy_allows_scripts_of_the_server_only() {
     let (_server, page) = game("policy").await;
-    // A script of the driver itself may evaluate text; what it leaves behind may not.
+    // A script of the driver may itself evaluate text, but code that it leaves behind may not.
     let script = r"
       window.ran = false;
       setTimeout(() => {
@@ -111,7 +111,7 @@ async fn policy_allows_scripts_of_the_server_only() {
     assert_eq!(page.run("return window.ran").await, json!(false));
 }
 
-/// Attack 5: the key leaves the address at once, and no other site learns of this page.
+/// Attack 5: the key disappears from the address at once, and no other site sees the address of this page.
 #[tokio::test]
 async fn key_is_in_no_address_and_no_referrer() {
     let server = Server::start("referrer", &[]);
@@ -128,7 +128,7 @@ async fn key_is_in_no_address_and_no_referrer() {
     assert!(head.starts_with("get / ") && !head.contains("referer:"), "{head}");
 }
 
-/// Attack 6: names that are not ours.
+/// Attack 6: names from outside.
 #[tokio::test]
 async fn names_of_files_and_robots_are_shown_as_text() {
     let name = "<img src=x onerror=\"window.ran=true\">";

@@ -6,10 +6,10 @@ use crate::{game, tab};
 
 /// Distance of the ball from the robot, m.
 const DISTANCE: f64 = 0.8;
-/// Direction of the head that is reached when the ball lies at a side, rad.
+/// Pan of the head that is reached for a ball at one side, rad.
 const ASIDE: f64 = 0.3;
 
-/// The robot's true pose on the field, m and rad. The estimated one may lie at the other side until the robot has seen a goal.
+/// Returns the robot's true pose on the field, m and rad. The estimated pose may be on the other side until the robot has seen a goal.
 async fn pose(page: &Page) -> [f64; 3] {
     let script = "return import('/lib/store.js').then(({ session }) => { \
         const pose = session.value?.truth.value?.truth.find(({ child }) => child === 'robot')?.value; \
@@ -18,12 +18,12 @@ async fn pose(page: &Page) -> [f64; 3] {
     [0, 1, 2].map(|index| pose[index].as_f64().expect("a number"))
 }
 
-/// The position at a bearing from the robot, m.
+/// Returns the position at a bearing from the robot, m.
 fn beside([x, y, heading]: [f64; 3], bearing: f64) -> (f64, f64) {
     (x + DISTANCE * (heading + bearing).cos(), y + DISTANCE * (heading + bearing).sin())
 }
 
-/// The point of the window that shows a position of the field, as `panels/map.js` draws it.
+/// Returns the point of the window that shows a position of the field, as `panels/map.js` draws it.
 async fn on_map(page: &Page, (x, y): (f64, f64)) -> (f64, f64) {
     let map = page.find("img", "Map of the ground", "").await;
     let low = map.attribute("data-legend").await.parse::<f64>().expect("the height of the legend");
@@ -43,8 +43,8 @@ async fn pan(page: &Page, condition: &str) {
     page.until(&format!("the head's pan is {condition}"), &script).await;
 }
 
-/// Tilt of the head, rad, at which the camera that was selected last has a ball in that distance in the middle of its image. The bottom
-/// camera looks down by 0.7 rad more than the top one.
+/// Returns the tilt of the head, rad, at which the camera that was selected last has a ball at this distance in the centre of its image.
+/// The bottom camera looks down by 0.7 rad more than the top one.
 async fn tilt(page: &Page) -> &'static str {
     let selected = "return document.querySelector('[aria-label=Camera] .bar .dim').textContent.match(/^(top|bottom)_camera /)?.[1]";
     match page.until("an image is shown", selected).await.as_str() {
@@ -87,7 +87,7 @@ async fn the_head_follows_a_ball_that_is_dragged_on_the_map() {
     pan(&page, "> -0.1 && pan < 0.1").await;
     let mut bearing = 0.0_f64;
     for (direction, end) in [(1.0, format!("> {ASIDE}")), (-1.0, format!("< -{ASIDE}"))] {
-        // So far that the ball stays in the camera's view.
+        // Each step is small enough that the ball stays in the camera's view.
         while bearing * direction < ASIDE + 0.1 {
             let from = on_map(&page, beside(robot, bearing)).await;
             bearing += direction * 0.2;

@@ -1,4 +1,4 @@
-//! Several sessions in one view: on one map, one timeline, one plot and one table, live and of the past.
+//! Several sessions in one view: on one map, one timeline, one plot and one table, live and recorded.
 
 use jmanager_browser::{Page, Server};
 
@@ -13,7 +13,7 @@ async fn list(page: &Page, names: &[&str]) {
     }
 }
 
-/// The cells of a row of the table as text.
+/// Returns a script for the cells of a row of the table, as text.
 fn cells(name: &str) -> String {
     format!(
         "return [...document.querySelectorAll('[aria-label=Values] tbody tr')].find((row) => row.cells[0].textContent === {name:?}) \
@@ -42,7 +42,7 @@ async fn two_worlds_are_paused_at_one_moment() {
     page.is(".curve b[title='built-in, seed 7']", "/\\d/.test(one.textContent)").await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
-    // The two worlds have been running for different times, and their moments are of one present.
+    // The two worlds have run for different times, but both show the same present moment.
     let moments = "return import('/lib/store.js').then(({ companions, session, cursor }) => { const [{ of, shift }] = companions.value; \
         return of.moment.value && Math.abs(of.moment.value.time_us - cursor.value - shift) < 2e4; })";
     page.until("both show one moment", moments).await;
@@ -67,7 +67,7 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
     page.click("button", "Show both at", "Compare").await;
-    // At the end they have gone apart.
+    // At the end the two runs have diverged.
     page.press("\u{e010}").await;
     map_has(&page, "--curve5", 15, 60).await;
     // A step moves both.
@@ -81,7 +81,7 @@ async fn a_run_is_compared_with_another_one_frame_by_frame() {
         &format!("return (() => {{ {times} }})().then((at) => at !== {before} && at)"),
     )
     .await;
-    // The link has both.
+    // The link contains both.
     page.until("the address has both", "return location.hash.includes('beside=')").await;
     page.run("location.reload()").await;
     page.until(

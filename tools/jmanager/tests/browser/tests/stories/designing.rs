@@ -1,4 +1,4 @@
-//! Stories of the designer: a machine is drawn, its code is written, and the file has both.
+//! Stories of the designer: a machine is drawn, its code is written, and the file contains both.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,7 @@ const PARTS: &str = "//! What the keeper uses.\n\nuse bica::prelude::*;\n\n/// F
     pub struct Legs;\n\n#[component]\n\
     impl Legs {\n    /// Goes to a side.\n    #[modulation]\n    pub fn aside(&mut self) {}\n\n    fn step(&mut self) {}\n}\n";
 
-/// A small crate in a folder of its own.
+/// Writes a small crate into its own folder.
 pub(crate) fn small_crate(name: &str) -> Folder {
     let folder = Folder::new(&format!("crate-{name}"));
     folder.write("Cargo.toml", "[package]\nname = \"small\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n[workspace]\n");
@@ -45,7 +45,7 @@ async fn open_legs(server: &Server) -> Page {
     page
 }
 
-/// The middle of the canvas.
+/// Returns the centre of the canvas.
 async fn canvas(page: &Page) -> (f64, f64) {
     let place = page
         .run(
@@ -56,7 +56,7 @@ async fn canvas(page: &Page) -> (f64, f64) {
     (place[0].as_f64().unwrap_or_default(), place[1].as_f64().unwrap_or_default())
 }
 
-/// Gives a state or transition the focus; then keys are for it.
+/// Focuses a state or transition, which then receives the keys.
 pub(crate) async fn focus(page: &Page, name: &str) {
     page.find("button", name, SCOPE).await.focus().await;
 }
@@ -88,7 +88,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.find("textbox", "Name of the new transition", "").await;
     page.enter("shot").await;
     page.find("button", "Transition shot: begin to block", "").await;
-    // Coordinates are read anew: the drawing may have moved.
+    // Coordinates are read again: the drawing may have moved.
     let [left, top, _, height] = page.find("button", "State block", "").await.place().await;
     page.drag((left + 2.0, top + height / 2.0), (left - 130.0, top - 40.0)).await;
     page.find("textbox", "Name of the new state", "").await;
@@ -98,7 +98,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.double_click((left + width / 2.0, top + 17.0)).await;
     page.find("textbox", "New name of kick", "").await;
     page.press("\u{e00c}").await;
-    // A comment that is not closed hides states: they stay drawn, in grey.
+    // An unclosed comment hides states from the parser; they stay in the drawing, in grey.
     let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('fn kick'); \
         await edit([{ edit: 'replace', span: [at, at], text: '/*' }])";
     page.run(&format!("return (async () => {{ {typed} }})()")).await;
@@ -143,7 +143,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
 
     write_note(&page, &source).await;
 
-    // Code: Enter in the canvas leads into the braces.
+    // Enter in the canvas moves the cursor into the braces of the code.
     focus(&page, "State block").await;
     page.press("\u{e007}").await;
     page.press("legs.aside();").await;
@@ -159,7 +159,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     assert_eq!(source.read("src/keeper.rs").matches("#[state").count(), 4);
     page.screenshot("designer-drawn").await;
 
-    // An edit in another editor, then back to the first bytes.
+    // An edit in another editor; then undo back to the first bytes.
     let edited = source.read("src/keeper.rs").replace("/// What it does first.", "/// Watches the ball.");
     source.write("src/keeper.rs", &edited);
     page.is("svg.machine", "one.textContent.includes('Watches the ball.')").await;
@@ -175,7 +175,7 @@ async fn a_machine_is_drawn_from_a_blank_canvas_and_undone() {
     page.close().await;
 }
 
-/// All three keys come before the server has answered the first one; the second time the panel is closed before that, too.
+/// All three keys are pressed before the server has answered the first one. In the second turn the panel is also closed before that.
 #[tokio::test]
 async fn an_undo_leaves_what_is_typed_after_it() {
     let source = small_crate("typed-after-undo");
@@ -197,7 +197,7 @@ async fn an_undo_leaves_what_is_typed_after_it() {
         }
         server.resume();
         page.saves(&source.path("src/parts.rs"), &[written]).await;
-        // An undo takes all keys back that came within 0.7 s: those of the next turn are later.
+        // One undo reverts all keys that were pressed within 0.7 s, so the next turn begins later.
         let is_known =
             "return import('/vicode/sources.js').then(({ openedText }) => openedText.value.includes('yGoes'))";
         page.until("the page knows what is saved", is_known).await;
@@ -213,7 +213,7 @@ async fn conflict_is_shown_and_nothing_overwritten() {
     let page = open_legs(&server).await;
     let before = source.read("src/parts.rs");
     let theirs = before.replace("Goes", "Runs");
-    // Both sides change one line while the server stands still, so before it saves the page's change.
+    // Both sides change one line while the server is paused, so before it saves the page's change.
     server.pause();
     let typed = "const { edit, opened } = await import('/vicode/sources.js'); const at = opened.value.text.indexOf('Goes'); \
         edit([{ edit: 'replace', span: [at, at + 4], text: 'Walks' }])";
@@ -251,7 +251,7 @@ async fn drawing_shows_what_runs_and_breaks() {
     let before = page.run(time).await;
     page.click("button", "Step", "Breakpoints").await;
     page.is(".clock b", &format!("one.textContent !== {before}")).await;
-    // With a condition that does not hold the world goes through the state.
+    // If the condition of a breakpoint does not hold, the world passes through the state.
     page.find("button", "State search_net", "").await.click().await;
     page.fill("Condition of the breakpoint", "Odometry.walked.x > 100").await;
     page.click("button", "Restart", "").await;
@@ -273,7 +273,7 @@ async fn a_state_that_is_drawn_small_is_moved_by_its_middle() {
     let server = Server::with_sources("small-states", &source);
     let page = open(&server).await;
     page.find("button", "Large", "Sources").await;
-    // Not by the mouse: the bar above may still become higher, and the list would lie elsewhere.
+    // By script, not by mouse: the bar above may still grow and move the list.
     let shown = "const [large] = [...document.querySelectorAll('.sources button.name')].filter((one) => \
         one.textContent.startsWith('Large')); large.click(); \
         return document.querySelectorAll('svg.machine .box').length === 60 && document.querySelector('.cm-content') !== null";
@@ -342,7 +342,7 @@ async fn speed_of_the_designer_is_measured() {
     page.close().await;
 }
 
-/// Nothing but what was asked for is written.
+/// Only requested changes are written.
 #[tokio::test]
 async fn opening_and_closing_changes_no_file() {
     let source = small_crate("same");

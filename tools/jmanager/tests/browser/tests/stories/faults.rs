@@ -1,4 +1,4 @@
-//! What breaks: the program, the browser, the robot.
+//! Failures of the program, the browser and the robot.
 
 use std::process::Command;
 use std::time::Instant;
@@ -18,7 +18,7 @@ async fn the_page_says_that_the_program_is_gone() {
     page.screenshot("program-lost").await;
 }
 
-/// Attack 8: a browser that is stopped while it drives. Another page sees that control ended.
+/// Attack 8: a browser that is stopped while it drives. Another page shows that control has ended.
 #[tokio::test]
 async fn control_ends_when_the_browser_freezes() {
     let server = Server::start("frozen", &["--token-file", "token"]);
@@ -53,7 +53,7 @@ async fn control_ends_when_the_browser_freezes() {
     watcher.reads("operator: nobody").await;
 }
 
-/// Attack 9: what was asked for before the connection was lost is not in force after it.
+/// Attack 9: requests from before the loss of a connection are not in force after it.
 #[tokio::test]
 async fn restarted_robot_is_shown_and_free() {
     let mut robot = Robot::start(&["--seconds", "600"]);

@@ -1,4 +1,5 @@
-//! Measurements of speed; printed, not judged. They run with `cargo xtask browser --figures`, which builds the programs as a user does.
+//! Measurements of speed. They are printed, without limits. `cargo xtask browser --figures` runs them with programs that are built as a
+//! user builds them.
 
 use std::time::{Duration, Instant};
 
@@ -8,13 +9,13 @@ use tokio::time::sleep;
 
 use crate::{WIDE, game, open, tab};
 
-/// Frames that the page has drawn since the script ran, in `window.frames_`, and the time of each.
+/// Records the time of each frame that the page draws from now on, in `window.times_`.
 const COUNT_FRAMES: &str = "window.times_ = []; const note = (now) => { window.times_.push(now); \
     requestAnimationFrame(note); }; requestAnimationFrame(note)";
 /// Frames per second, and the 99th percentile of the time between two frames, ms.
 const FRAMES: &str = "const gaps = window.times_.slice(1).map((now, at) => now - window.times_[at]).sort((a, b) => a - b); \
     return [1000 * gaps.length / gaps.reduce((a, b) => a + b, 0), gaps[Math.floor(gaps.length * 0.99)]]";
-/// Moves a slider a hundred times; notes when the number beside it is the robot's effective value.
+/// Moves a slider a hundred times; records the time until the number beside it is the robot's effective value.
 const MOVE_SLIDER: &str = r"
 window.effects_ = [];
 (async () => {
@@ -35,7 +36,7 @@ window.effects_ = [];
 ";
 /// Number of seeks of [`SEEK`].
 const SEEKS: usize = 200;
-/// Seeks two hundred times, at random places; notes when state and image of that time are painted.
+/// Seeks two hundred times, at random positions; records the time until state and image of that position are painted.
 const SEEK: &str = r"
 window.seeks_ = [];
 (async () => {
@@ -58,7 +59,7 @@ window.seeks_ = [];
 })();
 ";
 
-/// Opens the recording; notes when its first state is shown, and when all of it is read.
+/// Opens the recording; records the times until its first state is shown and until it is read completely.
 const OPEN_LONG: &str = r"
 (async () => {
   const wait = async (is) => { while (!is()) await new Promise((done) => setTimeout(done, 2)); };
@@ -72,7 +73,7 @@ const OPEN_LONG: &str = r"
 })();
 ";
 
-/// A forward that never sees the ball plays until the time is over.
+/// Settings of a forward that never sees the ball, and so plays until the time limit.
 const NEVER: [&str; 2] = ["--set", "Colours.orange_luma_min=230"];
 
 fn wanted() -> bool {
@@ -119,7 +120,7 @@ async fn time_to_a_usable_page() {
     let (_server, page) = game("usable").await;
     for _ in 0..5 {
         page.run("location.reload()").await;
-        // The time since the navigation began, as the browser counts it.
+        // Time since the start of the navigation, by the browser's clock.
         let at = page
             .until(
                 "the tree is live",
@@ -165,11 +166,11 @@ async fn frame_rates_and_load() {
     page.close().await;
 }
 
-/// The time that a page shows, s.
+/// Returns the time that a page shows, s.
 const CLOCK: &str = "const parts = document.querySelector('.clock b').textContent.split(':'); \
     return parts.reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0)";
 
-/// Times that pages show, s.
+/// Returns the times that pages show, s.
 async fn clocks(pages: &[Page]) -> Vec<f64> {
     let mut times = Vec::new();
     for page in pages {
@@ -178,7 +179,7 @@ async fn clocks(pages: &[Page]) -> Vec<f64> {
     times
 }
 
-/// The robot is a process of its own, so only the server's time counts.
+/// The robot is a separate process, so only the server's processor time is measured.
 #[tokio::test]
 async fn load_of_ten_pages() {
     if !wanted() {
@@ -218,7 +219,7 @@ async fn memory_over_minutes() {
     let (server, page) = game("memory").await;
     let mut last = None;
     for minute in 0..6_u32 {
-        // A game that is over stands still and would measure nothing.
+        // The world of a game that is over does not move, so nothing would be measured.
         page.click("button", "Restart", "").await;
         let heap = page.run("window.gc?.(); return performance.memory.usedJSHeapSize").await;
         let resident = server.resident_bytes();
@@ -254,7 +255,7 @@ async fn a_long_recording() {
     page.run(SEEK).await;
     percentiles(&page, "seek at random places of ten minutes", "seeks_", SEEKS).await;
     let after = busy();
-    // The built-in world and the page's drawing of it go on meanwhile, but not for the session that is shown.
+    // The built-in world and the page's drawing of it continue meanwhile, but not for the displayed session.
     let each = |before: f64, after: f64| 1000.0 * (after - before) / SEEKS as f64;
     println!(
         "processor time of a seek: {:.1} ms in the server and its world, {:.1} ms in the browser",
@@ -265,8 +266,8 @@ async fn a_long_recording() {
     server.kill();
 }
 
-/// Five games in real time without and five with a page, in turn. The robot has a processor of its own, as it has on the field: browser
-/// and server have the other ones.
+/// Five games in real time without a page and five with a page, in turn. The robot has its own processor, as on the field; browser and
+/// server use the others.
 #[tokio::test]
 async fn the_robots_loop_with_and_without_a_page() {
     if !wanted() {

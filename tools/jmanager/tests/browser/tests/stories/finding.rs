@@ -4,7 +4,7 @@ use jmanager_browser::{Page, Server, repository};
 
 use crate::{WIDE, game};
 
-/// What the first rows of the palette are called.
+/// Returns the names of the first rows of the palette.
 const ROWS: &str =
     "return [...document.querySelectorAll('.palette li b')].slice(0, 3).map((one) => one.textContent).join()";
 

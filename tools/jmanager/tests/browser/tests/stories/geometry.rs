@@ -41,7 +41,7 @@ return faults;
 /// Boxes, lines and names of the designer's drawing.
 const MACHINE: [&str; 4] = ["svg.machine", ".box > .body", ".arrow > .line", ".label > .ground"];
 
-/// Lays machines of a range of numbers out, which have 5 to 200 states, and lists the faults.
+/// Lays out generated machines with 5 to 200 states, for a range of their numbers, and lists the faults.
 const GENERATED: &str = r"
 return import('/vicode/canvas/rows.js').then(({ arranged, ALL, CONDITIONS, NAMES }) => import('/vicode/canvas/labels.js')
   .then(({ labelWidth }) => {
@@ -93,8 +93,8 @@ return faults.slice(0, 8);
 }));
 ";
 
-/// Chooses each fourth state of the machine, one after the other, while only names of states are drawn. Returns the faults, and how many
-/// names of transitions are shown of those that touch a chosen state.
+/// Chooses every fourth state of the machine in turn, while only names of states are drawn. Returns the faults, the number of shown names
+/// of transitions that touch a chosen state, and the number of all of them.
 const CHOSEN: &str = r"
 const [faults, ...selectors] = arguments;
 const find = new Function(faults);
@@ -117,7 +117,7 @@ return Promise.all(names.map((one) => import(one))).then(async ([{ machine, sele
 });
 ";
 
-/// A machine with so many states and transitions.
+/// Returns the source of a machine with `states` states and `transitions` transitions.
 pub(crate) fn large(states: usize, transitions: usize) -> String {
     let mut text =
         "use bica::prelude::*;\n\n#[derive(Debug)]\npub struct Large;\n\n#[component(hz = 30)]\nimpl Large {\n"
@@ -138,7 +138,7 @@ pub(crate) fn large(states: usize, transitions: usize) -> String {
     text + "}\n"
 }
 
-/// The faults of a drawing on the page.
+/// Returns the faults of a drawing on the page.
 pub(crate) async fn faults(page: &Page, root: &str, boxes: &str, lines: &str, names: &str) -> Value {
     page.run_with(FAULTS, vec![json!(root), json!(boxes), json!(lines), json!(names)]).await
 }
@@ -159,7 +159,7 @@ async fn the_machines_of_the_repository_can_be_read_at_fit() {
     let page = open_in(&server, SMALL).await;
     show_in(&page, SMALL).await;
     page.press("6").await;
-    // Those of the compiler's tests that fail are no machines.
+    // The files of failing compiler tests are no valid machines.
     let list = "return import('/vicode/sources.js').then(({ list }) => list.value?.filter(({ file }) => !file.includes('/fail/'))\
         .flatMap(({ file, components = [] }) => components.filter(({ machine }) => machine).map(({ key }) => [file, key])))";
     let machines = page.until("the sources are read", list).await;

@@ -1,4 +1,4 @@
-//! What the page answers at the first glance, in the smallest usual window.
+//! Answers of the page at first glance, in the smallest usual window.
 
 use jmanager_browser::{Page, Server};
 use serde_json::json;
@@ -8,7 +8,7 @@ use crate::{game, open_in};
 
 pub(crate) const SMALL: (u32, u32) = (1280, 800);
 
-/// Gives the page itself a size, not the window with its frame.
+/// Sets the size of the page itself, without the frame of the window.
 pub(crate) async fn show_in(page: &Page, (width, height): (u32, u32)) {
     page.resize((width, height)).await;
     let inner = page.run("return [innerWidth, innerHeight]").await;
@@ -54,7 +54,7 @@ async fn answer_names_what_blocks_a_wanted_state() {
         .test(document.querySelector('.answer').innerText.trim()) && document.querySelectorAll('.chain li').length === 2 \
         && document.querySelector('.why.blocking').textContent.startsWith('ball_reached')";
     page.until("the way has two transitions", way).await;
-    // Values change without a move of the text: the rows are one line each.
+    // Changing values do not move the text: each row has one line.
     let heights = "return new Set([...document.querySelectorAll('.why.leaves')].map((one) => one.offsetHeight)).size";
     assert_eq!(page.run(heights).await, 1);
     page.click("button", "Kicker", "Activation tree").await;

@@ -1,4 +1,5 @@
-//! The first hour of a newcomer: sixteen tasks, with what a person does for each. The numbers are those of `docs/jmanager.md`.
+//! The first hour of a newcomer: sixteen tasks, each with the actions of a person. The numbers of actions are those of
+//! `docs/jmanager.md`.
 
 use jmanager_browser::{Folder, Page, Server, repository};
 
@@ -8,7 +9,7 @@ use crate::{GOES_ON, open};
 const ENTER: &str = "\u{e007}";
 const RIGHT: &str = "\u{e014}";
 const SHIFT: char = '\u{e008}';
-/// Most actions of a task.
+/// Maximum number of actions of a task.
 const MOST: usize = 8;
 
 /// Counts each click, key, drag, chosen entry of a list and typed field as one action.
@@ -42,7 +43,7 @@ impl Hour<'_> {
         self.page.press(keys).await;
     }
 
-    /// Checks the numbers with the table of the documentation.
+    /// Compares the numbers with the table of the documentation.
     fn compare(&self) {
         let docs = include_str!("../../../../../../docs/jmanager.md");
         let rows: Vec<_> = self.tasks.iter().map(|(task, count)| format!("| {task} | {count} |")).collect();
@@ -54,7 +55,7 @@ impl Hour<'_> {
 
 #[tokio::test]
 async fn sixteen_tasks_of_a_first_hour_take_few_clicks_each() {
-    // A copy: what a person types is saved.
+    // A copy, because the page saves what a person types.
     let sources = Folder::new("hour-sources");
     std::fs::copy(repository("player/src/behaviour/face_ball.rs"), sources.path("face_ball.rs")).expect("a copy");
     let server = Server::with_sources("hour", &sources);
@@ -114,7 +115,7 @@ async fn tune(hour: &mut Hour<'_>) {
 async fn watch(hour: &mut Hour<'_>) {
     hour.begin("Stop the world by a watch, and go on");
     hour.click("tab", "Watches", "").await;
-    // It holds from then on, so the watch does not stop the world again in a later task.
+    // The condition holds from then on, so the watch does not stop the world again in a later task.
     hour.set("combobox", "Condition to watch", "CameraInput.count > 30 for 500 ms").await;
     hour.click("switch", "Pause the world", "Watches").await;
     hour.click("button", "Watch", "Watches").await;
@@ -194,7 +195,7 @@ async fn compare(hour: &mut Hour<'_>) {
     hour.page.is(".notices", "/link to this moment|#session=/.test(one.textContent)").await;
     hour.begin("See the robot in three dimensions");
     hour.click("switch", "3D", "Map").await;
-    // Firefox without a graphics card says what it lacks.
+    // Firefox without a graphics card reports that WebGL is missing.
     let seen = "return document.querySelector('[aria-label=\"Scene in three dimensions\"]') !== null \
         || document.body.innerText.includes('WebGL 2 is missing')";
     hour.page.until("the scene, or why there is none", seen).await;

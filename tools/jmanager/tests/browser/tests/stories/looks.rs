@@ -7,8 +7,8 @@ use crate::access::set_theme;
 use crate::glance::{SMALL, show_in};
 use crate::{GOES_ON, open_in, put_beside};
 
-/// Nothing is wider than the window, no text has less than 11 px, none of a button is cut, and all controls have a name and contain no
-/// other control.
+/// Lists faults: the page is wider than the window, a text has less than 11 px, the text of a button is cut, or a control has no name or
+/// contains another control.
 pub(crate) const FAULTS: &str = r"
 const faults = [];
 if (document.documentElement.scrollWidth > innerWidth) faults.push(`the page is ${document.documentElement.scrollWidth} px wide`);
@@ -37,7 +37,7 @@ async fn the_page_looks_right_in_four_sizes_and_both_themes() {
     let server = Server::start("looks", &[]);
     let mut page: Option<Page> = None;
     for (width, height) in [(1600, 1000), SMALL, (1024, 768), (390, 844)] {
-        // Each URL works once; the browser is the same for a size.
+        // Each URL works once, so one browser is resized for all sizes.
         let shown = match page.take() {
             None => Page::open(&server, (width, height)).await,
             Some(shown) => {
@@ -72,7 +72,7 @@ const OPEN_SOURCES: &str = "return Promise.all([import('/vicode/sources.js'), im
     await open(file.file, file.components.find(({ machine }) => machine).key); \
     await readMotions(); const { file: of, key } = motions.value[0]; if (arguments[0]) await openMotion(of, key); })";
 
-/// Pictures of all panels, to be looked at.
+/// Writes pictures of all panels, for review.
 #[tokio::test]
 #[ignore = "writes pictures of all panels"]
 async fn each_panel_looks_right() {
@@ -105,7 +105,7 @@ async fn each_panel_looks_right() {
     page.close().await;
 }
 
-/// Pictures of the first layout of other programs, of two sessions and of a recording, to be looked at.
+/// Writes pictures of the first layout of other programs, of two sessions and of a recording, for review.
 #[tokio::test]
 #[ignore = "writes pictures of other programs"]
 async fn other_programs_look_right() {
@@ -133,7 +133,7 @@ async fn other_programs_look_right() {
     }
 }
 
-/// Pictures in both sizes and themes.
+/// Takes pictures in both sizes and themes.
 async fn in_both(page: &Page, name: &str) {
     for size in [SMALL, (1600, 1000)] {
         show_in(page, size).await;

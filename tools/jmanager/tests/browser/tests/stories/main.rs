@@ -1,4 +1,4 @@
-//! Stories of people with the page, told by roles and names of its controls.
+//! Stories of people who use the page, written with roles and names of its controls.
 
 mod access;
 mod attacks;
@@ -39,7 +39,7 @@ const WIDE: (u32, u32) = (1600, 940);
 const GOES_ON: &str = "setInterval(() => { const over = document.querySelector('.banner')?.textContent.includes('game is over'); \
     if (over) [...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Continue')?.click(); }, 200)";
 
-/// Notes that the time of the page goes back. For a moment it shows no time.
+/// Records whether the time of the page goes back. In between the page may show no time.
 const BEGINS_AGAIN: &str = "const now = () => document.querySelector('.clock b').textContent.split(':') \
     .reduce((sum, part) => 60 * sum + Number.parseFloat(part), 0); \
     window.begins_again = false; let last = now(); setInterval(() => { const time = now(); \
@@ -58,14 +58,14 @@ async fn open(server: &Server) -> Page {
     open_in(server, WIDE).await
 }
 
-/// The same in a window of another size.
+/// Opens the built-in world as `open` does, in a window of another size.
 async fn open_in(server: &Server, size: (u32, u32)) -> Page {
     let page = Page::open(server, size).await;
     page.find("button", "FaceBall", "Activation tree").await;
     let clock = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
     let before = page.run(clock).await.as_f64().unwrap_or(0.0);
     if before >= 1.0 {
-        // The page itself looks: on a busy machine the new game may be older than the one before when a story looks.
+        // The page itself checks: on a busy machine the new game may have lasted longer than the old one before the story checks.
         page.run(BEGINS_AGAIN).await;
         page.run(
             "[...document.querySelectorAll('.world button')].find((one) => one.textContent === 'Restart').click()",
@@ -77,8 +77,8 @@ async fn open_in(server: &Server, size: (u32, u32)) -> Page {
     page
 }
 
-/// A script with `data`, the pixels of the camera's canvas, `width` and `height`. The canvas itself is not read: that would change how it
-/// is drawn.
+/// Returns a script that can use `data`, the pixels of the camera's canvas, `width` and `height`. It reads a copy, because reading the
+/// canvas itself would change how it is drawn.
 fn camera(script: &str) -> String {
     format!(
         "const canvas = document.querySelector('canvas[aria-label=\"Camera image\"]'); \
@@ -88,7 +88,8 @@ fn camera(script: &str) -> String {
     )
 }
 
-/// Waits until more than some pixels of the map nearly have a colour of the style sheet. Rows at the bottom, with the legend, do not count.
+/// Waits until more than `least` pixels of the map nearly have a colour of the style sheet. The lowest `bottom` rows, with the legend, do
+/// not count.
 async fn map_has(page: &Page, colour: &str, least: usize, bottom: u32) {
     let script = format!(
         "const canvas = document.querySelector('canvas[aria-label=\"Map of the ground\"]'); \

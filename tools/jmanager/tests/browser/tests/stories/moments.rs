@@ -1,4 +1,4 @@
-//! Everything on the page is of one moment.
+//! All panels show the same moment.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::{WIDE, camera, game, open, tab};
 
-/// Waits until a text of the page stays as it is for longer than the server takes to send another one; returns it.
+/// Waits until a text of the page is constant for longer than the server's interval between two texts; returns it.
 async fn stays(page: &Page, selector: &str) -> String {
     let script = format!("return document.querySelector({})?.innerText ?? null", json!(selector));
     let mut before = page.until(selector, &script).await;
@@ -36,16 +36,16 @@ async fn paused_view_has_its_conditions_and_costs() {
     let costs = stays(&page, "[aria-label=Chain]").await;
     page.press("\u{e012}").await;
     page.until("the cycle before is shown", "return location.hash.includes('t=')").await;
-    // Those of a state that was entered in this cycle were not evaluated yet.
+    // Conditions of a state that was entered in this cycle have not been evaluated yet.
     assert!(conditions.contains(" for ") || conditions.contains("not evaluated"), "{conditions}");
     assert!(costs.contains("mean"), "{costs}");
-    // At the newest moment they go on.
+    // At the newest moment the texts change again.
     page.press("l").await;
     page.is("[aria-label=Chain]", &format!("one.innerText !== {costs:?}")).await;
     page.close().await;
 }
 
-/// The first recording has no images; both have lines that the page has not received one by one.
+/// The first recording has no images. Both sessions have lines that the page did not receive one by one.
 #[tokio::test]
 async fn recording_shows_only_its_own_run() {
     let server = Server::start("own", &[]);
@@ -71,7 +71,7 @@ async fn recording_shows_only_its_own_run() {
     page.close().await;
 }
 
-/// Whether the number of colours in the camera's canvas meets a condition.
+/// Returns a script that checks whether the number of colours in the camera's canvas meets a condition.
 fn colours(condition: &str) -> String {
     camera(&format!(
         "const seen = new Set(); for (let at = 0; at < data.length; at += 148) \

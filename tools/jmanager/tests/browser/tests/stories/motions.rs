@@ -1,4 +1,4 @@
-//! Stories of the motion editor: keyframes are made, changed and tried, and the source has them.
+//! Stories of the motion editor: keyframes are created, changed and tried, and the source contains them.
 
 use std::fs;
 
@@ -13,7 +13,7 @@ const WAVE: &str = "//! Keys.\n\nuse bica_motion::joints::Joint;\nuse Joint::*;\
     /// Angles of some joints, degrees.\npub type Key = &'static [(Joint, f32)];\n\n\
     /// Waves with the right arm.\npub const WAVE: &[Key] = &[];\n";
 
-/// Sources with motions, in a folder of their own.
+/// Sources with motions, in their own folder.
 pub(crate) struct Sources(Folder);
 
 impl Sources {
@@ -94,7 +94,7 @@ async fn wave_is_made_tried_mirrored_and_undone() {
     page.close().await;
 }
 
-/// Where a handle of a joint is in the window.
+/// Returns the position of a joint's handle in the window.
 pub(crate) async fn handle(page: &Page, joint: &str) -> (f64, f64) {
     let script = format!(
         "const one = document.querySelector('.figure canvas'), {{ left, top }} = one.getBoundingClientRect(); \
@@ -116,7 +116,7 @@ async fn drag_of_a_limb_turns_its_joint() {
     sources.has(&page, "wave.rs", "&[(RElbowRoll, 60.0)]").await;
     let before = sources.read("wave.rs");
 
-    // Seen from the right the robot looks to the right: dragged there, the elbow goes ahead by the pitch of the shoulder.
+    // Seen from the right, the robot looks to the right. Dragged there, the elbow moves ahead by the pitch of the shoulder.
     page.click("button", "Right", "View of the posture").await;
     let (x, y) = handle(&page, "RShoulderPitch").await;
     page.hold((x, y), (x + 60.0, y - 10.0)).await;
@@ -139,7 +139,7 @@ async fn drag_of_a_limb_turns_its_joint() {
     sources.has_no(&page, "wave.rs", "RShoulderPitch").await;
     assert_eq!(sources.read("wave.rs"), before);
 
-    // From behind the same handle dragged aside is the roll.
+    // Seen from behind, dragging the same handle aside changes the roll.
     page.click("button", "Behind", "View of the posture").await;
     let (x, y) = handle(&page, "RShoulderRoll").await;
     page.drag((x, y), (x + 40.0, y - 20.0)).await;
@@ -153,12 +153,12 @@ async fn robot_gets_up_by_an_edited_motion() {
     let (_server, page) = sources.open("motions-session").await;
     page.click("button", "SIT_UP_FROM_FRONT", "").await;
     page.find("combobox", "World of the trial", "").await.set("session").await;
-    // A game that is over stands still.
+    // The world of a game that is over does not move.
     page.click("button", "Restart", "").await;
     page.click("button", "Try", "").await;
     page.is(".trial .fine", "one.textContent === 'stands'").await;
     page.screenshot("motion-session").await;
-    // The joints move little to keyframe 12, so they are where the source has them.
+    // The joints move little to keyframe 12, so the measured angles are near those of the source.
     for _ in 0..11 {
         page.click("button", "Next keyframe", "").await;
     }
@@ -167,7 +167,7 @@ async fn robot_gets_up_by_an_edited_motion() {
         return measured ? [Math.abs(measured[1] - one.querySelector('input[type=range]').value)] : []; }); \
         return all.length > 15 && all.filter((error) => error > 12).length < 3";
     page.until("the measured angles are near", far).await;
-    // A world that stands still is named, and is not waited for.
+    // A paused world is reported, and the trial does not wait for it.
     page.click("button", "Try", "").await;
     page.find("button", "Cancel", "").await;
     page.press(",").await;

@@ -11,7 +11,7 @@ pub(crate) async fn write_note(page: &Page, source: &Folder) {
     page.find("textbox", "What the note says", "").await;
     page.press("Ask the coach.").await;
     page.control('\u{e007}').await;
-    // Below the machine, which is still drawn automatically.
+    // The note is below the machine, which still has its automatic layout.
     page.saves(&source.path("src/keeper.vicode"), &["Keeper * - - \"Ask the coach.\"\n"]).await;
     let (x, y) = page.find("button", "Note: Ask the coach.", "").await.middle().await;
     page.drag((x, y), (x + 60.0, y - 20.0)).await;
@@ -37,6 +37,6 @@ pub(crate) async fn write_note(page: &Page, source: &Folder) {
     page.control('z').await;
     page.find("button", "Note: Ask the coach. Twice.", "").await;
     page.control('z').await;
-    // A name is found by its beginning; the file has the whole text.
+    // `find` accepts the beginning of a name, so the whole text is checked in the file.
     page.saves(&source.path("src/keeper.vicode"), &["\"Ask the coach.\"\n"]).await;
 }

@@ -6,9 +6,9 @@ use jmanager_browser::{Page, Server};
 
 use crate::{component, game, open, tab};
 
-/// Longest game, in real time on a busy machine.
+/// Time limit of a game, in real time on a busy machine.
 const GAME: Duration = Duration::from_mins(5);
-/// Whether the referee has told of a goal.
+/// Returns whether the log has a goal.
 const SCORES: &str =
     "return [...document.querySelectorAll('.log .world')].some((line) => /goal/i.test(line.textContent))";
 
@@ -27,7 +27,7 @@ async fn a_parameter_is_set_undone_redone_and_reset() {
     page.reads("1 changed").await;
     page.find("status", "Control", "").await;
     page.reads("operator: you").await;
-    // Control stays as long as the page is open, also if it requests nothing.
+    // Control lasts as long as the page is open, even without requests.
     let clock = "Number.parseFloat(document.querySelector('.clock b').textContent)";
     let now = page.run(&format!("return {clock}")).await.as_f64().expect("a time");
     page.until("the world goes on for 4 s", &format!("return {clock} > {now} + 4")).await;
@@ -69,7 +69,7 @@ async fn a_component_is_held_and_left_to_the_tree() {
     page.close().await;
 }
 
-/// With the root latent and FaceBall held active the head follows the ball; the forward is driven, given back, and scores.
+/// With the root latent and FaceBall held active, the head follows the ball. Then the forward is driven, released, and scores.
 #[tokio::test]
 async fn the_forward_scores_after_it_was_driven() {
     let server = Server::start("drive", &[]);
@@ -103,11 +103,11 @@ async fn the_forward_scores_after_it_was_driven() {
     page.close().await;
 }
 
-/// The keyboard alone: a component is found, a panel is enlarged, the view is paused, control is taken and given back.
+/// By keyboard alone a component is found, a panel is enlarged, the view is paused, and control is taken and given back.
 #[tokio::test]
 async fn the_keyboard_alone_is_enough() {
     let (_server, page) = game("keys").await;
-    // Letters that follow a field that is gone, as another page's edit may remove it, are no commands.
+    // Letters after the removal of the focused field, as by an edit of another page, are no commands.
     let field = "const field = document.body.appendChild(document.createElement('input')); field.focus()";
     page.run(field).await;
     page.press("a").await;

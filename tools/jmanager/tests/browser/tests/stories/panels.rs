@@ -2,7 +2,7 @@
 
 use crate::{component, game, tab};
 
-/// Whether a canvas shows more than one colour.
+/// Returns whether a canvas shows more than one colour.
 const DRAWN: &str = "const canvas = [...document.querySelectorAll('canvas')].find((one) => one.getAttribute('aria-label') === NAME); \
     if (!canvas || canvas.width < 20) return false; const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height)\
         .data; \
@@ -57,7 +57,8 @@ async fn the_camera_shows_images_and_toggles_overlays() {
     page.close().await;
 }
 
-/// Transformations of a pose on the ground and of one in space, and the place of a frame that only the truth knows.
+/// Returns transformations of a pose on the ground and of a pose in space, and the position of a frame that only the ground truth
+/// contains.
 const FRAMES: &str = "return import('/lib/frames.js').then(({ applied, inverse, located, matrixOf, times }) => { \
     const flat = matrixOf({ x: 1, y: 2, heading: Math.PI / 2 }); \
     const space = matrixOf({ position: { x: 0, y: 0, z: 1 }, orientation: { x: 0, y: Math.SQRT1_2, z: 0, w: Math.SQRT1_2 } }); \
@@ -207,7 +208,7 @@ async fn a_link_leads_to_its_moment_layout_and_watches() {
     page.find("button", "Time: paused", "").await;
     let shared = "return Promise.all([import('/lib/watches.js'), import('/lib/store.js')]).then(([{ watches }, { cursor }]) => \
         [watches.value, cursor.value])";
-    // A link may be anybody's: its watches pause nothing.
+    // Anybody can have made a link, so its watches do not pause the world.
     assert_eq!(page.run(shared).await, serde_json::json!([[{ "text": "Head.pan > 9", "pause": false }], 500_000]));
     page.run("location.hash = '#layout=~spoilt'").await;
     page.reads("the layout of the link cannot be read").await;

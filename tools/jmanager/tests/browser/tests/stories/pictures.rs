@@ -11,10 +11,10 @@ use crate::glance::{SMALL, show_in};
 use crate::motions::{Sources, handle};
 use crate::open_in;
 
-/// Longest time of 20 tries in physics.
+/// Time limit of 20 trials in MuJoCo.
 const LONG: Duration = Duration::from_secs(300);
 
-/// Waits until the game has lasted some seconds.
+/// Waits until the game has lasted `seconds` s.
 async fn at(page: &Page, seconds: f64) {
     page.time(&format!(">= {seconds}")).await;
 }
@@ -118,7 +118,7 @@ async fn picture_of_a_comparison() {
         .filter(({ info }) => info.value.kind === 'recording') \
         .every(({ info }) => info.value.connection !== 'connecting'))";
     page.until("both recordings are complete", read).await;
-    // The panel rests.
+    // Time for the panel to settle.
     tokio::time::sleep(std::time::Duration::from_secs(1)).await;
     page.click("button", "Compare", "Compare").await;
     page.reads("First difference in cycle").await;
@@ -144,7 +144,7 @@ async fn pictures_of_the_designer() {
     page.screenshot("docs-vicode-live").await;
     page.run("document.activeElement.blur()").await;
     page.press("t").await;
-    // Not saved: the source is that of the repository.
+    // The note is not saved, because the source is that of the repository.
     let note = "return import('/vicode/sources.js').then(({ opened }) => { \
         const notes = [{ component: 'Player', at: null, text: 'Without a net, any goal will do: ask the referee.' }]; \
         opened.value = { ...opened.value, notes }; })";

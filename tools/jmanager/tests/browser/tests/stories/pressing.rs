@@ -1,19 +1,19 @@
-//! Presses of 100 ms and drags, while the camera is live. These stories run in Firefox, too.
+//! Presses of 100 ms and drags while the camera is live. These stories also run in Firefox.
 
 use jmanager_browser::Page;
 
 use crate::{camera, game, tab};
 
-/// The limits of the chosen colour class.
+/// Returns the limits of the chosen colour class.
 const LIMITS: &str = "return document.querySelector('.limits')?.innerText ?? null";
 const CLOCK: &str = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
 
-/// Whether the camera's canvas shows an image at a point, as a share of its width and height.
+/// Returns a script that checks whether the camera's canvas shows an image at a point, as a fraction of its width and at half its height.
 fn shows(x: f64) -> String {
     camera(&format!("return data[4 * ((height >> 1) * width + Math.floor(width * {x})) + 3] > 0"))
 }
 
-/// Waits until the limits are others; returns them.
+/// Waits until the limits have changed; returns them.
 async fn other_limits(page: &Page, before: &serde_json::Value) -> serde_json::Value {
     let script =
         format!("const now = document.querySelector('.limits').innerText; return now === {before} ? null : now");
@@ -27,7 +27,7 @@ async fn colours_are_picked_by_press_region_and_paint() {
     page.click("radio", "orange", "Colours").await;
     let image = page.find("img", "Image to pick colours from", "Colours").await;
     let ((x, middle), [_, _, _, height]) = (image.middle().await, image.place().await);
-    // The ground: the robot keeps the ball, whose colour is in the class, in the middle.
+    // A point of the ground: the ball, whose colour is in the class, is in the middle of the image.
     let y = middle + 0.3 * height;
     page.is(".tuner figcaption", "/image \\d+/.test(one.textContent)").await;
     let mut limits = page.until("the limits are known", LIMITS).await;
@@ -97,7 +97,7 @@ async fn space_after_a_click_is_for_the_page() {
     page.time("> 1.5").await;
     page.press(" ").await;
     page.find("button", "Time: paused", "").await;
-    // A component that was clicked in the tree is another such button.
+    // A component that was clicked in the tree is another button with the focus.
     page.click("button", "FaceBall", "Activation tree").await;
     page.press(" ").await;
     page.find("button", "Time: live", "").await;

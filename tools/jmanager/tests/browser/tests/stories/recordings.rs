@@ -21,12 +21,12 @@ async fn a_recording_is_kept_opened_and_played() {
     page.is(".clock b", &format!("one.textContent !== {before}")).await;
     page.click("button", "To the end", "Replay").await;
     page.find("button", "Time: paused", "").await;
-    // The recording of a world has no images: its rules make them again.
+    // The recording of a world has no images; its rules regenerate them.
     page.reads("No images").await;
     page.close().await;
 }
 
-/// What would have been with another gain: run again, and compared with what was.
+/// A recording is run again with another gain, and compared with the original.
 #[tokio::test]
 async fn recording_is_run_again_and_compared() {
     let server = Server::start("again", &[]);
@@ -40,7 +40,7 @@ async fn recording_is_run_again_and_compared() {
     page.click("button", "Add", "Replay").await;
     page.reads("FaceBall.gain = 0.2").await;
     page.click("button", "Run again", "Replay").await;
-    // The second recording is written while its program runs; before its end it cannot be compared.
+    // The second recording is written while its program runs; it can be compared only after its end.
     page.counts("[aria-label=Compare] select", "=== 2").await;
     page.lacks(".session .connecting").await;
     page.click("button", "Compare", "Compare").await;
@@ -49,7 +49,7 @@ async fn recording_is_run_again_and_compared() {
     page.close().await;
 }
 
-/// What a robot behind a link has sent can be looked at, and no button says that it could run again.
+/// The data that a robot behind a link has sent can be viewed; no button offers to run it again.
 #[tokio::test]
 async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     let robot = Robot::start(&["--seconds", "600"]);
@@ -62,7 +62,7 @@ async fn a_robot_is_kept_and_opened_and_cannot_be_run_again() {
     page.find("textbox", "Name of the recording", "This session").await.set("sent").await;
     page.click("button", "Keep recording", "This session").await;
     page.click("button", "sent", "Recordings").await;
-    // The note comes when the file is read; it moves the buttons down.
+    // The note appears when the file is read; it moves the buttons down.
     page.reads("a monitor recorded what the robot sent").await;
     page.find("button", "Play", "Replay").await.click().await;
     page.find("button", "Time: playing", "").await;

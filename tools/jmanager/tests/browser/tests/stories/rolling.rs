@@ -18,12 +18,12 @@ async fn known(page: &Page) -> Value {
     page.run(KNOWN).await
 }
 
-/// A script that waits for a condition of what is `known`.
+/// Returns a script that returns the values of `KNOWN` if they meet a condition.
 fn when(condition: &str) -> String {
     format!("return (() => {{ {KNOWN} }})().then((known) => {condition} && known)")
 }
 
-/// Waits until all three values are younger than a time, and from the last half second.
+/// Waits until all three values are newer than `after`, µs, and at most half a second old.
 async fn goes_on(page: &Page, after: u64) -> Value {
     let script = when(&format!("known.times.every((time) => time > {after} && time > known.until - 5e5)"));
     page.until("lidar, wall and pose go on", &script).await

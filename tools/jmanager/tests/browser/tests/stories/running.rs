@@ -1,4 +1,4 @@
-//! From a blank canvas to a robot that runs what was drawn: in a copy of the workspace, with the example `goalkeeper`.
+//! From an empty canvas to a robot that runs the drawn machine: in a copy of the workspace, with the example `goalkeeper`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -8,7 +8,7 @@ use std::time::Duration;
 use jmanager_browser::{Page, Server, repository, target};
 
 const WIDE: (u32, u32) = (1440, 900);
-/// Longest build of the program, on a busy machine, with nothing built before.
+/// Time limit of a build of the program from scratch, on a busy machine.
 const BUILD: Duration = Duration::from_mins(25);
 const RUN: &str = "-p goalkeeper --bin goalkeeper -- run --serve {address} --seed {seed}";
 const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria-label') ?? null";
@@ -16,7 +16,7 @@ const LIT: &str = "return document.querySelector('.box.lit')?.getAttribute('aria
 /// A copy of all files of the repository.
 fn copy() -> PathBuf {
     let folder = target().join("browser/workspace");
-    // The build's results stay where they are: only what has changed is built again.
+    // The results of earlier builds are kept, so only changed files are rebuilt.
     let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(repository("")).output().expect("git");
     for name in String::from_utf8_lossy(&listed.stdout).split_terminator('\0') {
         let (from, to) = (repository(name), folder.join(name));
@@ -52,8 +52,8 @@ async fn child(page: &Page, state: &str, component: &str, link: &str, module: &s
     page.click("button", "Add child", "").await;
 }
 
-/// Builds and runs; waits until the new program is connected and shown. The name of a session is followed by its connection while
-/// that is lost, as that of the program before is until the new one is known.
+/// Builds and runs the program; waits until it is connected and shown. While a connection is lost, the name of its session is followed by
+/// the state of the connection. This applies to the previous program until the new one is known.
 async fn run(page: &Page, button: &str, not: &str) -> String {
     page.click("button", button, "Program").await;
     let shown = format!(
@@ -126,13 +126,13 @@ async fn machine_is_drawn_built_run_and_changed() {
     page.click("button", "Patrol", "Sources").await;
     page.find("button", "State rest", "").await;
 
-    // It runs.
+    // The program runs.
     let first = run(&page, "▶ Run", "").await;
     hold_active(&page).await;
     page.until("a state is lit", LIT).await;
     page.screenshot("designer-runs").await;
 
-    // It stops at a breakpoint, and makes one step.
+    // The world stops at a breakpoint, and makes one step.
     page.find("button", "State rest", "").await.focus().await;
     page.press("b").await;
     page.reads("Patrol is in rest").await;
@@ -145,7 +145,7 @@ async fn machine_is_drawn_built_run_and_changed() {
     page.click("button", "Remove all breakpoints", "").await;
     page.press(",").await;
 
-    // It is changed while it runs, and run again at the same rules.
+    // The machine is changed while the program runs, and run again with the same rules.
     timer(&page, "rest", "begin", "tired", "200").await;
     page.saves(&patrol, &["#[transition(rest -> begin, after_ms = 200)]", "fn tired"]).await;
     run(&page, "Run again", &first).await;

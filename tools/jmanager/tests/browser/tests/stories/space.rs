@@ -5,7 +5,7 @@ use serde_json::json;
 
 use crate::WIDE;
 
-/// Shares of the scene's pixels that are the green of the field, that are white, and that are grey as the shells of a robot in shade.
+/// Fractions of the scene's pixels that are green as the field, white, and grey as the shells of a robot in shade.
 const SEEN: &str = "const canvas = document.querySelector('.field canvas[aria-hidden]'); if (!canvas || canvas.width < 50) return null; \
     const { width, height } = canvas; const copy = new OffscreenCanvas(width, height).getContext('2d'); copy.drawImage(canvas, 0, 0); \
     const { data } = copy.getImageData(0, 0, width, height); let [green, white, grey] = [0, 0, 0]; \
@@ -58,7 +58,7 @@ async fn map_follows_the_robot_in_three_dimensions() {
     page.find("img", "Map of the ground", "").await;
     page.click("switch", "3D", "Map").await;
     seen(&page, "green > 0.2").await;
-    // The layout remembers it.
+    // The layout stores the view.
     page.run("location.reload()").await;
     page.find("img", "Scene in three dimensions", "Map").await;
     page.close().await;

@@ -5,12 +5,12 @@ use serde_json::{Value, json};
 
 use crate::{game, tab};
 
-/// Keeps what the page saves instead of saving it: `saved` is a list of file names and contents.
+/// Catches the files that the page saves: `saved` is a list of file names and contents.
 pub(crate) const CATCH: &str = "window.saved = []; const make = URL.createObjectURL; let blob = null; \
     URL.createObjectURL = (one) => { blob = one; return make.call(URL, one); }; \
     HTMLAnchorElement.prototype.click = function () { window.saved.push([this.download, blob]); }";
 
-/// A script that works with `shown`, the session, and `span`.
+/// Runs a script that uses `shown`, the session, and `span`.
 async fn page_run(page: &Page, script: &str) -> Value {
     let all = "Promise.all(['store', 'span', 'curves', 'playback'].map((name) => import(`/lib/${name}.js`)))";
     let script = format!(
@@ -24,21 +24,21 @@ async fn page_run(page: &Page, script: &str) -> Value {
 async fn span_is_measured_played_and_exported() {
     let (_server, page) = game("span").await;
     page.run(CATCH).await;
-    // From now on the page has subscribed to outputs, so the span has more than ten values a second.
+    // The page has subscribed to outputs now, so the span has more than ten values per second.
     let clock = "return Number.parseFloat(document.querySelector('.clock b').textContent)";
     let begin = page.run(clock).await.as_f64().expect("a time").ceil() as u64 + 1;
     let [begin_us, end_us] = [begin * 1_000_000, (begin + 1) * 1_000_000];
     page.until("the span is over", &format!("{clock} > {}", begin + 2)).await;
     page.click("button", "Pause", "").await;
     page.reads("world paused").await;
-    // With keys: the begin and the end are moments that are shown.
+    // Begin and end of the span are the displayed moments, set by keys.
     page_run(&page, &format!("seek({begin_us})")).await;
     page.press("i").await;
     page_run(&page, &format!("seek({end_us})")).await;
     page.press("o").await;
     page.reads(&format!("{begin}.00 s – {}.00 s", begin + 1)).await;
     page.until("the shares of the states", r"return /Player: \w+ \d+ %/.test(document.body.innerText)").await;
-    // Played ten times as fast, the span begins again and again.
+    // At tenfold speed the loop restarts the span several times.
     page.find("combobox", "Playback speed", "Timeline").await.set("10").await;
     page.click("switch", "Loop", "Timeline").await;
     page.click("button", "Play span", "Timeline").await;
@@ -51,7 +51,7 @@ async fn span_is_measured_played_and_exported() {
     page.until("it began again", "return window.turns > 3").await;
     assert_eq!(page.run("return window.outside").await, json!(false));
     page.click("button", "Pause", "Timeline").await;
-    // A value holds until the next one, and a gap does not count: 0 for 250 ms, 4 for 650 ms.
+    // A value holds until the next one. A gap does not count: 0 for 250 ms, 4 for 650 ms.
     let measured =
         page_run(&page, "return statistics(new Map([[0, 0], [250, 4], [900, null], [2000, 9]]), [0, 1000])").await;
     assert_eq!((&measured["min"], &measured["max"], &measured["mean"]), (&json!(0), &json!(4), &json!(2600.0 / 900.0)));
@@ -129,7 +129,7 @@ async fn a_span_is_annotated_and_filmed() {
     let film = "const film = window.saved.find(([name]) => name.endsWith('-1.00-2.00.webm')); \
         return film?.[1].arrayBuffer().then((data) => [[...new Uint8Array(data, 0, 4)], data.byteLength > 5000])";
     assert_eq!(page.until("the film is saved", film).await, json!([[0x1a, 0x45, 0xdf, 0xa3], true]));
-    // Playback has ended where the span ends, and goes on from there as before.
+    // Playback has stopped at the end of the span, and continues from there as before.
     assert_eq!(page_run(&page, "return [cursor.value, playing.value]").await, json!([2_000_000, false]));
     tab(&page, "Log").await;
     page.reads("1.00–2.00 s: looks for the ball").await;

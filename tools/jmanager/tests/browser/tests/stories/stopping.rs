@@ -1,4 +1,4 @@
-//! STOP on the page: in every window, above everything, and with what has become of it.
+//! STOP on the page: in every window, above all other elements, and with its result.
 
 use std::time::Duration;
 
@@ -7,17 +7,17 @@ use serde_json::json;
 
 use crate::therapy::{TABS, button, sessions, shows};
 
-/// The usual windows, and the first one and a telephone at a zoom of 200 %, which halves both sides.
+/// Sizes of the usual windows, and those of the first one and of a telephone at a zoom of 200 %, which halves both sides.
 const SIZES: [(u32, u32); 5] = [(1280, 800), (1024, 768), (390, 844), (640, 400), (195, 422)];
 
-/// Points of STOP on which something else lies, and whether it is as large as a finger.
+/// Returns the number of points of STOP that another element covers, and whether STOP is large enough for a finger.
 const COVERED: &str = "const stop = document.querySelector('#stop button'); const box = stop.getBoundingClientRect(); \
     const points = [...Array(19).keys()].flatMap((x) => [...Array(5).keys()].map((y) => \
     [box.x + 6 + (box.width - 12) * x / 18, box.y + 6 + (box.height - 12) * y / 4])); \
     const covered = points.filter(([x, y]) => document.elementFromPoint(x, y) !== stop); \
     return [covered.length, box.width >= 90 && box.height >= 38 && box.right <= innerWidth && box.bottom <= innerHeight]";
 
-/// Asserts that nothing lies on STOP.
+/// Asserts that nothing covers STOP.
 async fn lies_above(page: &Page, what: &str) {
     tokio::time::sleep(Duration::from_millis(100)).await;
     assert_eq!(page.run(COVERED).await, json!([0, true]), "{what}");
@@ -49,7 +49,7 @@ async fn nothing_covers_stop_in_any_window() {
         page.shows("dialog.palette[open]").await;
         lies_above(&page, &format!("{size:?}: the palette")).await;
         if size == SIZES[0] {
-            // It is pressed from within a dialog, too.
+            // STOP also works while a dialog is open.
             button(&page, "STOP").await;
             page.is("#stop", "one.innerText.includes('stopped')").await;
         }
@@ -90,7 +90,7 @@ async fn stop_needs_no_control_and_shows_a_lost_link() {
     server.kill();
     page.is("#stop [role=alert]", "one.innerText.includes('No connection')").await;
     lies_above(&page, "without a connection").await;
-    // The console tells of the lost connection.
+    // The console reports the lost connection.
 }
 
 #[tokio::test]

@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::access::{AXE, TARGETS, load_axe, set_theme};
 use crate::glance::show_in;
 
-/// A tablet.
+/// Size of a tablet, px.
 const SIZE: (u32, u32) = (1024, 768);
 /// Three parts: a text, a movement, an exercise.
 const FIRST: &str = "title \"First\"\nsay \"Hello.\"\nwait 600 s\nmovement arms_open\nsay \"Look.\"\nwait 600 s\n\
@@ -18,11 +18,11 @@ const FILM: &str = "title \"Arms and shoulders\"\nsay \"Let us move our arms.\"\
     exercise arms_open reps 10 at most 600 s\nsay \"Goodbye.\"\nwait speech at most 9 s";
 const WRONG: &str = "sya \"Hello.\"";
 
-/// How many tabs can be seen.
+/// Number of visible tabs.
 pub(crate) const TABS: &str =
     "[...document.querySelectorAll('[role=tab]')].filter((tab) => tab.getClientRects().length > 0).length";
 
-/// Sessions in a folder.
+/// Returns a folder with sessions.
 pub(crate) fn sessions() -> Folder {
     let folder = Folder::new("sessions");
     for (name, text) in [("first", FIRST), ("second", SECOND), ("wrong", WRONG), ("film", FILM)] {
@@ -31,7 +31,7 @@ pub(crate) fn sessions() -> Folder {
     folder
 }
 
-/// Waits until the page tells a state, and the part that is shown.
+/// Waits until the page shows a state and a part.
 pub(crate) async fn shows(page: &Page, mood: &str, part: &str) {
     let script = format!(
         "const [mood, part] = ['.mood b', '.parts .now'].map((one) => document.querySelector(one)?.textContent ?? ''); \
@@ -46,7 +46,7 @@ pub(crate) async fn button(page: &Page, name: &str) {
     page.click("button", name, "").await;
 }
 
-/// Looks at the page in both themes: nothing serious for axe, no small target, no word of an engineer; a picture of each.
+/// Checks the page in both themes: no serious finding of axe, no small target, no engineering term. Takes a picture of each.
 async fn look(page: &Page, name: &str) {
     for theme in ["dark", "light"] {
         page.run("document.activeElement.blur()").await;
@@ -71,7 +71,7 @@ async fn a_therapist_operates_a_session_with_every_control() {
     let page = Page::open(&server, SIZE).await;
     show_in(&page, SIZE).await;
     page.until("no tab", &format!("return {TABS} === 0")).await;
-    // The page stays plain for the next visit.
+    // The page has no tabs after a reload, either.
     page.run("location.reload()").await;
     page.until("no tab", &format!("return document.querySelector('.therapist') !== null && {TABS} === 0")).await;
     load_axe(&page).await;
@@ -91,7 +91,7 @@ async fn a_therapist_operates_a_session_with_every_control() {
     button(&page, "3. Exercise: arms open, 10 times").await;
     shows(&page, "Running", "3.").await;
     page.reads("watches the person").await;
-    // Three repetitions are examples; the next one is judged.
+    // The first three repetitions are examples; the next one is judged.
     page.reads("1 of 3").await;
     page.reads("of 10 done").await;
     page.reads("of 2 s").await;
@@ -121,7 +121,7 @@ async fn a_therapist_operates_a_session_with_every_control() {
     shows(&page, "STOPPED", "3.").await;
     page.reads("It will not start again by itself.").await;
     look(&page, "stopped").await;
-    // A short press does not let it go on.
+    // A short press does not continue the session.
     button(&page, "Hold 2 s to go on").await;
     tokio::time::sleep(Duration::from_secs(3)).await;
     shows(&page, "STOPPED", "3.").await;
@@ -146,21 +146,21 @@ async fn a_therapist_operates_a_session_with_every_control() {
     page.reads("You operate the robot").await;
     button(&page, "Give back").await;
     page.reads("Nobody operates the robot").await;
-    // An engineer beside the therapist.
+    // The view of an engineer, on the same page.
     for name in ["Menu", "View"] {
         button(&page, name).await;
     }
     button(&page, "Overview").await;
     page.reads("operator: nobody").await;
     page.find("button", "Session", "Activation tree").await;
-    // A panel without another one beside it has a tab, too.
+    // A single panel has a tab, too.
     page.find("tab", "Activation tree", "").await;
     assert_eq!(page.run(AXE).await, json!([]), "the whole bar");
     page.screenshot("therapist-engineer").await;
     page.close().await;
 }
 
-/// Takes so many pictures, four a second.
+/// Takes `pictures` pictures, about four per second.
 async fn film(page: &Page, pictures: u32, taken: &mut u32) {
     for _ in 0..pictures {
         page.screenshot(&format!("film-{taken:03}")).await;

@@ -1,4 +1,4 @@
-//! Stories of the drawing's uses: the difference from the last commit, a trial, and what a run has visited.
+//! Stories of the drawing's uses: difference from the last commit, trial, and coverage of a run.
 
 use std::fs;
 use std::process::Command;
@@ -12,7 +12,7 @@ use crate::open_in;
 
 const SIZE: (u32, u32) = (1440, 900);
 
-/// The forward's machine in a repository of its own.
+/// The forward's machine in its own repository.
 struct Repository(Folder);
 
 impl Repository {
@@ -37,7 +37,7 @@ impl Repository {
         self.0.write("player.rs", text);
     }
 
-    /// Opens the machine in the designer, while the forward plays.
+    /// Opens the machine in the designer while the forward plays.
     async fn open(&self, name: &str) -> (Server, Page) {
         let server = Server::with_sources(name, &self.0);
         let page = open_in(&server, SIZE).await;
@@ -48,7 +48,7 @@ impl Repository {
     }
 }
 
-/// Names of the states of a class, sorted.
+/// Returns the names of the states of a class, sorted.
 async fn states(page: &Page, class: &str) -> serde_json::Value {
     let script = format!(
         "return [...document.querySelectorAll('.machine .box.{class}')].map((one) => one.dataset.state).sort()"
@@ -56,14 +56,14 @@ async fn states(page: &Page, class: &str) -> serde_json::Value {
     page.run(&script).await
 }
 
-/// Takes pictures in both themes. No name covers another one, and all targets beside the drawing are large enough.
+/// Takes pictures in both themes; checks that no name covers another one, and that all targets outside the drawing are large enough.
 async fn pictures(page: &Page, name: &str) {
     for theme in ["dark", "light"] {
         set_theme(page, theme).await;
         page.screenshot(&format!("uses-{theme}-{name}")).await;
     }
     assert_eq!(faults(page, "svg.machine", ".box > .body", ".arrow > .line", ".label > .ground").await, json!([]));
-    // Lines of the drawing are thinner, and have names beside them.
+    // Lines of the drawing are thinner, and have names beside them as targets.
     let targets = TARGETS.replace("'.chart'", "'.chart, svg'");
     assert_eq!(page.run(&targets).await, json!([]));
 }
@@ -90,7 +90,7 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
     page.any(".machine .label.changed", "one.textContent.includes('~ ball_reached')").await;
     page.reads("follow.reached() && self.decision.get().is_none()").await;
     pictures(&page, "diff").await;
-    // What is saved is what is drawn.
+    // Saved files contain the drawn difference.
     let watch = "window.texts = []; const make = URL.createObjectURL; \
         URL.createObjectURL = (blob) => { blob.text().then((text) => texts.push(text)); return make(blob); };";
     page.run(watch).await;
@@ -100,11 +100,11 @@ async fn difference_from_the_last_commit_is_on_the_drawing() {
         page.click("button", item, "").await;
         page.until(item, &format!("return window.texts.some((one) => one.includes('{text}'))")).await;
     }
-    // The drawing of both versions is not edited.
+    // The drawing of both versions cannot be edited.
     page.run("document.querySelector('svg.machine').focus()").await;
     page.press("a").await;
     page.reads("press Design to edit it").await;
-    // What is mended is no difference any more.
+    // A reverted change is no difference.
     repository.replace(&[("after_ms = 800", "after_ms = 1500")]);
     let others =
         "[...document.querySelectorAll('.changes li')].every((one) => !one.textContent.includes('ball_lost_again'))";

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use crate::{game, tab};
 
-/// When a watch fired, µs, and when its condition held.
+/// Returns a script for the times at which a watch fired, and the spans in which its condition held, µs.
 fn found(text: &str) -> String {
     format!(
         "return import('/lib/watches.js').then(({{ findings }}) => {{ const one = findings.value.get({text:?}); \
@@ -26,8 +26,8 @@ async fn watch_pauses_marks_and_is_kept() {
     watch(&page, "Odometry.wanders > 1").await;
     page.reads("there is no output or parameter “Odometry.wanders”").await;
     page.click("switch", "Pause the world", "Watches").await;
-    // The condition cannot hold before it is watched. 30 images a second: it begins 3 s later, and stays true while a busy page
-    // pauses the world.
+    // The condition cannot hold before the watch exists: with 30 images per second it begins to hold 3 s later. It stays true while a
+    // busy page pauses the world.
     page.click("button", "Pause", "").await;
     page.reads("world paused").await;
     let clock = "return document.querySelector('.clock b').textContent.split(':') \
@@ -48,7 +48,7 @@ async fn watch_pauses_marks_and_is_kept() {
     assert_eq!(page.run(paused).await, json!([live[0][0], true]));
     page.click("button", "Go on", "").await;
     page.find("button", "Time: live", "").await;
-    // What is stored has the same alerts, for a page that comes later, too.
+    // The stored history has the same alerts, also after a reload.
     page.run("location.reload()").await;
     assert_eq!(page.until("it fired before", &found(text)).await[0], live[0]);
     tab(&page, "Recordings").await;
