@@ -1,7 +1,7 @@
 //! Encoding of messages whose large data is transferred separately.
 //!
-//! A text or byte string of [`MIN_BLOB`] bytes or more is taken out of the encoded message: its length stays, its bytes do not.
-//! All that was taken out of a message, one after the other, are its *blobs*. Sequences are never taken out, whatever their length.
+//! The bytes of a text or byte string of [`MIN_BLOB`] bytes or more are removed from the encoded message; its length stays. The
+//! removed bytes of a message, concatenated in order, are its *blobs*. Sequences are never removed, whatever their length.
 
 use core::iter;
 
@@ -11,11 +11,11 @@ use postcard::ser_flavors::{ExtendFlavor, Flavor};
 use postcard::{Deserializer, Error};
 use serde::{Deserialize, Serialize};
 
-/// Length from which on texts and byte strings are taken out of a message, bytes.
+/// Minimum length of a text or byte string that is removed from a message, bytes.
 pub const MIN_BLOB: usize = 128;
 
-/// Encodes a message at the end of `out`, without its blobs. `take` receives each of them, and the number of bytes of the message
-/// that precede it: the rest of a [`Blob`](bica_core::Blob), its format and its frame, begins there.
+/// Encodes a message at the end of `out`, without its blobs. Calls `take` for each blob with its bytes and the number of bytes of
+/// the message that precede it. The rest of a [`Blob`](bica_core::Blob), its format and its frame, begins at this position.
 ///
 /// Returns `None` if the message has a type that postcard refuses, such as a sequence of unknown length.
 pub fn encode<E: Extend<u8>>(message: &impl Serialize, out: E, mut take: impl FnMut(usize, &[u8])) -> Option<E> {
@@ -23,7 +23,7 @@ pub fn encode<E: Extend<u8>>(message: &impl Serialize, out: E, mut take: impl Fn
     postcard::serialize_with_flavor(message, flavor).ok()
 }
 
-/// Decodes a message with its blobs. Without blobs, or with too few bytes of them, the rest of its texts and byte strings of
+/// Decodes a message with its blobs. If the blobs are absent or have too few bytes, the remaining texts and byte strings of
 /// [`MIN_BLOB`] bytes or more are empty.
 ///
 /// Returns `None` if the bytes are no such message.
@@ -34,15 +34,15 @@ pub fn decode<'a, T: Deserialize<'a>>(message: &'a [u8], blobs: &'a [u8]) -> Opt
     deserializer.finalize().ok()?.is_empty().then_some(value)
 }
 
-/// Reads format and frame of a blob from what follows it in a message. A long text is not followed by them: its format is
-/// [`Other`](Format::Other).
+/// Reads the format and frame of a blob from the bytes that follow it in a message. A long text is not followed by them; its
+/// format is [`Other`](Format::Other).
 #[must_use]
 pub fn described(rest: &[u8]) -> (Format<'_>, &str) {
     postcard::take_from_bytes(rest).map_or((Format::Other { media_type: "" }, ""), |(described, _)| described)
 }
 
-/// Takes blobs out of what it passes on. The receiver of the blobs is called by a pointer, because blobs are few: so a type has one
-/// function that serialises it, and not one for each receiver.
+/// Removes blobs and passes the other bytes on. It calls the receiver of blobs through a pointer, because blobs are few: each
+/// type then has one function that serialises it, not one for each receiver.
 struct TakeBlobs<'t, F> {
     inner: F,
     /// Number of bytes passed on.

@@ -13,7 +13,7 @@ use crate::packet::{CRC_BYTES, SEQUENCE_BYTES};
 pub struct Decoder<const N: usize> {
     buffer: [u8; N],
     length: usize,
-    /// More bytes than the buffer holds came since the last terminator.
+    /// Whether more bytes than the buffer holds have arrived since the last terminator.
     overrun: bool,
     expected_sequence: Option<u16>,
     stats: LinkStats,
@@ -56,7 +56,8 @@ impl<'a> Packet<'a> {
 const IDENTITY: u32 = 0;
 
 impl Packet<'_> {
-    /// Returns the schema in a robot's identity. It can be read whatever the schema is, unlike the message.
+    /// Returns the schema in a robot's identity; `None` for another message. Unlike the message, it can be read whatever the
+    /// schema is.
     #[must_use]
     pub fn identity_schema(&self) -> Option<u64> {
         let (variant, schema) = postcard::take_from_bytes::<(u32, u64)>(self.bytes).ok()?.0;

@@ -19,9 +19,9 @@ const DOC_BYTES: usize = 512;
 /// Largest size of the name of a type, bytes. A longer one is cut.
 const TYPE_BYTES: usize = 512;
 
-/// Describes a tree: the tree, its components, then for each component its links, states, transitions, parameters,
-/// information and modulations, then the actions of its world, then [`GraphItem::End`]. Doc comments follow what they
-/// document, variants and arguments what they belong to.
+/// Describes a tree: the tree, its components, then for each component its links, states, transitions, parameters, outputs and
+/// modulations, then the actions of its world, then [`GraphItem::End`]. A doc comment follows the item that it documents;
+/// variants and arguments follow their owner.
 #[must_use]
 pub const fn describe(graph: &Graph) -> GraphItems<'_> {
     GraphItems {
@@ -59,10 +59,10 @@ pub struct GraphItems<'g> {
     variants: &'static [Variant],
     /// Arguments that follow the last item.
     arguments: &'static [Param],
-    /// Place of the last argument. A microcontroller sends none, and the code for it would take its memory.
+    /// Place of the last argument. A microcontroller sends none: the code for it would occupy its memory.
     #[cfg(feature = "std")]
     place: Option<Place<'static>>,
-    /// Roles of the last link, and index of the next one of the tree that is looked up in them.
+    /// Roles of the last link, and the index among the tree's roles from which the search for the next one continues.
     #[cfg(feature = "std")]
     roles: (Roles, usize),
     /// Function of the last component that runs beside the loop.
@@ -89,7 +89,7 @@ enum List {
 }
 
 impl List {
-    /// The list after this one; of the next component after the last.
+    /// Returns the list after this one. The last list of a component is followed by the first list of the next component.
     const fn next(self) -> Self {
         match self {
             Self::Tree => Self::Components,
@@ -164,7 +164,7 @@ impl GraphItems<'_> {
 }
 
 impl GraphItems<'_> {
-    /// Returns what still follows the last listed item.
+    /// Returns the next item that belongs to the last listed item, such as its doc comment.
     fn attachment(&mut self) -> Option<GraphItem<'static>> {
         if !self.doc.is_empty() {
             let text = truncate(self.doc, DOC_BYTES);
@@ -216,7 +216,7 @@ impl GraphItems<'_> {
         None
     }
 
-    /// Returns the item at the index in the list; `None` behind it.
+    /// Returns the item at the index in the list; `None` after the last one.
     fn in_list(&mut self) -> Option<GraphItem<'static>> {
         let (index, component) = (self.index as u16, self.node as u16);
         match self.list {
@@ -292,7 +292,7 @@ impl GraphItems<'_> {
         GraphItem::Tree { name, cycle_hz, budget_ms, tunable, components: nodes.len() as u16 }
     }
 
-    /// Prepares what follows a parameter or argument; returns its kind and default.
+    /// Prepares the items that follow a parameter or argument; returns its kind and default.
     fn begin_param(&mut self, param: &Param) -> (Kind<u16>, Value) {
         self.doc = param.doc.text();
         if let Kind::Choice { variants } = param.kind {

@@ -1,4 +1,4 @@
-//! Values of a tree after a cycle, as messages have them.
+//! Values of a tree after a cycle, in the types of the messages.
 
 use bica_core::Tree;
 use bica_core::graph::Node;
@@ -26,7 +26,7 @@ pub fn effective<T: Tree>(tree: &T, change: &Change) -> Vec<Value, MAX_BATCH> {
     }
 }
 
-/// State of the component at an index, after a cycle; `None` for one that the tree does not list.
+/// State of the component at an index, after a cycle; `None` if the tree does not list it.
 #[must_use]
 pub fn state<T: Tree>(tree: &T, index: usize) -> Option<ComponentState> {
     tree.status(index).map(|status| ComponentState {

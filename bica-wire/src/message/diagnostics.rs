@@ -10,7 +10,7 @@ pub struct Telemetry<'a> {
     pub time_us: u64,
     /// Whether the robot is in the safe stop because it received nothing for too long.
     pub safe_stop: bool,
-    /// Number of cycles that were left out since the last start, because the one before ended too late.
+    /// Number of skipped cycles since the last start. A cycle is skipped if the one before it ends too late.
     pub late_cycles: u32,
     /// Number of images with a missing chunk.
     pub incomplete_images: u32,

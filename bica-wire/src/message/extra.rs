@@ -1,4 +1,4 @@
-//! What a program on a computer offers to its monitors, and a microcontroller does not.
+//! Messages that a program on a computer exchanges with its monitors, and a microcontroller does not.
 //!
 //! These messages have variants of their own in [`ToRobot`](super::ToRobot) and [`FromRobot`](super::FromRobot), so a
 //! microcontroller's program contains no code for them.
@@ -16,7 +16,7 @@ pub const MAX_COSTS: usize = 32;
 /// Number of cycles in which costs are measured for one [`Costs`].
 pub const COSTS_CYCLES: u16 = 50;
 
-/// Set of what a robot's program offers to monitors, one bit for each. Unknown bits belong to a later version.
+/// Set of services that a robot's program offers to monitors, one bit for each. Unknown bits belong to a later version.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct Offers(pub u32);
 
@@ -34,25 +34,25 @@ impl Offers {
     /// Camera images.
     pub const IMAGES: Self = Self(1 << 5);
 
-    /// Returns all that is in one of both sets.
+    /// Returns the union of both sets.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// Whether everything of the other set is in this one.
+    /// Returns whether this set contains all services of the other one.
     #[must_use]
     pub const fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
     }
 }
 
-/// A message of a monitor about what only a program on a computer offers.
+/// A message of a monitor about a service that only a program on a computer offers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum FromMonitorExtra {
-    /// Sets how often something is sent to this monitor.
+    /// Sets how often data of one kind are sent to this monitor.
     Watch {
-        /// What is sent.
+        /// Kind of the data.
         kind: ExtraKind,
         /// Interval: sent in every n-th cycle, or for every n-th image; 0: never. Costs are sent every [`COSTS_CYCLES`]
         /// cycles for any other value.
@@ -80,21 +80,21 @@ pub struct WorldRequest {
     pub change: WorldChange,
 }
 
-/// A change of a simulated world's time. It stays when the lease ends.
+/// A change of a simulated world's time. It stays in force when the lease ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum WorldChange {
     /// Pauses after the present cycle. Requests are still applied.
     Pause,
-    /// Continues; steps that are left are dropped.
+    /// Continues; remaining steps are dropped.
     Resume,
-    /// Pauses, and runs some cycles.
+    /// Pauses after a number of cycles.
     Step {
-        /// Number of cycles, in addition to those that are left.
+        /// Number of cycles, added to those that remain.
         cycles: u32,
     },
 }
 
-/// What a monitor can watch besides states and information.
+/// Kind of data that a monitor can watch, besides states and outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub enum ExtraKind {
     /// Conditions of the transitions of a component.
@@ -110,7 +110,7 @@ pub enum ExtraKind {
     Images,
     /// Transitions that components take, each as [`ToMonitorExtra::Taken`].
     Taken,
-    /// A stop: it is reported when it is reached, for any interval but 0.
+    /// A stop. It is reported whenever it is reached, for any interval other than 0.
     Stop(Stop),
 }
 
@@ -119,22 +119,22 @@ pub enum ExtraKind {
 pub struct Stop {
     /// Index of the component.
     pub component: u16,
-    /// What is reached.
+    /// State or transition that is reached.
     pub at: StopAt,
     /// Whether the world pauses there. It pauses if nobody, or this monitor, owns the lease.
     pub pauses: bool,
 }
 
-/// What is reached at a [`Stop`].
+/// State or transition of a [`Stop`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, Schema)]
 pub enum StopAt {
-    /// The active component is in this state, and was not after the cycle before.
+    /// The component is active in this state, and was not after the cycle before.
     State(u16),
     /// The component takes this transition.
     Transition(u16),
 }
 
-/// A message to a monitor with what only a program on a computer offers.
+/// A message to a monitor with data that only a program on a computer offers.
 #[expect(clippy::large_enum_variant, reason = "one at a time is encoded, and there may be no heap")]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub enum ToMonitorExtra<'a> {
@@ -144,7 +144,7 @@ pub enum ToMonitorExtra<'a> {
     Costs(Costs),
     /// A part of costs.
     ComponentCosts(ComponentCosts),
-    /// A part of what the world shows.
+    /// A part of the scenery or the true state.
     #[serde(borrow)]
     Scene(ScenePart<'a>),
     /// The beginning of an image.
@@ -153,19 +153,19 @@ pub enum ToMonitorExtra<'a> {
     /// A part of the image whose beginning was sent last.
     #[serde(borrow)]
     ImageChunk(ImageChunk<'a>),
-    /// Whether the world is paused: sent when a monitor attaches, when it changes, and when the requested steps are done.
+    /// Pause state of the world: sent when a monitor attaches, when it changes, and when the requested steps are done.
     World(WorldState),
     /// A component has taken a transition.
     Taken(Taken),
     /// A stop was reached.
     Reached(Reached),
-    /// How the run has ended, for people, such as `the world ended after 12.00 s`: sent when it ends, and when a monitor attaches
-    /// after that.
+    /// Result of the run, for people, such as `the world ended after 12.00 s`: sent when the run ends, and to each monitor that
+    /// attaches after that.
     Result(&'a str),
     /// A part of the schema of the robot's sensor values or command, sent with the description: a `NamedType` of postcard-schema in
     /// postcard's format.
     MessageSchema {
-        /// Whether it is that of the command.
+        /// Whether it is the schema of the command; otherwise it is that of the sensor values.
         command: bool,
         /// Whether this is the last part.
         last: bool,
@@ -174,7 +174,7 @@ pub enum ToMonitorExtra<'a> {
     },
     /// A request was applied.
     Requested(Requested),
-    /// Something happened in the world.
+    /// An event in the world.
     #[serde(borrow)]
     Happened(Happened<'a>),
 }
@@ -182,18 +182,18 @@ pub enum ToMonitorExtra<'a> {
 /// A request was applied, to the tree or to the simulated world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Requested {
-    /// Instant of the first cycle that runs with it, µs.
+    /// Instant of the first cycle that runs with the change, µs.
     pub time_us: u64,
     /// The request.
     pub change: Change,
 }
 
-/// Something happened in the world, such as a goal or a fall.
+/// An event in the world, such as a goal or a fall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct Happened<'a> {
     /// Time in the robot's time, µs.
     pub time_us: u64,
-    /// Kind, as `goal` or `kick`.
+    /// Kind, such as `goal` or `kick`.
     pub kind: &'a str,
     /// Details, as text; empty without any.
     pub detail: &'a str,
@@ -232,8 +232,8 @@ pub struct Conditions {
     pub component: u16,
     /// Index of the first transition.
     pub first: u16,
-    /// Latest value of each condition; `None` if not evaluated since the state was entered. The condition of the
-    /// transition into the state held at that instant.
+    /// Latest value of each condition; `None` if it was not evaluated since the state was entered. The condition of the
+    /// transition that entered the state is true since that instant.
     pub values: Vec<Option<ConditionState>, MAX_CONDITIONS>,
 }
 
@@ -246,18 +246,18 @@ pub struct ConditionState {
     pub since_us: u64,
 }
 
-/// Costs of the cycles since the last costs. The [`ComponentCosts`] after it have the same cycle.
+/// Costs of the cycles since the previous `Costs`. The [`ComponentCosts`] after it have the same cycle number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Costs {
     /// Number of the last cycle.
     pub cycle: u64,
     /// Instant of the last cycle, µs.
     pub time_us: u64,
-    /// Time since the instant of the last cycle before these, µs.
+    /// Time from the last cycle before these to the last of these, µs.
     pub window_us: u64,
     /// Mean time from sensor values to the end of the tick, µs.
     pub mean_us: f32,
-    /// Longest such time, µs.
+    /// Maximum of this time, µs.
     pub max_us: f32,
     /// Instant of the cycle that took longest, µs.
     pub worst_us: u64,
@@ -285,7 +285,7 @@ pub struct ComponentCost {
     pub max_us: f32,
     /// Number of runs that took longer than the declared budget.
     pub overruns: u32,
-    /// Instant of the last of these runs, µs; 0 without one.
+    /// Instant of the last run over the budget, µs; 0 without one.
     pub overrun_us: u64,
 }
 
@@ -294,7 +294,7 @@ pub struct ComponentCost {
 pub struct ImageHead<'a> {
     /// Number of the image since the start, from 0; also the number in its chunks.
     pub number: u32,
-    /// Instant of the cycle that took it in, µs.
+    /// Instant of the cycle that received the image, µs.
     pub time_us: u64,
     /// Name of its camera.
     pub camera: &'a str,

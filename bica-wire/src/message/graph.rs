@@ -68,7 +68,7 @@ pub enum GraphItem<'a> {
         name: &'a str,
         /// Whether it is the initial state.
         initial: bool,
-        /// Whether no transition leaves it on purpose.
+        /// Whether it is marked to have no transition out of it.
         last: bool,
         /// Result with which the machine ends in it.
         end: Option<End>,
@@ -123,7 +123,7 @@ pub enum GraphItem<'a> {
     Info {
         /// Index of the component.
         component: u16,
-        /// Index among the component's information.
+        /// Index among the component's outputs.
         index: u16,
         /// Name.
         name: &'a str,
@@ -131,7 +131,7 @@ pub enum GraphItem<'a> {
         unit: Option<&'a str>,
         /// Type of the value, as in the source text.
         type_name: &'a str,
-        /// Visual type and frames; none for what is not drawn.
+        /// Visual type and frames; none for an output that is not drawn.
         placement: Option<Placement<'a>>,
     },
     /// A modulation of a component.

@@ -14,10 +14,10 @@ pub struct ImageChunk<'a> {
     pub bytes: &'a [u8],
 }
 
-/// Large data whose chunks were sent before: all of one message, one after the other.
+/// All large data of one message, concatenated. The chunks were sent before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct BlobsInfo {
-    /// Number in the chunks.
+    /// Number of the data, as in the chunks.
     pub id: u32,
     /// Number of bytes.
     pub bytes: u32,

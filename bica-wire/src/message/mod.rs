@@ -1,6 +1,6 @@
 //! The messages.
 //!
-//! Sensor values and commands are of the robot's own types: a program decodes them only if the hash of their schemas is its own
+//! Sensor values and commands have types of the robot. A program decodes them only if the hash of their schemas equals its own
 //! ([`messages_hash`](crate::messages_hash)). Times are microseconds since the start of the world's clock.
 
 mod diagnostics;
@@ -62,8 +62,8 @@ pub enum ToRobot<'a> {
 }
 
 impl ToRobot<'_> {
-    /// Whether the message comes from the body or the world that the robot controls. Only these show that the robot still
-    /// receives sensor values; a monitor's message must not keep it from its safe stop.
+    /// Returns whether the message comes from the body or the world that the robot controls. Only such messages show that the
+    /// robot still receives sensor values; a monitor's message must not prevent the safe stop.
     #[must_use]
     pub const fn is_from_body(&self) -> bool {
         matches!(self, Self::Hello(_) | Self::ImageChunk(_) | Self::Sensors(_))
@@ -123,7 +123,7 @@ pub enum ToMonitor<'a> {
     Cycle(CycleInfo),
     /// A part of a snapshot.
     Components(ComponentStates),
-    /// A value of information.
+    /// A value of an output.
     #[serde(borrow)]
     Info(InfoValue<'a>),
     /// A part of the schema of an output.

@@ -10,28 +10,28 @@ use super::{Hold, Offers, Value};
 pub const MAX_STATES: usize = 32;
 /// Largest number of values in one [`ParamValues`].
 pub const MAX_VALUES: usize = 32;
-/// Largest size of a value of information in postcard's format, bytes. A larger one is not sent.
+/// Largest size of a value of an output in postcard's format, bytes. A larger one is not sent.
 pub const MAX_INFO_BYTES: usize = 1024;
 /// Largest size of a part of a schema, bytes.
 pub const SCHEMA_PART_BYTES: usize = 1024;
 /// Largest size of the text of a [`LogLine`] and of a refusal, bytes. A longer one is cut.
 pub const MAX_TEXT_BYTES: usize = 512;
 
-/// The answer to [`FromMonitor::Attach`](super::FromMonitor::Attach): what the monitor is attached to.
+/// The answer to [`FromMonitor::Attach`](super::FromMonitor::Attach): the program to which the monitor is attached.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, Schema)]
 pub struct Attached<'a> {
     /// The robot's [`SCHEMA`](crate::SCHEMA).
     pub schema: u64,
-    /// Hash of the tree without doc comments ([`Tree::HASH`](bica_core::Tree::HASH)): equal hashes mean the same by every
-    /// index.
+    /// Hash of the tree without doc comments ([`Tree::HASH`](bica_core::Tree::HASH)): in trees with equal hashes every index has
+    /// the same meaning.
     pub tree_hash: u64,
     /// Name of the tree.
     pub name: &'a str,
-    /// Whether the robot's time advances with the clock. If not, an expiry in the robot's time has no use.
+    /// Whether the robot's time advances with the clock. If not, an expiry in the robot's time is useless.
     pub realtime: bool,
-    /// Silence of the operator after which his requests end, ms.
+    /// Silence of the operator after which its lease ends, ms.
     pub silence_ms: u32,
-    /// What the robot's program offers.
+    /// Services that the robot's program offers.
     pub offers: Offers,
 }
 
@@ -47,7 +47,7 @@ pub struct Watch {
 pub struct WatchInfo {
     /// Index of the component.
     pub component: u16,
-    /// Index of the information.
+    /// Index of the output.
     pub info: u16,
     /// The value of every n-th cycle; 0: none.
     pub every: u16,
@@ -84,34 +84,34 @@ pub struct ComponentStates {
 pub struct ComponentState {
     /// Whether it was visited in this cycle.
     pub active: bool,
-    /// How it is held.
+    /// Its hold.
     pub held: Hold,
-    /// Index of its state, also of a latent one; none without states.
+    /// Index of its state, also while it is latent; none without states.
     pub state: Option<u16>,
     /// Requested rate, Hz; none: every cycle.
     pub hz: Option<f32>,
 }
 
-/// A value of information.
+/// A value of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InfoValue<'a> {
     /// Number of the cycle after which it was read.
     pub cycle: u64,
     /// Index of the component.
     pub component: u16,
-    /// Index of the information.
+    /// Index of the output.
     pub info: u16,
     /// The value in postcard's format; none if it is larger than [`MAX_INFO_BYTES`].
     pub bytes: Option<&'a [u8]>,
 }
 
-/// A part of the schema of an output: a `NamedType` of postcard-schema in postcard's format. A program on a computer sends the schemas of
-/// all outputs before the values of parameters, a microcontroller each before the first value of its output.
+/// A part of the schema of an output: a `NamedType` of postcard-schema in postcard's format. A program on a computer sends the
+/// schemas of all outputs before the values of parameters. A microcontroller sends a schema before the first value of its output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InfoSchema<'a> {
     /// Index of the component.
     pub component: u16,
-    /// Index of the information.
+    /// Index of the output.
     pub info: u16,
     /// Whether this is the last part.
     pub last: bool,
@@ -132,7 +132,7 @@ pub struct ParamValues {
     pub values: Vec<Option<Value>, MAX_VALUES>,
 }
 
-/// Where a line of a log comes from.
+/// Origin of a line of the log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, Schema)]
 #[serde(rename_all = "snake_case")]
 pub enum LogSource {
@@ -140,7 +140,7 @@ pub enum LogSource {
     Robot,
     /// The world, such as its referee.
     World,
-    /// An operator: requests, and why they are refused.
+    /// An operator: requests, and the reasons for refusals.
     Operator,
     /// A note of a person.
     Note,
@@ -155,7 +155,7 @@ pub struct LogLine<'a> {
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
-    /// Where it comes from.
+    /// Origin.
     pub source: LogSource,
     /// The text, at most [`MAX_TEXT_BYTES`].
     pub text: &'a str,

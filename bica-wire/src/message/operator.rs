@@ -55,7 +55,7 @@ pub struct Request {
     pub change: Change,
 }
 
-/// A change between two cycles. It has its place in the message: there is no heap.
+/// A change between two cycles. It is stored in the message, because there is no heap.
 pub type Change = bica_runner::Change<Vec<Setting, MAX_BATCH>, Vec<Value, MAX_ARGUMENTS>>;
 
 /// The answer to a [`Request`].
@@ -108,7 +108,7 @@ pub enum RefusalCode {
 }
 
 impl RefusalCode {
-    /// Returns what was wrong and how to mend it.
+    /// Returns the cause and, if there is one, the remedy.
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {

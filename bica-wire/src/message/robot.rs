@@ -10,7 +10,7 @@ use super::BlobsInfo;
 pub struct Sensors<'a> {
     /// Time of measurement, µs.
     pub time_us: u64,
-    /// The large data in the values, whose chunks were sent before; none without any.
+    /// The large data in the values; none without any. Its chunks were sent before.
     pub blobs: Option<BlobsInfo>,
     /// The values without their large data, as [`blobs`](crate::blobs) encodes them.
     pub values: &'a [u8],

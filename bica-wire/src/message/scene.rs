@@ -1,4 +1,4 @@
-//! What a world shows to its monitors: its scenery and its true state.
+//! Scenery and true state of a world, as its monitors receive them.
 //!
 //! Both are sent in the same way: first the declarations of all items, then their values. Neither is limited in size, so
 //! each is sent in parts.
@@ -13,11 +13,11 @@ pub const SCENE_PART_BYTES: usize = 1024;
 /// A part of declarations or values. The parts follow each other; a monitor puts them together until the last one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct ScenePart<'a> {
-    /// What is shown.
+    /// Scenery or true state.
     pub scene: SceneKind,
-    /// Number of the declarations, from 0: values belong to the declarations of their number.
+    /// Number of the declarations, from 0; values belong to the declarations with the same number.
     pub number: u32,
-    /// What the bytes are.
+    /// Content of the bytes.
     pub content: SceneContent,
     /// Whether it is the last part.
     pub last: bool,
@@ -25,13 +25,13 @@ pub struct ScenePart<'a> {
     pub bytes: &'a [u8],
 }
 
-/// What is shown.
+/// Scenery or true state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum SceneKind {
-    /// What does not move: sent when a monitor attaches.
+    /// Objects that do not move: sent when a monitor attaches.
     Scenery,
     /// The true state of a simulated world: its declarations are sent when a monitor attaches and when they change, its values to
-    /// those who watch it. It goes from the simulator to monitors only; no message to a robot can contain it.
+    /// the monitors that watch it. It goes from the simulator to monitors only; no message to a robot can contain it.
     Truth,
 }
 

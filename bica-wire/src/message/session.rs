@@ -12,7 +12,7 @@ pub struct Hello<'a> {
     pub messages: u64,
     /// The clock that ticks the tree.
     pub clock_mode: ClockMode,
-    /// What the robot's program has to know before the start, in a form of its own.
+    /// Data that the robot's program needs before the start, in a format of its own.
     pub set_up: &'a [u8],
 }
 
@@ -41,7 +41,7 @@ pub struct Identity<'a> {
     pub components: u8,
     /// Rate of the counter that measures costs, Hz.
     pub counter_hz: u32,
-    /// Size of the most large data of a message that the robot takes, bytes. More counts as incomplete.
+    /// Maximum size of the large data of a message, bytes. Larger data count as incomplete.
     pub image_bytes: u32,
     /// Number of restarts after a panic since power-on.
     pub restarts: u32,

@@ -1,4 +1,4 @@
-//! Assembly of a description from items: those of a tree of this program, or those that a robot sends.
+//! Assembly of a description from graph items: those of a tree of this program, or those that a robot sends.
 
 use std::borrow::ToOwned;
 use std::format;
@@ -26,7 +26,7 @@ impl Description {
         Self { hash: format!("{:016x}", hash(graph)), ..described }
     }
 
-    /// Adds what can be done in the world.
+    /// Adds the actions of the world.
     #[must_use]
     pub fn with_actions(self, actions: &'static [Action]) -> Self {
         let mut builder = Builder { description: self, ..Builder::default() };
@@ -38,7 +38,7 @@ impl Description {
     }
 }
 
-/// What the next doc comment belongs to.
+/// Item to which the next doc comment belongs.
 #[derive(Clone, Copy, Debug, Default)]
 enum Last {
     #[default]
@@ -56,7 +56,7 @@ enum Last {
     Link(usize),
 }
 
-/// What the last modulation or action belongs to.
+/// Owner of the last modulation or action.
 #[derive(Clone, Copy, Debug)]
 enum Owner {
     Component(usize),

@@ -1,4 +1,4 @@
-//! Finding something by name.
+//! Search by name.
 
 use std::format;
 use std::string::String;
@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use super::{Component, Description, Invalid};
 
-/// Least similarity, 0 to 1, of a name that is offered in place of an unknown one.
+/// Minimum similarity, 0 to 1, of a name that is suggested in place of an unknown one.
 const MIN_SIMILARITY: f64 = 0.6;
 
 impl Description {

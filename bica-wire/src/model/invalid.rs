@@ -1,4 +1,4 @@
-//! The error of a name or value that does not fit.
+//! Error for a name or value that does not fit.
 
 use core::fmt;
 use std::format;
@@ -11,7 +11,7 @@ pub struct Invalid {
     pub what: String,
     /// Remedy.
     pub help: String,
-    /// Index of the setting or argument that it is about.
+    /// Index of the wrong setting or argument.
     pub entry: Option<usize>,
 }
 
@@ -22,7 +22,7 @@ impl Invalid {
         Self { what: what.into(), help: help.into(), entry: None }
     }
 
-    /// The same error, with the place where it was found in front.
+    /// Returns the same error with the place in front of its text.
     #[must_use]
     pub fn within(self, place: &str) -> Self {
         Self { what: format!("{place}: {}", self.what), ..self }

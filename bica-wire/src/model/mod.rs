@@ -1,8 +1,8 @@
 //! The one model of a robot: in the process, over the link, in a recording's header, in JSON and in the page of a monitor.
 //!
-//! [`Description::of`] makes it from the graph of a tree of this program, a [`Builder`] from the items that another robot sends. Its
-//! form in JSON is documented in `docs/json.md`. Lists refer to each other by index; people and files name what they mean, and
-//! [`Description::component`] and its like find it.
+//! [`Description::of`] makes it from the graph of a tree of this program, a [`Builder`] from the items that another robot sends.
+//! Its form in JSON is documented in `docs/json.md`. Lists refer to each other by index. People and files use names, which
+//! [`Description::component`] and similar functions look up.
 
 mod builder;
 mod find;
@@ -28,7 +28,7 @@ pub use request::{NamedRequest, NamedSetting};
 pub use robot::Messages;
 use serde::{Deserialize, Serialize};
 
-/// Description of a robot: its tree, its messages, and what can be done in its world.
+/// Description of a robot: its tree, its messages, and the actions of its world.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Description {
     /// Name.
@@ -47,10 +47,10 @@ pub struct Description {
     pub root: usize,
     /// The components.
     pub components: Vec<Component>,
-    /// What an operator can do in the simulated world; empty without one.
+    /// Actions of an operator in the simulated world; empty without one.
     #[serde(default)]
     pub actions: Vec<Modulation>,
-    /// Schemas of the robot's messages; none as long as they are unknown, and of a microcontroller.
+    /// Schemas of the robot's messages; none while they are unknown, and for a microcontroller.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub messages: Option<Messages>,
 }
@@ -105,11 +105,11 @@ pub struct Work {
 pub struct Link {
     /// Index of the activated component.
     pub to: usize,
-    /// Read or written.
+    /// Requirement or modulation.
     pub kind: LinkKind,
     /// Index of the only state with this link.
     pub state: Option<usize>,
-    /// Roles by which it is written instead of the component's name.
+    /// Roles that the source names instead of the component.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub roles: Vec<String>,
 }
@@ -123,7 +123,7 @@ pub struct State {
     pub doc: String,
     /// Whether it is the initial state.
     pub initial: bool,
-    /// Whether no transition leaves it on purpose.
+    /// Whether it is marked to have no transition out of it.
     pub last: bool,
     /// Result with which the machine ends in it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -181,10 +181,10 @@ pub struct Info {
     /// Type of the value, as in the source text.
     #[serde(rename = "type")]
     pub type_name: String,
-    /// Visual type and frames; `None` for what is not drawn.
+    /// Visual type and frames; `None` for an output that is not drawn.
     #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
     pub placement: Option<Placement>,
-    /// Schema of the value; none as long as it is unknown.
+    /// Schema of the value; none while it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<OwnedNamedType>,
 }
@@ -196,7 +196,7 @@ pub struct Placement {
     pub shape: String,
     /// The frame in which the value is given.
     pub frame: String,
-    /// The frame whose place the value is.
+    /// The frame whose place the value gives.
     pub child: Option<String>,
 }
 

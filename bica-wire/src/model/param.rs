@@ -76,7 +76,7 @@ impl Param {
         self.kind.parse(text).map_err(|reason| self.refuse(text, reason))
     }
 
-    /// Returns a value that JSON or TOML contains.
+    /// Converts a value as JSON or TOML contains it.
     ///
     /// # Errors
     /// If it is of another kind, or out of range.
@@ -91,7 +91,7 @@ impl Param {
         Plain::new(value, &self.kind)
     }
 
-    /// Returns the values of a parameter as text: `0.0 to 1.0`, `true, false`, or the names of the variants.
+    /// Returns the range of a parameter as text: `0.0 to 1.0`, `true, false`, or the names of the variants.
     #[must_use]
     pub fn range(&self) -> String {
         match &self.kind {
@@ -105,7 +105,7 @@ impl Param {
         }
     }
 
-    /// Returns the error of a value that the kind refuses for a reason.
+    /// Returns the error for a value that the kind refuses.
     #[must_use]
     pub fn refuse(&self, text: &str, reason: Reason) -> Invalid {
         let unit = self.unit.as_deref().map(|unit| format!(" {unit}")).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Requests that name what they mean.
+//! Requests with names instead of indices.
 
 use core::fmt;
 use std::borrow::ToOwned;
@@ -67,7 +67,7 @@ pub struct NamedSetting {
 }
 
 impl Description {
-    /// Finds what a request names, and checks its values.
+    /// Looks up the names in a request, and checks its values.
     ///
     /// # Errors
     /// If a name is unknown, or a value does not fit.
@@ -129,7 +129,7 @@ impl Description {
         })
     }
 
-    /// Whether a request is the call of a stop.
+    /// Returns whether a request calls a stop.
     #[must_use]
     pub fn is_stop(&self, request: Request<'_>) -> bool {
         self.stops().any(|stop| stop.borrow() == request)
@@ -198,7 +198,7 @@ fn values_of(path: &str, Modulation { arguments, .. }: &Modulation, values: &[Pl
     arguments.iter().zip(values).enumerate().map(one).collect()
 }
 
-/// Returns the name of a modulation or action, which has an index, and the plain forms of its values.
+/// Returns the name of the modulation or action with an index, and the plain forms of its argument values.
 fn named_call(called: Option<&Modulation>, index: u16, values: &[Value]) -> (String, Vec<Plain>) {
     let argument = |index: usize| called.and_then(|called| called.arguments.get(index));
     let one = |(index, &value): (usize, &Value)| {

@@ -1,4 +1,4 @@
-//! What only a robot knows, not its graph.
+//! Data of a running robot that its graph does not contain.
 
 use postcard_schema::schema::owned::OwnedNamedType;
 use serde::{Deserialize, Serialize};
@@ -25,7 +25,7 @@ impl Messages {
 }
 
 impl Description {
-    /// Adds what a robot of this tree knows: the values of its parameters, and the schemas of its outputs and messages.
+    /// Adds the data of a robot of this tree: the values of its parameters, and the schemas of its outputs and messages.
     #[must_use]
     pub fn of_robot<R: Recordable>(mut self, robot: &R) -> Self {
         self.messages = Some(Messages::of::<R>());

@@ -14,7 +14,7 @@ pub(super) struct ComponentSet {
 impl ComponentSet {
     pub(super) const EMPTY: Self = Self { words: [0; CAPACITY.div_ceil(BITS)] };
 
-    /// Adds or removes a component. An index that no tree has is left out.
+    /// Adds or removes a component. An index that no tree has is ignored.
     pub(super) fn set(&mut self, component: ComponentId, is_member: bool) {
         let index = component.index();
         let Some(word) = self.words.get_mut(index / BITS) else { return };
@@ -22,7 +22,7 @@ impl ComponentSet {
         *word = if is_member { *word | bit } else { *word & !bit };
     }
 
-    /// Adds all components of another set, which is then empty.
+    /// Moves all components of another set into this one.
     pub(super) fn take_all(&mut self, other: &mut Self) {
         for (word, more) in self.words.iter_mut().zip(&mut other.words) {
             *word |= core::mem::take(more);

@@ -14,9 +14,9 @@ use crate::{GraphItems, describe};
 const MAX_WATCHED: usize = 128;
 /// Number of bits in a word of the sets below.
 const BITS: usize = 32;
-/// Level of a line about what is refused, a warning.
+/// Marks a line of the log about a refusal, which is sent as a warning.
 pub(super) const REFUSED: u8 = u8::MAX;
-/// Largest number of lines of the log that wait; the oldest is dropped.
+/// Maximum number of lines of the log that wait; the oldest is dropped.
 const MAX_LOG: usize = 4;
 
 /// Set of entries of the list of watched outputs.
@@ -47,7 +47,7 @@ pub(super) struct Connection {
     pub(super) due: WatchedSet,
     /// Watched outputs whose schema was sent.
     pub(super) schemas: WatchedSet,
-    /// Number of bytes of the next schema that were sent.
+    /// Number of bytes of the next schema that have been sent.
     pub(super) schema_offset: usize,
     /// Entry at which the search for due outputs begins.
     pub(super) next_info: usize,
@@ -58,7 +58,7 @@ pub(super) struct Connection {
 pub(super) struct Watched {
     pub(super) component: u8,
     pub(super) info: u8,
-    /// In every n-th cycle; 0: no more.
+    /// Interval: sent in every n-th cycle; 0: not sent any more.
     every: u16,
 }
 
@@ -125,7 +125,7 @@ impl Connection {
         let _ = self.log.push_back(entry);
     }
 
-    /// Adds components whose parameters are to be sent, and with them those between these and the ones that wait.
+    /// Adds components whose parameters are to be sent. Components between these and the waiting ones are sent, too.
     pub(super) fn add_params(&mut self, Range { start, end }: Range<u16>) {
         if self.heard.is_some() {
             let waiting = if self.params.is_empty() { start..end } else { self.params.clone() };
@@ -158,7 +158,7 @@ impl Connection {
     }
 }
 
-/// Whether an entry is in a set.
+/// Returns whether an entry is in a set.
 pub(super) const fn contains(set: &WatchedSet, entry: usize) -> bool {
     set[entry / BITS] >> (entry % BITS) & 1 == 1
 }

@@ -1,4 +1,4 @@
-//! The lease, and what was requested under it.
+//! The lease, and the changes requested under it.
 
 use core::time::Duration;
 
@@ -13,17 +13,17 @@ use crate::message::{Change, LeaseAction, LeaseState, RefusalCode, Request};
 struct Owner {
     /// None after the connection has ended.
     connection: Option<u64>,
-    /// When it was heard last.
+    /// Time of its last request or action on the lease.
     heard: Duration,
 }
 
-/// The lease of a tree, and what was requested under it.
+/// The lease of a tree, and the changes requested under it.
 ///
-/// A server calls [`act`](Self::act) for each action of a monitor and [`check_silence`](Self::check_silence) before each cycle. It
-/// applies the changes of [`next_ending`](Self::next_ending) before any request of a monitor. A request that
-/// [`admit`](Self::admit) accepts and the tree too is given to [`record`](Self::record).
+/// A server calls [`act`](Self::act) for each action of a monitor and [`check_silence`](Self::check_silence) before each cycle.
+/// It applies the changes of [`next_ending`](Self::next_ending) before any request of a monitor. It passes each change that
+/// [`admit`](Self::admit) and the tree have accepted to [`record`](Self::record).
 ///
-/// A *stop* of the tree needs no lease and ends the lease, so nothing goes on under it.
+/// A *stop* of the tree needs no lease. It ends the lease, and with it all holds and changed rates.
 ///
 /// Times are those of the clock by which the server measures silence; it must not run backwards.
 #[derive(Clone, Debug)]
@@ -54,8 +54,8 @@ impl Lease {
         }
     }
 
-    /// Performs an action of a connection; returns whether the lease changed. `random` becomes the number of a lease that begins: who
-    /// knows the number of a lease proves with it to be its owner, so it must be secret.
+    /// Performs an action of a connection; returns whether the lease changed. `random` becomes the number of a new lease. The
+    /// number proves the ownership of the lease, so it must be secret.
     pub fn act(&mut self, connection: u64, action: LeaseAction, now: Duration, random: u64) -> bool {
         match action {
             LeaseAction::Acquire if self.is_foreign(connection) => false,
@@ -97,16 +97,16 @@ impl Lease {
         self.owner.is_some_and(|owner| owner.connection == Some(connection))
     }
 
-    /// A connection has ended. If it owned the lease, another one continues it with [`LeaseAction::Keep`] and its number, until the
-    /// silence ends it.
+    /// Handles the end of a connection. If it owned the lease, another one continues it with [`LeaseAction::Keep`] and its
+    /// number, until the silence ends it.
     pub fn disconnect(&mut self, connection: u64) {
         if let Some(owner) = self.owner.as_mut().filter(|owner| owner.connection == Some(connection)) {
             owner.connection = None;
         }
     }
 
-    /// Checks whether a request of a connection to a tree may be applied in the cycle at `instant`: a stop always, and anything else
-    /// from the owner of the lease. A request of the owner also ends its silence, expired or not.
+    /// Checks whether a request of a connection to a tree may be applied in the cycle at `instant`. A stop is always admitted,
+    /// any other request only from the owner of the lease. A request of the owner also ends its silence, expired or not.
     ///
     /// # Errors
     /// [`RefusalCode::NoLease`], [`RefusalCode::Expired`].
@@ -173,13 +173,13 @@ impl Lease {
         false
     }
 
-    /// Takes the next change that ends what was requested under a lease: holds first, each in the order of the tree's list.
+    /// Takes the next change that ends a hold or a rate of an ended lease: holds first, each in the order of the tree's list.
     pub fn next_ending(&mut self) -> Option<Change> {
         let hold = self.ending_holds.pop().map(|component| Change::Hold { component, hold: Hold::Tree });
         hold.or_else(|| self.ending_rates.pop().map(|component| Change::Rate { component, hz: None }))
     }
 
-    /// Returns the lease as a connection may see it: only the owner learns the number.
+    /// Returns the state of the lease for a connection; only the owner gets the number.
     #[must_use]
     pub fn state(&self, connection: u64, now: Instant) -> LeaseState {
         let yours = self.owns(connection);

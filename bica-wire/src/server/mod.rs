@@ -1,8 +1,7 @@
-//! The robot's end of a link to monitors, without what depends on the platform: threads, clocks, lines.
+//! The robot's end of a link to monitors, without the parts that depend on the platform: threads, clocks, lines.
 //!
-//! The [`Lease`] decides who may request what, and what ends with it; every server follows it. [`MonitorServer`] is the
-//! complete server of a program without heap and threads. It stands beside the [messages](crate::message), which do not
-//! depend on it.
+//! The [`Lease`] decides which requests are admitted and which changes end with it; every server uses it. [`MonitorServer`] is
+//! the complete server of a program without heap and threads. The [messages](crate::message) do not depend on this module.
 
 mod component_set;
 #[cfg(feature = "monitor")]

@@ -61,7 +61,7 @@ impl<T: Tree> Operated for &mut T {
     }
 }
 
-/// What a server is told of the moment at which it handles messages.
+/// Times and a random number for the handling of messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment {
     /// The robot's time; `None` before the first cycle can run, when the lease is not available.
@@ -103,7 +103,7 @@ impl<const LINES: usize> MonitorServer<LINES> {
         }
     }
 
-    /// States whether the robot's time advances with its clock.
+    /// Sets whether the robot's time advances with its clock.
     pub const fn set_realtime(&mut self, realtime: bool) {
         self.realtime = realtime;
     }
@@ -114,13 +114,13 @@ impl<const LINES: usize> MonitorServer<LINES> {
         self.next.images += u64::from(has_image);
     }
 
-    /// Whether messages of a line can be handled, because its last answer was sent.
+    /// Returns whether messages of a line can be handled: its last answer was sent.
     #[must_use]
     pub const fn is_ready(&self, line: usize) -> bool {
         self.connections[line].answer.is_none()
     }
 
-    /// Handles a message that came over a line. Messages of a body are left out.
+    /// Handles a message that came over a line. Messages of a body are ignored.
     pub fn receive<R: Operated>(&mut self, line: usize, message: &ToRobot<'_>, robot: &mut R, moment: &Moment) {
         match message {
             ToRobot::Describe => self.connections[line].begin(const { &R::Tree::GRAPH }, moment.clock),
@@ -214,8 +214,8 @@ impl<const LINES: usize> MonitorServer<LINES> {
         }
     }
 
-    /// Counts a cycle and marks the data that are due after it. `overruns` is the number of cycles left out since the
-    /// start, and `clock` the time of the clock of [`Moment`].
+    /// Counts a cycle and marks the data that are due after it. `overruns` is the number of skipped cycles since the start, and
+    /// `clock` the time of the clock of [`Moment`].
     pub fn after_cycle(&mut self, now: Instant, clock: Instant, overruns: u64) {
         self.next.time_us = now.as_micros();
         self.next.overruns = overruns;
@@ -264,7 +264,7 @@ const fn since_start(now: Instant) -> Duration {
     Duration::from_micros(now.as_micros())
 }
 
-/// Returns the component of a change, and what the log tells of it.
+/// Returns the component of a change, and its text for the log.
 fn describe_change(change: &Change) -> (Option<ComponentId>, &'static str) {
     match change {
         Change::Hold { component, .. } => (Some(*component), "hold"),

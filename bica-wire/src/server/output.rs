@@ -6,7 +6,7 @@ use postcard::ser_flavors::{Flavor, Slice};
 use postcard_schema::schema::NamedType;
 use serde::Serialize;
 
-/// Sink that stores a value as bytes, and its schema. One sink for both, because each one needs a copy of all getters.
+/// Sink that stores a value as bytes, and its schema. One type of sink does both, because each type needs a copy of all getters.
 pub(super) struct OutputBytes<'a> {
     serializer: Serializer<Slice<'a>>,
     fits: bool,

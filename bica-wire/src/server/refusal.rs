@@ -47,7 +47,7 @@ impl Outcome {
         Self::Refused { code, entry, text }
     }
 
-    /// The refusal of the tree.
+    /// Returns the outcome for a refusal of the tree.
     ///
     /// The numbers are omitted: the monitor has them from the description, and formatting them takes 12 KB of flash.
     pub(super) fn of_refusal(refusal: &Refusal) -> Self {

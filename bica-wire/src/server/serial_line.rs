@@ -27,7 +27,7 @@ pub struct SerialLine {
 }
 
 impl SerialLine {
-    /// Creates the line with a number of the server, on which nothing was received or sent.
+    /// Creates the line with this number in the server. Nothing has been received or sent on it.
     #[must_use]
     pub const fn new(line: usize) -> Self {
         Self {
