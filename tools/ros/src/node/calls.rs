@@ -15,7 +15,7 @@ use super::robot::Robot;
 use super::values::plain;
 use crate::message::{Nothing, Parameters, SingleResult, TriggerResponse};
 
-/// What a service does.
+/// Effect of a service.
 #[derive(Clone, Debug)]
 pub(super) enum Target {
     Acquire,
@@ -26,7 +26,7 @@ pub(super) enum Target {
     World(WorldChange),
     /// Holds of components, by their names.
     Hold,
-    /// A modulation with its component, or without one an action of the world.
+    /// A modulation of a component, or, without a component, an action of the world.
     Call(Option<String>, Modulation),
 }
 
@@ -39,16 +39,16 @@ enum Served {
 struct Service {
     target: Target,
     served: Served,
-    /// The arguments as numbers, in their order, without an answer.
+    /// Topic that takes the arguments as numbers, in their order, without an answer.
     numbers: Option<Subscription<Numbers>>,
-    /// Stops without an answer.
+    /// Topic that stops the robot, without an answer.
     stops: Option<Subscription<Empty>>,
 }
 
 /// The services.
 pub(super) struct Calls(Vec<Service>);
 
-/// Returns the services of a robot: names, what they belong to, and what they do.
+/// Returns the services of a robot: name, description and target of each.
 pub(super) fn services(description: &Description, can_pause: bool, names: &Names) -> Vec<(String, String, Target)> {
     let own = |parts: &[&str], target| {
         (names.private(parts), format!("the service that calls `{}`", parts.join(" ")), target)
@@ -82,7 +82,7 @@ pub(super) fn services(description: &Description, can_pause: bool, names: &Names
 }
 
 impl Target {
-    /// Whether it has arguments, all of which are numbers: then a topic takes them, too.
+    /// Returns whether it has arguments, all of which are numbers: then a topic takes them, too.
     pub(super) fn takes_numbers(&self) -> bool {
         let is_number = |kind: &Kind| matches!(kind, Kind::F32 { .. } | Kind::I32 { .. } | Kind::U32 { .. });
         let Self::Call(_, Modulation { arguments, .. }) = self else { return false };
@@ -98,7 +98,7 @@ impl Calls {
         all.into_iter().map(serve).collect::<Result<_, _>>().map(Self)
     }
 
-    /// Passes what was called on to the robot, and answers.
+    /// Passes calls on to the robot, and answers them.
     pub(super) fn handle(&self, robot: &mut Robot) -> Result<(), Error> {
         for (index, service) in self.0.iter().enumerate() {
             service.handle(robot, index)?;
@@ -151,7 +151,7 @@ impl Service {
         while let Ok(Some((Numbers { data, .. }, info))) = numbers.take() {
             let arguments = data.iter().zip(0..).map(|(value, index)| number(*value, called.arguments.get(index)));
             let request = named(component.as_ref(), called, arguments.collect());
-            // What is refused is no sign of an operator.
+            // A refused message does not end the operator's silence.
             let sent = match robot.link.description().request(&request) {
                 Ok(_) => robot.send(info.publisher_gid(), &request)?,
                 Err(invalid) => Err(format!("{}; {}", invalid.what, invalid.help)),
@@ -208,7 +208,8 @@ impl Service {
     }
 }
 
-/// Returns a number of a list for an argument of a kind. One that is not whole, or has no argument, stays as it is, to be refused.
+/// Returns a number of a list as a value for an argument. A number without an argument, or a fraction for an integer, stays as it
+/// is; it is refused later.
 fn number(value: f32, argument: Option<&Param>) -> Plain {
     let is_whole = argument.is_some_and(|one| !matches!(one.kind, Kind::F32 { .. })) && value.fract() == 0.0;
     if is_whole { Plain::Integer(value as i64) } else { Plain::Number(value.into()) }

@@ -8,7 +8,7 @@ use super::Options;
 use super::calls;
 use super::drive::Drive;
 
-/// Returns the names of a robot, if ROS accepts them, and no two things have one.
+/// Returns the names of a robot if ROS accepts them and all of them are unique.
 pub(super) fn checked(description: &Description, options: &Options) -> Result<Names, Invalid> {
     let names = Names::new(description, &options.namespace)?;
     let (mut topics, mut services) = (NameTable::new("ROS topic"), NameTable::new("ROS service"));

@@ -8,12 +8,12 @@ use bica_link::{Client, Error};
 use bica_recording::ros::{Twist, Vector3};
 use bica_wire::model::{Description, Info, Kind, Param, Plain};
 
-/// Arguments of a modulation that moves a robot: speeds ahead and to the left, m/s, and turning speed to the left, rad/s.
+/// Arguments of a modulation that moves a robot: speed ahead, m/s, turning speed to the left, rad/s, and speed to the left, m/s.
 const ARGUMENTS: [&str; 3] = ["forward", "turn", "left"];
 /// Silence after which the robot is stopped.
 const SILENCE: Duration = Duration::from_millis(500);
 
-/// Returns the components with an output that is the place of a frame.
+/// Returns the components with an output that gives the place of a frame.
 fn guides(description: &Description) -> Vec<ComponentId> {
     let is_place = |info: &Info| info.placement.as_ref().is_some_and(|one| one.child.is_some());
     let components = description.components.iter().enumerate().filter(|(_, one)| one.info.iter().any(is_place));
@@ -27,18 +27,18 @@ pub(super) struct Drive {
     component: ComponentId,
     modulation: u16,
     arguments: Vec<Param>,
-    /// Components that know places of frames, such as odometry: a driver needs them, too.
+    /// Components that determine places of frames, such as odometry. They are held active, because a driver needs them, too.
     guides: Vec<ComponentId>,
     /// Whether the tree's own behaviour is held latent.
     is_held: bool,
-    /// Last speed, if it was not zero, and when it came.
+    /// Time of the last command; `None` if its speeds were zero.
     moving: Option<Instant>,
-    /// Whether the last speed was no number, which is reported once.
+    /// Whether the last command contained a number that is not finite. Only the first of several is reported.
     is_refused: bool,
 }
 
 impl Drive {
-    /// Finds the modulation with the most of the arguments, among them the first two, and with no other ones.
+    /// Finds the modulation with the most of the arguments above. It must have the first two, and no other arguments.
     pub(super) fn find(description: &Description) -> Option<Self> {
         let is_known =
             |param: &Param| ARGUMENTS.contains(&param.name.as_str()) && matches!(param.kind, Kind::F32 { .. });
@@ -49,7 +49,7 @@ impl Drive {
         let fits = all.filter(|(_, (called, _))| {
             called.arguments.iter().all(is_known) && ARGUMENTS[..2].iter().all(|name| has(&called.arguments, name))
         });
-        // Of several with the same arguments the first one.
+        // Of several with equally many arguments, the first one.
         let best =
             fits.reduce(|best, next| if next.1.0.arguments.len() > best.1.0.arguments.len() { next } else { best });
         best.map(|(component, (called, modulation))| Self {
@@ -64,7 +64,7 @@ impl Drive {
         })
     }
 
-    /// Checks that all numbers are finite, also as the robot has them. If they are not, the message counts as silence.
+    /// Checks that all numbers are finite, also as `f32`, the robot's type. A message with other numbers counts as silence.
     ///
     /// # Errors
     /// The refusal; none if the message before was refused, too.
@@ -76,7 +76,7 @@ impl Drive {
         if is_finite { Ok(()) } else { Err((!was_refused).then(|| text.to_owned())) }
     }
 
-    /// Moves the robot; a speed beyond the range is the greatest one. The tree's root is held latent.
+    /// Moves the robot; speeds are limited to their ranges. The tree's root is held latent.
     pub(super) fn drive(&mut self, link: &mut Client, Twist { linear, angular }: &Twist) -> Result<(), Error> {
         let speed = |param: &Param| {
             let speed = match param.name.as_str() {
@@ -103,7 +103,7 @@ impl Drive {
         Ok(())
     }
 
-    /// Stops a robot whose driver is silent, and notes the end of its lease.
+    /// Stops the robot if its driver is silent, and resets this state if the lease has ended.
     pub(super) fn end_silence(&mut self, link: &mut Client) -> Result<(), Error> {
         if !link.lease().yours {
             (self.is_held, self.moving) = (false, None);
@@ -134,7 +134,7 @@ mod tests {
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
             assert!(drive.check(&ahead(wrong)).is_err_and(|text| text.is_some()), "{wrong}");
             assert_eq!(drive.check(&ahead(wrong)), Err(None), "{wrong}");
-            assert_eq!(drive.check(&ahead(5.0)), Ok(()), "a speed beyond the range is the greatest one");
+            assert_eq!(drive.check(&ahead(5.0)), Ok(()), "a finite speed beyond the range is accepted");
         }
         let turn = Twist { angular: Vector3 { x: f64::NAN, ..Vector3::default() }, ..ahead(0.1) };
         assert!(drive.check(&turn).is_err(), "all numbers of a message are checked");

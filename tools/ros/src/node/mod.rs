@@ -1,4 +1,4 @@
-//! A robot's link as a node.
+//! ROS node for the link of a robot.
 
 mod calls;
 mod checked;
@@ -32,40 +32,41 @@ use pending::Pending;
 use robot::Robot;
 pub use thread::Ros;
 
-/// Longest time between two looks at what nodes have sent.
+/// Maximum time between two checks for messages of nodes.
 const LOOK_AFTER: Duration = Duration::from_millis(2);
-/// Number of cycles whose times are known.
+/// Maximum number of cycles whose times are stored.
 const MAX_TIMES: usize = 256;
-/// Number of values that wait for the time of their cycle.
+/// Maximum number of values that wait for the time of their cycle.
 const MAX_WAITING: usize = 4096;
-/// Number of events of the robot between two looks at what nodes have sent.
+/// Maximum number of the robot's events between two checks for messages of nodes.
 const MAX_EVENTS: usize = 256;
-/// Greatest width of an image, px: none is made smaller.
+/// Maximum width of an image, px: so large that no image is scaled down.
 const MAX_WIDTH: usize = 1 << 14;
 /// Level of a warning in the log of a robot.
 const WARNING: u8 = 3;
-/// Number of images in which the cameras of a robot are looked for, and one more.
+/// Number of images that are searched for cameras at the start, plus one.
 const LOOKS: u32 = 17;
-/// Difference of the clocks of robot and computer beyond which the robot's is set again, ns.
+/// Difference between the clocks of robot and computer from which the start of the robot's clock is computed again, ns.
 const CLOCKS_DIFFER: u64 = 100_000_000;
 
-/// How a robot becomes a node.
+/// Options of a robot's node.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Number of the domain, 0 to 232.
     pub domain: u16,
     /// Namespace of the node's names and frames; empty for a single robot.
     pub namespace: String,
-    /// Whether nodes command the robot without getting the lease before.
+    /// Whether nodes may command the robot without acquiring the lease first.
     pub operator: bool,
     /// Whether nodes on other computers find the robot. There is no password: each of them can command it.
     pub anywhere: bool,
 }
 
-/// Makes a robot that is served at an address a node, until `stop` or the robot's end.
+/// Runs a node for the robot that is served at an address, until `stop` returns true or the robot ends. Calls `started` with the
+/// name of the node.
 ///
 /// # Errors
-/// If the robot cannot be reached, or the node cannot be made.
+/// If the robot cannot be reached, or the node cannot be created.
 pub fn bridge(
     address: &Address,
     options: &Options,
@@ -81,7 +82,7 @@ pub fn bridge(
     bridge.run(stop)
 }
 
-/// The robot's link on one side, the network on the other one.
+/// Connection between the robot's link and the network.
 struct Bridge {
     robot: Robot,
     network: Network,
@@ -93,13 +94,13 @@ struct Bridge {
     times: VecDeque<(u64, u64)>,
     /// Values that came before the time of their cycle.
     waiting: Vec<(u64, (usize, usize), Value)>,
-    /// Time of the computer's clock at the start of the robot's, ns; 0 in a simulation.
+    /// Time of the computer's clock at time 0 of the robot's clock, ns; 0 in a simulation.
     start: u64,
-    /// Values of the parameters that nodes know.
+    /// Last known values of the parameters, with which new ones are compared.
     values: Vec<Vec<bica::Value>>,
-    /// Number of images until their cameras are known, and one more; 0: nothing is looked for.
+    /// Number of images that are still to be searched for cameras, plus one; 0: no search.
     looks: u32,
-    /// Last line of the log: what is driven repeats its own.
+    /// Last line of the log. A line that repeats it, as while driving, is not logged.
     last_line: String,
 }
 
@@ -133,7 +134,7 @@ impl Bridge {
         })
     }
 
-    /// Passes on what both sides send, until `stop` or the robot's end.
+    /// Passes messages between both sides, until `stop` returns true or the robot ends.
     fn run(mut self, stop: &dyn Fn() -> bool) -> Result<(), Invalid> {
         while !stop() {
             match self.step() {
@@ -170,7 +171,7 @@ impl Bridge {
         Ok(())
     }
 
-    /// Looks at what nodes have sent, and who listens.
+    /// Handles messages and subscriptions of nodes.
     fn look(&mut self) -> Result<(), Error> {
         for (topic, is_heard) in self.network.changed_listeners() {
             self.watch(topic, is_heard)?;
@@ -204,7 +205,7 @@ impl Bridge {
         self.robot.operator.end_silence(&mut self.robot.link)
     }
 
-    /// Watches what a topic needs, if somebody listens to it, or to another topic that needs it.
+    /// Watches the data of a topic while a node listens to it, or to another topic that needs the same data.
     fn watch(&mut self, topic: usize, is_heard: bool) -> Result<(), Error> {
         if self.topics.is_image(topic) {
             self.watch_images()?;
@@ -220,7 +221,7 @@ impl Bridge {
         Ok(())
     }
 
-    /// Watches images while somebody listens to those of any camera, or while cameras are looked for.
+    /// Watches images while a node listens to those of any camera, or while cameras are searched for.
     fn watch_images(&mut self) -> Result<(), Error> {
         let is_heard =
             (0..self.topics.all().len()).any(|topic| self.topics.is_image(topic) && self.network.is_heard(topic));
@@ -230,7 +231,7 @@ impl Bridge {
         Ok(())
     }
 
-    /// Publishes an image; the first one of a camera has a new topic.
+    /// Publishes an image; the first one of a camera adds a topic.
     fn image(&mut self, image: &Image) {
         let Image { width, height, camera, time_us, yuyv, .. } = image;
         let camera = self.topics.cameras().frame_of(camera).to_owned();
@@ -277,7 +278,7 @@ impl Bridge {
         }
     }
 
-    /// Returns a time of the robot, µs, as one of ROS, ns.
+    /// Converts a time of the robot, µs, to a time of ROS, ns.
     const fn time(&self, time_us: u64) -> u64 {
         self.start.saturating_add(time_us.saturating_mul(1000))
     }
@@ -316,7 +317,8 @@ impl Bridge {
         }
     }
 
-    /// Publishes a value of a cycle. One whose snapshot was replaced by a newer one has the time of its place between others.
+    /// Publishes a value of a cycle. If a newer snapshot replaced that of the cycle, the time follows from the last known time
+    /// and the number of cycles between them.
     fn value(&mut self, cycle: u64, key: (usize, usize), value: &Value) {
         let (last, time) = self.times.back().copied().unwrap_or_default();
         let known = self.times.iter().rev().find(|(known, _)| *known == cycle).map(|(_, time)| *time);

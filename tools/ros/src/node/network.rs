@@ -1,4 +1,4 @@
-//! The node in the network: its publishers, and who listens.
+//! The node in the network: its publishers and their listeners.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::net::Ipv4Addr;
@@ -12,7 +12,7 @@ use ros2_client::{Message, MessageTypeName, Name, NodeName, NodeOptions, QosProf
 
 use super::Options;
 
-/// Number of messages that wait for a slow node.
+/// Maximum number of messages that wait for a slow node.
 const DEPTH: usize = 10;
 
 /// The node in the network.
@@ -21,9 +21,9 @@ pub(super) struct Network {
     listener: rustdds::DomainParticipantStatusListener,
     mapping: ServiceMapping,
     publishers: Vec<Publisher<Encoded>>,
-    /// Indices of the publishers' topics.
+    /// Index of each publisher's topic.
     writers: BTreeMap<GUID, usize>,
-    /// Who listens to each topic.
+    /// Nodes that listen to each topic.
     readers: BTreeMap<usize, BTreeSet<GUID>>,
 }
 
@@ -41,7 +41,7 @@ impl Network {
             let help = "use letters, digits and single underscores, with a letter first";
             Invalid::new(format!("`{}` is not a namespace of ROS: {error}", names.namespace), help)
         })?;
-        // The robot's parameters and log are served by this crate: they are the tree's.
+        // This crate serves parameters and log itself: they are those of the tree.
         let own = NodeOptions::new().enable_rosout(false).start_parameter_services(false);
         let node = context.new_node(name, own).map_err(|error| failed(options.domain, &error))?;
         let listener = context.domain_participant().status_listener();
@@ -92,7 +92,7 @@ impl Network {
         }
     }
 
-    /// Returns the topics for which the first node has come or the last one has gone, and whether somebody listens.
+    /// Returns the topics that have gained the first listener or lost the last one, and whether they have listeners.
     pub(super) fn changed_listeners(&mut self) -> BTreeMap<usize, bool> {
         let mut changed = BTreeMap::new();
         while let Some(event) = self.listener.try_recv_status() {
@@ -117,7 +117,7 @@ impl Network {
         changed
     }
 
-    /// Whether somebody listens to a topic.
+    /// Returns whether a topic has listeners.
     pub(super) fn is_heard(&self, topic: usize) -> bool {
         self.readers.get(&topic).is_some_and(|readers| !readers.is_empty())
     }

@@ -1,4 +1,4 @@
-//! Who may command the robot: the lease of the link, for one ROS process at a time.
+//! Permission to command the robot: the lease of the link, for one ROS process at a time.
 
 use std::time::{Duration, Instant};
 
@@ -7,9 +7,9 @@ use ros2_client::Gid;
 
 /// Silence after which the lease ends, as that of an operator of the link.
 const SILENCE: Duration = Duration::from_secs(3);
-/// Silence after which a node may get a lease again that it has lost: a stop, or another operator, has ended what it commands.
+/// Silence after which a node may acquire a lost lease again. The lease is lost by a stop, or to another operator.
 const PAUSE: Duration = Duration::from_secs(1);
-/// Number of bytes of an identifier that are common to everything in a process.
+/// Number of leading bytes that the identifiers of everything in a process have in common.
 const PROCESS: usize = 12;
 
 /// A process that takes part in a domain: the beginning of the identifiers of its publishers and clients.
@@ -18,13 +18,13 @@ type Process = [u8; PROCESS];
 /// The operator among the ROS nodes.
 #[derive(Debug)]
 pub(super) struct Operator {
-    /// Every node may command, whenever the lease is free.
+    /// Whether every node may command whenever the lease is free.
     everyone: bool,
     /// Process that has the lease.
     holder: Option<Process>,
-    /// Last sign of it.
+    /// Time of its last request.
     heard: Instant,
-    /// Name of the service that gets the lease.
+    /// Name of the service that acquires the lease.
     service: String,
 }
 
@@ -39,7 +39,7 @@ impl Operator {
         Self { everyone, holder: None, heard: Instant::now(), service }
     }
 
-    /// Gets the lease for the process of a client, with `take` also from another operator.
+    /// Acquires the lease for the process of a client; with `take` also from another operator.
     pub(super) fn acquire(&mut self, link: &mut Client, id: Gid, take: bool) -> Result<(), String> {
         let process = process(id);
         let is_other = self.holder.is_some_and(|holder| holder != process) && !self.everyone;
@@ -53,14 +53,14 @@ impl Operator {
         Ok(())
     }
 
-    /// Gives the lease back; what was requested under it ends.
+    /// Gives the lease back; its holds and rates end.
     pub(super) fn release(&mut self, link: &mut Client, id: Gid) -> Result<(), String> {
         self.check(link, id)?;
         self.holder = None;
         link.release().map_err(|error| error.to_string())
     }
 
-    /// Whether the process of a client or publisher may command; it is heard with this.
+    /// Checks whether the process of a client or publisher may command. If so, its silence ends.
     pub(super) fn check(&mut self, link: &mut Client, id: Gid) -> Result<(), String> {
         if !link.lease().yours
             && self.holder.is_some()
@@ -86,7 +86,7 @@ impl Operator {
         Ok(())
     }
 
-    /// Ends a lease whose owner is silent.
+    /// Ends the lease if its owner is silent.
     pub(super) fn end_silence(&mut self, link: &mut Client) -> Result<(), bica_link::Error> {
         if link.lease().yours && self.heard.elapsed() > SILENCE {
             self.holder = None;

@@ -36,7 +36,7 @@ impl Parameters {
         })
     }
 
-    /// Answers what was asked, and passes what is to be set on to the robot.
+    /// Answers queries, and passes new values on to the robot.
     pub(super) fn handle(&self, robot: &mut Robot) -> Result<(), bica_link::Error> {
         // A request that cannot be read has no answer.
         while let Ok(Some((id, List { prefixes, depth }))) = self.list.receive_request() {
@@ -79,7 +79,7 @@ impl Parameters {
     }
 }
 
-/// Returns the result of a request that was accepted, or refused for a reason.
+/// Returns the result of a request: accepted, or refused for a reason.
 pub(super) fn result(result: Result<(), String>) -> SetResult {
     SetResult { successful: result.is_ok(), reason: result.err().unwrap_or_default() }
 }

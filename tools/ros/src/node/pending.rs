@@ -9,14 +9,14 @@ use bica_recording::ros::SetResult;
 /// Largest number of clients that wait.
 const MAX_WAITING: usize = 256;
 
-/// What a client waits for.
+/// Answer that a client waits for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Reply {
     /// One result for each parameter.
     Each(RmwRequestId),
     /// One result for all parameters.
     All(RmwRequestId),
-    /// The result of a call of a service, by its index.
+    /// The result of a call of the service with this index.
     Call(usize, RmwRequestId),
 }
 
@@ -33,7 +33,8 @@ pub(super) struct Pending {
 }
 
 impl Pending {
-    /// Begins to wait for a number of results. Of too many clients the one that has waited longest gets no answer.
+    /// Adds a client that waits for a number of results; returns its number. If too many clients wait, the one that has waited
+    /// longest gets no answer.
     pub(super) fn begin(&mut self, reply: Reply, results: usize) -> u64 {
         self.last += 1;
         self.waiting.insert(self.last, (reply, vec![None; results]));
@@ -45,12 +46,12 @@ impl Pending {
         self.last
     }
 
-    /// Notes the number of a request to the robot, whose answer is a result.
+    /// Stores which result the answer to a request to the robot becomes.
     pub(super) fn requested(&mut self, number: u32, place: (u64, usize)) {
         self.requests.insert(number, place);
     }
 
-    /// Takes the answer to a request in; returns whether a client waits for it.
+    /// Processes the answer to a request; returns whether a client waits for it.
     pub(super) fn answered(&mut self, number: u32, result: SetResult) -> bool {
         let place = self.requests.remove(&number);
         place.is_some_and(|place| {

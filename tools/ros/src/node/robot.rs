@@ -13,20 +13,20 @@ use super::pending::Pending;
 /// Shortest time between two lines of the log about refusals.
 const REPORT_AFTER: Duration = Duration::from_secs(1);
 
-/// The robot, and those who may command it.
+/// The robot, and the permission to command it.
 pub(super) struct Robot {
     pub(super) link: Client,
     /// Whether its time is that of a simulation.
     pub(super) simulated: bool,
     pub(super) operator: Operator,
     pub(super) pending: Pending,
-    /// A refusal that the log does not have yet, and when the last one was noted.
+    /// A refusal that is not yet in the log, and the time of the last one.
     pub(super) warning: Option<String>,
     pub(super) reported: Option<Instant>,
 }
 
 impl Robot {
-    /// Sends a request for a client that waits for the answer, or notes why it is refused.
+    /// Sends a request for a client that waits for the answer. If it is refused at once, the reason becomes the answer.
     pub(super) fn request(
         &mut self,
         id: Gid,
@@ -44,7 +44,7 @@ impl Robot {
         Ok(())
     }
 
-    /// Sends a request for a client that has the lease; returns its number, or why it is refused.
+    /// Sends a request of a client that has the lease, or a stop; returns its number, or the reason for the refusal.
     pub(super) fn send(&mut self, id: Gid, request: &NamedRequest) -> Result<Result<u32, String>, Error> {
         let found = self.link.description().request(request);
         let found = found.map_err(|invalid| format!("{}; {}", invalid.what, invalid.help)).and_then(|request| {
@@ -59,13 +59,13 @@ impl Robot {
         })
     }
 
-    /// Stops the robot, for which nobody needs the lease; returns the numbers of the requests.
+    /// Stops the robot, which needs no lease; returns the numbers of the requests.
     pub(super) fn stop(&mut self) -> Result<Vec<u32>, Error> {
         let stops: Vec<_> = self.link.description().stops().collect();
         stops.iter().map(|stop| self.link.send_request(stop.borrow())).collect()
     }
 
-    /// Notes a refusal of which nobody else hears, for the log: the first one of a second.
+    /// Stores a refusal that no answer reports for the log, at most one per second.
     pub(super) fn report<T>(&mut self, done: Result<T, String>) {
         let Err(reason) = done else { return };
         if self.reported.is_none_or(|last| last.elapsed() > REPORT_AFTER) {

@@ -1,4 +1,4 @@
-//! The node of a robot in this process: a thread of its own, whose end never stops the robot.
+//! The node of a robot in this process, in a thread of its own. The end of the thread never stops the robot.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,11 +21,11 @@ pub struct Ros {
 }
 
 impl Ros {
-    /// Starts a node for the robot that is served at an address. A world that waits in this process continues once the node exists.
+    /// Starts a node for the robot that is served at an address. A paused world in this process continues once the node exists.
     /// `description` is that of the robot's tree.
     ///
     /// # Errors
-    /// If the node cannot be made.
+    /// If the node cannot be created.
     pub fn start(address: &Address, description: &Description, options: &Options) -> Result<Self, Invalid> {
         let names = checked(description, options)?;
         let (network, name) = (Network::join(options, &names)?, names.full());

@@ -5,7 +5,7 @@ use bica_recording::ros::{
 };
 use bica_wire::model::{Description, Kind, NamedSetting, Param, Plain};
 
-/// Types of parameters.
+/// Types of ROS parameters.
 const NOT_SET: u8 = 0;
 const BOOL: u8 = 1;
 const INTEGER: u8 = 2;
@@ -15,7 +15,7 @@ const STRING: u8 = 4;
 /// Parameter that every node has.
 pub(super) const SIM_TIME: &str = "use_sim_time";
 
-/// Returns a value of ROS; the error says what is wrong with it.
+/// Converts a value of ROS; the error is a text about what is wrong with it.
 pub(super) fn plain(name: &str, value: &ParameterValue) -> Result<Plain, String> {
     Ok(match value.r#type {
         BOOL => Plain::Bool(value.bool_value),
@@ -39,7 +39,7 @@ fn find<'a>(description: &'a Description, name: &str) -> Option<&'a Param> {
     Some(&description.components[component].params[index])
 }
 
-/// Returns the value of a parameter; one of an unknown name is not set.
+/// Returns the value of a parameter; "not set" for an unknown name.
 pub(super) fn get(description: &Description, simulated: bool, name: &str) -> ParameterValue {
     if name == SIM_TIME {
         return parameter_value(&Plain::Bool(simulated));
@@ -47,7 +47,7 @@ pub(super) fn get(description: &Description, simulated: bool, name: &str) -> Par
     find(description, name).map(|param| parameter_value(&param.plain(param.current()))).unwrap_or_default()
 }
 
-/// Returns kind, range, unit and text of a parameter.
+/// Returns kind, range, unit and doc comment of a parameter.
 pub(super) fn describe(description: &Description, name: &str) -> ParameterDescriptor {
     let empty = ParameterDescriptor { name: name.to_owned(), ..ParameterDescriptor::default() };
     if name == SIM_TIME {
@@ -92,7 +92,8 @@ pub(super) fn setting(Parameter { name, value }: &Parameter) -> Result<NamedSett
     Ok(NamedSetting { component: component.to_owned(), param: param.to_owned(), value })
 }
 
-/// Returns those of all names that a node asks for, by the rules of ROS: of these prefixes, at most `depth` levels deep.
+/// Returns the names that a node requests, by the rules of ROS: those with one of the prefixes, at most `depth` levels below it.
+/// Returns also the prefixes of these names.
 pub(super) fn list(all: impl Iterator<Item = String>, prefixes: &[String], depth: u64) -> (Vec<String>, Vec<String>) {
     let within = |rest: &str| depth == 0 || (rest.matches('.').count() as u64) < depth;
     let is_listed = |name: &String| {
