@@ -2,15 +2,15 @@
 
 use std::collections::BTreeMap;
 
-/// Begin of a comment at the end of a line that [`render`](crate::render) wrote.
+/// Beginning of a comment at the end of a line that [`render`](crate::render) wrote.
 pub(crate) const GENERATED: &str = "# default ";
 
-/// Comment lines of a tune file, by the section and the name of the value that they precede. Empty names: the begin of the file, or
-/// of a section.
+/// Comment lines of a tune file, by the section and the name of the value that they precede. An empty name is the beginning of
+/// the file or of a section.
 #[derive(Debug, Default)]
 pub(crate) struct Comments {
     before: BTreeMap<(String, String), Vec<String>>,
-    /// After the last value.
+    /// Comment lines after the last value.
     end: Vec<String>,
 }
 
@@ -27,7 +27,7 @@ impl Comments {
                     ""
                 }
                 (None, Some((key, _))) => unquoted(key),
-                // A block before an empty line and before all sections is that of the file.
+                // Comments before an empty line and before all sections belong to the file.
                 (None, None) if section.is_empty() && line.is_empty() => "",
                 (None, None) => continue,
             };
@@ -43,18 +43,18 @@ impl Comments {
         lines
     }
 
-    /// Takes all comments that are left.
+    /// Takes all remaining comments.
     pub(crate) fn rest(self) -> impl Iterator<Item = String> {
         self.before.into_values().flatten().chain(self.end)
     }
 }
 
-/// Returns the name of a key.
+/// Returns a key without quotes.
 fn unquoted(key: &str) -> &str {
     key.trim().trim_matches(['"', '\''])
 }
 
-/// Returns what precedes a comment, and the comment. A `#` in a string begins none.
+/// Returns the text before a comment, and the comment. A `#` in a string does not begin a comment.
 fn split(line: &str) -> (&str, Option<&str>) {
     let (mut quote, mut escaped) = (None, false);
     for (at, char) in line.char_indices() {

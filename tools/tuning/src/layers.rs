@@ -1,4 +1,4 @@
-//! Values in layers.
+//! Parameter values in layers.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,7 +14,7 @@ use crate::file::{self, Place};
 pub struct Layers {
     /// The tree with the values.
     tree: Description,
-    /// Where each value comes from that is not only the default of the source.
+    /// Source of each value that a layer has set.
     sources: BTreeMap<Place, String>,
 }
 
@@ -25,12 +25,12 @@ pub struct Value<'a> {
     pub component: &'a Component,
     /// The parameter.
     pub param: &'a Param,
-    /// Where the value comes from, as `tune/nao.toml line 3`; none for the default of the source.
+    /// Source of the value, such as `tune/nao.toml line 3`; none for the default of the source.
     pub source: Option<&'a str>,
 }
 
 impl Value<'_> {
-    /// Whether the value is the default of the source.
+    /// Returns whether the value is the default of the source.
     #[must_use]
     pub fn is_default(&self) -> bool {
         self.param.current() == self.param.default
@@ -118,7 +118,7 @@ impl Layers {
         self.places().map(|(_, value)| value)
     }
 
-    /// Returns what sets values that are in force, in the order of the parameters, with these values as assignments.
+    /// Returns the sources of the values in force, in the order of the parameters, each with its values as assignments.
     #[must_use]
     pub fn in_force(&self) -> Vec<(String, Vec<String>)> {
         let mut layers: Vec<(String, Vec<String>)> = Vec::new();

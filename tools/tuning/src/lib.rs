@@ -7,9 +7,8 @@
 //! 3. `tune/<robot>.toml`: for one robot,
 //! 4. assignments `Component.name=value` on the command line.
 //!
-//! [`Layers`] reads them and applies them to a tree as one batch; [`write()`] writes a tune file and keeps the
-//! comments that a person wrote in it. Wrong names, kinds and values
-//! are errors that name file, line and remedy.
+//! [`Layers`] reads them and applies them to a tree as one batch; [`write()`] writes a tune file and keeps the comments that a
+//! person wrote in it. Wrong names, kinds and values are errors that name file, line and remedy.
 
 mod comments;
 mod file;

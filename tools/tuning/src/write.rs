@@ -20,7 +20,8 @@ pub fn render(layers: &Layers) -> String {
     render_over(layers, "")
 }
 
-/// As [`render`], with the comments that a person wrote in the `old` file. Those of values that it has no more are its last lines.
+/// As [`render`], with the comments that a person wrote in the `old` file. Comments of values that are no longer in the file are
+/// its last lines.
 fn render_over(layers: &Layers, old: &str) -> String {
     let mut values: Vec<_> = layers.all().filter(|value| !value.is_default()).collect();
     values.sort_by_key(|Value { component, param, .. }| (&component.name, &param.name));
@@ -64,8 +65,8 @@ pub fn key(name: &str) -> Cow<'_, str> {
     if name.chars().all(is_bare) { Cow::Borrowed(name) } else { Cow::Owned(format!("\"{name}\"")) }
 }
 
-/// Writes a tune file; another program never sees a part of it, and a failure leaves an old file as it was. The comments that a person
-/// wrote in the old file are kept.
+/// Writes a tune file; another program never reads a part of it, and after a failure an old file is unchanged. The comments that
+/// a person wrote in the old file are kept.
 ///
 /// # Errors
 /// If the file exists and is not to be replaced, or cannot be read or written.
@@ -86,7 +87,7 @@ pub fn write(layers: &Layers, path: &Path, replace: bool) -> Result<(), Invalid>
         fs::rename(&temporary, path)
     });
     if result.is_err() {
-        // The failure of the writing is what the user has to know.
+        // The user needs the error of the write, not of the removal.
         let _ = fs::remove_file(&temporary);
     }
     result.map_err(failed)
