@@ -11,11 +11,11 @@ use crate::error::Error;
 use crate::memory::Memory;
 use crate::stream::Stream;
 
-/// Baud rate of a serial line whose address names none.
+/// Baud rate of a serial line if the address contains none.
 const BAUD: u32 = 115_200;
 
-/// Address of a link: `HOST:PORT` for TCP, `/PATH[@BAUD]` for a serial line, such as `/dev/ttyUSB0@921600`, or a place in this process,
-/// which has no text.
+/// Address of a link: `HOST:PORT` for TCP, `/PATH[@BAUD]` for a serial line, such as `/dev/ttyUSB0@921600`, or a server in this
+/// process, whose address has no text form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Address {
     /// Host and port.
@@ -60,7 +60,7 @@ impl fmt::Display for Address {
 }
 
 impl Address {
-    /// Connects to the server there.
+    /// Connects to the server at this address.
     pub(crate) fn connect(&self, timeout: Duration) -> Result<Stream, Error> {
         let failed = |error| Error::connect(self, error);
         match self {

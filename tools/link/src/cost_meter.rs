@@ -12,7 +12,7 @@ pub struct CostMeter {
     graph: &'static Graph,
     is_on: bool,
     now: Instant,
-    /// Begin of the cycle and of the section that runs.
+    /// Beginning of the cycle and of the running section.
     cycle_began: Clock,
     section_began: Clock,
     /// Time of each component in this cycle.
@@ -59,7 +59,7 @@ impl Window {
 }
 
 impl CostMeter {
-    /// A meter that is switched off.
+    /// Creates a meter that is switched off.
     #[must_use]
     pub fn new(graph: &'static Graph) -> Self {
         let (components, began) = (graph.nodes.len(), Clock::now());
@@ -83,7 +83,7 @@ impl CostMeter {
         self.is_on = is_on;
     }
 
-    /// A cycle begins: sensor values are taken in.
+    /// Begins the measurement of a cycle, when its sensor values arrive.
     pub fn sensing(&mut self) {
         if self.is_on {
             self.cycle_began = Clock::now();

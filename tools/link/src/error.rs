@@ -26,7 +26,7 @@ pub enum Error {
     OtherRobot { expected: String, found: String },
     /// The lease is owned by somebody else.
     Lease,
-    /// The robot's program does not offer what was asked for; what it is.
+    /// The robot's program does not offer the named service.
     NotOffered(&'static str),
     /// The robot refused a request, or a setting or argument of it: the reason for programs and for people.
     Refused { code: RefusalCode, entry: usize, text: String },

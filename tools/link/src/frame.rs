@@ -26,8 +26,8 @@ impl Receiver {
         Self { decoder: Box::default(), buffer: Box::new([0; BUFFER]), is_strict: false }
     }
 
-    /// Receiver of a stream that must begin with an undamaged packet. A web page can make a browser send any bytes to any
-    /// address, but only behind the head of a request or of a handshake.
+    /// Creates a receiver of a stream that must begin with an undamaged packet. A web page can make a browser send any bytes to
+    /// any address, but only after the head of a request or of a handshake.
     pub(crate) fn strict() -> Self {
         Self { is_strict: true, ..Self::new() }
     }
@@ -72,7 +72,7 @@ impl Packets {
         self.push_robot(&FromRobot::Monitor(&bytes))
     }
 
-    /// Appends a message to a monitor with what only a program on a computer offers.
+    /// Appends a message to a monitor that only a program on a computer sends.
     pub(crate) fn push_extra(&mut self, message: &ToMonitorExtra<'_>) -> Result<(), TooLarge> {
         let bytes = postcard::to_stdvec(message).map_err(|_| TooLarge)?;
         self.push_robot(&FromRobot::MonitorExtra(&bytes))
@@ -89,7 +89,7 @@ impl Packets {
         self.encode(&ToRobot::Monitor(&bytes))
     }
 
-    /// Appends a message of a monitor about what only a program on a computer offers.
+    /// Appends a message of a monitor about a service that only a program on a computer offers.
     pub(crate) fn push_monitor_extra(&mut self, message: FromMonitorExtra) -> Result<(), TooLarge> {
         let bytes = postcard::to_stdvec(&message).map_err(|_| TooLarge)?;
         self.encode(&ToRobot::MonitorExtra(&bytes))
@@ -106,7 +106,7 @@ impl Packets {
         Ok(())
     }
 
-    /// Number of bytes that wait.
+    /// Returns the number of bytes that wait.
     pub(crate) const fn len(&self) -> usize {
         self.bytes.len()
     }

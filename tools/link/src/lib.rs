@@ -1,6 +1,6 @@
 //! The link between a running robot and its monitors.
 //!
-//! - [`LinkServer`] accepts monitors over TCP or a serial line, or in this process. Its two halves stand in a
+//! - [`LinkServer`] accepts monitors over TCP or a serial line, or in this process. Two parts of it run in the loop, a
 //!   [`Runner`](bica::runner::Runner): [`LinkRequests`] is the source of requests, [`LinkObserver`] the observer. Neither
 //!   ever waits for a monitor or a thread.
 //! - [`Client`] attaches to a server, describes the tree, watches, requests changes, and connects again after a cut.
@@ -9,12 +9,12 @@
 //!
 //! # Rules
 //!
-//! - Attaching and watching change nothing. Information is read, and costs are measured, only while somebody watches them.
+//! - Attaching and watching change nothing. Outputs are read, and costs are measured, only while somebody watches them.
 //! - One monitor at a time is the operator: it owns the lease. It loses the lease by giving it back, by another one's
 //!   [`Take`](bica_wire::message::LeaseAction::Take), or by 3 s of silence. When a lease ends, the holds and rates that were
 //!   requested under it end; parameters stay.
-//! - A request is applied only if its connection is still open, its lease is the current one and it has not expired. What a
-//!   cut connection left in a queue is dropped.
+//! - A request is applied only if its connection is still open, its lease is the current one and it has not expired; a stop
+//!   needs none of these. Requests that a cut connection left in a queue are dropped.
 
 mod address;
 mod client;

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::stream::Stream;
 
-/// Place in this process at which a server accepts clients. Clones are the same place. No other program reaches it.
+/// Address in this process at which a server accepts clients. Clones are the same address. No other program reaches it.
 #[derive(Clone, Debug, Default)]
 pub struct Memory(Arc<Shared>);
 

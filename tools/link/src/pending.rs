@@ -1,4 +1,4 @@
-//! What waits for one of many clients.
+//! Queue for one of many clients.
 
 use std::collections::{HashMap, VecDeque};
 use std::hash::Hash;
@@ -8,10 +8,10 @@ const MAX_MESSAGES: usize = 1024;
 /// Largest size of the messages that wait, bytes; one larger message is accepted alone.
 const MAX_BYTES: usize = 16 << 20;
 
-/// What waits for one of many clients: messages `M`, of which none is lost in silence, and the newest data `D` of each key.
+/// Queue for one of many clients: messages `M`, none of which is lost silently, and the newest data `D` of each key.
 ///
-/// A client that does not read its messages overflows, is disconnected, and is right again after it has connected anew. A slow one
-/// gets data less often. So none delays another one, and its memory is bounded.
+/// A client that does not read its messages overflows and is disconnected; after it has connected again, it is up to date. A slow
+/// client gets data less often. So no client delays another one, and the memory for each client is bounded.
 #[derive(Debug)]
 pub struct Pending<M, K, D> {
     messages: VecDeque<(M, usize)>,
@@ -46,7 +46,7 @@ impl<M, K: Copy + Eq + Hash, D> Pending<M, K, D> {
         !self.overflowed
     }
 
-    /// Adds data. `replacing` makes it of the newer and of the older data with the same key that was not taken yet.
+    /// Adds data. If older data with the same key was not taken yet, `replacing` combines the newer and the older data.
     pub fn show(&mut self, key: K, data: D, replacing: impl FnOnce(D, D) -> D) {
         let data = if let Some(older) = self.data.remove(&key) {
             replacing(data, older)
@@ -69,19 +69,19 @@ impl<M, K: Copy + Eq + Hash, D> Pending<M, K, D> {
         self.data.remove(&self.order.pop_front()?)
     }
 
-    /// Number of messages that wait.
+    /// Returns the number of messages that wait.
     #[must_use]
     pub fn messages(&self) -> usize {
         self.messages.len()
     }
 
-    /// Whether nothing waits.
+    /// Returns whether nothing waits.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.messages.is_empty() && self.order.is_empty()
     }
 
-    /// Whether messages were dropped because the client did not read them.
+    /// Returns whether messages were dropped because the client did not read them.
     #[must_use]
     pub const fn overflowed(&self) -> bool {
         self.overflowed

@@ -1,4 +1,4 @@
-//! Values of information, decoded by their schema.
+//! Values of outputs, decoded by their schemas.
 
 use std::fmt::{Debug, Display};
 
@@ -24,21 +24,21 @@ pub fn decode_output(tree: &Description, component: usize, output: usize, bytes:
     decode(tree.components.get(component)?.info.get(output)?.schema.as_ref()?, bytes)
 }
 
-/// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob is its size as text, such as
-/// `600 bytes`.
+/// Decodes a message that was encoded without its [blobs](bica_wire::blobs), as [`decode`]. A blob becomes a text with its size,
+/// such as `600 bytes`.
 #[must_use]
 pub fn decode_message(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
     Decoder { bytes, form: Form::Message }.whole(schema)
 }
 
-/// Decodes a message as [`decode_message`], for a comparison: a floating-point number is a text with its bits, such as
-/// `0.5 (3f000000)`.
+/// Decodes a message as [`decode_message`], for a comparison: a floating-point number becomes a text with its bits, such as `0.5
+/// (3f000000)`.
 #[must_use]
 pub fn decode_exactly(schema: &OwnedNamedType, bytes: &[u8]) -> Option<Value> {
     Decoder { bytes, form: Form::Exact }.whole(schema)
 }
 
-/// What is decoded.
+/// Form of the decoded value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     Value,
@@ -117,8 +117,8 @@ impl Decoder<'_> {
         Some(json!({ name: value }))
     }
 
-    /// Reads the length of a sequence. Each element must occupy a byte, or be among the first few: a length is no reason to
-    /// reserve memory.
+    /// Reads the length of a sequence. A length above the number of remaining bytes is refused, so that a false length reserves
+    /// no memory.
     fn length(&mut self) -> Option<usize> {
         let length = usize::try_from(self.take::<u64>()?).ok()?;
         (length <= self.bytes.len()).then_some(length)
@@ -139,7 +139,7 @@ impl Decoder<'_> {
         (0..length).map(|_| pair(self)).collect::<Option<Vec<_>>>().map(Value::Array)
     }
 
-    /// Reads a text or bytes, which are not there if they are large.
+    /// Reads a text or bytes. Large ones are blobs, which the message does not contain; they become a text with their size.
     fn bytes(&mut self) -> Option<Value> {
         let length = usize::try_from(self.take::<u64>()?).ok()?;
         if length >= MIN_BLOB {

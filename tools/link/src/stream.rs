@@ -81,7 +81,7 @@ impl Stream {
         Err(io::Error::new(ErrorKind::Unsupported, "serial lines are supported on Unix only"))
     }
 
-    /// Whether this is a serial line.
+    /// Returns whether this is a serial line.
     pub(crate) const fn is_serial(&self) -> bool {
         matches!(self, Self::Serial(_))
     }

@@ -1,4 +1,4 @@
-//! What a client receives.
+//! Events that a client receives.
 
 use bica::runner::OwnedRequest;
 use bica_wire::message::{
@@ -11,7 +11,7 @@ use bica_wire::model::Description;
 use super::scene::{Shown, Truth};
 use crate::error::Error;
 
-/// What a client receives.
+/// Event that a client receives.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the fields are explained at their variants")]
 pub enum Event {
@@ -35,11 +35,11 @@ pub enum Event {
     Costs(Costs),
     /// True state of a simulated world.
     Truth(Truth),
-    /// What does not move in the robot's world.
+    /// Scenery: the objects that do not move in the robot's world.
     Scenery(Vec<Shown>),
     /// A camera image. The robot sends the next one after this event was taken.
     Image(Image),
-    /// Whether a simulated world is paused.
+    /// Pause state of a simulated world.
     World(WorldState),
     /// A component has taken a transition.
     Taken(Taken),
@@ -47,9 +47,9 @@ pub enum Event {
     Reached(Reached),
     /// A request was applied at an instant, µs. A microcontroller sends a line of the log instead.
     Requested { time_us: u64, request: OwnedRequest },
-    /// Something happened in the robot's world at a time, µs: its kind, as `goal`, and details.
+    /// An event in the robot's world at a time, µs: its kind, such as `goal`, and details.
     Happened { time_us: u64, kind: String, detail: String },
-    /// How the run has ended, for people.
+    /// Result of the run, for people.
     Result(String),
 }
 
@@ -60,14 +60,14 @@ pub struct LogLine {
     pub time_us: u64,
     /// 1 debug, 2 information, 3 warning, 4 error.
     pub level: u8,
-    /// Where it comes from.
+    /// Origin.
     pub source: LogSource,
     /// The text.
     pub text: String,
 }
 
 impl Event {
-    /// Returns the line of the log that tells the event, with the names of the tree; none for what is not told in a log.
+    /// Returns the line of the log for the event, with the names of the tree; none for an event that is not logged.
     #[must_use]
     pub fn line(&self, tree: &Description) -> Option<LogLine> {
         let (time_us, level, source, text) = match self {
@@ -102,7 +102,7 @@ pub struct Costs {
 pub struct Image {
     /// Number of the image since the start, from 0.
     pub number: u32,
-    /// Instant of the cycle that took it in, µs.
+    /// Instant of the cycle that received it, µs.
     pub time_us: u64,
     /// Name of its camera.
     pub camera: String,
@@ -134,7 +134,7 @@ pub struct Answered {
     pub arrived: u64,
     /// Effective values of the parameters in the order of the batch, or the rate.
     pub values: Vec<Value>,
-    /// Why the request was refused: reason, index of the setting or argument, text.
+    /// Refusal of the request, if it was refused: reason, index of the setting or argument, text.
     pub refused: Option<(RefusalCode, usize, String)>,
 }
 

@@ -4,17 +4,17 @@ use std::collections::{HashSet, VecDeque};
 
 use super::event::{Answered, Event};
 
-/// Number of events above which those give way that a newer one replaces.
+/// Number of events from which events that a newer one replaces are dropped.
 const MAX_EVENTS: usize = 4096;
-/// Number of events that are left then.
+/// Maximum number of events that are kept then.
 const ROOM_FROM: usize = MAX_EVENTS / 4 * 3;
 
-/// Events that wait for the program, the oldest first. Of what robots report again and again the newest stays; an answer stays longer
-/// than anything else.
+/// Events that wait for the program, the oldest first. If there are too many, only the newest of each repeated report stays.
+/// Answers are dropped last.
 #[derive(Debug, Default)]
 pub(super) struct Events(VecDeque<Event>);
 
-/// What makes a later event replace an earlier one: kind, component, output.
+/// Key of events of which a later one replaces an earlier one: kind, component, output.
 type Key = (u8, usize, usize);
 
 const fn key(event: &Event) -> Option<Key> {
@@ -65,7 +65,8 @@ impl Events {
         self.0.make_contiguous().reverse();
         self.0.retain(|event| key(event).is_none_or(|key| seen.insert(key)));
         self.0.make_contiguous().reverse();
-        // A robot sends as many answers as there were requests; a hostile one finds a bound here.
+        // A robot sends one answer for each request. The number of answers is bounded, too, because a hostile robot may send
+        // more.
         let give_way: [fn(&Event) -> bool; 3] =
             [|event| matches!(event, Event::Log { .. }), |event| !matches!(event, Event::Answer(_)), |_| true];
         for gives_way in give_way {

@@ -1,4 +1,4 @@
-//! What only a program on a computer offers, from its messages.
+//! Assembly of the messages that only a program on a computer sends.
 
 use bica_wire::ToMonitorExtra;
 use bica_wire::message::{ComponentCosts, Conditions, Happened, ImageChunk, ImageHead, Requested, SceneKind};
@@ -21,7 +21,7 @@ pub(super) struct Extras {
 }
 
 impl Extras {
-    /// Takes a message in; returns an event if something is complete.
+    /// Processes a message; returns an event if the message completes one.
     pub(super) fn add(&mut self, message: ToMonitorExtra<'_>, description: &Description) -> Option<Event> {
         match message {
             ToMonitorExtra::Conditions(part) => self.conditions(part, description),
@@ -54,7 +54,7 @@ impl Extras {
             ToMonitorExtra::World(state) => Some(Event::World(state)),
             ToMonitorExtra::Taken(taken) => Some(Event::Taken(taken)),
             ToMonitorExtra::Reached(reached) => Some(Event::Reached(reached)),
-            // The description has it.
+            // The inbox adds it to the description.
             ToMonitorExtra::MessageSchema { .. } => None,
         }
     }
@@ -99,7 +99,7 @@ impl Extras {
         let size = size(image);
         let continues = image.number == chunk.image_id && image.yuyv.len() == chunk.offset as usize;
         if !continues || image.yuyv.len() + chunk.bytes.len() > size {
-            // It can never be complete; the robot waits until it is taken.
+            // The image can never be complete; the robot waits until it is taken.
             let broken = self.image.take()?;
             return Some(Event::Image(Image { yuyv: Vec::new(), ..broken }));
         }

@@ -18,7 +18,7 @@ use crate::error::Error;
 /// Largest size of a schema, bytes.
 const MAX_SCHEMA: usize = 1 << 14;
 
-/// What the client is attached to.
+/// The program to which the client is attached.
 pub(super) struct Attachment {
     pub(super) schema: u64,
     tree_hash: u64,
@@ -36,10 +36,10 @@ pub(super) struct Inbox {
     pub(super) lease: Option<LeaseState>,
     pub(super) events: Events,
     pub(super) closing: Option<String>,
-    /// Robot's time, and when it was received.
+    /// Robot's time, and the instant at which it was received.
     time: Option<(Duration, Instant)>,
     partial: Option<Snapshot>,
-    /// What the schema belongs to that is being received, and its parts.
+    /// Owner of the schema that is being received, and the parts so far.
     schema_parts: ((u16, u16), Vec<u8>),
     /// The output whose schema was received last.
     last_schema: Option<(usize, usize)>,
@@ -67,17 +67,17 @@ impl Inbox {
         }
     }
 
-    /// Whether the description is complete.
+    /// Returns whether the description is complete.
     pub(super) const fn is_described(&self) -> bool {
         self.builder.is_none()
     }
 
-    /// Whether a value of each parameter was received.
+    /// Returns whether a value of each parameter was received.
     pub(super) fn has_values(&self) -> bool {
         self.description.components.iter().flat_map(|component| &component.params).all(|param| param.value.is_some())
     }
 
-    /// Whether the schemas of all outputs were received, which a program on a computer sends.
+    /// Returns whether the schemas of all outputs were received, which a program on a computer sends.
     pub(super) fn has_schemas(&self) -> bool {
         let is_computer = self.attached.as_ref().is_some_and(|attached| attached.offers.contains(Offers::CONDITIONS));
         let outputs = self.description.components.iter().map(|component| component.info.len()).enumerate();
@@ -85,14 +85,14 @@ impl Inbox {
         !is_computer || last.is_none() || last == self.last_schema
     }
 
-    /// Estimates the robot's time; none if it does not advance with the clock, or is not known.
+    /// Estimates the robot's time; none if it does not advance with the clock, or is unknown.
     pub(super) fn robot_time(&self) -> Option<Duration> {
         let realtime = self.attached.as_ref().is_some_and(|attached| attached.realtime);
         let elapsed = |received: Instant| if self.world.paused { Duration::ZERO } else { received.elapsed() };
         self.time.filter(|_| realtime).map(|(time, received)| time + elapsed(received))
     }
 
-    /// Takes a message in.
+    /// Processes a message.
     pub(super) fn receive(&mut self, message: FromRobot<'_>) -> Result<(), Error> {
         match message {
             FromRobot::GraphItem(item) => self.describe(&item)?,
@@ -122,7 +122,7 @@ impl Inbox {
         Ok(())
     }
 
-    /// Finds out whether a message that cannot be decoded attaches to a robot of another version.
+    /// Checks whether a message that cannot be decoded is the answer of a robot of another version to `Attach`.
     fn check_version(&self, bytes: &[u8]) -> Result<(), Error> {
         match postcard::take_from_bytes::<(u8, u64)>(bytes) {
             Ok(((ATTACHED, robot), _)) if self.attached.is_none() => Err(Error::Schema { robot }),
@@ -130,7 +130,7 @@ impl Inbox {
         }
     }
 
-    /// The time of a paused world stands still, and goes on from there.
+    /// Sets the pause state. The estimated time of a paused world stands still, and continues from there.
     fn set_world(&mut self, world: WorldState) {
         if let Some((_, received)) = self.time.as_mut().filter(|_| self.world.paused && !world.paused) {
             *received = Instant::now();

@@ -32,17 +32,18 @@ pub use scene::{Shown, Truth};
 
 /// Time between two messages to the robot, if there is nothing else to send.
 const HEARTBEAT: Duration = Duration::from_millis(500);
-/// Time after which a state of the lease is believed that names another owner: an older one may have waited to be read.
+/// Time after which a state of the lease with another owner counts as the answer: an earlier one may be an older state that
+/// waited to be read.
 const SETTLED: Duration = Duration::from_millis(100);
 /// Time between two attempts to connect again.
 const RETRY: Duration = Duration::from_millis(100);
-/// Longest time in which a lease is continued after a reconnection.
+/// Maximum duration of the attempts to continue a lease after a reconnection.
 const CONTINUE: Duration = Duration::from_secs(2);
 
 /// A monitor of a robot.
 ///
-/// Everything happens in the calls: a client that owns the lease and does not call [`poll`](Self::poll) for longer than the
-/// robot's limit of silence loses it.
+/// All work is done in the calls: a client that owns the lease and does not call [`poll`](Self::poll) for longer than the robot's
+/// limit of silence loses the lease.
 pub struct Client {
     address: Address,
     options: ClientOptions,
@@ -51,10 +52,10 @@ pub struct Client {
     packets: Packets,
     inbox: Inbox,
     sent: Instant,
-    /// When it last showed the robot that it goes on owning the lease.
+    /// Time of the last message that kept the lease.
     kept: Instant,
     last_number: u32,
-    /// Watched snapshots and information, to watch them again after a reconnection.
+    /// Watched snapshots, outputs and other data, to watch them again after a reconnection.
     every: u16,
     info: HashMap<(u16, u16), u16>,
     extras: HashMap<ExtraKind, u16>,
@@ -134,7 +135,7 @@ impl Client {
         Ok(())
     }
 
-    /// Continues the lease of a connection that has ended. The robot may not know yet that it has.
+    /// Continues the lease of a connection that has ended. The robot may not have noticed the end yet.
     fn continue_lease(&mut self, number: u64) -> Result<(), Error> {
         let until = Instant::now() + CONTINUE;
         loop {
@@ -154,7 +155,7 @@ impl Client {
         &self.inbox.description
     }
 
-    /// Returns what the robot's program offers.
+    /// Returns the services that the robot's program offers.
     #[must_use]
     pub fn offers(&self) -> Offers {
         self.inbox.attached.as_ref().map(|attached| attached.offers).unwrap_or_default()
@@ -187,7 +188,7 @@ impl Client {
         if !self.offers().contains(Offers::OPERATE) {
             return Err(Error::NotOffered("to be operated: monitors may only watch"));
         }
-        // The end of another one's lease may be on its way; it is not the answer.
+        // The end of another owner's lease may arrive first; it is not the answer.
         let is_answer = |lease: &LeaseState| lease.yours || (lease.owned && !take);
         let began = Instant::now();
         loop {
@@ -280,8 +281,8 @@ impl Client {
         answer.result()
     }
 
-    /// Stops the robot: calls all of its stops, for which it needs no lease, and waits until they are in force. Whoever operates it
-    /// operates it no more.
+    /// Stops the robot: calls all of its stops, for which it needs no lease, and waits until they are in force. The stop ends the
+    /// lease of any operator.
     ///
     /// # Errors
     /// [`Error::Unknown`] if the robot declares no stop; [`Error::Refused`] if its program accepts no requests; [`Error::Timeout`],
@@ -355,10 +356,10 @@ impl Client {
         }
     }
 
-    /// Shows the robot that this monitor still exists.
+    /// Sends a sign of life if it is due.
     fn heartbeat(&mut self) -> Result<(), Error> {
         let lease = self.lease();
-        // What else is sent, as changes of what is watched, does not keep the lease.
+        // Other messages, such as changes of the watched data, do not keep the lease.
         if lease.yours && self.kept.elapsed() >= HEARTBEAT {
             self.kept = Instant::now();
             return self.send(&FromMonitor::Lease(LeaseAction::Keep { lease: lease.lease }));

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-/// How a client works.
+/// Options of a client.
 #[derive(Clone, Copy, Debug)]
 pub struct ClientOptions {
     /// Longest wait for a connection or an answer.

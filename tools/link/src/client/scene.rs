@@ -1,4 +1,4 @@
-//! What a world shows, from its parts.
+//! Assembly of scenery and true state from their parts.
 
 use bica_wire::message::{SceneContent, SceneDeclaration, SceneKind, ScenePart};
 use postcard_schema::schema::owned::OwnedNamedType;
@@ -10,7 +10,7 @@ use crate::schema::decode;
 /// Largest size of the declarations or values of a scene, bytes.
 const MAX_SCENE: usize = 1 << 22;
 
-/// Something that a world shows.
+/// Item of the scenery or of the true state of a world.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shown {
     /// Name for people.
@@ -19,7 +19,7 @@ pub struct Shown {
     pub shape: String,
     /// The frame in which the value is given.
     pub frame: String,
-    /// The frame whose true place the value is.
+    /// The frame whose true place the value gives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub child: Option<String>,
     /// The value, or a list of values; null if there is none.
@@ -27,7 +27,7 @@ pub struct Shown {
     /// Colour, `#rrggbb`; none: a tool chooses it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub colour: Option<String>,
-    /// Width of lines, m; none: what has an area is filled, and a tool chooses the width of lines.
+    /// Width of lines, m; none: areas are filled, and a tool chooses the width of lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line_width: Option<f32>,
 }
@@ -57,7 +57,7 @@ pub(super) struct Scenes {
 }
 
 impl Scenes {
-    /// Takes a part in; returns time and items if values are complete.
+    /// Adds a part; returns time and items if values are complete.
     pub(super) fn add(&mut self, part: &ScenePart<'_>) -> Option<(u64, Vec<Shown>)> {
         let scene = match part.scene {
             SceneKind::Scenery => &mut self.scenery,
@@ -71,7 +71,7 @@ impl Scenes {
 struct SceneParts {
     /// Number of the declarations.
     number: u32,
-    /// Items without their values, with the schemas of these.
+    /// Items without values, each with the schema of its value.
     declared: Vec<(Shown, OwnedNamedType)>,
     bytes: Vec<u8>,
 }

@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::waker::Wakeups;
 
 impl Client {
-    /// Waits for the next event; `None` after `timeout`, or earlier after a [`Waker::wake`](crate::Waker::wake). Part of a
-    /// millisecond is not waited for: with a timeout of zero it returns what has arrived.
+    /// Waits for the next event; `None` after `timeout`, or earlier after a [`Waker::wake`](crate::Waker::wake). The timeout is
+    /// rounded down to whole milliseconds: with a timeout of zero it returns the events that have arrived.
     ///
     /// # Errors
     /// [`Error::Disconnected`]; then [`reconnect`](Self::reconnect).

@@ -1,4 +1,4 @@
-//! What a monitor watches.
+//! Selection of the watched data.
 
 use bica_wire::FromMonitor;
 use bica_wire::message::{ExtraKind, FromMonitorExtra, Offers, Watch, WatchInfo};
@@ -30,7 +30,7 @@ impl Client {
         self.send(&FromMonitor::WatchInfo(WatchInfo { component, info, every }))
     }
 
-    /// Watches conditions, costs, the true state or images, of every n-th cycle or every n-th image, or transitions, or sets a stop; 0
+    /// Watches conditions, costs or the true state in every n-th cycle, every n-th image, or all transitions, or sets a stop; 0
     /// ends it. Costs come every [`COSTS_CYCLES`](bica_wire::message::COSTS_CYCLES) cycles for any other number.
     ///
     /// # Errors

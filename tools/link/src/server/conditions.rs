@@ -5,8 +5,8 @@ use bica_wire::message::ConditionState;
 
 use super::extras::Extra;
 
-/// For each transition of each component: whether its condition held when it was evaluated last in the present state, and the
-/// instant since which it has had this value. The transition that was taken last held when it was taken.
+/// For each transition of each component: whether its condition held at its last evaluation in the present state, and the instant
+/// since which it has had this value. The condition of the transition that was taken last is true since the transition.
 #[derive(Debug)]
 pub(super) struct ConditionTable {
     components: Vec<Vec<Option<(bool, Instant)>>>,
@@ -17,7 +17,7 @@ pub(super) struct ConditionTable {
 }
 
 impl ConditionTable {
-    /// A table without values.
+    /// Creates a table without values.
     pub(super) fn new(graph: &Graph) -> Self {
         let components = graph.nodes.iter().map(|node| vec![None; node.transitions.len()]).collect();
         Self { components, now: Instant::MIN, holding: 0 }
@@ -72,7 +72,7 @@ impl Probe for ConditionTable {
 mod tests {
     use super::*;
 
-    /// Whether each condition holds, and since when, µs.
+    /// Returns for each condition whether it holds, and since when, µs.
     fn known(table: &ConditionTable) -> Vec<Option<(bool, u64)>> {
         table.of(0).iter().map(|condition| condition.map(|(holds, since)| (holds, since.as_micros()))).collect()
     }

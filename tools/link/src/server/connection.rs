@@ -8,11 +8,11 @@ use super::counters::Counters;
 use super::outbox::{Batch, Message, Outbox, Unsent};
 use crate::stream::Stream;
 
-/// Time after which the next image is sent though the last one was not taken, ms: a part may be lost on a serial line.
+/// Time after which the next image is sent although the last one was not taken, ms: a part may be lost on a serial line.
 const IMAGE_MS: u64 = 10_000;
-/// No image waits to be taken.
+/// Time of the last image if no image waits to be taken.
 const TAKEN: u64 = u64::MAX;
-/// No number of an image.
+/// Number of the last image if there is none.
 const NO_IMAGE: u64 = u64::MAX;
 
 /// A monitor's connection.
@@ -23,7 +23,7 @@ pub(super) struct Connection {
     pub(super) pending: AtomicUsize,
     outbox: Outbox,
     began: Instant,
-    /// Time of the last image, which the monitor has not taken, ms after the beginning; [`TAKEN`] if it has.
+    /// Time of the last image, ms after the beginning; [`TAKEN`] if the monitor has taken it.
     image_ms: AtomicU64,
     /// Number of the last image for the monitor; [`NO_IMAGE`] without one since it began to watch images.
     image: AtomicU64,
@@ -54,36 +54,37 @@ impl Connection {
         }
     }
 
-    /// Waits for what is to be sent, see [`Outbox::take`].
+    /// Waits for data to send, see [`Outbox::take`].
     pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
         self.outbox.take(is_sending)
     }
 
-    /// The monitor has taken the last image.
+    /// Marks the last image as taken by the monitor.
     pub(super) fn image_taken(&self) {
         self.image_ms.store(TAKEN, Ordering::Relaxed);
     }
 
-    /// Hands over what the loop has for the monitor, unless the writer uses the queues in this instant; then it stays with the loop,
-    /// which never waits.
+    /// Hands over the loop's data for the monitor. If the writer is using the queues, the data stay with the loop, which never
+    /// waits.
     pub(super) fn offer(&self, unsent: &mut Unsent) {
         if !self.outbox.offer(unsent) {
             self.overflow();
         }
     }
 
-    /// The image with a number will be sent.
+    /// Notes that the image with a number will be sent.
     pub(super) fn shows_image(&self, number: u32) {
         self.image_ms.store(self.began.elapsed().as_millis() as u64, Ordering::Relaxed);
         self.image.store(number.into(), Ordering::Relaxed);
     }
 
-    /// The monitor begins to watch images: the newest one is sent to it, also if it was sent before.
+    /// Forgets the last image, because the monitor begins to watch images: the newest one is sent to it, even if it was sent
+    /// before.
     pub(super) fn forget_image(&self) {
         self.image.store(NO_IMAGE, Ordering::Relaxed);
     }
 
-    /// Whether an image can be sent: it is another one than the last, which the monitor has taken.
+    /// Returns whether an image can be sent: it is not the last one, and the monitor has taken the last one, or it took too long.
     pub(super) fn is_ready_for_image(&self, number: u32) -> bool {
         if self.image.load(Ordering::Relaxed) == u64::from(number) {
             return false;

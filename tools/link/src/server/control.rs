@@ -21,7 +21,7 @@ use super::stops::Stops;
 use super::watcher::Watcher;
 use super::watchers::Watchers;
 
-/// Why all requests to a recorded robot are refused.
+/// Reason for the refusal of all requests to a recorded robot.
 const RECORDED: &str =
     "this is a recording that is played, in which nothing can be changed: attach to the robot itself";
 
@@ -44,11 +44,11 @@ pub(super) struct Control {
     clock: LoopClock,
     pub(super) pace: Pace,
     pub(super) watchers: Watchers,
-    /// What is due in a cycle; its memory is used again.
+    /// Keys that are due in a cycle; the memory is reused.
     pub(super) due: Vec<Key>,
     pub(super) stops: Stops,
     pub(super) shown: WorldScenes,
-    /// Whether requests were applied without a cycle since the last one: it may be the last one for long.
+    /// Whether requests were applied without a cycle since the last cycle: the world may be paused for long.
     pub(super) stands: bool,
     /// Memory of the data of cycles.
     pub(super) pool: CyclePool,
@@ -56,7 +56,7 @@ pub(super) struct Control {
     pub(super) applied: Vec<Applied>,
     /// Components whose parameters every monitor gets at the end of the cycle.
     pub(super) changed: Vec<u16>,
-    /// Schemas of all outputs, once somebody has asked.
+    /// Schemas of all outputs; none before the first request for them.
     pub(super) schemas: Option<Arc<[OutputSchema]>>,
     /// Connections that get these schemas and all parameters at the end of the cycle.
     pub(super) readers: Vec<u64>,
@@ -90,7 +90,7 @@ impl Control {
         }
     }
 
-    /// Time by which the operator's silence is measured.
+    /// Returns the time by which the operator's silence is measured.
     pub(super) fn lease_time(&mut self, now: bica::Instant) -> Duration {
         if self.by_robot { Duration::from_micros(now.as_micros()) } else { self.clock.now() }
     }
@@ -115,7 +115,7 @@ impl Control {
         }
     }
 
-    /// Sends a change that was applied to every monitor.
+    /// Sends an applied change to every monitor.
     pub(super) fn announce_change(&mut self, now: bica::Instant, change: &Change) {
         let requested = Requested { time_us: now.as_micros(), change: change.clone() };
         self.tell_all(&Message::Requested(Arc::new(requested)));
@@ -145,12 +145,12 @@ impl Control {
     /// Handles a message of a monitor. Returns a request that is to be applied.
     pub(super) fn handle(&mut self, now: bica::Instant, message: Inbound) -> Option<Applied> {
         let Inbound { from, arrived, command } = message;
-        // Whoever leaves after a stop has stopped the robot all the same.
+        // A stop is applied even if its sender has left.
         if from.is_closed() && !command.stops(self.hub.graph) {
             return None;
         }
         let id = from.id;
-        // What a connection sends in one queue may overtake its beginning in the other.
+        // A message in one queue may overtake the `Open` of its connection in another queue.
         if self.watchers.find(id).is_none() {
             self.watchers.add(Watcher::new(Arc::clone(&from)));
         }
@@ -194,7 +194,7 @@ impl Control {
         }
     }
 
-    /// Forgets monitors that are disconnected; another connection may continue the lease of one.
+    /// Removes disconnected monitors; another connection may continue the lease of one of them.
     pub(super) fn forget_closed(&mut self) {
         for closed in self.watchers.remove_closed() {
             self.lease.disconnect(closed);
@@ -217,7 +217,7 @@ impl Control {
         }
     }
 
-    /// Checks whether a request may be applied; else answers it.
+    /// Checks whether a request may be applied; if not, sends the refusal.
     fn admit(&mut self, now: bica::Instant, from: &Connection, arrived: u64, request: Request) -> Option<Applied> {
         let time = self.lease_time(now);
         let admitted = if self.watch_only {
@@ -286,7 +286,7 @@ impl Control {
     }
 }
 
-/// A number that cannot be guessed, for a lease.
+/// Returns a number that cannot be guessed, for a lease.
 fn unpredictable() -> u64 {
     // The standard library takes its keys from the random numbers of the operating system.
     RandomState::new().build_hasher().finish()

@@ -13,13 +13,13 @@ use super::snapshot::Snapshot;
 use super::view::View;
 use crate::frame::Packets;
 
-/// What is watched, with n for every n-th cycle.
+/// Watched data, with n for every n-th cycle.
 pub(super) type Watched = HashMap<Key, u16>;
 
 /// Largest number of cycles whose memory is kept.
 const MAX_KEPT: usize = 16;
 
-/// Data of one cycle: what at least one monitor watches. The loop fills it once for all of them.
+/// Data of one cycle that at least one monitor watches. The loop fills it once for all monitors.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CycleData {
     pub(super) cycle: u64,
@@ -50,7 +50,7 @@ impl CycleData {
         self.used = 0;
     }
 
-    /// Whether there is nothing to send.
+    /// Returns whether there is nothing to send.
     pub(super) const fn is_empty(&self) -> bool {
         self.snapshot.is_empty() && self.readings.is_empty() && self.extras.is_empty()
     }
@@ -78,7 +78,7 @@ impl CyclePool {
     pub(super) fn fill(&mut self, cycle: u64, fill: impl FnOnce(&mut CycleData)) -> Option<Arc<CycleData>> {
         let free = self.0.iter_mut().position(|data| Arc::get_mut(data).is_some());
         let mut data = free.map_or_else(Arc::default, |free| self.0.swap_remove(free));
-        // Nobody else has it, so this copies nothing.
+        // There is no other reference to it, so this copies nothing.
         let filled = Arc::make_mut(&mut data);
         filled.begin(cycle);
         fill(filled);
@@ -89,7 +89,7 @@ impl CyclePool {
     }
 }
 
-/// Data of a cycle, and what of it is due for a monitor.
+/// Data of a cycle, and the part that is due for a monitor.
 #[derive(Debug)]
 pub(super) struct Due {
     pub(super) data: Arc<CycleData>,
@@ -98,7 +98,7 @@ pub(super) struct Due {
 }
 
 impl Due {
-    /// Returns what is due.
+    /// Returns the due values.
     pub(super) fn parts(&self) -> impl Iterator<Item = Part> {
         let Self { data, snapshot, watched } = self;
         let is_due =

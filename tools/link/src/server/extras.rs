@@ -1,4 +1,4 @@
-//! What only a program on a computer offers: conditions, costs, the true state.
+//! Data that only a program on a computer offers: conditions, costs, the true state.
 
 use bica_wire::message::{ComponentCost, ComponentCosts, ConditionState, Conditions, Costs, MAX_CONDITIONS, MAX_COSTS};
 use bica_wire::{ToMonitorExtra, TooLarge};

@@ -1,4 +1,4 @@
-//! What all threads of a server share.
+//! Data that all threads of a server share.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -23,7 +23,7 @@ use super::outbox::{Message, MessageSchemas};
 pub(super) const MAX_PENDING: usize = 32;
 /// Largest number of connections that have sent nothing yet.
 const MAX_SILENT: usize = 32;
-/// Messages of a connection to the loop that do not count: its beginning.
+/// Number of messages of a connection to the loop that are not counted: its `Open`.
 const UNCOUNTED: usize = 1;
 
 /// Message of a connection to the loop.
@@ -49,7 +49,7 @@ pub(super) enum Command {
 }
 
 impl Command {
-    /// Whether it stops the robot with this tree.
+    /// Returns whether it stops the robot with this tree.
     pub(super) fn stops(&self, graph: &Graph) -> bool {
         matches!(self, Self::Request(request) if request.change.is_stop(graph))
     }
@@ -63,9 +63,9 @@ pub(super) struct Hub {
     tree_hash: u64,
     pub(super) messages: MessageSchemas,
     pub(super) options: ServerOptions,
-    /// Whether the robot does not run: it is shown as it was recorded.
+    /// Whether the robot is a recorded one, which does not run.
     pub(super) is_recorded: bool,
-    /// For messages that only watch, for stops, and for the others.
+    /// Queues for messages that only watch, for stops, and for all others.
     watches: SyncSender<Inbound>,
     stops: SyncSender<Inbound>,
     inbox: SyncSender<Inbound>,
@@ -79,7 +79,7 @@ pub(super) struct Hub {
     /// Instant of the last cycle, µs.
     pub(super) time_us: AtomicU64,
     pub(super) stopped: AtomicBool,
-    /// How the run has ended.
+    /// Result of the run.
     result: Mutex<Option<Arc<str>>>,
 }
 
@@ -127,7 +127,7 @@ impl Hub {
         }
     }
 
-    /// What this server offers.
+    /// Returns the services that this server offers.
     pub(super) fn offers(&self) -> Offers {
         let operate = if self.options.watch_only { Offers::default() } else { Offers::OPERATE };
         let images = if has_blobs(self.messages[0]) { Offers::IMAGES } else { Offers::default() };
@@ -135,12 +135,12 @@ impl Hub {
         self.options.offers.with(operate).with(images).with(Offers::CONDITIONS).with(costs)
     }
 
-    /// How the run has ended.
+    /// Returns the result of the run.
     pub(super) fn result(&self) -> Option<Arc<str>> {
         self.result.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Sets how the run has ended, and sends it to every monitor.
+    /// Sets the result of the run, and sends it to every monitor.
     pub(super) fn set_result(&self, text: &str) {
         let text: Arc<str> = text.into();
         *self.result.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&text));
@@ -152,7 +152,7 @@ impl Hub {
         self.last_id.fetch_add(1, Ordering::Relaxed) + 1
     }
 
-    /// Lists a connection that has sent nothing yet. If there are too many, the oldest is closed.
+    /// Adds a connection that has sent nothing yet to the list. If there are too many, the oldest is closed.
     pub(super) fn wait_for_message(&self, connection: &Arc<Connection>) {
         let mut silent = self.silent.lock().unwrap_or_else(PoisonError::into_inner);
         silent.retain(|connection| connection.strong_count() > 0);
@@ -164,7 +164,8 @@ impl Hub {
         }
     }
 
-    /// Lists a connection for [`log`](Self::log) and [`end`](Self::end), and in the loop: it has sent its first message.
+    /// Adds a connection that has sent its first message to the list for [`log`](Self::log) and [`end`](Self::end), and to the
+    /// loop.
     pub(super) fn begin(&self, connection: &Arc<Connection>) {
         let is_other = |other: &Weak<Connection>| !std::ptr::eq(other.as_ptr(), Arc::as_ptr(connection));
         self.silent.lock().unwrap_or_else(PoisonError::into_inner).retain(is_other);
@@ -178,7 +179,7 @@ impl Hub {
     /// Hands a message to the loop. Returns whether a loop will receive it.
     pub(super) fn deliver(&self, from: &Arc<Connection>, command: Command) -> bool {
         let arrived = self.next_cycle.load(Ordering::Relaxed);
-        // A breakpoint comes before the request that was sent after it.
+        // A breakpoint uses the queue of requests, so that it is set before a request that was sent after it.
         let only_watches =
             matches!(command, Command::Watch(_) | Command::WatchKey(_) | Command::WatchImages(_) | Command::ReadParams);
         let inbox = match command {
@@ -188,8 +189,8 @@ impl Hub {
         };
         match inbox.try_send(Inbound { from: Arc::clone(from), arrived, command }) {
             Ok(()) => true,
-            // The queue has a place for every message that open connections may have waiting: it is full of those of closed
-            // ones, while the loop stands still.
+            // The queue has room for all messages of open connections that may wait. It is full only if it holds messages of
+            // closed ones, because the loop stands still.
             Err(TrySendError::Full(_)) => {
                 from.overflow();
                 true
@@ -203,7 +204,7 @@ impl Hub {
         self.push_to_each(&Message::Log { time_us, level, source, text: text.into() });
     }
 
-    /// Sends what happened in the world to every monitor, with the time of the last cycle.
+    /// Sends an event of the world to every monitor, with the time of the last cycle.
     pub(super) fn happened(&self, kind: &str, detail: &str) {
         let time_us = self.time_us.load(Ordering::Relaxed);
         self.push_to_each(&Message::Happened(time_us, kind.into(), detail.into()));
@@ -214,7 +215,8 @@ impl Hub {
         self.each(|connection| connection.push(message.clone()));
     }
 
-    /// Tells every monitor that the server ends, and waits until they have received it.
+    /// Sends every monitor the reason for the end of the server, waits at most `longest` for the end of all connections, and
+    /// closes the rest.
     pub(super) fn end(&self, reason: &'static str, longest: Duration) {
         self.push_to_each(&Message::Closing(reason));
         let began = Instant::now();

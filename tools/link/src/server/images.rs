@@ -16,9 +16,9 @@ type OwnerOf = dyn Fn(&[u8]) -> Option<Arc<Vec<u8>>> + Send;
 pub(super) struct Images {
     /// The sensor values without their large data.
     message: Vec<u8>,
-    /// Place of the format of each large data in the message.
+    /// Position in the message of the format of each blob.
     places: Vec<usize>,
-    /// Which of the large data are images.
+    /// Indices of the blobs that are images.
     found: Vec<usize>,
     pub(super) owner_of: Option<Box<OwnerOf>>,
     copies: Copies,
@@ -40,7 +40,7 @@ impl Images {
         !found.is_empty()
     }
 
-    /// Takes an image that was found, of several cameras one after the other.
+    /// Takes one of the images that were found; with several cameras, one camera after the other.
     pub(super) fn take<R: Recordable>(
         &mut self,
         sensors: &R::Sensors<'_>,
@@ -62,7 +62,7 @@ impl Images {
         let size = size(format)?;
         let frame = |index: usize| message.get(places[index]..).map(|head| blobs::described(head).1);
         let before = found.iter().take_while(|&&index| index < wanted).filter(|&&index| frame(index) == Some(camera));
-        // A second camera in the same frame, as a recording names it.
+        // A second camera in the same frame gets a number, as in a recording.
         let camera = match before.count() {
             0 => camera.into(),
             count => format!("{camera}_{}", count + 1).into(),
@@ -71,7 +71,7 @@ impl Images {
     }
 }
 
-/// Whether a type contains large data.
+/// Returns whether a type contains large data.
 pub(super) fn has_blobs(schema: &NamedType) -> bool {
     match schema.ty {
         DataModelType::Struct(_) if schema.name == "Blob" => true,
@@ -84,7 +84,7 @@ pub(super) fn has_blobs(schema: &NamedType) -> bool {
     }
 }
 
-/// Encoded bytes that nobody needs.
+/// Drops encoded bytes.
 struct Nowhere;
 
 impl Extend<u8> for Nowhere {
@@ -93,18 +93,18 @@ impl Extend<u8> for Nowhere {
     }
 }
 
-/// Width and height of an image, px.
+/// Returns width and height of an image in YUYV, px.
 pub(super) const fn size(format: Format<'_>) -> Option<(u16, u16)> {
     match format {
         Format::Yuyv { width, height } | Format::Gray8 { width, height } | Format::Rgb8 { width, height } => {
-            // Two pixels share their colour.
+            // Two pixels share their colour, so the width is even.
             Some((width & !1, height))
         }
         _ => None,
     }
 }
 
-/// Appends an image in YUYV (JFIF); of an odd width without its last column.
+/// Appends an image in YUYV (JFIF). If the width is odd, the last column is omitted.
 pub(super) fn yuyv(format: Format<'_>, bytes: &[u8], out: &mut Vec<u8>) {
     match format {
         Format::Gray8 { width, .. } => {
@@ -132,11 +132,11 @@ pub(super) fn yuyv(format: Format<'_>, bytes: &[u8], out: &mut Vec<u8>) {
 struct Copies(Vec<Arc<Vec<u8>>>);
 
 impl Copies {
-    /// Fills memory that nobody uses any more.
+    /// Fills memory that is not in use any more.
     fn fill(&mut self, fill: impl FnOnce(&mut Vec<u8>)) -> Arc<Vec<u8>> {
         let free = self.0.iter_mut().position(|copy| Arc::get_mut(copy).is_some());
         let mut copy = free.map_or_else(Arc::default, |free| self.0.swap_remove(free));
-        // Nobody else has it, so this copies nothing.
+        // There is no other reference to it, so this copies nothing.
         let pixels = Arc::make_mut(&mut copy);
         pixels.clear();
         fill(pixels);

@@ -1,8 +1,8 @@
-//! What a monitor watches besides states and images.
+//! Data that a monitor watches, other than images, transitions and stops.
 
 use bica_wire::message::{COSTS_CYCLES, ExtraKind, WatchInfo};
 
-/// What a monitor watches besides states and images.
+/// Data that a monitor watches, other than images, transitions and stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Key {
     /// The snapshot: states of all components.
@@ -18,16 +18,16 @@ pub(super) enum Key {
 }
 
 impl Key {
-    /// Returns what a message asks for, and n for every n-th cycle.
+    /// Returns the key that a message requests, and n for every n-th cycle.
     pub(super) const fn of_info(watch: WatchInfo) -> (Self, u16) {
         (Self::Info(watch.component, watch.info), watch.every)
     }
 
-    /// Returns what a message asks for, and n for every n-th cycle; none for images, transitions and stops.
+    /// Returns the key that a message requests, and n for every n-th cycle; none for images, transitions and stops.
     pub(super) const fn of_extra(kind: ExtraKind, every: u16) -> Option<(Self, u16)> {
         Some(match kind {
             ExtraKind::Conditions { component } => (Self::Conditions(component), every),
-            // One window for all monitors.
+            // All monitors share one window.
             ExtraKind::Costs => (Self::Costs, if every == 0 { 0 } else { COSTS_CYCLES }),
             ExtraKind::Truth => (Self::Truth, every),
             ExtraKind::Images | ExtraKind::Taken | ExtraKind::Stop(_) => return None,

@@ -12,7 +12,7 @@ use crate::address::{Address, resolve};
 use crate::error::Error;
 use crate::stream::Stream;
 
-/// Time between two looks for a new connection.
+/// Time between two checks for a new connection.
 const ACCEPT: Duration = Duration::from_millis(10);
 /// Time after which a serial line that failed is opened again.
 const REOPEN: Duration = Duration::from_secs(1);
@@ -55,7 +55,7 @@ pub(super) fn start(hub: &Arc<Hub>, address: &Address, anywhere: bool) -> Result
                 let mut stream = Ok(first);
                 while !hub.stopped.load(Ordering::Relaxed) {
                     if let Ok(stream) = stream {
-                        // The reason is of no use: the line is opened again in any case.
+                        // The error is ignored: the line is opened again in any case.
                         let _ = session::serve(&hub, stream);
                     } else {
                         thread::sleep(REOPEN);

@@ -58,8 +58,8 @@ pub struct LinkServer {
 }
 
 impl LinkServer {
-    /// Starts a server for a robot. A world that can be paused begins paused in this process: its monitor continues it once it watches
-    /// what it needs, and misses no cycle. Returns it and its two halves in the loop, for
+    /// Starts a server for a robot. In this process a world that can be paused begins paused: its monitor continues it after it
+    /// has begun to watch, and so misses no cycle. Returns the server and its two parts for the loop, for
     /// [`Runner::with_requests`](bica::runner::Runner::with_requests) and
     /// [`Runner::with_observer`](bica::runner::Runner::with_observer).
     ///
@@ -88,8 +88,8 @@ impl LinkServer {
         Self::start_with(address, ServerOptions { offers, ..options }, shown)
     }
 
-    /// Starts a server that shows a recorded robot, which has the values of the parameters at the start of its recording. Monitors may only
-    /// watch.
+    /// Starts a server that shows a recorded robot. `robot` has the values of the parameters at the start of its recording.
+    /// Monitors may only watch.
     ///
     /// # Errors
     /// As [`start`](Self::start).
@@ -148,7 +148,8 @@ impl LinkServer {
         self.hub.happened(kind, detail);
     }
 
-    /// Sets how the run has ended, for people, such as `done after 12.00 s`. Every monitor gets it, also one that attaches later.
+    /// Sets the result of the run, for people, such as `done after 12.00 s`. Every monitor receives it, even one that attaches
+    /// later.
     pub fn set_result(&self, text: &str) {
         self.hub.set_result(text);
     }

@@ -23,11 +23,11 @@ use super::scene::EncodedScene;
 use super::view::View;
 use crate::cost_meter::CostMeter;
 
-/// Observer in the loop: sends answers, snapshots and information. It never waits.
+/// Observer in the loop: sends answers, snapshots and outputs. It never waits.
 pub struct LinkObserver<R: Robot> {
     control: Arc<Mutex<Control>>,
     images: Images,
-    /// The newest image that somebody watched, and of a world that can be paused any.
+    /// The newest image that a monitor watched; in a world that can be paused, the newest image.
     newest: Option<Picture>,
     conditions: ConditionTable,
     costs: CostMeter,
@@ -67,7 +67,7 @@ impl<R: Robot> LinkObserver<R> {
 
     /// Sends the true state of the world after the last cycle to the monitors for whom it is due. The loop calls it after each
     /// cycle and, in a world that can be paused, after each [`Runner::apply_requests`](bica::runner::Runner::apply_requests):
-    /// then it is sent to those who have not got it since they watch it.
+    /// then it is sent to the monitors that have not received it since they began to watch it.
     pub fn show_truth<W: World<R> + ?Sized>(&self, world: &W) {
         let mut control = lock(&self.control);
         let Some(CycleInfo { cycle, time_us, .. }) = control.last else { return };
@@ -143,7 +143,7 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         }
         let number = control.next.images as u32;
         control.next.images += 1;
-        // A monitor that is not ready for this image gets it if the world stands still after it.
+        // A monitor that is not ready for this image gets it later if the world stands still after this cycle.
         if !control.watchers.wants_images() && !control.can_pause() {
             return;
         }
@@ -173,7 +173,7 @@ impl<R: Recordable> Observer<R> for LinkObserver<R> {
         control.next.time_us = now.as_micros();
         control.answer(robot);
         control.send_params(robot);
-        // Neither data nor an image come before the world goes on.
+        // There are no new data or images until the world continues, so monitors get the last ones.
         control.send_owed(robot, &self.conditions);
         if let Some(picture) = &self.newest {
             control.watchers.send_image(picture, true);
@@ -197,7 +197,7 @@ impl Control {
         }
     }
 
-    /// Sends parameters that changed to all, and all parameters to those who asked.
+    /// Sends changed parameters to all monitors, and all schemas and parameters to those that have requested them.
     pub(super) fn send_params(&mut self, tree: &impl View) {
         let cycle = self.next.cycle;
         self.changed.sort_unstable();
@@ -215,7 +215,7 @@ impl Control {
         }
     }
 
-    /// Reads what is watched in this cycle, once for all monitors.
+    /// Reads and sends the data that are due in this cycle, once for all monitors.
     pub(super) fn send_data(&mut self, tree: &impl View, conditions: &ConditionTable, costs: &mut CostMeter) {
         let info = self.next;
         let Self { watchers, pool, due, .. } = self;
@@ -236,7 +236,7 @@ impl Control {
         self.last = Some(info);
     }
 
-    /// Reads after the last cycle what monitors have not got since they watch it.
+    /// Reads and sends the data of the last cycle that monitors have not received since they began to watch them.
     fn send_owed(&mut self, tree: &impl View, conditions: &ConditionTable) {
         let Some(info) = self.last else { return };
         if !std::mem::replace(&mut self.stands, true) {

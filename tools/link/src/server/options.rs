@@ -1,4 +1,4 @@
-//! How a server works.
+//! Options of a server.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use bica_wire::message::Offers;
 /// Largest number of monitors at the same time.
 pub const MAX_MONITORS: usize = 32;
 
-/// How a server works.
+/// Options of a server.
 #[derive(Clone, Copy, Debug)]
 pub struct ServerOptions {
     /// Whether it may listen on an address that other computers reach. There is no password: whoever reaches the server
@@ -21,11 +21,11 @@ pub struct ServerOptions {
     pub silence: Duration,
     /// Whether all monitors may only watch: nobody gets the lease.
     pub watch_only: bool,
-    /// What the program of the robot offers: [`Offers::PAUSE`] if its loop asks
-    /// [`LinkRequests::begins_cycle`](crate::LinkRequests::begins_cycle). The server adds what it offers itself. A world that can be
+    /// Services that the robot's program offers: [`Offers::PAUSE`] if its loop asks
+    /// [`LinkRequests::begins_cycle`](crate::LinkRequests::begins_cycle). The server adds its own services. A world that can be
     /// paused measures silence by the clock of this computer.
     pub offers: Offers,
-    /// What an operator can do in the world of the loop: the list of its [`actions`](bica::runner::World::actions).
+    /// Actions of an operator in the world of the loop: the list of its [`actions`](bica::runner::World::actions).
     pub actions: &'static [Action],
 }
 

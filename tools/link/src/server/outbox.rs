@@ -22,14 +22,14 @@ use crate::pending::Pending;
 
 /// Largest number of messages that the loop keeps while the writer uses the queues.
 const MAX_UNSENT: usize = 1 << 16;
-/// Largest number of cycles whose data waits as it is; of older ones the newest value of each key waits.
+/// Maximum number of cycles whose data wait as they are. Of older cycles only the newest value of each key waits.
 const MAX_DATA: usize = 8;
 /// Number of messages that wake the writer.
 const WAKE_MESSAGES: usize = 256;
-/// Time between two looks of the writer: waking it in each cycle would cost the loop a call of the operating system, which takes
-/// longer than everything else.
+/// Time between two checks of the writer: to wake it in each cycle would cost the loop a call of the operating system, which
+/// takes longer than everything else.
 const POLL: Duration = Duration::from_millis(2);
-/// Number of looks without a result after which it sleeps until it is woken.
+/// Number of checks without a result after which the writer sleeps until it is woken.
 const POLLS: u32 = 16;
 
 /// Message of the lossless queue.
@@ -81,13 +81,13 @@ pub(super) enum AnswerKind {
     Refused { code: RefusalCode, entry: u16, text: String },
 }
 
-/// What the loop has for a monitor and the writer has not got yet.
+/// Data of the loop for a monitor that the writer has not received yet.
 #[derive(Debug, Default)]
 pub(super) struct Unsent {
     pub(super) messages: VecDeque<Message>,
     /// Data of cycles, the oldest first.
     pub(super) data: VecDeque<Due>,
-    /// The newest image that was not begun.
+    /// The newest image of which no part was sent.
     pub(super) image: Option<Picture>,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct Outbox {
     filled: Condvar,
 }
 
-/// What the writer sends next: messages and the newest values of older cycles, and the data of the last ones.
+/// Data that the writer sends next: messages and the newest values of older cycles, and the data of the last ones.
 pub(super) struct Batch {
     pub(super) waiting: Pending<Message, Key, Part>,
     pub(super) data: VecDeque<Due>,
@@ -121,19 +121,19 @@ struct Queues {
     closed: bool,
 }
 
-/// Waiting of the writer.
+/// Sleep state of the writer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Sleep {
     #[default]
     Awake,
-    /// It looks again soon.
+    /// The writer checks the queues again soon.
     Short,
-    /// Only a wake-up ends it.
+    /// Only a wake-up ends the sleep.
     Long,
 }
 
 impl Queues {
-    /// Takes the oldest data apart if there is too much: the newest value of each key waits.
+    /// Splits the oldest data if there are too many: only the newest value of each key waits.
     fn limit_data(&mut self) {
         while self.data.len() > MAX_DATA {
             for part in self.data.pop_front().iter().flat_map(Due::parts) {
@@ -147,14 +147,13 @@ impl Outbox {
     /// Adds a message to the lossless queue; returns whether there was room. For threads that may wait, not for the loop.
     pub(super) fn push(&self, message: Message) -> bool {
         let mut queues = self.lock();
-        // Each is small: their number is bounded.
+        // Messages are small, so it suffices to bound their number.
         let room = queues.waiting.push(message, 0);
         self.wake(queues);
         room
     }
 
-    /// Takes over what the loop has, unless the writer uses the queues in this instant. Returns whether there was room for its
-    /// messages.
+    /// Takes over the loop's data, unless the writer is using the queues. Returns whether there was room for the messages.
     pub(super) fn offer(&self, unsent: &mut Unsent) -> bool {
         let mut guard = match self.queues.try_lock() {
             Ok(queues) => queues,
@@ -182,8 +181,8 @@ impl Outbox {
         room
     }
 
-    /// Waits for messages, data or an image and takes all; `None` after [`close`](Self::close). It looks again [some times](POLLS),
-    /// then waits until it is woken. It does not wait, and leaves the next image, while `is_sending` an image.
+    /// Waits for messages, data or an image and takes all; `None` after [`close`](Self::close). It checks [`POLLS`] times, then
+    /// sleeps until it is woken. With `is_sending`, while an image is being sent, it does not wait, and leaves the next image.
     pub(super) fn take(&self, is_sending: bool) -> Option<Batch> {
         let (mut queues, mut polls) = (self.lock(), 0);
         let is_idle = |queues: &Queues| queues.waiting.is_empty() && queues.data.is_empty() && queues.image.is_none();
@@ -275,7 +274,7 @@ impl Message {
     }
 }
 
-/// Passes a schema on in parts, each with whether it is the last one.
+/// Passes a schema on in parts; the flag marks the last part.
 fn in_parts(
     schema: &'static NamedType,
     mut part: impl FnMut(bool, &[u8]) -> Result<(), TooLarge>,
@@ -290,7 +289,7 @@ mod tests {
     use super::super::cycle_data::{Watched, tests::data};
     use super::*;
 
-    /// Offers a message and the data of each of 20 cycles, of which nobody takes any.
+    /// Offers a message and data in each of 20 cycles; none of them is taken.
     fn offer(outbox: &Outbox, unsent: &mut Unsent) {
         let watched = Arc::new(Watched::from([(Key::Info(0, 0), 1), (Key::Info(0, 1), 1000)]));
         for cycle in 0..20 {

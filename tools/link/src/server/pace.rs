@@ -4,16 +4,16 @@ use std::time::{Duration, Instant};
 
 use bica_wire::message::{WorldChange, WorldState};
 
-/// Longest step of the clock between two looks at it: while the loop stands still nobody can be heard.
+/// Maximum step of the clock between two readings: while the loop stands still, no monitor can be heard.
 const LONGEST_STEP: Duration = Duration::from_millis(500);
 
-/// Whether a simulated world is paused.
+/// Pause state of a simulated world.
 #[derive(Debug, Default)]
 pub(super) struct Pace {
     paused: bool,
     /// Number of cycles that run although it is paused.
     steps: u32,
-    /// Whether the cycle that runs is the last one of those.
+    /// Whether the running cycle is the last of these.
     is_last_step: bool,
 }
 
@@ -27,7 +27,7 @@ impl Pace {
         }
     }
 
-    /// Whether a cycle may run now; then it counts as one.
+    /// Returns whether a cycle may run now. In a paused world the cycle uses up a step.
     pub(super) const fn begins_cycle(&mut self) -> bool {
         if !self.paused {
             return true;

@@ -7,7 +7,7 @@ use bica_wire::{ToMonitorExtra, TooLarge, chunks};
 
 use crate::frame::Packets;
 
-/// Size of the part of an image that is written before other messages have their turn, bytes.
+/// Size of the part of an image that is written before other messages are sent, bytes.
 const PART_BYTES: usize = 16 << 10;
 
 /// An image that is sent.
@@ -15,7 +15,7 @@ const PART_BYTES: usize = 16 << 10;
 pub(super) struct Picture {
     /// Number of the image since the start, from 0.
     pub(super) number: u32,
-    /// Instant of the cycle that took it in, µs.
+    /// Instant of the cycle that received it, µs.
     pub(super) time_us: u64,
     pub(super) camera: Arc<str>,
     /// Width and height, px.

@@ -44,13 +44,13 @@ impl LinkRequests {
         Self { inbox, watches, stops, control, budget: MESSAGES_PER_CYCLE, current: None }
     }
 
-    /// Whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
+    /// Returns whether the next cycle of a simulated world may run. While the operator has paused it, the loop calls
     /// [`Runner::apply_requests`](bica::runner::Runner::apply_requests) at intervals instead.
     pub fn begins_cycle(&mut self) -> bool {
         lock(&self.control).pace.begins_cycle()
     }
 
-    /// Pauses the world, as its program decides: its run is over.
+    /// Pauses the world on behalf of its program, because its run is over.
     pub fn pause(&mut self) {
         let mut control = lock(&self.control);
         control.pace.change(WorldChange::Pause);

@@ -1,4 +1,4 @@
-//! What a world shows, encoded for monitors.
+//! Scenery and true state of a world, encoded for monitors.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use bica::visual::{Scene, SceneItem, Shape};
 use bica_wire::message::{SCENE_PART_BYTES, SceneContent, SceneDeclaration, SceneKind, ScenePart};
 use bica_wire::{ToMonitorExtra, TooLarge};
 
-/// Declarations and values of what a world shows, in postcard's format.
+/// Declarations and values of scenery or true state, in postcard's format.
 #[derive(Debug, Default)]
 pub(super) struct EncodedScene {
     pub(super) declarations: Vec<u8>,
@@ -16,14 +16,14 @@ pub(super) struct EncodedScene {
 }
 
 impl EncodedScene {
-    /// Encodes what `show` shows.
+    /// Encodes the items that `show` shows.
     pub(super) fn of(show: impl FnOnce(&mut dyn Scene)) -> Self {
         let mut scene = Self::default();
         show(&mut scene);
         scene
     }
 
-    /// Appends an item; returns false if its type cannot be encoded.
+    /// Appends an item; returns `None` if it cannot be encoded.
     fn append(&mut self, item: &SceneItem<'_>, value: &dyn Shape) -> Option<()> {
         self.value.clear();
         if !value.encode(&mut |part| self.value.extend_from_slice(part)) {
@@ -41,7 +41,7 @@ impl EncodedScene {
 
 impl Scene for EncodedScene {
     fn show(&mut self, item: &SceneItem<'_>, value: &dyn Shape) {
-        // What cannot be encoded is left out, with its declaration.
+        // An item that cannot be encoded is omitted, with its declaration.
         let _ = self.append(item, value);
     }
 }
@@ -71,7 +71,7 @@ impl Sent {
     }
 }
 
-/// What a world shows, as the loop sends it.
+/// Scenery and true state of a world, as the loop sends them.
 #[derive(Debug, Default)]
 pub(super) struct WorldScenes {
     /// Declarations and values of the scenery; none without one.
@@ -81,7 +81,7 @@ pub(super) struct WorldScenes {
 }
 
 impl WorldScenes {
-    /// What a world shows before its first cycle.
+    /// Returns the scenes of a world before its first cycle.
     pub(super) fn of_scenery(EncodedScene { declarations, values, .. }: EncodedScene) -> Self {
         let part =
             |content, bytes: Vec<u8>| Sent { scene: SceneKind::Scenery, number: 0, content, bytes: bytes.into() };
@@ -94,7 +94,7 @@ impl WorldScenes {
         Self { scenery, truth: None }
     }
 
-    /// What a monitor gets that attaches.
+    /// Returns the scenes that a monitor receives when it attaches.
     pub(super) fn announced(&self) -> impl Iterator<Item = &Sent> {
         self.scenery.iter().chain(&self.truth)
     }

@@ -47,7 +47,7 @@ pub(super) fn serve(hub: &Arc<Hub>, mut stream: Stream) -> io::Result<()> {
     Ok(())
 }
 
-/// Tells a monitor why its connection is closed. Nothing was written to it yet, so this does not wait.
+/// Sends a monitor the reason why its connection is closed. Nothing was written to it yet, so this does not wait.
 fn reject(stream: &mut Stream) {
     let mut packets = Packets::new();
     if packets.push(&ToMonitor::Closing { reason: "too many monitors are attached" }).is_ok() {
@@ -56,7 +56,7 @@ fn reject(stream: &mut Stream) {
     }
 }
 
-/// A place of a monitor, until it is dropped.
+/// One of the places for monitors, occupied until this is dropped.
 struct MonitorSlot(Arc<Counters>);
 
 impl MonitorSlot {
@@ -74,7 +74,7 @@ impl Drop for MonitorSlot {
 }
 
 fn read(hub: &Arc<Hub>, connection: &Arc<Connection>, stream: &mut Stream) {
-    // A serial line begins with what was on its way; only a program of a person opens it.
+    // A serial line may begin with earlier bytes; only a program that a person has started opens it.
     let mut receiver = if stream.is_serial() { Receiver::new() } else { Receiver::strict() };
     let mut heard = Instant::now();
     let mut damaged = 0;
@@ -163,7 +163,7 @@ fn handle(hub: &Hub, connection: &Arc<Connection>, message: Incoming) -> bool {
             FromMonitor::Request(request) => Command::Request(Box::new(request)),
         },
     };
-    // A monitor that sends faster than the loop handles is slowed down, and nobody else.
+    // A monitor that sends faster than the loop handles messages is slowed down; other monitors are not.
     while connection.pending.load(Ordering::Relaxed) >= MAX_PENDING {
         if connection.is_closed() || hub.stopped.load(Ordering::Relaxed) {
             return true;

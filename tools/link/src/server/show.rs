@@ -20,8 +20,8 @@ use super::requests::{LinkRequests, lock};
 use super::view::View;
 use crate::cost_meter::CostMeter;
 
-/// The end of a link at which a recorded robot is shown. Monitors see what they would see of one that runs, but for its costs and
-/// conditions; each of their requests is refused.
+/// End of a link that shows a recorded robot. Monitors receive the same as from a running robot, except costs and conditions.
+/// Each request is refused.
 pub struct LinkShow<R: Robot> {
     requests: LinkRequests,
     control: Arc<Mutex<Control>>,
@@ -91,7 +91,7 @@ impl<R: Recordable> LinkShow<R> {
         lock(&self.control).changed.extend(0..R::COUNT as u16);
     }
 
-    /// Answers what monitors have sent. Called between two cycles, at least every 50 ms.
+    /// Handles the messages of monitors. Called between two cycles, at least every 50 ms.
     pub fn listen(&mut self) {
         let now = Instant::from_micros(lock(&self.control).next.time_us);
         // All requests are refused, so none is returned.
@@ -101,7 +101,7 @@ impl<R: Recordable> LinkShow<R> {
         control.hand_over();
     }
 
-    /// Begins a cycle: what is shown until its [`end`](Self::end) belongs to it.
+    /// Begins a cycle: data shown before its [`end`](Self::end) belong to it.
     pub fn begin(&mut self, cycle: u64, time_us: u64) {
         let mut control = lock(&self.control);
         (control.next.cycle, control.next.time_us) = (cycle, time_us);
@@ -144,20 +144,20 @@ impl<R: Recordable> LinkShow<R> {
         control.tell_all(&Message::Happened(time_us, kind.into(), detail.into()));
     }
 
-    /// Takes in the recorded value of an output in postcard's format; an empty one was too large.
+    /// Stores the recorded value of an output in postcard's format; an empty value was too large to be recorded.
     pub fn output(&mut self, component: u16, info: u16, value: &[u8]) {
         let known = self.shown.outputs.entry((component, info)).or_default();
         known.clear();
         known.extend_from_slice(value);
     }
 
-    /// Number of images so far.
+    /// Returns the number of images so far.
     #[must_use]
     pub fn images(&self) -> u64 {
         lock(&self.control).next.images
     }
 
-    /// Shows a recorded image, if it is one. `camera` names its camera.
+    /// Shows recorded large data if it is an image. `camera` names its camera.
     pub fn image(&mut self, camera: &str, blob: &Blob<'_>) {
         let Some(size) = images::size(blob.format) else { return };
         let mut control = lock(&self.control);
@@ -172,7 +172,8 @@ impl<R: Recordable> LinkShow<R> {
         control.watchers.send_image(&picture, false);
     }
 
-    /// Ends a cycle: monitors get what they watch. `state` returns for each component whether it is active, and the index of its state.
+    /// Ends a cycle: sends monitors the data that they watch. `state` returns for each component whether it is active, and the
+    /// index of its state.
     pub fn end(&mut self, state: impl Fn(usize) -> (bool, Option<usize>)) {
         self.shown.states.clear();
         let states = (0..R::COUNT).map(state).map(|(active, state)| (active, state.map(|state| state as u16)));

@@ -18,7 +18,7 @@ impl Snapshot {
         self.states.clear();
     }
 
-    /// Whether there is nothing: a tree has components.
+    /// Returns whether there is nothing: a tree has components.
     pub(super) const fn is_empty(&self) -> bool {
         self.states.is_empty()
     }

@@ -43,13 +43,13 @@ impl Stops {
         }
     }
 
-    /// Forgets a monitor that is disconnected.
+    /// Removes the stops of a disconnected monitor.
     pub(super) fn forget(&mut self, connection: u64) {
         self.set.retain(|(whose, _)| *whose != connection);
         self.taken.retain(|one| *one != connection);
     }
 
-    /// Takes in the states after a cycle.
+    /// Stores the states after a cycle.
     pub(super) fn read(&mut self, tree: &impl View) {
         std::mem::swap(&mut self.now, &mut self.before);
         let activity = |index| tree.component_state(index).map(|now| (now.active, now.state));
@@ -71,7 +71,8 @@ impl Stops {
         taken.flat_map(|taken| self.taken.iter().map(move |&watching| (watching, Message::Taken(taken)))).collect()
     }
 
-    /// Returns the stops that are reached, each for its connection, and whether one pauses. `may_pause` states it of a connection.
+    /// Returns the reached stops, each with its connection, and whether one of them pauses the world. `may_pause` returns whether
+    /// a connection may pause it.
     pub(super) fn reached(
         &self,
         time_us: u64,

@@ -1,4 +1,4 @@
-//! What the link reads of a tree after a cycle.
+//! Access of the link to a tree after a cycle.
 
 use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Graph, Tree};
@@ -14,7 +14,7 @@ pub(super) trait View {
     /// State of the component at an index; none for one that the tree does not list.
     fn component_state(&self, index: usize) -> Option<ComponentState>;
 
-    /// Puts the value of an output in postcard's format into the room, and returns its length; none if there is no value.
+    /// Writes the value of an output in postcard's format into `room`, and returns its length; none if there is no value.
     fn output(&self, component: u16, info: u16, room: &mut [u8]) -> Option<Result<usize, TooLarge>>;
 
     /// Values of a component's parameters from index `first` on; none if there are no more.
@@ -48,7 +48,7 @@ impl<T: Tree> View for T {
     }
 }
 
-/// Puts a value in postcard's format into the room.
+/// Writes a value in postcard's format into `room`.
 struct Bytes<'a> {
     room: &'a mut [u8],
     length: Result<usize, TooLarge>,

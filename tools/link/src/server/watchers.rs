@@ -1,4 +1,4 @@
-//! All monitors, and what at least one of them watches.
+//! All monitors, and the data that at least one of them watches.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -8,22 +8,23 @@ use super::key::Key;
 use super::picture::Picture;
 use super::watcher::{MAX_WATCHED, Watcher};
 
-/// All monitors, and what at least one of them watches.
+/// All monitors, and the data that at least one of them watches.
 #[derive(Debug, Default)]
 pub(super) struct Watchers {
     list: Vec<Watcher>,
-    /// What monitors have not got since they watch it. It is sent when it is due, or when the world is paused.
+    /// Data that monitors have not received since they began to watch them. They are sent when they are due, or when the world is
+    /// paused.
     owed: HashMap<u64, Owed>,
 }
 
-/// What a monitor has not got since it watches it.
+/// Data that a monitor has not received since it began to watch them.
 #[derive(Debug, Default)]
 struct Owed {
     snapshot: bool,
     keys: HashSet<Key>,
 }
 
-/// What a monitor is sent because it is owed it.
+/// Owed data that are sent to a monitor.
 pub(super) struct OwedTo {
     connection: u64,
     pub(super) snapshot: bool,
@@ -68,7 +69,7 @@ impl Watchers {
         }
     }
 
-    /// Sets how often a monitor gets something; returns whether there was room.
+    /// Sets how often a monitor gets the data of a key; returns whether there was room.
     pub(super) fn watch_key(&mut self, connection: u64, (key, every): (Key, u16)) -> bool {
         let Some(watcher) = self.find_mut(connection) else { return true };
         let room = watcher.watched.len() < MAX_WATCHED || watcher.watched.contains_key(&key);
@@ -87,7 +88,7 @@ impl Watchers {
         true
     }
 
-    /// A cycle was sent: what was due in it is not owed any more.
+    /// Removes the data that were due in a sent cycle from the owed data.
     pub(super) fn settle(&mut self, cycle: u64) {
         let Self { list, owed, .. } = self;
         owed.retain(|connection, owed| {
@@ -98,7 +99,7 @@ impl Watchers {
         });
     }
 
-    /// No cycle follows for now: everything that was not due in the last one is owed.
+    /// Adds all data that were not due in the last cycle to the owed data, because no cycle follows for now.
     pub(super) fn owe_rest(&mut self, cycle: u64) {
         for watcher in &self.list {
             let owed = self.owed.entry(watcher.connection.id).or_default();
@@ -108,7 +109,7 @@ impl Watchers {
         }
     }
 
-    /// The true state has changed between two cycles.
+    /// Adds the true state to the owed data, because it has changed between two cycles.
     pub(super) fn owe_truth(&mut self) {
         for watcher in self.list.iter().filter(|watcher| watcher.watched.contains_key(&Key::Truth)) {
             self.owed.entry(watcher.connection.id).or_default().keys.insert(Key::Truth);
@@ -126,7 +127,7 @@ impl Watchers {
             .collect()
     }
 
-    /// Takes what monitors are owed but the true state.
+    /// Takes the owed data of all monitors, except the true state.
     pub(super) fn take_owed(&mut self) -> Vec<OwedTo> {
         let Self { list, owed, .. } = self;
         let take = |watcher: &Watcher| {
@@ -150,7 +151,7 @@ impl Watchers {
         }
     }
 
-    /// Sends what monitors were owed.
+    /// Sends owed data to their monitors.
     pub(super) fn send_owed(&mut self, data: &Arc<CycleData>, owed: Vec<OwedTo>) {
         for OwedTo { connection, snapshot, keys } in owed {
             if let Some(watcher) = self.find_mut(connection) {
@@ -159,7 +160,7 @@ impl Watchers {
         }
     }
 
-    /// Sends an image to those that get it, in a world that `stands` still or does not.
+    /// Sends an image to the monitors that get it; `stands` is whether the world stands still.
     pub(super) fn send_image(&mut self, picture: &Picture, stands: bool) {
         for watcher in self.list.iter_mut().filter(|watcher| watcher.wants_image(picture.number, stands)) {
             watcher.connection.shows_image(picture.number);
@@ -174,7 +175,7 @@ impl Watchers {
         }
     }
 
-    /// Removes those that are disconnected; returns their connections.
+    /// Removes the disconnected monitors; returns their connections.
     pub(super) fn remove_closed(&mut self) -> Vec<u64> {
         if !self.list.iter().any(|watcher| watcher.connection.is_closed()) {
             return Vec::new();
@@ -187,12 +188,12 @@ impl Watchers {
         closed.into_iter().map(forget).collect()
     }
 
-    /// Whether a snapshot is due for anybody.
+    /// Returns whether a snapshot is due for any monitor.
     pub(super) fn is_snapshot_due(&self, cycle: u64) -> bool {
         self.list.iter().any(|watcher| watcher.is_due(cycle))
     }
 
-    /// Finds what is due for anybody, each once, sorted.
+    /// Collects the keys that are due for any monitor, sorted, without duplicates.
     pub(super) fn find_due(&self, cycle: u64, due: &mut Vec<Key>) {
         let watched = self.list.iter().flat_map(|watcher| watcher.watched.iter());
         due.clear();
@@ -201,17 +202,17 @@ impl Watchers {
         due.dedup();
     }
 
-    /// Whether something is due for anybody.
+    /// Returns whether the data of a key are due for any monitor.
     pub(super) fn is_due(&self, key: Key, cycle: u64) -> bool {
         self.list.iter().any(|watcher| watcher.is_key_due(key, cycle))
     }
 
-    /// Whether anybody watches it.
+    /// Returns whether any monitor watches the data of a key.
     pub(super) fn has(&self, key: Key) -> bool {
         self.list.iter().any(|watcher| watcher.watched.contains_key(&key))
     }
 
-    /// Whether somebody watches images, ready for the next one or not.
+    /// Returns whether any monitor watches images, ready for the next one or not.
     pub(super) fn wants_images(&self) -> bool {
         self.list.iter().any(|watcher| watcher.images > 0)
     }

@@ -1,4 +1,4 @@
-//! With a flag that is looked at every millisecond.
+//! Waker with a flag that is checked every millisecond.
 
 use std::io::{self, ErrorKind};
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use crate::stream::Stream;
 
-/// Time between two looks at the flag.
+/// Time between two checks of the flag.
 const LOOK: Duration = Duration::from_millis(1);
 
 /// Ends the wait of the thread that owns the other end. Cheap to clone.
@@ -21,14 +21,14 @@ pub struct Wakeups(Arc<AtomicBool>);
 /// Creates a waker and the end that a waiting thread owns.
 ///
 /// # Errors
-/// On other operating systems.
+/// Only on other operating systems.
 pub fn waker() -> io::Result<(Waker, Wakeups)> {
     let flag = Arc::new(AtomicBool::new(false));
     Ok((Waker(Arc::clone(&flag)), Wakeups(flag)))
 }
 
 impl Waker {
-    /// Ends the wait that goes on, or the next one.
+    /// Ends the present wait, or the next one.
     pub fn wake(&self) {
         self.0.store(true, Ordering::Release);
     }

@@ -1,4 +1,4 @@
-//! With two ends of a socket: the wait is one for two files.
+//! Waker with a pair of sockets: a client waits for two files at once.
 
 use std::io::{self, Read as _, Write as _};
 use std::os::fd::AsFd as _;
@@ -31,16 +31,16 @@ pub fn waker() -> io::Result<(Waker, Wakeups)> {
 }
 
 impl Waker {
-    /// Ends the wait that goes on, or the next one.
+    /// Ends the present wait, or the next one.
     pub fn wake(&self) {
-        // A full buffer wakes as well, and an end without a thread needs no wake.
+        // If the buffer is full, the thread wakes anyway; if the other end is dropped, no thread waits.
         let _ = (&*self.0).write(&[1]);
     }
 }
 
 impl Wakeups {
-    /// Waits until the stream can be read (`true`), the waker was used, or the timeout is over (`false`). Part of a millisecond is
-    /// not waited for.
+    /// Waits until the stream can be read (`true`), the waker was used, or the timeout is over (`false`). The timeout is rounded
+    /// down to whole milliseconds.
     pub(crate) fn wait(&self, stream: &Stream, timeout: Duration) -> io::Result<bool> {
         let readable = |fd| PollFd::new(fd, PollFlags::POLLIN);
         let mut ends = [readable(stream.as_fd()), readable(self.0.as_fd())];
