@@ -20,7 +20,7 @@ use crate::session::{CYCLE_US, LIMIT, Session, Way, anywhere, connect};
 
 const HOLD: Request<'static> = Request::Hold { component: CART, hold: Hold::Latent };
 
-/// Attacks 1 and 3: a web page makes a browser send packets to the link. What it chooses comes behind a head.
+/// Attacks 1 and 3: a web page makes a browser send packets to the link. The bytes that the page chooses come after a head.
 #[test]
 fn connection_without_a_packet_is_closed() {
     let session = Session::start(Way::Tcp);
@@ -37,7 +37,7 @@ fn connection_without_a_packet_is_closed() {
     assert_served(&session);
 }
 
-/// Attack 11: connections that send nothing take no place of a monitor, nor does a newer one wait for them.
+/// Attack 11: connections that send nothing occupy no place of a monitor, and do not delay newer connections.
 #[test]
 fn silent_connections_leave_room_for_an_operator() {
     let session = Session::start(Way::Tcp);

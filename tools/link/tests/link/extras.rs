@@ -1,4 +1,4 @@
-//! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
+//! Data and requests that only a program on a computer offers: the world's time, conditions, costs, the true state, images.
 
 use std::collections::BTreeSet;
 use std::thread;

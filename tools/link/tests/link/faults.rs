@@ -99,7 +99,7 @@ fn messages_before_a_cycle_are_limited() {
             client.send_request_with(Request::Hold { component: CART, hold: Hold::Tree }, 1, u64::MAX).unwrap();
         }
     }
-    // Until all have arrived; if not, less is seen.
+    // Time in which all arrive; if some do not, the test checks less.
     thread::sleep(Duration::from_millis(500));
     session.pause(false);
     let mut cycles = BTreeMap::new();

@@ -1,7 +1,7 @@
 //! The link between a running loop and its monitors, over sockets and pseudo terminals.
 //!
-//! The loops here run as fast as they can, and their robot's time advances by 10 ms in a cycle. So what is compared is cycles,
-//! and a clock of the computer limits only how long a failing test waits.
+//! The loops here run as fast as they can, and their robot's time advances by 10 ms in a cycle. So the tests compare cycles; the
+//! clock of the computer only limits how long a failing test waits.
 
 mod actions;
 mod attacks;

@@ -18,7 +18,7 @@ use crate::robot::CartTree;
 
 /// Longest wait of a test that fails.
 pub(crate) const LIMIT: Duration = Duration::from_mins(1);
-/// Longer than any test.
+/// Time longer than any test.
 pub(crate) const LONG: Duration = Duration::from_secs(1_000_000);
 
 /// Any port of this computer.
@@ -128,7 +128,7 @@ pub(crate) const COLOURS: [u8; 2] = [10, 20];
 /// Name of the camera of every image.
 pub(crate) const CAMERA: &str = "left eye";
 
-/// Whether the cart has its late colour in a cycle.
+/// Returns whether the cart has its late colour in a cycle.
 pub(crate) const fn is_late(cycle: u64) -> bool {
     cycle / 64 % 2 == 1
 }
@@ -148,7 +148,7 @@ pub(crate) static PIXELS: [u8; 2 * WIDTH * HEIGHT] = {
     pixels
 };
 
-/// What all threads of a session share.
+/// Data that all threads of a session share.
 #[derive(Default)]
 pub(crate) struct Shared {
     stop: AtomicBool,
