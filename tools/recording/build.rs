@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-/// What makes up the program; a change in it may change the commit or the dirty flag.
+/// Folders of the program; a change in them may change the commit or the dirty flag.
 const SOURCES: [&str; 10] = [
     "src",
     "bica-core",

@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use crate::image_codec::ImageCoder;
 use crate::mcap::Compression;
 
-/// How the bytes of large data are stored.
+/// Coding of the stored bytes of large data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub enum Coding {
-    /// As they are.
+    /// Unchanged bytes.
     Plain,
     /// By [`crate::image_codec`].
     Yuyv,
@@ -31,7 +31,7 @@ pub struct BlobRecord<'a> {
     pub format: Format<'a>,
     /// Name of the coordinate frame in which it was measured.
     pub frame: &'a str,
-    /// How the bytes are stored.
+    /// Coding of the stored bytes.
     pub coding: Coding,
     /// The stored bytes.
     pub stored: &'a [u8],
@@ -57,7 +57,7 @@ pub(crate) struct BlobIndex {
 }
 
 impl BlobRecord<'_> {
-    /// The chunk in which the record is stored: what is coded cannot be compressed further.
+    /// Returns the compression of the record's chunk: coded data cannot be compressed further.
     pub(crate) fn compression(&self) -> Compression {
         let is_compressed = self.coding == Coding::Yuyv || self.format == Format::Jpeg;
         if is_compressed { Compression::None } else { Compression::Lz4 }
@@ -87,7 +87,7 @@ impl StoredBlob {
     }
 }
 
-/// Codes large data and passes the record on, with the kind of chunk that it belongs to.
+/// Codes large data and passes the record to `write`, with the compression of its chunk.
 pub(crate) fn code(
     blob: &Blob<'_>,
     BlobIndex { id, cycle, part }: BlobIndex,

@@ -9,10 +9,10 @@ use crate::header::Header;
 use crate::recording::RecordedCycle;
 use crate::request::RequestRecord;
 
-/// Most decisions that are listed.
+/// Maximum number of decisions in the list.
 const MAX_DECISIONS: usize = 1000;
 
-/// Field of a difference if one of the runs is longer, and its value of the other one.
+/// Field of a difference if one of the runs is longer, and its value for the shorter run.
 const LENGTH: &str = "cycle";
 const END: &str = "the end";
 
@@ -47,7 +47,7 @@ impl Difference {
     }
 }
 
-/// A decision that two runs take differently.
+/// A decision that differs between two runs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Decision {
     /// Number of the first cycle in which it differs.
@@ -84,7 +84,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// A comparison of runs of the robot of a recording.
+    /// Creates a comparison of runs of the robot of a recording.
     #[must_use]
     pub fn new(header: &Header) -> Self {
         Self {
@@ -109,7 +109,7 @@ impl Comparison {
         self.decisions(recorded, repeated);
     }
 
-    /// Adds that one of the runs has no more cycles.
+    /// Adds the end of one of the runs as a difference, if it is the first one.
     pub fn end(&mut self, cycle: u64, t: f64, recorded_goes_on: bool) {
         let side = |goes_on| if goes_on { "a cycle" } else { END }.to_owned();
         let (recorded, repeated) = (side(recorded_goes_on), side(!recorded_goes_on));
@@ -227,7 +227,7 @@ impl Found {
 fn message(name: &str, schema: Option<&OwnedNamedType>, [one, two]: [&Option<Vec<u8>>; 2]) -> Option<Found> {
     let (one, two) = one.as_ref().zip(two.as_ref()).filter(|(one, two)| one != two)?;
     let [one, two] = [one, two].map(|bytes| schema.and_then(|schema| decode_exactly(schema, bytes)));
-    // Values that are the same and bytes that are not: texts that are written in two ways.
+    // If only the bytes differ, and not the values, the digests show it.
     differing(name, one.as_ref(), two.as_ref())
 }
 

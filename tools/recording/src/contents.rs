@@ -26,7 +26,7 @@ pub(crate) struct Contents<R> {
     reader: Reader<R>,
     layout: Layout,
     pub(crate) header: Header,
-    /// Channel of each number of the file.
+    /// Channel for each channel number of the file.
     channels: HashMap<u16, Channel>,
     pub(crate) ending: Option<Ending>,
     cycles: u64,
@@ -38,7 +38,7 @@ impl<R: Read> Contents<R> {
         Self::of(source, Layout::Present)
     }
 
-    /// As [`new`](Self::new), of a file with a layout. Its header has the present format.
+    /// As [`new`](Self::new), for a file with a layout. The header is converted to the present format.
     pub(crate) fn of(source: R, layout: Layout) -> Result<Self, Error> {
         let (mut reader, mut channels) = (Reader::new(source)?, HashMap::new());
         let header = loop {
@@ -52,7 +52,7 @@ impl<R: Read> Contents<R> {
         Ok(Self { reader, layout, header, channels, ending: None, cycles: 0 })
     }
 
-    /// Number of bytes read so far.
+    /// Returns the number of bytes read so far.
     pub(crate) const fn position(&self) -> u64 {
         self.reader.position()
     }
@@ -75,7 +75,7 @@ impl<R: Read> Contents<R> {
         }
     }
 
-    /// Takes over the ending; copies have to be equal.
+    /// Stores the ending. Copies of header and ending have to be equal.
     fn metadata(&mut self, at: u64, name: &str, fields: &BTreeMap<String, String>) -> Result<(), Error> {
         let is_equal = match name {
             HEADER_NAME => header_of(fields, at, self.layout)? == self.header,

@@ -14,7 +14,7 @@ pub enum Error {
     NotAFile,
     /// A damaged file has no intact header, so nothing of it can be recovered.
     NoHeader,
-    /// Two things have one name in the new file.
+    /// Two things have the same name in the new file.
     Names(String),
     /// No cycle of a file can be recovered; the text says what is wrong with the file, and is empty if it is complete.
     NoCycle(String),

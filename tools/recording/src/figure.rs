@@ -31,7 +31,7 @@ const RESERVED: [&str; 16] = [
 pub struct Figure {
     /// Name, with which an expression of a study has the value: letters, digits and `_`.
     pub name: String,
-    /// Value; none if the world has none, or one that is not finite.
+    /// Value; none if the world has no value, or one that is not finite.
     pub value: Option<f64>,
     /// Unit; empty for a number without one.
     pub unit: String,

@@ -21,33 +21,33 @@ pub const FORMAT: u32 = 7;
 /// Version of the format of a monitor's recordings. Version 8 is a bag of ROS 2; version 7 can be upgraded.
 pub const MONITOR_FORMAT: u32 = 8;
 
-/// What a replay needs to know before the first cycle.
+/// Data that a replay needs before the first cycle.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
     /// Version of the format.
     pub format: u32,
     /// The program that wrote the recording.
     pub program: Program,
-    /// Where and when the recording was begun.
+    /// Computer and time of the start of the recording.
     pub start: Start,
     /// The robot, with the values of its parameters at the start.
     pub tree: Description,
     /// Ticks of an instant in a second.
     pub tick_hz: u64,
-    /// What the program needs to set up the same run again, by name.
+    /// Data with which the program sets up the same run again, by name.
     pub set_up: SetUp,
     /// Whether sensor values, commands and images are stored.
     pub images: ImagePolicy,
-    /// What does not move in the world.
+    /// Scenery: the objects that do not move in the world.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub scenery: Vec<Scenery>,
     /// Topics for other programs beside the recording.
     #[serde(default)]
     pub topics: Topics,
-    /// The monitor, of a recording that a monitor made: it has no sensor values and commands, and some images.
+    /// The monitor, if a monitor made the recording. Such a recording has no sensor values and commands, and only some images.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub monitor: Option<MonitorInfo>,
-    /// Which part of its run it is, of a recording that was split. Its parameters have the values at the beginning of the part.
+    /// Part of the run, if the recording was split. The parameters have the values at the beginning of the part.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<RunPart>,
 }
@@ -61,11 +61,11 @@ pub struct MonitorInfo {
     pub lacks: Vec<String>,
 }
 
-/// What a program needs to set up the same run again, by name: the seed, options, and the name `world` of a simulated world. The
-/// program that records chooses the names.
+/// Data with which a program sets up the same run again, by name: the seed, options, and the name `world` of a simulated world.
+/// The program that records chooses the names.
 pub type SetUp = BTreeMap<String, serde_json::Value>;
 
-/// What a recording stores of each cycle.
+/// Data of each cycle that a recording stores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ImagePolicy {
@@ -82,13 +82,13 @@ pub enum Topics {
     /// None.
     #[default]
     None,
-    /// What viewers show: previews of images, frames, shapes, states, parameters and log.
+    /// Data for viewers: previews of images, frames, shapes, states, parameters and log.
     Standard,
-    /// And the numbers: all outputs, sensor values, commands and costs as JSON.
+    /// Data for viewers, and numbers: all outputs, sensor values, commands and costs as JSON.
     All,
 }
 
-/// The topics of a recording of which nothing else is known: few beside the images, but a large part of digests alone.
+/// Default topics of a recording: they are few beside the images, but would be a large part of a file with digests alone.
 impl From<ImagePolicy> for Topics {
     fn from(images: ImagePolicy) -> Self {
         match images {
@@ -105,7 +105,7 @@ pub struct Ending {
     pub cycles: u64,
     /// Number of images that were dropped because the disk was slow.
     pub dropped_images: u64,
-    /// Why the recording ended before the run; empty if it did not.
+    /// Reason why the recording ended before the run; empty if it did not.
     pub reason: String,
     /// Result of the run, as text; empty if unknown.
     pub result: String,
@@ -128,7 +128,7 @@ pub(crate) const fn tick_hz() -> u64 {
 }
 
 impl Header {
-    /// The header of a run of this program that starts now, with the standard topics if images are stored.
+    /// Creates the header of a run of this program that starts now, with the standard topics if images are stored.
     #[must_use]
     pub fn new(graph: &Graph, set_up: SetUp, images: ImagePolicy) -> Self {
         Self {
@@ -146,25 +146,25 @@ impl Header {
         }
     }
 
-    /// Adds what only a robot knows: the values of its parameters, and the schemas of its information and messages.
+    /// Adds the data of a robot: the values of its parameters, and the schemas of its outputs and messages.
     #[must_use]
     pub fn of_robot<R: Recordable>(self, robot: &R) -> Self {
         Self { tree: self.tree.of_robot(robot), ..self }
     }
 
-    /// Adds what can be done in the world.
+    /// Adds the actions of the world.
     #[must_use]
     pub fn with_actions(self, actions: &'static [Action]) -> Self {
         Self { tree: self.tree.with_actions(actions), ..self }
     }
 
-    /// Adds what does not move in the world; `show` is its [`World::scenery`](bica::runner::World::scenery).
+    /// Adds the scenery of the world; `show` is its [`World::scenery`](bica::runner::World::scenery).
     #[must_use]
     pub fn with_scenery(self, show: impl FnOnce(&mut dyn Scene)) -> Self {
         Self { scenery: Scenery::of(show), ..self }
     }
 
-    /// Whether the recorded world was a simulated one, which may run again.
+    /// Returns whether the recorded world was a simulated one, which may run again.
     #[must_use]
     pub fn is_simulated(&self) -> bool {
         self.set_up.contains_key("world")
@@ -207,7 +207,7 @@ impl Header {
         nanoseconds.try_into().unwrap_or(u64::MAX)
     }
 
-    /// Returns the time of an instant since another one, as that of the first cycle, s; negative before it.
+    /// Returns the time of an instant since another one, such as that of the first cycle, s; negative before it.
     #[must_use]
     pub fn seconds_since(&self, first: u64, ticks: u64) -> f64 {
         (i128::from(ticks) - i128::from(first)) as f64 / self.tick_hz.max(1) as f64

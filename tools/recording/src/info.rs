@@ -29,7 +29,7 @@ pub struct Info {
     pub bytes: u64,
     /// Number of chunks.
     pub chunks: u64,
-    /// What is wrong with the file; none if it is complete.
+    /// Damage of the file; none if it is complete.
     pub damage: Option<String>,
     /// Channels with messages.
     pub channels: Vec<ChannelInfo>,
@@ -70,11 +70,11 @@ pub struct RequestInfo {
     pub request: String,
 }
 
-/// Most bytes of events and requests. A game has some kilobytes, a damaged file may have any number.
+/// Maximum size of events and requests, bytes. A game has some kilobytes, a damaged file may have any number.
 const MAX_LISTED_BYTES: usize = 64 << 20;
 
 impl Info {
-    /// Reads a whole recording without decoding its images. A cut or damaged file is described up to there.
+    /// Reads a whole recording without decoding its images. A cut or damaged file is described up to the damage.
     ///
     /// # Errors
     /// If the source cannot be read or is no recording.
@@ -98,7 +98,7 @@ impl Info {
 
 struct Reading {
     info: Info,
-    /// First and last.
+    /// First and last tick.
     ticks: Option<(Tick, Tick)>,
     /// Times of the events and of the requests, ns.
     times: [Vec<u64>; 2],
@@ -107,7 +107,7 @@ struct Reading {
 }
 
 impl Reading {
-    /// Takes in a part; returns whether there may be more.
+    /// Processes a part; returns whether there may be more.
     fn part(&mut self, part: Part) -> Result<bool, Error> {
         match part {
             Part::End => return Ok(false),

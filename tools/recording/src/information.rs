@@ -1,4 +1,4 @@
-//! Values of information in a recording.
+//! Values of outputs in a recording.
 
 use bica::info::{InfoSink, Information};
 use bica::{ComponentId, Tree};
@@ -12,26 +12,26 @@ use crate::header::Header;
 /// Size of a value in postcard's format above which it is not recorded, bytes.
 const MAX_VALUE_BYTES: usize = 1024;
 
-/// Values of information after a cycle.
+/// Values of outputs after a cycle.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InformationRecord {
     /// The values, of active components.
     pub values: Vec<InformationValue>,
 }
 
-/// A value of information.
+/// A value of an output.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, Schema)]
 pub struct InformationValue {
     /// Index of the component.
     pub component: u16,
-    /// Index of the information in the component.
+    /// Index of the output in the component.
     pub index: u16,
     /// The value in postcard's format, with the schema in the description; empty if it is too large.
     pub value: Vec<u8>,
 }
 
 impl Header {
-    /// Returns a recorded value as JSON; none for one that was too large to be recorded, and for bytes that have not its schema.
+    /// Returns a recorded value as JSON; none if it was too large to be recorded, or if the bytes do not have its schema.
     #[must_use]
     pub fn decode(&self, value: &InformationValue) -> Option<serde_json::Value> {
         let InformationValue { component, index, ref value } = *value;
@@ -53,8 +53,8 @@ impl InfoSink for Append<'_> {
     }
 }
 
-/// Reads all information of the active components of a tree, and appends it as an [`InformationRecord`] in postcard's format:
-/// the loop pays for no other memory than that of the message.
+/// Reads all outputs of the active components of a tree, and appends them as an [`InformationRecord`] in postcard's format: the
+/// loop needs no memory except that of the message.
 pub(crate) fn append<T: Tree>(tree: &T, out: &mut Vec<u8>) {
     let count = |component: ComponentId| T::GRAPH.nodes[component.index()].info.len();
     encode(out, &tree.active().map(count).sum::<usize>());

@@ -1,4 +1,4 @@
-//! The parts of a run in one recording.
+//! Joining of the parts of a run into one recording.
 
 use std::fmt;
 use std::fs::File;
@@ -36,7 +36,7 @@ impl<'a> Source<'a> {
 }
 
 impl Source<'_> {
-    /// Checks the place of a part behind the first and the last one.
+    /// Checks that a part belongs to the run of the first part and follows the last one.
     fn check(&self, index: usize, first: &Self, last: &Self) -> Result<(), Invalid> {
         let (path, number) = (self.path.display(), self.number);
         if self.run != first.run {
@@ -60,7 +60,7 @@ fn failed(path: &Path, error: &Error) -> Invalid {
 }
 
 impl RunPart {
-    /// Whether all files are parts of runs.
+    /// Returns whether all files are parts of runs.
     ///
     /// # Errors
     /// If one cannot be read.
@@ -85,7 +85,7 @@ impl fmt::Debug for RunParts<'_> {
 }
 
 impl<'a> RunParts<'a> {
-    /// Opens all parts of a run, in any order: from the first on they have to be there, once.
+    /// Opens all parts of a run, given in any order. Each part from the first on must be given once.
     ///
     /// # Errors
     /// If a part cannot be read, is missing, or of another run.
@@ -121,7 +121,7 @@ impl<'a> RunParts<'a> {
 
 struct Joined<W> {
     copy: Copy<W>,
-    /// The last message of [`Channel::Tree`]: each part begins with it.
+    /// The last message of [`Channel::Tree`]: each part begins with a copy of it.
     tree: Vec<u8>,
     /// Number of the next cycle.
     next: Option<u64>,

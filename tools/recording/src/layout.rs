@@ -1,4 +1,4 @@
-//! How the messages of a recording stand in its file.
+//! Layout of the messages of a recording in its file.
 
 use crate::error::Error;
 use crate::header::{FORMAT, MONITOR_FORMAT};
@@ -6,7 +6,8 @@ use crate::mcap::{ChannelRecord, Message};
 use crate::message::{Channel, ENCODING};
 use crate::ros::CDR_LE;
 
-/// Bytes before the content of a message: the header of CDR, and the length of the field `data` of `bica_msgs/msg/Event`.
+/// Number of bytes before the content of a message: the header of CDR, and the length of the field `data` of
+/// `bica_msgs/msg/Event`.
 const PREFIX: usize = CDR_LE.len() + size_of::<u32>();
 
 /// Generation of a file.

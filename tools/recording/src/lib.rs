@@ -1,18 +1,17 @@
 //! Recordings of a robot's runs as MCAP files.
 //!
-//! A run is an ordered log of events: what entered the tree (sensor values, requests, instants), what came out of it
-//! (commands, active components, states), and what people want to read (events, log lines, costs). The
-//! page `docs/recordings.md` describes the file for other programs.
+//! A run is an ordered log: the inputs of the tree (sensor values, requests, instants), its results (commands, active components,
+//! states), and data for people (events, log lines, costs). The page `docs/recordings.md` describes the file for other programs.
 //!
 //! - [`Recorder`] is an observer of a [`Runner`](bica::runner::Runner). It copies the values of each cycle into a bounded
 //!   queue; a thread of its own writes them.
-//! - [`MonitorRecorder`] writes what a monitor has received of a robot behind a link.
+//! - [`MonitorRecorder`] writes the data that a monitor has received from a robot behind a link.
 //! - [`Recording`] reads a file cycle by cycle, also one that was cut off.
 //! - [`replay()`] runs the code again and compares; [`rerun`] records the new course. [`Comparison`] finds the first difference.
 //! - [`upgrade()`] converts files of the former format; [`repair`] mends and cuts files; [`RunParts`] joins the parts of a run, [`Robots`]
 //!   the topics of several robots.
 //! - [`play()`] shows a recording to monitors as if its robot ran.
-//! - [`Topics`] are those for viewers in the same file: messages of [`ros`].
+//! - [`Topics`] are topics for viewers in the same file, with messages of [`ros`].
 //!
 //! Reading checks every length before it reserves memory, so a damaged file ends in an error.
 

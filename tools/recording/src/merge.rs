@@ -20,7 +20,7 @@ use crate::ros::{Names, snake};
 use crate::topics::{Derived, Deriver};
 use crate::writer::{PROFILE, TopicTable};
 
-/// Bytes of messages after which a chunk is written.
+/// Size of the messages after which a chunk is written, bytes.
 const CHUNK_BYTES: usize = 1 << 20;
 
 /// Recordings of several robots, opened.
@@ -37,7 +37,7 @@ struct Robot<'a> {
     path: &'a Path,
     contents: Contents<BufReader<File>>,
     deriver: Option<Deriver>,
-    /// Time from the run's clock to that of the computer, ns since 1970.
+    /// Offset from the run's clock to that of the computer (ns since 1970), ns.
     offset: i128,
     next: Option<(Channel, Message)>,
 }
@@ -47,11 +47,11 @@ fn failed(path: &Path, error: &Error) -> Invalid {
 }
 
 impl<'a> Robots<'a> {
-    /// Opens recordings of several robots. The name of a file, without its folder and extension, is the name of its robot. Without
-    /// `topics` each has those of its header, or the standard ones.
+    /// Opens recordings of several robots. The name of a file, without its folder and extension, is the name of its robot.
+    /// Without `topics` each robot has the topics of its header, or the standard topics if there are none.
     ///
     /// # Errors
-    /// If a file cannot be read, or two have one name.
+    /// If a file cannot be read, or two have the same name.
     pub fn open(paths: &'a [PathBuf], topics: Option<Topics>) -> Result<Self, Invalid> {
         let mut names = NameTable::new("name in the merged file");
         for (index, path) in paths.iter().enumerate() {

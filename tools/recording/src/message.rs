@@ -13,7 +13,7 @@ use crate::request::RequestRecord;
 
 /// Encoding of the messages in a file.
 pub(crate) const ENCODING: &str = "cdr";
-/// Key of the schema of what a message holds, in the metadata of its channel.
+/// Key of the schema of a message's content, in the metadata of its channel.
 pub(crate) const SCHEMA_KEY: &str = "postcard_schema";
 
 /// Channel of a recording.
@@ -37,9 +37,9 @@ pub enum Channel {
     Log,
     /// [`Costs`]: time of the components.
     Costs,
-    /// [`InformationRecord`]: information of the active components.
+    /// [`InformationRecord`]: outputs of the active components.
     Information,
-    /// [`HoldsRecord`]: holds and rates, if they changed in the cycle; only of a monitor.
+    /// [`HoldsRecord`]: holds and rates, if they changed in the cycle; only in a recording of a monitor.
     Holds,
 }
 
@@ -122,7 +122,7 @@ pub struct TreeRecord {
     pub states: Vec<u8>,
 }
 
-/// Holds and rates after a cycle. In the recording of a robot's own program the requests say the same.
+/// Holds and rates after a cycle. In the recording of a robot's own program they follow from the requests.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, Schema)]
 pub struct HoldsRecord {
     /// Hold of each component.
@@ -155,7 +155,7 @@ pub struct Tick {
 pub struct RunEvent {
     /// Time since the start of the run, ns.
     pub at_ns: u64,
-    /// Kind, as `goal` or `kick`.
+    /// Kind, such as `goal` or `kick`.
     pub kind: String,
     /// Details, as text.
     pub detail: String,
@@ -166,7 +166,7 @@ pub struct RunEvent {
 pub struct LogLine {
     /// 2: information, 3: warning, 4: error.
     pub level: u8,
-    /// Where it comes from.
+    /// Origin.
     pub source: LogSource,
     /// The text.
     pub text: String,
@@ -201,7 +201,7 @@ impl TreeRecord {
         self.states.get(component).filter(|state| **state != u8::MAX).map(|state| usize::from(*state))
     }
 
-    /// Returns the name of each component's state: `active` for one without states, and `latent`.
+    /// Returns the name of each component's state: `active` if it has no states, `latent` if it is latent.
     pub(crate) fn names(&self, tree: &Description) -> Vec<String> {
         let name = |index| {
             if self.is_active(index) { tree.state(index, self.state(index)).unwrap_or("active") } else { "latent" }

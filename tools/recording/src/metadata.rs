@@ -19,7 +19,8 @@ const KEY: &str = "json";
 /// Key of the CRC-32 of this text, hexadecimal.
 const CRC_KEY: &str = "crc32";
 
-/// Returns the fields of the metadata record of a header. The writer is generic: JSON of a header is compiled once, here.
+/// Returns the fields of the metadata record of a header. The writer is generic; this function is not, so that the code for the
+/// JSON of a header is compiled once.
 pub(crate) fn of_header(header: &Header) -> Result<BTreeMap<String, String>, Error> {
     to_metadata(header)
 }

@@ -8,7 +8,7 @@ use std::str::FromStr;
 use bica_wire::model::Invalid;
 use serde::{Deserialize, Serialize};
 
-/// Which part of a run a recording is.
+/// Place of a recording among the parts of its run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RunPart {
     /// Number, from 1.
@@ -17,7 +17,7 @@ pub struct RunPart {
     pub run: String,
 }
 
-/// Limit at which a recording goes on in the next part.
+/// Limit at which a recording continues in the next part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
     /// Longest time of a part by the run's clock, ns.
@@ -75,13 +75,13 @@ impl RunPart {
         Self { number: 1, run: format!("{:016x}", RandomState::new().build_hasher().finish()) }
     }
 
-    /// Returns the path of a part of a recording that is split: of `run.mcap` part 2 is `run-002.mcap`.
+    /// Returns the path of a part of a split recording: part 2 of `run.mcap` is `run-002.mcap`.
     #[must_use]
     pub fn path(recording: &Path, number: u32) -> PathBuf {
         with_stem(recording, &format!("{}-{number:03}", stem(recording)))
     }
 
-    /// Returns a part of a recording that is there already.
+    /// Returns the path of an existing part of a recording, if there is one.
     #[must_use]
     pub fn existing(recording: &Path) -> Option<PathBuf> {
         let folder = recording.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -93,14 +93,14 @@ impl RunPart {
         names.map(|name| recording.with_file_name(name)).find(is_part)
     }
 
-    /// Returns where the first part is, if the files have kept their names.
+    /// Returns the path of the first part, if the files have kept their names.
     pub(crate) fn first_path(&self, path: &Path) -> Option<PathBuf> {
         let stem = stem(path);
         let stem = stem.strip_suffix(&format!("-{:03}", self.number))?;
         Some(Self::path(&with_stem(path, stem), 1))
     }
 
-    /// Refuses to run again a part whose beginning is the end of another one.
+    /// Refuses to run a part again that is not the first one of its run.
     pub(crate) fn check_first(&self, path: &Path) -> Result<(), Invalid> {
         if self.number == 1 {
             return Ok(());

@@ -20,15 +20,15 @@ use crate::replay::check_tree;
 use crate::request::RequestRecord;
 use crate::topics::Cameras;
 
-/// Longest time in which no monitor is heard.
+/// Maximum time between two checks for messages of monitors.
 const LISTEN_EVERY: Duration = Duration::from_millis(20);
 
-/// What is played, and how.
+/// Options for playing a recording.
 #[derive(Clone, Copy, Debug)]
 pub struct PlayOptions<'a> {
     /// The recording.
     pub path: &'a Path,
-    /// Where monitors attach.
+    /// Address at which monitors attach.
     pub address: &'a Address,
     /// Whether it may be an address that other computers reach.
     pub anywhere: bool,
@@ -42,20 +42,20 @@ pub struct PlayOptions<'a> {
     pub repeats: bool,
 }
 
-/// What was played.
+/// Result of playing a recording.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Played {
     /// Number of cycles.
     pub cycles: u64,
-    /// How often it was begun.
+    /// Number of passes that were begun.
     pub passes: u64,
-    /// Why it ends before the end of the recording; none if the file is intact.
+    /// Damage at which it ends before the end of the recording; none if the file is intact.
     pub damage: Option<String>,
 }
 
-/// Plays a recording to monitors until its end, or while `goes_on`, which is asked every 20 ms. Numbers and times of cycles are the
-/// recorded ones; after the first pass they go on. `robot` makes the robot with the parameters of a header, `started` is called with the
-/// address of the server.
+/// Plays a recording to monitors until its end, or until `goes_on`, which is called at least every 20 ms, returns false. Numbers
+/// and times of cycles are the recorded ones; later passes continue them. `robot` makes the robot with the parameters of a
+/// header. `started` is called with the address of the server.
 ///
 /// # Errors
 /// If the file cannot be read, is of another tree, or has no cycle in the span, or the server cannot start.
@@ -115,7 +115,7 @@ struct Playing<'a, R: Recordable, G> {
     options: &'a PlayOptions<'a>,
     show: LinkShow<R>,
     goes_on: G,
-    /// The least number and the least time, µs, of the next cycle.
+    /// Minimum number and minimum time, µs, of the next cycle.
     next: (u64, u64),
     played: Played,
 }
@@ -175,7 +175,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
         }
     }
 
-    /// Takes in a cycle that is not shown: the next ones need its values.
+    /// Applies a cycle that is not shown, because the next ones need its values.
     fn skip(&mut self, recorded: &RecordedCycle) {
         for request in &recorded.requests {
             if let RequestRecord::Tree(request) = request {
@@ -211,7 +211,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
         recorded.events.iter().for_each(|event| self.show.event(&event.kind, &event.detail));
     }
 
-    /// Takes in outputs and, of a recording that a monitor made, holds and rates.
+    /// Applies outputs and, in a recording of a monitor, holds and rates.
     fn values(&mut self, recorded: &RecordedCycle) {
         for value in recorded.information.iter().flat_map(|record| &record.values) {
             self.show.output(value.component, value.index, &value.value);
@@ -224,7 +224,7 @@ impl<R: Recordable, G: Fn() -> bool> Playing<'_, R, G> {
         }
     }
 
-    /// Shows an image of the cycle; of several cameras one after the other, as a robot that runs does.
+    /// Shows an image of the cycle; with several cameras one camera after the other, as a running robot does.
     fn image(&mut self, recorded: &RecordedCycle) {
         let is_image = |format| matches!(format, Format::Yuyv { .. } | Format::Gray8 { .. } | Format::Rgb8 { .. });
         let (cameras, mut before) = (Cameras::default(), Vec::new());

@@ -9,7 +9,7 @@ use std::time::SystemTime;
 use bica::Graph;
 use serde::{Deserialize, Serialize};
 
-/// Name of the host, on Linux.
+/// File with the name of the host, on Linux.
 const HOST_FILE: &str = "/proc/sys/kernel/hostname";
 
 /// The program that wrote a recording.
@@ -24,7 +24,8 @@ pub struct Program {
     /// Version and commit of BICA.
     #[serde(default)]
     pub bica: String,
-    /// What results of mathematical functions depend on, see [`processor`]; empty in recordings before there was this field.
+    /// Kind of the processor, on which results of mathematical functions depend, see [`processor`]; empty in recordings without
+    /// this field.
     #[serde(default)]
     pub processor: String,
     /// Target triple.
@@ -33,7 +34,7 @@ pub struct Program {
     pub executable: String,
 }
 
-/// Where and when a recording was begun.
+/// Computer and time of the start of a recording.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Start {
     /// Time, RFC 3339, UTC.
@@ -43,7 +44,7 @@ pub struct Start {
 }
 
 impl Program {
-    /// This program, whose robot is one of BICA's own.
+    /// Describes this program, whose robot is one of BICA's own.
     #[must_use]
     pub fn bica() -> Self {
         let (version, git_hash) = (env!("CARGO_PKG_VERSION").to_owned(), env!("BICA_GIT_HASH").to_owned());
@@ -60,7 +61,7 @@ impl Program {
         }
     }
 
-    /// This program, whose robot has this tree.
+    /// Describes this program, whose robot has this tree.
     #[must_use]
     pub fn of(graph: &Graph) -> Self {
         let (version, commit) = (graph.version.unwrap_or_default(), graph.commit.unwrap_or_default());
@@ -74,7 +75,7 @@ impl Program {
         !self.executable.is_empty() && self.executable == other.executable
     }
 
-    /// Returns this kind of processor and another one if they differ.
+    /// Returns the kinds of both processors, if they are known and differ.
     #[must_use]
     pub fn other_processor(&self, other: &Self) -> Option<[String; 2]> {
         let [one, two] = [self, other].map(|program| &program.processor);
@@ -85,8 +86,8 @@ impl Program {
 /// Returns the kind of this processor: its architecture, on x86 whether it has fused multiplication and addition (FMA), and a checksum
 /// over results of the system's mathematical functions.
 ///
-/// Those of glibc have variants for processors with FMA, of which few results differ in the last bit. Code of the robot does not use
-/// them; MuJoCo does, so its games differ from one kind to another.
+/// The functions of glibc have variants for processors with FMA, of which few results differ in the last bit. Code of the robot
+/// does not use these functions; MuJoCo does, so its games differ from one kind to another.
 #[must_use]
 pub fn processor() -> String {
     let mut hash = crc32fast::Hasher::new();
@@ -104,7 +105,7 @@ pub fn processor() -> String {
 }
 
 impl Start {
-    /// This computer, now.
+    /// Returns this computer and the present time.
     #[must_use]
     pub fn now() -> Self {
         let host = fs::read_to_string(HOST_FILE).or_else(|_| env::var("COMPUTERNAME")).unwrap_or_default();

@@ -20,12 +20,14 @@ use crate::mcap::{Item, MAX_RECORD, Message, Reader};
 use crate::message::{Channel, Costs, HoldsRecord, LogLine, RunEvent, Tick, TreeRecord};
 use crate::request::RequestRecord;
 
-/// Most large data of a cycle, and most that waits for its cycle. Recorders write no file that needs more.
+/// Maximum number of large data of a cycle, and of large data that wait for their cycles. Recorders write no file that needs
+/// more.
 pub(crate) const MAX_BLOBS: usize = 64;
-/// Most bytes of messages of one cycle, and of large data that waits for its own. Recorders write no more, a damaged file may have it.
+/// Maximum size of the messages of one cycle, and of large data that wait for their cycles, bytes. Recorders write no more, a
+/// damaged file may have more.
 pub(crate) const MAX_CYCLE_BYTES: usize = MAX_RECORD as usize;
 
-/// Everything that is recorded of a cycle.
+/// Recorded data of a cycle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RecordedCycle {
     /// Instant and digests.
@@ -46,14 +48,14 @@ pub struct RecordedCycle {
     pub log: Vec<LogLine>,
     /// Time of the components.
     pub costs: Option<Costs>,
-    /// Values of information, in some cycles.
+    /// Values of outputs, in some cycles.
     pub information: Option<InformationRecord>,
     /// Holds and rates, if they changed and a monitor made the recording.
     pub holds: Option<HoldsRecord>,
 }
 
 impl RecordedCycle {
-    /// Returns the large data, one after the other, as [`Recordable::decode_sensors`](bica_wire::Recordable::decode_sensors) takes it.
+    /// Returns the large data, concatenated, as [`Recordable::decode_sensors`](bica_wire::Recordable::decode_sensors) expects it.
     #[must_use]
     pub fn blob_bytes(&self) -> Cow<'_, [u8]> {
         match &self.blobs[..] {
@@ -153,7 +155,7 @@ impl<R: Read> Recording<R> {
         self.contents.ending.as_ref()
     }
 
-    /// Returns what was recorded after the last complete cycle: events of that cycle, as a goal that ended the game.
+    /// Returns the data recorded after the last complete cycle: events of that cycle, such as a goal that ended the game.
     pub const fn rest(&self) -> &RecordedCycle {
         &self.next
     }
@@ -180,7 +182,7 @@ impl<R: Read> Recording<R> {
         }
     }
 
-    /// Takes a message in; returns whether the cycle is complete.
+    /// Processes a message; returns whether the cycle is complete.
     fn message(&mut self, channel: Channel, message: &Message) -> Result<bool, Error> {
         let next = &mut self.next;
         // The large data of up to a second precedes its cycles.
@@ -209,7 +211,7 @@ impl<R: Read> Recording<R> {
         Ok(false)
     }
 
-    /// Takes in large data, which precedes its cycle.
+    /// Stores large data, which precedes its cycle.
     fn wait(&mut self, message: &Message) -> Result<(), Error> {
         let BlobRecord { id, cycle, part, format, .. } = decode(message)?;
         let is_image = matches!(format, Format::Yuyv { .. });
@@ -221,8 +223,8 @@ impl<R: Read> Recording<R> {
         Ok(())
     }
 
-    /// Takes the large data of the next cycle, which is complete. A monitor may receive an image later than its cycle; then it comes
-    /// with a later one.
+    /// Takes the large data of the next cycle, which is complete. A monitor may receive an image after its cycle; then the image
+    /// comes with a later cycle.
     fn take_blobs(&mut self) -> Result<(), Error> {
         self.places.clear();
         let (number, of_monitor) = (self.next.tick.cycle, self.contents.header.monitor.is_some());
@@ -232,7 +234,7 @@ impl<R: Read> Recording<R> {
             None => of_monitor && blob.message.time <= end,
         };
         let ids: Vec<u32> = self.blobs.iter().filter(|(_, blob)| is_of_cycle(blob)).map(|(id, _)| *id).collect();
-        // Of a monitor's images one comes with each cycle.
+        // In a recording of a monitor, each cycle takes at most one image.
         let ids = if of_monitor { &ids[..ids.len().min(1)] } else { &ids[..] };
         let mut taken: Vec<_> = ids.iter().filter_map(|id| Some((*id, self.blobs.remove(id)?))).collect();
         taken.sort_by_key(|(_, blob)| blob.part);
@@ -260,7 +262,7 @@ pub struct BlobPlace {
     pub id: u32,
     /// Number of the channel in the file.
     pub channel: u16,
-    /// Time of the cycle that took it in, ns since the start of the run's clock.
+    /// Time of the cycle that received it, ns since the start of the run's clock.
     pub time: u64,
     /// Position of its chunk, bytes.
     pub chunk_at: u64,

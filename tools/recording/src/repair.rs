@@ -14,7 +14,7 @@ use crate::metadata::{ENDING_NAME, HEADER_NAME, ending_of, header_of};
 use crate::recording::decode;
 use crate::writer::RecordingWriter;
 
-/// What a new file contains.
+/// Contents of a new file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Copied {
     /// Number of cycles.
@@ -23,14 +23,15 @@ pub struct Copied {
     pub bytes: u64,
     /// Number of chunks of the old file that were read.
     pub chunks: u64,
-    /// What was wrong with the old file; empty if it is complete.
+    /// Damage of the old file; empty if it is complete.
     pub damage: Vec<String>,
 }
 
-/// Bytes at the beginning of a damaged file in which a copy of the header is searched.
+/// Size of the beginning of a damaged file that is searched for a copy of the header, bytes.
 const HEADER_WITHIN: u64 = 16 << 20;
 
-/// Copies all complete chunks of a recording to a new file. What is damaged is left out; if it is the header, its copy is used.
+/// Copies all complete chunks of a recording to a new file. Damaged chunks are omitted; if the header is damaged, its copy is
+/// used.
 ///
 /// # Errors
 /// If the source cannot be read, has no intact header or no intact cycle, or the target cannot be written.
@@ -155,14 +156,14 @@ pub(crate) struct Copy<W> {
 }
 
 impl<W: Write> Copy<W> {
-    /// Begins a copy; `topics` replaces what its header requests.
+    /// Begins a copy; `topics` replaces the topics of its header.
     pub(crate) fn new(target: W, header: Header, topics: Option<Topics>) -> Result<Self, Error> {
         let header = Header { topics: topics.unwrap_or(header.topics), ..header };
         let (writer, copied) = (RecordingWriter::new(target, &header)?, Copied::default());
         Ok(Self { writer, copied, ending: None, channels: HashMap::new(), last: Vec::new() })
     }
 
-    /// Takes over a part of a damaged file. A channel whose record is damaged has the number that this program gives it.
+    /// Copies a part of a damaged file. A channel whose record is damaged has the number that this program gives it.
     fn item(&mut self, item: Item) -> Result<(), Error> {
         match item {
             Item::Message(message) => {
@@ -186,7 +187,7 @@ impl<W: Write> Copy<W> {
         }
     }
 
-    /// Notes what is wrong with the old file.
+    /// Adds damage of the old file to the list.
     pub(crate) fn damage(&mut self, error: &Error) {
         let text = error.to_string();
         if !self.copied.damage.contains(&text) {
@@ -200,7 +201,7 @@ impl<W: Write> Copy<W> {
         Ok(self.writer.flush()?)
     }
 
-    /// Takes over a message whose time is to be kept.
+    /// Copies a message if `keeps` returns true for its time.
     pub(crate) fn message(
         &mut self,
         channel: Channel,

@@ -28,7 +28,7 @@ pub enum RequestRecord {
 }
 
 impl RequestRecord {
-    /// The record of a request to a robot, or to its world with these actions.
+    /// Creates the record of a request to a robot, or to its world with these actions.
     #[must_use]
     pub fn new(request: Request<'_>, actions: &[Modulation]) -> Self {
         match request {

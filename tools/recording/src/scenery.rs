@@ -1,10 +1,10 @@
-//! What does not move in a world.
+//! Scenery of a world.
 
 use bica::visual::{Scene, SceneItem, Shape};
 use bica_link::decode;
 use serde::{Deserialize, Serialize};
 
-/// Something that does not move, such as the walls of a room.
+/// Object that does not move, such as the walls of a room.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scenery {
     /// Name for people.
@@ -16,7 +16,7 @@ pub struct Scenery {
     /// Red, green and blue; none: a tool chooses it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<[u8; 3]>,
-    /// Width of lines, m; none: what has an area is filled.
+    /// Width of lines, m; none: areas are filled.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub line_width: Option<f32>,
     /// The value, or a list of values.
@@ -24,7 +24,7 @@ pub struct Scenery {
 }
 
 impl Scenery {
-    /// Returns what `show` shows, such as [`World::scenery`](bica::runner::World::scenery).
+    /// Returns the items that `show` shows, such as [`World::scenery`](bica::runner::World::scenery).
     pub(crate) fn of(show: impl FnOnce(&mut dyn Scene)) -> Vec<Self> {
         let mut items = Items(Vec::new());
         show(&mut items);
@@ -41,7 +41,7 @@ impl Scene for Items {
             return;
         }
         let (name, shape, frame) = (item.name.to_owned(), value.name().to_owned(), item.frame.to_owned());
-        // What cannot be encoded is left out.
+        // An item that cannot be decoded is omitted.
         if let Some(value) = decode(&value.schema().into(), &bytes) {
             let SceneItem { colour, line_width, .. } = *item;
             self.0.push(Scenery { name, shape, frame, colour, line_width, value });

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// Number of corners of a circle.
 const CORNERS: u32 = 24;
-/// Distance of the points on a line, m, and most of them on one edge.
+/// Distance of the points on a line, m, and maximum number of points on one edge.
 const SAMPLE: (f64, f64) = (0.1, 32.0);
 /// Length of the arrow that shows a pose, m.
 pub const ARROW: f64 = 0.3;
@@ -38,7 +38,7 @@ pub const OPTICAL: Pose = Pose { position: [0.0; 3], rotation: [-0.5, 0.5, -0.5,
 /// Visual type of the parameters of a camera.
 pub const CALIBRATION: &str = "CameraCalibration";
 
-/// Whether values of a visual type are drawn; those of a robot's own body are numbers.
+/// Returns whether values of a visual type are drawn; those of a robot's own body are numbers.
 #[must_use]
 pub fn is_drawn(kind: &str) -> bool {
     !matches!(kind, "Joints" | "Imu")
@@ -88,7 +88,7 @@ pub fn pose(value: &Value) -> Option<Pose> {
     Some(Pose { position: point(value)?, rotation: [0.0, 0.0, sin, cos] })
 }
 
-/// Returns what one value of a visual type looks like; nothing if it has a number that is not finite.
+/// Returns the shapes of one value of a visual type; none if it has a number that is not finite.
 #[must_use]
 pub fn shapes(kind: &str, value: &Value) -> Vec<Shape> {
     of_value(kind, value).unwrap_or_default()

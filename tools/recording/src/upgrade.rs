@@ -7,7 +7,8 @@ use crate::error::Error;
 use crate::layout::Layout;
 use crate::repair::{Copied, Copy};
 
-/// Writes a recording of the former format in the present one, with the same cycles and new topics. What follows a damage is left out.
+/// Writes a recording of the former format in the present one, with the same cycles and new topics. Data after damage are
+/// omitted.
 ///
 /// # Errors
 /// If the source cannot be read, has another format than the former one or no intact cycle, or the target cannot be written.

@@ -36,9 +36,9 @@ const QUALITY_KEY: &str = "offered_qos_profiles";
 #[derive(Debug, Default)]
 pub(crate) struct TopicTable {
     channels: HashMap<String, u16>,
-    /// By the names of the types.
+    /// Number of the schema of each type of message, by its name.
     schemas: HashMap<String, u16>,
-    /// What is declared before the next chunk.
+    /// Schemas and channels to declare before the next chunk.
     undeclared: (Vec<SchemaRecord>, Vec<ChannelRecord>),
 }
 
@@ -83,7 +83,7 @@ fn schema_record(id: u16, kind: Kind) -> SchemaRecord {
     SchemaRecord { id, name: kind.full(), encoding: DEFINITION.to_owned(), data: kind.definition().into_bytes() }
 }
 
-/// Returns the schema and the channels of a recording. What a monitor records has no messages of a robot.
+/// Returns the schema and the channels of a recording. A recording of a monitor has no channels for sensor values and commands.
 fn channels(header: &Header) -> (SchemaRecord, Vec<ChannelRecord>) {
     let messages = header.messages();
     let schema = |channel: Channel| match channel {
@@ -118,7 +118,7 @@ impl<W: Write> RecordingWriter<W> {
         Ok(Self { writer, deriver, topics: TopicTable::default() })
     }
 
-    /// Adds a message, and what follows from it for the topics.
+    /// Adds a message, and the messages of topics that are derived from it.
     pub(crate) fn message(&mut self, channel: Channel, compression: Compression, time: u64, data: &[u8]) {
         self.writer.message(compression, channel.id(), time, |out| write_content(out, data));
         let Some(deriver) = &mut self.deriver else { return };
@@ -132,7 +132,7 @@ impl<W: Write> RecordingWriter<W> {
         self.topics.flush(&mut self.writer)
     }
 
-    /// Forgets the messages that are not written yet.
+    /// Drops the messages that are not written yet.
     pub(crate) fn discard(&mut self) {
         self.topics.undeclared = Default::default();
         self.writer.discard();
@@ -147,12 +147,12 @@ impl<W: Write> RecordingWriter<W> {
         self.writer.close()
     }
 
-    /// Length of the file so far, bytes.
+    /// Returns the length of the file so far, bytes.
     pub(crate) const fn length(&self) -> u64 {
         self.writer.length()
     }
 
-    /// Number of bytes that wait for [`flush`](Self::flush).
+    /// Returns the number of bytes that wait for [`flush`](Self::flush).
     pub(crate) fn pending(&self) -> usize {
         self.writer.pending()
     }

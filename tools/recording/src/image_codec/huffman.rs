@@ -10,7 +10,7 @@ const STORED: u8 = 0;
 const CONSTANT: u8 = 1;
 /// Kind of a plane: coded.
 const CODED: u8 = 2;
-/// Bytes of the table of code lengths.
+/// Size of the table of code lengths, bytes.
 const TABLE_BYTES: usize = 128;
 
 /// Appends the code of a plane.
@@ -139,7 +139,7 @@ fn write_codes(plane: &[u8], lengths: &[u8; 256], bytes: usize, out: &mut Vec<u8
     out.truncate(start + bytes);
 }
 
-/// Fills a plane; returns the bytes behind its code.
+/// Fills a plane; returns the bytes after its code.
 pub(super) fn decode<'a>(coded: &'a [u8], plane: &mut [u8]) -> Result<&'a [u8], InvalidImage> {
     let (&kind, coded) = coded.split_first().ok_or(InvalidImage)?;
     match kind {
@@ -164,7 +164,7 @@ pub(super) fn decode<'a>(coded: &'a [u8], plane: &mut [u8]) -> Result<&'a [u8], 
     }
 }
 
-/// Returns value and length of the code that each 12 bits begin with.
+/// Returns, for each sequence of 12 bits, value and length of the code with which it begins.
 fn decoding_table(table: &[u8; TABLE_BYTES]) -> Result<Vec<(u8, u8)>, InvalidImage> {
     let lengths: [u8; 256] = std::array::from_fn(|value| table[value / 2] >> (4 * (value % 2)) & 15);
     let used: u32 =
@@ -185,7 +185,7 @@ fn read_codes(codes: &[u8], table: &[(u8, u8)], plane: &mut [u8]) -> Result<(), 
     let (mut buffer, mut filled, mut at) = (0_u64, 0_u32, 0);
     for value in plane {
         while filled < MAX_BITS.into() {
-            // Behind the last byte come zeros; reading more bits than there are is found at the end.
+            // After the last byte zeros are read. The check at the end finds that more bits were read than there are.
             buffer = buffer << 8 | u64::from(codes.get(at).copied().unwrap_or(0));
             (at, filled) = (at + 1, filled + 8);
         }

@@ -10,7 +10,7 @@ use super::MAX_RECORD;
 use super::record::{ChannelRecord, Decoder, MAGIC, PREFIX, SchemaRecord, opcode};
 use crate::error::Error;
 
-/// Bytes of the positions in a footer, before its checksum.
+/// Size of the positions in a footer, before its checksum, bytes.
 const FOOTER_POSITIONS: usize = 16;
 
 /// A part of a file that a reader returns.
@@ -87,7 +87,7 @@ impl<R: Read> Reader<R> {
         Self { source, at, data: None, chunk: Vec::new(), within: 0, chunk_at: at, ended: false }
     }
 
-    /// Returns the position behind the last complete record, bytes.
+    /// Returns the position after the last complete record, bytes.
     pub const fn position(&self) -> u64 {
         self.at
     }
@@ -238,7 +238,7 @@ impl<R: Read> Reader<R> {
         Ok((prefix, kind, content))
     }
 
-    /// Reads exactly `length` bytes; memory grows with what is there, not with what a length says.
+    /// Reads exactly `length` bytes; memory grows with the bytes that exist, not with the length.
     fn read(&mut self, length: u64, record_at: u64) -> Result<Vec<u8>, Error> {
         let mut bytes = Vec::new();
         let result = self.source.by_ref().take(length).read_to_end(&mut bytes);
@@ -251,7 +251,7 @@ impl<R: Read> Reader<R> {
     }
 }
 
-/// Returns what LZ4 has compressed, and one byte more than expected if there is more.
+/// Decompresses data of LZ4; returns at most one byte more than expected.
 fn decompressed(stored: &[u8], expected: u64, at: u64) -> Result<Vec<u8>, Error> {
     let mut records = Vec::new();
     let decoded = FrameDecoder::new(stored).take(expected + 1).read_to_end(&mut records);
@@ -259,7 +259,7 @@ fn decompressed(stored: &[u8], expected: u64, at: u64) -> Result<Vec<u8>, Error>
     Ok(records)
 }
 
-/// Returns the content of a metadata record that is compressed.
+/// Returns the content of a compressed metadata record.
 fn compressed_metadata(content: &[u8], at: u64) -> Result<Vec<u8>, Error> {
     let mut stored = Decoder(content);
     let crc = stored.u32().ok_or_else(|| Error::damaged(at, "the record is too short"))?;
@@ -290,7 +290,7 @@ fn channel(content: &[u8]) -> Option<ChannelRecord> {
     })
 }
 
-/// Bytes that are searched at once.
+/// Number of bytes that are searched at once.
 const WINDOW: usize = 1 << 20;
 
 /// Returns the position of the first intact chunk or metadata record that begins in a range; `accepts` may refuse it.

@@ -22,7 +22,7 @@ pub(super) mod opcode {
     pub(in crate::mcap) const METADATA_INDEX: u8 = 0x0D;
     pub(in crate::mcap) const SUMMARY_OFFSET: u8 = 0x0E;
     pub(in crate::mcap) const DATA_END: u8 = 0x0F;
-    /// Of this program: metadata that are compressed. Others ignore it.
+    /// Compressed metadata, a kind of this program; other programs ignore it.
     pub(in crate::mcap) const COMPRESSED_METADATA: u8 = 0x80;
 }
 
@@ -50,7 +50,7 @@ pub struct ChannelRecord {
     pub topic: String,
     /// Encoding of the messages.
     pub encoding: String,
-    /// What else is known, by name.
+    /// Other properties, by name.
     pub metadata: BTreeMap<String, String>,
 }
 

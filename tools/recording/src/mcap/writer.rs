@@ -8,7 +8,8 @@ use lz4_flex::frame::{BlockMode, BlockSize, FrameEncoder, FrameInfo};
 use super::MAX_RECORD;
 use super::record::{ChannelRecord, Encoder, MAGIC, PREFIX, SchemaRecord, opcode};
 
-/// Size of a chunk, bytes, above which its last message begins another one: its record has some bytes more.
+/// Size of the messages of a chunk, bytes, above which the last one moves to another chunk: the record of a chunk has some bytes
+/// more.
 const FULL: usize = MAX_RECORD as usize - (1 << 16);
 
 /// Compression of a chunk.
@@ -59,7 +60,7 @@ pub struct Writer<W> {
     channels: Vec<ChannelRecord>,
     /// Chunks to be stored as they are, and to be compressed.
     open: [OpenChunk; 2],
-    /// Chunks that are full, and are written before them.
+    /// Full chunks, which are written before the open ones.
     full: Vec<(Compression, OpenChunk)>,
     chunks: Vec<ChunkIndex>,
     metadata: Vec<(u64, u64, String)>,
@@ -121,7 +122,7 @@ impl<W: Write> Writer<W> {
         self.full.iter().map(|(_, chunk)| chunk).chain(&self.open).map(|chunk| chunk.records.0.len()).sum()
     }
 
-    /// Forgets the messages that are not written yet.
+    /// Drops the messages that are not written yet.
     pub fn discard(&mut self) {
         (self.open, self.full) = Default::default();
     }
@@ -264,7 +265,7 @@ impl<W: Write> Writer<W> {
         self.target.flush()
     }
 
-    /// Returns everything behind the last chunk.
+    /// Returns everything after the last chunk.
     fn summary(&self) -> Vec<u8> {
         let mut out = Encoder::default();
         out.record(opcode::DATA_END, |out| _ = out.u32(self.data.clone().finalize()));

@@ -11,8 +11,9 @@ use crate::program::{Program, Start};
 const TICK_HZ: u64 = 1_000_000;
 
 impl Header {
-    /// The header of what this program, a monitor, records of a robot at an address. Parameters have the values that are in the
-    /// description now. `offers` is what the robot's program sends: a microcontroller tells requests in its log only.
+    /// Creates the header of a recording that this program, a monitor, makes of a robot at an address. Parameters have their
+    /// present values in the description. `offers` are the services of the robot's program: a microcontroller reports requests in
+    /// its log only.
     #[must_use]
     pub fn of_monitor(address: &str, description: &Description, offers: Offers) -> Self {
         let requests = (!offers.contains(Offers::CONDITIONS)).then_some(Channel::Requests);

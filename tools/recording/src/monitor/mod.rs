@@ -17,7 +17,7 @@ use crate::recording::{MAX_BLOBS, RecordedCycle};
 
 /// Size of a chunk before compression, bytes.
 const CHUNK_BYTES: usize = 1 << 20;
-/// Most images of a chunk: a reader keeps twice as many until their cycles have come.
+/// Maximum number of images in a chunk: a reader keeps twice as many until it has read their cycles.
 const CHUNK_IMAGES: usize = MAX_BLOBS / 2;
 
 /// An image that a monitor has received.
@@ -25,14 +25,14 @@ const CHUNK_IMAGES: usize = MAX_BLOBS / 2;
 pub struct ReceivedImage<'a> {
     /// Number, from 0.
     pub number: u32,
-    /// Time of the cycle that took it in, µs.
+    /// Time of the cycle that received it, µs.
     pub time_us: u64,
     /// The pixels with their format.
     pub blob: Blob<'a>,
 }
 
 impl RecordedCycle {
-    /// A cycle that a monitor has received: its number, its instant, µs, and the states of all components after it.
+    /// Creates a cycle that a monitor has received: its number, its instant, µs, and the states of all components after it.
     #[must_use]
     pub fn received(number: u64, time_us: u64, states: impl Iterator<Item = ComponentState>) -> Self {
         let (mut tree, mut holds) = (TreeRecord::default(), HoldsRecord::default());
@@ -57,7 +57,7 @@ impl RecordedCycle {
     }
 }
 
-/// Writer of what a monitor has received.
+/// Writer of the data that a monitor has received.
 ///
 /// Values are written when a chunk is full, and by [`write_if_due`](Self::write_if_due) at the latest after 0.3 s; every 0.5 s the
 /// operating system is asked to bring them to the disk.
@@ -82,12 +82,12 @@ impl<S: Sink> MonitorRecorder<S> {
         Ok(Self { output, tree: None, tree_digest: 0, holds: None, coder: ImageCoder::default(), images: 0 })
     }
 
-    /// Length of the file, bytes.
+    /// Returns the length of the file, bytes.
     pub const fn length(&self) -> u64 {
         self.output.length()
     }
 
-    /// Adds an image, before its cycle or after it. An image with too few or too many pixels is left out.
+    /// Adds an image, before its cycle or after it. An image with too few or too many pixels is omitted.
     ///
     /// # Errors
     /// If a chunk cannot be written; then [`finish`](Self::finish) keeps what is complete.
@@ -105,7 +105,7 @@ impl<S: Sink> MonitorRecorder<S> {
         if self.images >= CHUNK_IMAGES { self.flush() } else { self.output.flush_if_large() }
     }
 
-    /// Adds a cycle: number and instant (µs) of its tick, tree, holds, requests, events, log lines and information. Cycles come in
+    /// Adds a cycle: number and instant (µs) of its tick, tree, holds, requests, events, log lines and outputs. Cycles come in
     /// the order of their instants; some may be missing.
     ///
     /// # Errors
@@ -128,14 +128,14 @@ impl<S: Sink> MonitorRecorder<S> {
             self.tree_digest = cycle.tree.digest();
             self.tree = Some(cycle.tree.clone());
         }
-        // A digest of what was not received is 0.
+        // Digests of data that were not received are 0.
         let tick = Tick { cycle: number, instant, tree: self.tree_digest, ..Tick::default() };
         output.message(Channel::Tick, time, &tick);
         output.cycles += 1;
         output.flush_if_large()
     }
 
-    /// Writes what has waited long enough. Called at least every 0.1 s while a robot is recorded.
+    /// Writes the messages if they have waited long enough. Called at least every 0.1 s while a robot is recorded.
     ///
     /// # Errors
     /// As [`image`](Self::image).

@@ -6,20 +6,21 @@ use bica_wire::message::LogSource;
 use super::Backpressure;
 use crate::message::{ComponentCosts, Costs, LogLine};
 
-/// What was recorded of the measurements of a loop.
+/// State of the recorded measurements of a loop.
 #[derive(Debug)]
 pub(super) struct Measured {
-    /// Whether the loop has a clock: the times of another one depend on the other programs of the computer only.
+    /// Whether the loop has a clock. Without one overruns are not recorded: the times depend on the other programs of the
+    /// computer only.
     is_paced: bool,
     cycles: u64,
     components: Vec<Component>,
 }
 
-/// What was recorded of a component.
+/// State of the recorded measurements of a component.
 #[derive(Clone, Copy, Debug, Default)]
 struct Component {
     costs: ComponentCosts,
-    /// Cycle of the last line about it.
+    /// Cycle of the last line of the log about it.
     line: Option<u64>,
     /// Number of overruns since then.
     overruns: u32,

@@ -50,7 +50,7 @@ pub enum Backpressure {
     Drop,
 }
 
-/// Why a recording ends whose thread panicked.
+/// Reason for the end of a recording whose thread panicked.
 const FAILED: &str = "the thread of the recorder failed";
 
 /// Options of a recorder.
@@ -64,7 +64,7 @@ pub struct RecorderOptions {
     pub images: usize,
     /// Size of a chunk, bytes before compression. Chunks are written earlier if time has passed.
     pub chunk_bytes: usize,
-    /// Number of cycles from one record of information to the next; 0: none.
+    /// Number of cycles from one record of outputs to the next; 0: none.
     pub information_every: u64,
 }
 
@@ -90,7 +90,7 @@ pub struct Recorder {
     last_tree: TreeRecord,
     cycles: u64,
     information_every: u64,
-    /// Size of the largest record of information so far.
+    /// Size of the largest record of outputs so far, bytes.
     information_bytes: usize,
     /// Size of the largest sensor values and command so far, encoded.
     message_bytes: usize,
@@ -105,7 +105,7 @@ pub struct Recorder {
     figures: Vec<Figure>,
 }
 
-/// Ends a recording whose thread panics: a loop would wait for it without end.
+/// Ends a recording if its thread panics: otherwise a loop would wait for the thread without end.
 struct EndAtPanic<'a> {
     queue: &'a Queue,
     on_end: &'a dyn Fn(&str),
@@ -132,8 +132,8 @@ impl fmt::Debug for Owner {
 }
 
 impl Recorder {
-    /// Writes the header to `sink` and starts the thread. `on_end` is called there with the reason if the recording ends
-    /// before the run.
+    /// Writes the header to `sink` and starts the thread. The thread calls `on_end` with the reason if the recording ends before
+    /// the run.
     ///
     /// # Errors
     /// If the header cannot be written or no thread can be started.
@@ -147,8 +147,8 @@ impl Recorder {
         Self::spawn(writing, header, options, on_end)
     }
 
-    /// Starts as [`start`](Self::start) a recording that goes on in another file when a part has reached a limit. `file` makes the file
-    /// of a part with a number, from 1.
+    /// Starts a recording as [`start`](Self::start), which continues in another file when a part has reached a limit. `file`
+    /// creates the file of the part with a number, from 1.
     ///
     /// # Errors
     /// As [`start`](Self::start).
@@ -207,7 +207,7 @@ impl Recorder {
         self
     }
 
-    /// Measures the components of a tree, and records what [`measured`](Self::measured) records.
+    /// Measures the components of a tree, and records the results as [`measured`](Self::measured) does.
     #[must_use]
     pub fn measuring(mut self, graph: &'static Graph) -> Self {
         let mut meter = CostMeter::new(graph);
@@ -266,7 +266,7 @@ impl Recorder {
         report.map_or_else(Report::default, |report| report.unwrap_or_else(|_| failed()))
     }
 
-    /// Takes over large data at a position of the sensor values, with that of the same cycle before it.
+    /// Adds large data, whose format is at a position of the sensor values, to the large data of the same cycle.
     fn take_blob(&self, blobs: &mut BlobValues, at: usize, bytes: &[u8]) {
         let owner = match blobs {
             // All large data of a cycle is kept, or none.
@@ -337,11 +337,11 @@ impl<R: Recordable> Observer<R> for Recorder {
     fn acted(&mut self, cycle: &Cycle<'_, R>) {
         let Some((sensors, blobs)) = self.sensing.take() else { return };
         let sensor_bytes = sensors.len();
-        // Every type that postcard refuses, it refuses in each cycle: such a robot has no recording.
+        // postcard refuses a type in every cycle or in none: the recording of a robot with such a type has no cycles.
         let Some(message) = R::encode_command(cycle.command, sensors) else { return self.queue.give_back(blobs) };
         self.message_bytes = self.message_bytes.max(message.len());
         read_tree(cycle.robot, &mut self.tree);
-        // Half a period later: in a simulated world cycle 0 and each tenth after it have an image already.
+        // Offset by half a period: in a simulated world cycle 0 and each tenth cycle after it already have an image.
         let every = self.information_every;
         let due = every > 0 && (self.cycles + every / 2).is_multiple_of(every);
         let information = due.then(|| {

@@ -17,10 +17,10 @@ use crate::writer::RecordingWriter;
 
 /// Longest time that values wait in memory.
 const FLUSH_AFTER: Duration = Duration::from_millis(300);
-/// Longest time after which the operating system is asked to bring everything to the disk.
+/// Maximum time after which the operating system is asked to bring everything to the disk.
 const SYNC_AFTER: Duration = Duration::from_millis(500);
 
-/// The file of a recording: chunks that are complete soon after their values came.
+/// The file of a recording. Its chunks are complete soon after their values have arrived.
 #[derive(Debug)]
 pub(crate) struct Output<S> {
     writer: RecordingWriter<S>,
@@ -69,17 +69,17 @@ impl<S: Sink> Output<S> {
         })
     }
 
-    /// Whether the file has no cycle.
+    /// Returns whether the file has no cycle.
     pub(super) const fn is_empty(&self) -> bool {
         self.cycles == self.first_cycle
     }
 
-    /// Number of bytes that wait in memory.
+    /// Returns the number of bytes that wait in memory.
     pub(super) fn pending(&self) -> usize {
         self.writer.pending()
     }
 
-    /// Length of the file, bytes.
+    /// Returns the length of the file, bytes.
     pub(crate) const fn length(&self) -> u64 {
         self.writer.length()
     }
@@ -107,8 +107,8 @@ impl<S: Sink> Output<S> {
         self.writer.message(channel, compression, time, &self.message);
     }
 
-    /// Begins a cycle. The cycles so far are written if large data of this one, of so many bytes before they are coded, might exceed
-    /// with theirs what a reader holds at once.
+    /// Begins a cycle with a number of large data and their size before they are coded, bytes. Writes the cycles so far if their
+    /// large data and those of this cycle might exceed the limits of a reader.
     pub(crate) fn begin_cycle(&mut self, blobs: usize, bytes: usize) -> io::Result<()> {
         // Topics and codes may need more room than the data.
         let has_room = self.writer.pending().saturating_add(bytes.saturating_mul(4)) <= MAX_CYCLE_BYTES;
@@ -141,12 +141,12 @@ impl<S: Sink> Output<S> {
         Ok(())
     }
 
-    /// Writes a chunk that is large enough.
+    /// Writes the chunk if it is large enough.
     pub(crate) fn flush_if_large(&mut self) -> io::Result<()> {
         if self.writer.pending() >= self.chunk_bytes { self.flush() } else { Ok(()) }
     }
 
-    /// Writes what has waited long enough.
+    /// Writes the chunk and requests a sync, each if it is due.
     pub(crate) fn flush_if_due(&mut self) -> io::Result<()> {
         if self.flushed.elapsed() >= FLUSH_AFTER {
             self.flush()?;

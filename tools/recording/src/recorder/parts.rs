@@ -6,7 +6,7 @@ use super::{Output, Sink};
 use crate::header::{Ending, Header};
 use crate::part::{RunPart, Split};
 
-/// Function that makes the file of a part with a number.
+/// Function that creates the file of the part with a number.
 pub(super) type NextFile<S> = Box<dyn FnMut(u32) -> io::Result<S> + Send>;
 
 /// The files of a recording that is split.
@@ -19,7 +19,7 @@ pub(super) struct Parts<S> {
     former: Option<Output<S>>,
     /// Length of all parts before, bytes.
     pub(super) bytes: u64,
-    /// Number of images that were dropped in them.
+    /// Number of images that were dropped in all parts before.
     pub(super) dropped_images: u64,
 }
 
@@ -34,7 +34,7 @@ impl<S: Sink> Parts<S> {
         Self { split, next, begin: None, former: None, bytes: 0, dropped_images: 0 }
     }
 
-    /// Whether a cycle at a time, ns, belongs to the next part.
+    /// Returns whether a cycle at a time, ns, belongs to the next part.
     fn is_due(&mut self, time: u64, output: &Output<S>) -> bool {
         let begin = *self.begin.get_or_insert(time);
         !output.is_empty()
@@ -81,7 +81,7 @@ impl<S: Sink> Parts<S> {
     }
 }
 
-/// The header of the first part.
+/// Returns the header of the first part.
 pub(super) fn first(header: &Header) -> Header {
     Header { part: Some(RunPart::first()), ..header.clone() }
 }

@@ -12,11 +12,11 @@ use crate::header::Ending;
 use crate::message::{Costs, LogLine, RunEvent, TreeRecord};
 use crate::request::RequestRecord;
 
-/// Time after which the thread looks into the queue without being woken.
+/// Time after which the thread checks the queue without being woken.
 const POLL: Duration = Duration::from_millis(50);
 /// Number of entries after which the thread is woken: waking it in each cycle would cost the loop time.
 const WAKE_AFTER: usize = 64;
-/// Entries for people beside each cycle that the queue holds.
+/// Number of entries that events, log lines and costs may occupy beyond the limit for cycles.
 const EXTRA_ENTRIES: usize = 1000;
 
 /// The values of a cycle.
@@ -37,15 +37,15 @@ pub(super) struct CycleValues {
 /// The large data of a cycle.
 #[derive(Debug)]
 pub(super) enum BlobValues {
-    /// There is none.
+    /// No large data.
     None,
     /// All of it.
     Kept(Vec<KeptBlob>),
-    /// Its digest; it is not stored.
+    /// The digest alone; the data is not stored.
     Digest(Hasher),
 }
 
-/// Large data, and the position in the sensor values after which its format stands.
+/// Large data, and the position in the encoded sensor values at which its format begins.
 #[derive(Debug)]
 pub(super) struct KeptBlob {
     pub(super) at: usize,
@@ -87,7 +87,7 @@ struct State {
     buffers: Vec<Vec<u8>>,
     dropped_images: u64,
     closing: Option<Ending>,
-    /// The queue was full.
+    /// Whether the queue was full.
     overflow: bool,
 }
 
@@ -101,7 +101,7 @@ pub(super) struct Queue {
     options: RecorderOptions,
 }
 
-/// What the thread takes out of the queue.
+/// Contents of the queue that the thread takes.
 pub(super) struct Batch {
     pub(super) entries: VecDeque<Entry>,
     /// Result of the run, once it is over.
@@ -139,7 +139,7 @@ impl Queue {
         self.ended.load(Ordering::Relaxed)
     }
 
-    /// Adds an entry. Without room, entries for people are left out, and a cycle waits or ends the recording.
+    /// Adds an entry. Without room, a cycle waits or ends the recording, and other entries are dropped.
     pub(super) fn push(&self, entry: Entry) {
         let mut state = self.lock();
         let is_cycle = matches!(entry, Entry::Cycle(_));
@@ -184,7 +184,7 @@ impl Queue {
         true
     }
 
-    /// Makes room for large data that need not be stored, if there is any.
+    /// Takes room for large data that need not be stored; returns whether there was room.
     pub(super) fn try_make_room(&self) -> bool {
         let mut state = self.lock();
         let is_free = state.images < self.options.images;
@@ -206,7 +206,7 @@ impl Queue {
         self.lock().buffers.pop().unwrap_or_default()
     }
 
-    /// Gives the room of large data back.
+    /// Releases the room of large data.
     pub(super) fn give_back(&self, blobs: BlobValues) {
         let BlobValues::Kept(kept) = blobs else { return };
         let mut state = self.lock();
@@ -219,7 +219,7 @@ impl Queue {
         self.room.notify_one();
     }
 
-    /// Ends the run, with its result.
+    /// Sets the result of the run, which is over.
     pub(super) fn close(&self, ending: Ending) {
         self.lock().closing = Some(ending);
         self.wake.notify_one();
@@ -242,7 +242,7 @@ impl Queue {
         }
     }
 
-    /// Ends the recording: nothing is taken in any more.
+    /// Ends the recording: further entries are dropped.
     pub(super) fn end(&self) {
         self.ended.store(true, Ordering::Relaxed);
         let mut state = self.lock();

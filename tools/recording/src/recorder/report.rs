@@ -9,7 +9,7 @@ pub struct Report {
     pub bytes: u64,
     /// Number of images that were dropped because the disk was slow.
     pub dropped_images: u64,
-    /// Why the recording ended before the run; none if it did not.
+    /// Reason why the recording ended before the run; none if it did not.
     pub reason: Option<String>,
     /// Number of parts; none if the recording is not split.
     pub parts: Option<u32>,

@@ -4,7 +4,7 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
-/// Target of a recording: a file, or something that fails in a test.
+/// Target of a recording: a file, or in a test a target that fails.
 pub trait Sink: Write + Send {
     /// Cuts the target to a length and continues there.
     ///
@@ -22,10 +22,11 @@ pub trait Sink: Write + Send {
 /// Function that brings everything written to the disk.
 pub type Syncing = Box<dyn FnMut() -> io::Result<()> + Send>;
 
-/// Makes a file for a recording, or empties an existing one if it may be replaced. The file is locked, so that it has one writer.
+/// Creates a file for a recording, or empties an existing one if it may be replaced. The file is locked, so that it has one
+/// writer.
 ///
 /// # Errors
-/// If the file cannot be made, exists and is not to be replaced, or another recorder writes it.
+/// If the file cannot be created, exists and is not to be replaced, or another recorder writes it.
 pub fn create(path: &Path, replace: bool) -> io::Result<File> {
     let file = OpenOptions::new().write(true).create(true).truncate(false).create_new(!replace).open(path)?;
     if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {

@@ -29,7 +29,7 @@ pub(super) struct Writing<S> {
     last_blob: u32,
     /// Number of images that were dropped so far.
     dropped_images: u64,
-    /// If the recording is split.
+    /// The parts, if the recording is split.
     parts: Option<Parts<S>>,
 }
 
@@ -48,7 +48,7 @@ impl<S: Sink> Writing<S> {
         })
     }
 
-    /// Goes on in another file whenever a part has reached its limit.
+    /// Continues in another file whenever a part has reached its limit.
     pub(super) fn in_parts(self, parts: Parts<S>) -> Self {
         Self { parts: Some(parts), ..self }
     }

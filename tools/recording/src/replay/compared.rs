@@ -21,7 +21,7 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    /// Compares cycle by cycle; returns what is wrong with the file.
+    /// Compares cycle by cycle; returns the damage of the file, or that the user has stopped the comparison.
     pub(super) fn compare(
         &mut self,
         options: &ReplayOptions<'_>,
@@ -74,7 +74,7 @@ impl Compared {
         if self.gaps.is_empty() {
             return self.before.add(recorded, &repeated);
         }
-        // It depends on all cycles before.
+        // The fingerprint depends on all cycles before.
         repeated.tick.fingerprint = recorded.tick.fingerprint;
         self.after.add(recorded, &repeated);
     }

@@ -1,4 +1,4 @@
-//! Replay of a recording: the code runs again on what was recorded.
+//! Replay of a recording: the code runs again on the recorded data.
 
 mod compared;
 mod rerun;
@@ -26,7 +26,7 @@ use run::{Other, Repeated, Run};
 pub(crate) use subject::check_tree;
 pub use subject::{RepeatedWorld, Subject};
 
-/// What is replayed.
+/// Options of a replay.
 #[derive(Clone, Copy, Debug)]
 pub struct ReplayOptions<'a> {
     /// The recording.
@@ -37,14 +37,14 @@ pub struct ReplayOptions<'a> {
     pub until: f64,
     /// Recording to compare with, instead of running the code.
     pub against: Option<&'a Path>,
-    /// Parameters `Component.name=value` that are not those of the recording.
+    /// Parameters `Component.name=value` that replace those of the recording.
     pub set: &'a [String],
-    /// Whether the simulated world runs again, also if the recording has sensor values.
+    /// Whether the simulated world runs again, even if the recording has sensor values.
     pub closed_loop: bool,
 }
 
 impl<'a> ReplayOptions<'a> {
-    /// The code on a whole recording, with the recorded parameters.
+    /// Returns options for the code on a whole recording, with the recorded parameters.
     #[must_use]
     pub const fn whole(path: &'a Path) -> Self {
         Self { path, from: 0.0, until: f64::INFINITY, against: None, set: &[], closed_loop: false }
@@ -76,7 +76,7 @@ pub struct ReplayReport {
     pub cycles: u64,
     /// Time of the last cycle since the first one, s.
     pub seconds: f64,
-    /// What is wrong with the file; none if it is complete.
+    /// Damage of the file; none if it is complete.
     pub damage: Option<String>,
     /// The first difference.
     pub first_difference: Option<Difference>,
@@ -86,7 +86,7 @@ pub struct ReplayReport {
     pub total_decisions: u64,
     /// Cycles whose images were dropped while recording.
     pub gaps: Vec<u64>,
-    /// What follows the first gap.
+    /// Comparison after the first gap.
     pub after_gap: Option<AfterGap>,
 }
 
@@ -105,9 +105,9 @@ type FileRecording = Recording<BufReader<File>>;
 
 /// Runs the code again on a recording, or compares two recordings.
 ///
-/// `subject` makes the robot with the parameters of the header, and over them those of [`ReplayOptions::set`], and, if its second
-/// argument says so, the world again; it is not called if two recordings are compared. `progress` is called now and then with the
-/// number of bytes that were read; if it returns false, the replay ends there.
+/// `subject` makes the robot with the parameters of the header, replaced by those of [`ReplayOptions::set`]. If its second
+/// argument is true, it also makes the world. It is not called if two recordings are compared. `progress` is called repeatedly
+/// with the number of bytes that were read; if it returns false, the replay ends there.
 ///
 /// # Errors
 /// If a file cannot be read, or the recording cannot be replayed by this program.
@@ -185,7 +185,7 @@ fn report(
     })
 }
 
-/// Opens a recording of a run. What a monitor recorded cannot be repeated or compared.
+/// Opens a recording of a run. A recording of a monitor is refused, because it cannot be repeated or compared.
 fn open(path: &Path) -> Result<FileRecording, Invalid> {
     let recording = FileRecording::open(path).map_err(|error| of_file(path, &error))?;
     let Some(monitor) = &recording.header().monitor else { return Ok(recording) };
@@ -197,12 +197,12 @@ fn open(path: &Path) -> Result<FileRecording, Invalid> {
     Err(Invalid::new(what, "record where the robot runs, with `--serve ADDR --record FILE`"))
 }
 
-/// Refuses to run again a part that does not begin with its run.
+/// Refuses to run a part again that is not the first one of its run.
 fn check_start(path: &Path, header: &Header) -> Result<(), Invalid> {
     header.part.as_ref().map_or(Ok(()), |part| part.check_first(path))
 }
 
-/// The failure to read a file.
+/// Returns the error for a file that cannot be read.
 fn of_file(path: &Path, error: &Error) -> Invalid {
     Invalid::new(format!("cannot read `{}`: {error}", path.display()), error.help())
 }

@@ -21,8 +21,8 @@ use bica_wire::model::Invalid;
 const NO_ROOM: &str = "make room on the disk, or name a file on another one";
 
 /// Runs the code again on a recording, and writes the new course to a recording with sensor values. `subject` is as for
-/// [`replay`](super::replay). `progress` is called now and then with the time of the last cycle since the first one, s; if it returns
-/// false, the run ends there.
+/// [`replay`](super::replay). `progress` is called every 100 cycles with the time of the last cycle since the first one, s; if it
+/// returns false, the run ends there.
 ///
 /// # Errors
 /// If a file cannot be read or written to its end, or the recording cannot be replayed by this program.
@@ -92,7 +92,7 @@ fn start(out: &Path, header: &Header) -> Result<Recorder, Invalid> {
         Invalid::new(what, NO_ROOM)
     };
     let file = create(out, true).map_err(failed)?;
-    // Without a clock nothing has to be lost.
+    // The run has no clock, so the loop can wait for the disk.
     let options = RecorderOptions { backpressure: Backpressure::Wait, ..RecorderOptions::default() };
     // The report has the reason of an early end.
     Recorder::start(file, header, options, |_| {}).map_err(failed)

@@ -120,10 +120,11 @@ where
         self.world.as_ref().map_or(Instant::from_ticks(recorded.tick.instant), World::now)
     }
 
-    /// Applies a request of the recorded run. A world of stored sensor values shows its changes already.
+    /// Applies a request of the recorded run. Without a repeated world, actions of the world are ignored: the stored sensor
+    /// values already show their effects.
     ///
     /// # Errors
-    /// Why the world refuses a change. A tree's refusal is a difference of the run.
+    /// The refusal of a change by the world. A refusal by the tree is a difference of the run.
     pub(super) fn request(&mut self, recorded: &RecordedCycle, request: &RequestRecord) -> Result<(), Refusal> {
         match request {
             RequestRecord::World { name, values } => {
@@ -179,7 +180,7 @@ where
     }
 }
 
-/// The robot of this program.
+/// The repeated run of the robot of this program.
 pub(super) struct Repeated<R: Robot> {
     again: Again<R, Taken>,
     fingerprint: RunningFingerprint,
@@ -224,7 +225,7 @@ where
             requests.push(ended);
         }
         if recorded.is_gap() {
-            // The data was there, but is not in the file.
+            // The recorded run had the data, but the file does not contain it.
             repeated.tick.blobs = recorded.tick.blobs;
             repeated.tick.sensors = recorded.tick.sensors;
             repeated.sensors.clone_from(&recorded.sensors);

@@ -61,7 +61,7 @@ fn check<R: Recordable>(header: &Header) -> Result<(), Invalid> {
     Err(Invalid::new(what, OTHER_HELP))
 }
 
-/// Checks that a recording is of this program's tree; `so` is what follows if it is not.
+/// Checks that a recording is of this program's tree; `so` is the consequence in the error text.
 pub(crate) fn check_tree<R: Recordable>(header: &Header, so: &str) -> Result<(), Invalid> {
     let own = Description::of(&R::GRAPH);
     if own.hash == header.tree.hash {

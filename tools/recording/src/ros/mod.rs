@@ -1,7 +1,7 @@
 //! A robot in ROS 2: names, topics and messages, for recordings and for the node of the crate `bica-ros`.
 //!
-//! Each visual type has one message, whoever sends it. Messages are encoded in CDR as ROS does it: little-endian, without the header of
-//! four bytes that [`CDR_LE`] is.
+//! Each visual type has one type of message, for all senders. Messages are encoded in CDR as in ROS: little-endian, without the
+//! four bytes of the header [`CDR_LE`].
 
 mod message;
 mod names;

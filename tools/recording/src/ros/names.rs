@@ -9,17 +9,17 @@ pub struct Names {
     pub namespace: String,
     /// Name of the node.
     pub node: String,
-    /// The frame in which odometry has its place, if there is one.
+    /// Frame in which the place of odometry is given, if there is one.
     map: Option<String>,
     /// Frames that several robots have in common.
     common: Vec<String>,
 }
 
-/// Frames of a tree that REP 105 names otherwise.
+/// Frames of a tree that have another name in REP 105.
 const FRAMES: [(&str, &str); 2] = [("robot", "base_link"), ("odometry", "odom")];
 
 impl Names {
-    /// The names of a robot in a namespace, which may be empty.
+    /// Returns the names of a robot in a namespace, which may be empty.
     ///
     /// # Errors
     /// If ROS refuses the namespace.
@@ -32,19 +32,19 @@ impl Names {
         Ok(Self { namespace: format!("/{namespace}"), node, map, common })
     }
 
-    /// Names frames that several robots have in common: their names do not begin with the namespace.
+    /// Sets the frames that several robots have in common: their names do not begin with the namespace.
     #[must_use]
     pub fn with_common(self, common: Vec<String>) -> Self {
         Self { common, ..self }
     }
 
-    /// Returns the absolute name of what other nodes know by its short name, such as `scan`.
+    /// Returns the absolute name of a topic that other nodes know by its short name, such as `scan`.
     #[must_use]
     pub fn public(&self, name: &str) -> String {
         format!("{}/{name}", self.namespace.trim_end_matches('/'))
     }
 
-    /// Returns the absolute name of something that belongs to this node alone, of parts such as component and output.
+    /// Returns the absolute name of a topic or service of this node alone, made of parts such as component and output.
     #[must_use]
     pub fn private(&self, parts: &[&str]) -> String {
         let parts: Vec<_> = parts.iter().map(|part| snake(part)).collect();

@@ -5,7 +5,7 @@ use postcard_schema::schema::owned::{OwnedDataModelType as Type, OwnedNamedType}
 
 use crate::shape::CALIBRATION;
 
-/// Deepest nesting of sensor values in which large data is counted.
+/// Maximum nesting of sensor values in which large data is counted.
 const DEPTH: usize = 16;
 
 /// Names of the frames of large data, such as the images of cameras: each has topics of its own.
@@ -16,7 +16,7 @@ pub struct Cameras {
 }
 
 impl Cameras {
-    /// The frames of a robot.
+    /// Returns the frames of a robot.
     #[must_use]
     pub fn new(tree: &Description) -> Self {
         let placements = tree.components.iter().flat_map(|one| &one.info).filter_map(|info| info.placement.as_ref());
@@ -27,7 +27,7 @@ impl Cameras {
         Self { only: first.filter(|_| is_single).cloned() }
     }
 
-    /// Whether there is one camera, whose frame the tree names.
+    /// Returns whether there is one camera, whose frame the tree names.
     #[must_use]
     pub const fn is_single(&self) -> bool {
         self.only.is_some()
@@ -40,8 +40,8 @@ impl Cameras {
         self.only.as_deref().unwrap_or(frame)
     }
 
-    /// As [`frame_of`](Self::frame_of), for large data after that of the same cycle in `before`, to which it is added: a second one in a
-    /// frame `eye` is in `eye_2`.
+    /// As [`frame_of`](Self::frame_of), for the next large data of a cycle. `before` are the frames of its earlier large data, to
+    /// which this frame is added. A second one in the frame `eye` gets the name `eye_2`.
     #[must_use]
     pub fn next_frame(&self, frame: &str, before: &mut Vec<String>) -> String {
         before.push(frame.to_owned());
@@ -53,7 +53,7 @@ impl Cameras {
     }
 }
 
-/// Counts the large data in a type; a list has any number.
+/// Counts the large data in a type. Those in a list count twice, because there may be any number.
 fn blobs(schema: &OwnedNamedType, depth: usize) -> usize {
     let Some(depth) = depth.checked_sub(1) else { return 0 };
     match &schema.ty {

@@ -32,7 +32,7 @@ const PREVIEW_AFTER: u64 = 290_000_000;
 const OUTPUTS_AFTER: u64 = 45_000_000;
 /// Time after which a value that is drawn is written again, although it has not changed, ns.
 const AGAIN_AFTER: u64 = 1_000_000_000;
-/// Most large data of a frame that waits.
+/// Maximum number of large data of a frame that wait.
 const MAX_WAITING: usize = 64;
 
 /// Message of a topic.
@@ -56,7 +56,7 @@ struct Waiting {
 /// An output with a visual type.
 #[derive(Debug, Default)]
 struct Visual {
-    /// Frame of the camera in whose image it is.
+    /// Frame of the camera in whose image the values lie.
     camera: Option<String>,
     /// Value that was written last, and its time, ns.
     last: Value,
@@ -85,10 +85,10 @@ pub(crate) struct Deriver {
 }
 
 impl Deriver {
-    /// A deriver of the topics that a header requests, with the names of its robot.
+    /// Creates a deriver of the topics that a header requests, with the names of its robot.
     ///
     /// # Errors
-    /// If two things have one topic.
+    /// If two things have the same topic.
     pub(crate) fn new(header: &Header, names: Names) -> Result<Option<Self>, Invalid> {
         if header.topics == Topics::None {
             return Ok(None);
@@ -122,7 +122,7 @@ impl Deriver {
         &self.topics.all()[index]
     }
 
-    /// Returns the messages that follow from a message of the recording. One that cannot be read has none.
+    /// Returns the messages that are derived from a message of the recording; none from a message that cannot be read.
     pub(crate) fn derive(&mut self, channel: Channel, time: u64, data: &[u8]) -> Vec<Derived> {
         if !std::mem::replace(&mut self.has_begun, true) {
             self.begin(time);
@@ -159,7 +159,7 @@ impl Deriver {
 
     fn send(&mut self, messages: Vec<Sent>) {
         let derived = messages.into_iter().map(|(topic, message)| {
-            // What is coded cannot be compressed further.
+            // Coded data cannot be compressed further.
             let compression = if self.topics.is_image(topic) { Compression::None } else { Compression::Lz4 };
             Derived { topic, compression, data: message.0 }
         });
@@ -170,7 +170,7 @@ impl Deriver {
         self.send(self.topics.log(time, level, source, text));
     }
 
-    /// Writes what is known before the first cycle: parameters, what does not move in the world, and one tree of frames.
+    /// Writes the data known before the first cycle: parameters, scenery, and one tree of frames.
     fn begin(&mut self, time: u64) {
         self.parameters(time);
         let scenery: Vec<_> = std::mem::take(&mut self.header.scenery).into_iter().map(shown).collect();
@@ -228,7 +228,7 @@ impl Deriver {
             if cycle.is_none() || *last != cycle {
                 (*last, *frames) = (cycle, Vec::new());
             }
-            // A damaged file may have any number, and of any size.
+            // A damaged file may have any number of large data, of any size.
             if frames.len() >= MAX_BLOBS {
                 return;
             }
@@ -288,7 +288,7 @@ impl Deriver {
             }
         }
         if self.topics.is_drawn(key) {
-            // That there is no value is shown once; what is seen in an image is shown with each image.
+            // A missing value is shown once; a value in an image is shown with each image.
             let is_again = written.is_some_and(|at| camera.is_some() || time >= at.saturating_add(AGAIN_AFTER));
             if value == *last && (value.is_null() || !is_again) {
                 return;
@@ -357,7 +357,7 @@ impl Deriver {
     }
 }
 
-/// Returns what does not move as a monitor has it.
+/// Converts an item of the scenery to the form of a monitor.
 fn shown(item: Scenery) -> Shown {
     let Scenery { name, shape, frame, colour, line_width, value } = item;
     let colour = colour.map(|[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));

@@ -8,7 +8,7 @@ pub(super) const MAX_WIDTH: usize = 320;
 /// Quality, 1 to 100.
 const QUALITY: u8 = 70;
 
-/// Returns whether large data is an image of which there can be a preview.
+/// Returns whether large data is an image that can have a preview.
 pub(super) const fn is_image(format: Format<'_>) -> bool {
     matches!(format, Format::Yuyv { .. } | Format::Gray8 { .. } | Format::Rgb8 { .. } | Format::Jpeg)
 }
@@ -26,8 +26,8 @@ pub struct Jpeg {
     pub scale: f64,
 }
 
-/// Codes an image as JPEG, smaller by a whole number if it is wider than `max_width`, px. Returns `None` if the pixels are no image
-/// of this format.
+/// Codes an image as JPEG, reduced by a whole factor if it is wider than `max_width`, px. Returns `None` if the pixels are no
+/// image of this format.
 #[must_use]
 pub fn jpeg(format: Format<'_>, pixels: &[u8], max_width: usize) -> Option<Jpeg> {
     let (bytes_of_pixel, width, height) = match format {
@@ -48,8 +48,8 @@ pub fn jpeg(format: Format<'_>, pixels: &[u8], max_width: usize) -> Option<Jpeg>
     Some(Jpeg { data, width: small as u32, height: low as u32, scale: 1.0 / by as f64 })
 }
 
-/// An image that is smaller by a whole number. The encoder reads it row by row: its functions for arrays of pixels are compiled for
-/// each of nine layouts.
+/// An image that is reduced by a whole factor. The encoder reads it row by row: its functions for arrays of pixels are compiled
+/// for each of nine layouts.
 struct Reduced<'a> {
     pixels: &'a [u8],
     /// 1: grey, 2: YUV 4:2:2 with two pixels in four bytes `Y0 Cb Y1 Cr`, 3: red, green, blue.
@@ -70,7 +70,7 @@ impl Reduced<'_> {
         }]
     }
 
-    /// Mean of the pixels that become one.
+    /// Returns the mean of the pixels that become one.
     fn mean(&self, x: usize, y: usize, channel: usize) -> u8 {
         let by = self.by;
         let block = (0..by * by).map(|at| u32::from(self.byte(by * x + at % by, by * y + at / by, channel)));

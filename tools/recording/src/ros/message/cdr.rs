@@ -95,7 +95,7 @@ impl Field for Byte {
     }
 }
 
-/// Numbers of which there are always `N`.
+/// Array of exactly `N` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<const N: usize>(pub [f64; N]);
 
@@ -126,7 +126,7 @@ mod tests {
         let mut message = PointStamped { point: Point { x: 1.0, ..Point::default() }, ..PointStamped::default() };
         message.header.frame_id = "ab".to_owned();
         let Encoded(bytes) = Encoded::from(&message);
-        // Two numbers of the time, length and text with its end, a byte that fills up, three coordinates.
+        // Two numbers of the time, length and text with its final 0, a padding byte, three coordinates.
         assert_eq!((bytes.len(), &bytes[8..15]), (16 + 24, &[3, 0, 0, 0, b'a', b'b', 0][..]));
         assert_eq!(bytes[16..24], 1.0_f64.to_le_bytes());
     }

@@ -1,4 +1,4 @@
-//! Messages of Foxglove in images, with their definitions of 2026: ROS has none that viewers show.
+//! Messages of Foxglove for annotations in images, with their definitions of 2026: ROS has no such messages that viewers show.
 
 use super::{Time, messages};
 

@@ -11,7 +11,7 @@ const LINE: f64 = 2.0;
 const POINTS: u8 = 1;
 const STRIP: u8 = 3;
 
-/// Returns the values of an output, of an image type `kind`, in an image of `scale` of its size.
+/// Returns the values of an output with the image type `kind`, as annotations of an image that was scaled by `scale`.
 pub(super) fn annotations(
     timestamp: Time,
     kind: &str,

@@ -24,13 +24,13 @@ pub(super) fn pose(place: &Place) -> Pose {
     Pose { position: point(place.position), orientation: quaternion(place.rotation) }
 }
 
-/// Returns the place of a frame in that of the header.
+/// Returns the place of a frame in the frame of the header.
 pub(super) fn transform(header: Header, child_frame_id: String, place: &Place) -> TransformStamped {
     let transform = Transform { translation: vector(place.position), rotation: quaternion(place.rotation) };
     TransformStamped { header, child_frame_id, transform }
 }
 
-/// Returns a scan. A ray without an end is infinite, as REP 117 requires.
+/// Returns a scan. A ray without a range is infinite, as REP 117 requires.
 pub(super) fn scan(header: Header, value: &Value) -> Option<LaserScan> {
     let [angle_min, angle_increment, range_max] =
         numbers(value, ["angle_min", "angle_increment", "range_max"])?.map(|number| number as f32);
@@ -94,7 +94,7 @@ pub(super) fn imu(header: Header, value: &Value) -> Option<Imu> {
     Some(Imu { header, orientation, orientation_covariance, angular_velocity, linear_acceleration, ..Imu::default() })
 }
 
-/// Returns the parameters of a camera without distortion, for an image of `scale` of its size.
+/// Returns the parameters of a camera without distortion, for an image that was scaled by `scale`.
 pub(super) fn camera(header: Header, value: &Value, [width, height]: [u32; 2], scale: f64) -> Option<CameraInfo> {
     let all = numbers(value, ["focal_x", "focal_y", "centre_x", "centre_y"])?;
     let [fx, fy, cx, cy] = all.map(|number| number * scale);

@@ -11,7 +11,8 @@ use super::topic::{Sent, sent, stamp};
 const WARN: u8 = 1;
 
 impl Topics {
-    /// Returns the costs of the cycle and of the components that exceeded their budgets.
+    /// Returns the costs of the cycle and of the components that ran. Those that exceeded their budgets have the level of a
+    /// warning.
     #[must_use]
     pub fn costs(&self, time: u64, description: &Description, costs: &Costs) -> Vec<Sent> {
         let value = |key: &str, number: f32| KeyValue { key: key.to_owned(), value: format!("{number:.1}") };

@@ -17,7 +17,7 @@ const DELETE_ALL: i32 = 3;
 const WIDTH: f64 = 0.05;
 const LINE: f64 = 0.02;
 
-/// Returns what the values of an output look like, after the removal of what they looked like before.
+/// Returns the markers of an output's values, after a marker that removes the earlier ones.
 pub(super) fn markers(header: &Header, namespace: &str, kind: &str, value: &Value, [r, g, b]: [f32; 3]) -> Vec<Marker> {
     let empty = || Marker {
         header: header.clone(),

@@ -1,4 +1,4 @@
-//! What a robot publishes, for the node and for recordings.
+//! Topics and messages of a robot, for the node and for recordings.
 
 mod annotations;
 mod convert;
@@ -30,7 +30,7 @@ use topic::{image_topic, placements, sent, stamp};
 
 /// Levels of a line of the log of ROS for those of a robot: 1 debug, 2 information, 3 warning, 4 error.
 const LOG_LEVELS: [u8; 5] = [10, 10, 20, 30, 40];
-/// What a recording has as JSON in texts, if all numbers are requested.
+/// Data that a recording contains as JSON in texts, if all numbers are requested.
 const NUMBERS: [&str; 3] = ["sensors", "command", "costs"];
 
 /// The topics of a robot, and its messages.
@@ -52,23 +52,24 @@ pub struct Topics {
     parameters: usize,
     scenery: usize,
     states: usize,
-    /// Topic and last name of the state of each component with states.
+    /// Topic of the state of each component with states, and name of its last state.
     state: BTreeMap<usize, (usize, String)>,
     last_states: Vec<String>,
-    /// Topics of the points of a scenery, and of numbers, that only recordings have.
+    /// Topics that only recordings have: points of a scenery, and numbers.
     scenery_points: BTreeMap<String, usize>,
     numbers: BTreeMap<&'static str, usize>,
 }
 
 impl Topics {
-    /// The topics of a node. `has_images` is whether the robot may send images.
+    /// Returns the topics of a node. `has_images` is whether the robot may send images.
     #[must_use]
     pub fn new(description: &Description, names: Names, has_images: bool) -> Self {
         Self::of(description, names, has_images, false)
     }
 
-    /// The topics of a recording: those of a node, and markers and points of all that is drawn, because viewers do not show all messages.
-    /// `scenery` are the names of what does not move; `has_numbers` is whether sensor values, commands and costs have topics.
+    /// Returns the topics of a recording: those of a node, and markers and points of everything drawn, because viewers do not
+    /// show all messages. `scenery` are the names of the objects that do not move; `has_numbers` is whether sensor values,
+    /// commands and costs have topics.
     #[must_use]
     pub fn recorded<'a>(
         description: &Description,
@@ -153,21 +154,21 @@ impl Topics {
         }
     }
 
-    /// Checks that each topic has another name.
+    /// Checks that all topics have different names.
     ///
     /// # Errors
-    /// The two things with one name.
+    /// If two things have the same name.
     pub fn check(&self, table: &mut NameTable) -> Result<(), Invalid> {
         self.all.iter().try_for_each(|topic| table.add(&topic.name, &topic.source))
     }
 
-    /// All topics so far, by their indices.
+    /// Returns all topics so far, by their indices.
     #[must_use]
     pub fn all(&self) -> &[Topic] {
         &self.all
     }
 
-    /// Returns the indices of component and output of all that is needed for a topic.
+    /// Returns the indices of component and output of all outputs that a topic needs.
     pub fn sources(&self, topic: usize) -> impl Iterator<Item = (usize, usize)> {
         self.outputs.iter().filter(move |(_, output)| output.topics.contains(&Some(topic))).map(|(key, _)| *key)
     }
@@ -177,13 +178,13 @@ impl Topics {
         self.outputs.get(&(component, info)).into_iter().flat_map(|output| output.topics).flatten()
     }
 
-    /// Whether a topic shows images.
+    /// Returns whether a topic shows images.
     #[must_use]
     pub fn is_image(&self, topic: usize) -> bool {
         self.all.get(topic).is_some_and(|topic| topic.kind.name == CompressedImage::TYPE.1)
     }
 
-    /// Whether a topic shows costs.
+    /// Returns whether a topic shows costs.
     #[must_use]
     pub const fn is_costs(&self, topic: usize) -> bool {
         topic == self.diagnostics
@@ -193,13 +194,13 @@ impl Topics {
         Header { stamp: stamp(time), frame_id: self.names.frame(frame) }
     }
 
-    /// Returns the indices of component and output of all outputs with a visual type, and the camera in whose image they are.
+    /// Returns the indices of component and output of all outputs with a visual type, and the camera in whose image they lie.
     pub fn visual(&self) -> impl Iterator<Item = ((usize, usize), Option<&str>)> {
         let visual = self.outputs.iter().filter(|(_, output)| output.is_visual());
         visual.map(|(key, output)| (*key, output.camera.as_deref()))
     }
 
-    /// Returns whether values of an output are shown as long as no other one replaces them.
+    /// Returns whether viewers show a value of an output until another value replaces it.
     #[must_use]
     pub fn is_drawn(&self, key: (usize, usize)) -> bool {
         self.outputs.get(&key).is_some_and(Output::is_drawn)
@@ -218,7 +219,7 @@ impl Topics {
         if transforms.is_empty() { Vec::new() } else { sent(self.tf_static, &Transforms { transforms }) }
     }
 
-    /// Returns a first place of each frame, in the origin of the other one: viewers show nothing as long as the frames are no single
+    /// Returns a first place of each frame, at the origin of the other frame: viewers show nothing until the frames form a single
     /// tree.
     #[must_use]
     pub fn first_frames(&self, time: u64) -> Vec<Sent> {
@@ -234,8 +235,8 @@ impl Topics {
         sent(self.clock, &Clock { clock: stamp(time) })
     }
 
-    /// Returns the states of the components, if one has changed. `states` has the name of each component's state, `active` for one
-    /// without states, and `latent`.
+    /// Returns the states of the components, if one has changed. `states` contains for each component the name of its state,
+    /// `active` if it has no states, or `latent`.
     pub fn states(&mut self, description: &Description, states: Vec<String>) -> Vec<Sent> {
         if states == self.last_states {
             return Vec::new();
@@ -256,7 +257,7 @@ impl Topics {
         messages
     }
 
-    /// Returns what does not move in the robot's world.
+    /// Returns the scenery of the robot's world.
     #[must_use]
     pub fn scenery(&self, time: u64, items: &[Shown]) -> Vec<Sent> {
         let of_item = |item: &Shown| {
@@ -275,13 +276,14 @@ impl Topics {
         messages
     }
 
-    /// Frames of the cameras.
+    /// Returns the frames of the cameras.
     #[must_use]
     pub const fn cameras(&self) -> &Cameras {
         &self.cameras
     }
 
-    /// Returns a camera image in a frame, coded as JPEG, at most `max_width` pixels wide. The first one of a frame adds its topic.
+    /// Returns a camera image in a frame, coded as JPEG, at most `max_width` pixels wide. The first image of a frame adds its
+    /// topic.
     pub fn image(&mut self, time: u64, camera: &str, format: Format<'_>, pixels: &[u8], max_width: usize) -> Vec<Sent> {
         let topic = match self.measured(time, image_topic(&self.names, camera)) {
             Ok(topic) => topic,
@@ -303,7 +305,8 @@ impl Topics {
         sent(topic, &CompressedImage { header, format: "jpeg".to_owned(), data })
     }
 
-    /// Returns a recorded point cloud in a frame, of three little-endian `f32` for each point. The first one of a frame adds its topic.
+    /// Returns a recorded point cloud in a frame, of three little-endian `f32` for each point. The first cloud of a frame adds
+    /// its topic.
     pub fn cloud(&mut self, time: u64, frame: &str, data: &[u8]) -> Vec<Sent> {
         let (name, source) = (self.names.camera(frame, "points"), format!("the points in the frame `{frame}`"));
         let topic = Topic { name, source, kind: Kind::of::<PointCloud>(), quality: Quality::Sensor };
@@ -313,7 +316,7 @@ impl Topics {
         }
     }
 
-    /// Returns the index of a topic of images or points. If another thing has its name, a line of the log says so, once.
+    /// Returns the index of a topic of images or points. If another topic has its name, the first call returns a line of the log.
     fn measured(&mut self, time: u64, topic: Topic) -> Result<usize, Vec<Sent>> {
         if let Some(known) = self.measured.get(&topic.name) {
             return known.ok_or_else(Vec::new);
@@ -338,7 +341,7 @@ impl Topics {
         sent(self.log, &Log { stamp, level, name, msg, ..Log::default() })
     }
 
-    /// Returns sensor values, a command or costs of a recording that has a topic of them, as JSON.
+    /// Returns sensor values, a command or costs as JSON, if the recording has a topic for them.
     #[must_use]
     pub fn numbers(&self, name: &str, value: &Value) -> Vec<Sent> {
         let topic = self.numbers.get(name);

@@ -21,10 +21,10 @@ use crate::shape::{self, CALIBRATION, Pose as Place};
 const COLOURS: [[f32; 3]; 6] =
     [[0.9, 0.6, 0.0], [0.3, 0.7, 0.9], [0.0, 0.6, 0.5], [0.95, 0.9, 0.25], [0.8, 0.4, 0.0], [0.8, 0.6, 0.7]];
 
-/// How values become messages.
+/// Form of the messages of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
-    /// Places of frames, of which there is no message but the transform.
+    /// Places of frames, which are sent as transforms only.
     Frame,
     Odometry,
     Scan,
@@ -51,20 +51,20 @@ enum Form {
 #[derive(Debug)]
 pub(super) struct Output {
     form: Form,
-    /// Name and type of what is shown.
+    /// Name of the markers, and visual type.
     name: String,
     shape: String,
-    /// Frames of ROS: the value's, and the one whose place it is.
+    /// Frames of ROS: that of the value, and (`child`) that whose place the value gives.
     frame: String,
     colour: [f32; 3],
     pub(super) child: Option<String>,
     /// Topic of the messages, and of transforms.
     pub(super) topics: [Option<usize>; 2],
-    /// Topics of the same as markers and as points, for viewers.
+    /// Topics of the same values as markers and as points, for viewers.
     shown: [Option<usize>; 2],
-    /// The camera's own name of its frame, of what is seen in its image.
+    /// The camera's frame, as the tree names it, if the values lie in its image.
     pub(super) camera: Option<String>,
-    /// Size of the camera's last image, px, and the same divided by that of the image that was measured.
+    /// Size of the camera's last image, px, and its scale relative to the measured image.
     pub(super) image_size: Option<[u32; 2]>,
     pub(super) scale: f64,
     /// The last place and its time, ns.
@@ -127,7 +127,7 @@ impl Form {
         }
     }
 
-    /// Only one value of a type can be a message of its own.
+    /// Only a single value has a message of its own type; a list is shown as markers.
     fn of_shape(Placement { shape, frame, child }: &Placement, type_name: &str) -> Self {
         let is_list = type_name.starts_with('(') || type_name.contains('[') || type_name.contains("List");
         match shape.as_str() {
@@ -152,7 +152,7 @@ impl Form {
         }
     }
 
-    /// A value that may be missing is none of a number, so it is text.
+    /// A missing `f32` or `f64` becomes NaN. Any other value that may be missing becomes text.
     fn of_type(type_name: &str) -> Self {
         let name: String = type_name.chars().filter(|letter| !letter.is_whitespace()).collect();
         let inner = name.strip_prefix('[').and_then(|rest| rest.split(';').next());
@@ -167,7 +167,7 @@ impl Form {
         }
     }
 
-    /// Returns the name under which other nodes look for the only output of this form, or for that of a camera.
+    /// Returns the name by which other nodes know the only output of this form, or the parameters of a camera.
     fn public(self, frame: &str, names: &Names) -> Option<String> {
         Some(match self {
             Self::Odometry => names.public("odom"),
@@ -179,7 +179,7 @@ impl Form {
         })
     }
 
-    /// Returns the topics of the same as markers and as points: viewers show some messages in one of these forms only.
+    /// Returns the topics of the same values as markers and as points: viewers show some messages in one of these forms only.
     fn shown(self, is_shown: bool) -> [(&'static str, Option<Kind>); 2] {
         let is_drawn = is_shown
             && matches!(self, Self::Point | Self::Pose | Self::PoseWithCovariance | Self::Ellipse | Self::Path);
@@ -221,12 +221,12 @@ impl Form {
 }
 
 impl Output {
-    /// Whether the output has a visual type.
+    /// Returns whether the output has a visual type.
     pub(super) const fn is_visual(&self) -> bool {
         !self.shape.is_empty()
     }
 
-    /// Whether a value is shown until another one replaces it.
+    /// Returns whether a value is shown until another one replaces it.
     pub(super) fn is_drawn(&self) -> bool {
         self.form == Form::Markers || self.form == Form::Annotations || self.shown != [None; 2]
     }
@@ -250,7 +250,7 @@ impl Output {
         frame.into_iter().chain(own).flatten().chain(shown).collect()
     }
 
-    /// Returns the same as markers and as points.
+    /// Returns the same value as markers and as points.
     fn shown(&self, header: &Header, value: &Value) -> Vec<Sent> {
         let [as_markers, as_points] = self.shown;
         let markers = as_markers.map(|topic| {
@@ -297,7 +297,7 @@ impl Output {
         })
     }
 
-    /// Returns a place with the speed since the last one, in the robot's frame.
+    /// Returns a place with the speed since the last place, in the robot's frame.
     fn odometry(&self, header: Header, place: &Place) -> Odometry {
         let time = u64::from(header.stamp.sec.unsigned_abs()) * 1_000_000_000 + u64::from(header.stamp.nanosec);
         let before = self.last.as_ref().filter(|(last, _)| *last < time);

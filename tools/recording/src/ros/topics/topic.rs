@@ -4,7 +4,7 @@ use bica_wire::model::{Description, Placement, Plain};
 
 use super::super::{CompressedImage, Encoded, Kind, Names, ParameterValue, Ros, Time};
 
-/// How a topic is sent.
+/// Quality of service of a topic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quality {
     /// Sensor data: best effort.
@@ -38,11 +38,11 @@ impl Quality {
 pub struct Topic {
     /// Absolute name.
     pub name: String,
-    /// What it is the topic of.
+    /// Source of its messages, for people.
     pub source: String,
     /// Type of its messages.
     pub kind: Kind,
-    /// How it is sent.
+    /// Quality of service.
     pub quality: Quality,
 }
 
