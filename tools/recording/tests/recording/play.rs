@@ -38,7 +38,7 @@ fn options<'a>(path: &'a Path, address: &'a Address) -> PlayOptions<'a> {
     PlayOptions { path, address, anywhere: false, speed: 1.0, from: 0.0, until: f64::INFINITY, repeats: false }
 }
 
-/// Plays a recording again and again, as fast as it goes, to a monitor.
+/// Plays a recording to a monitor again and again, at five times its speed.
 fn played(file: &Temporary, from: f64, monitor: impl FnOnce(&mut Client)) -> Played {
     let (address, ends) = (Address::Memory(Memory::default()), AtomicBool::new(false));
     let options = PlayOptions { speed: 5.0, from, repeats: true, ..options(&file.0, &address) };

@@ -103,7 +103,7 @@ fn shared_images_are_recorded_without_a_copy() {
     let dark = |yuyv: &[u8]| -> Arc<Vec<u8>> { Arc::new(yuyv.iter().map(|value| value / 2).collect()) };
     for images in [ImagePolicy::All, ImagePolicy::None] {
         let disk = Disk::default();
-        // Images of every sixth cycle have an owner, whose pixels are other ones to show which were recorded.
+        // The images of every sixth cycle have an owner with other pixels. The recording has to contain those of the owner.
         let owner = move |yuyv: &[u8]| (0..30).any(|i| yuyv == pixels(6 * i)).then(|| dark(yuyv));
         let report = record_sharing(&disk, images, 60, RecorderOptions::default(), owner).expect("there is room");
         assert_eq!((report.cycles, report.dropped_images), (60, 0));
