@@ -1,4 +1,4 @@
-//! The slowest run of each component of the therapy player beside its budget.
+//! Slowest run of each component of the therapy player, compared with its budget.
 
 use std::process::ExitCode;
 

@@ -75,14 +75,14 @@ Examples:
 
 It is no medical device, and its stop is no certified safety function.";
 
-/// The robot in its rooms. A run is done at the end of the session.
+/// Program of the robot with its simulated rooms. The aim of a run is the end of the session.
 fn rooms() -> App<Therapist> {
     let app = App::<Therapist>::new("therapy").describe(|command| command.after_help(AFTER));
     let app = app.try_world("room", Room::open).try_world("mujoco", Room::open_with_forces);
     app.until(|robot| robot.state_name::<Session>() == Some("finished"))
 }
 
-/// Measures each component in the simulated room, in the session of physiotherapy; returns the exit code.
+/// Measures each component in the simulated room, with the session `physiotherapy`; returns the exit code.
 #[must_use]
 pub fn bench() -> ExitCode {
     let session = concat!("session=", env!("CARGO_MANIFEST_DIR"), "/sessions/physiotherapy.session");
@@ -119,7 +119,7 @@ pub fn run() -> ExitCode {
     app.run_from(arguments)
 }
 
-/// Replaces `play FILE` by the command and the option of a run, and with `--page` by those of the page.
+/// Replaces `play FILE` by the command `run` with the option `session`; with `--page` by the command `monitor`.
 fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<_> = given.collect();
     if arguments.get(1).is_some_and(|command| command == "play") {
@@ -135,10 +135,10 @@ fn arguments(given: impl Iterator<Item = OsString>) -> Vec<OsString> {
     arguments
 }
 
-/// Reads a session and checks it and its files.
+/// Reads a session; checks its text and its sound files.
 ///
 /// # Errors
-/// If it cannot be read, or something is wrong in it; all errors are told, each at its place.
+/// If the file cannot be read or the session has errors. The message lists all errors with their places.
 pub(crate) fn open(file: &Path) -> Result<Script, Failure> {
     let failed = |error| Failure::of_path("read", file, &error, "give the file of a session; `therapy new` makes one");
     let bytes = fs::read(file).map_err(failed)?;
@@ -152,7 +152,7 @@ pub(crate) fn open(file: &Path) -> Result<Script, Failure> {
     if problems.is_empty() { Ok(script) } else { Err(told(&problems)) }
 }
 
-/// Files of a folder, in order; `help` says what to give if it cannot be read.
+/// Files of a folder, sorted by path; `help` is the remedy if the folder cannot be read.
 pub(crate) fn files(folder: &Path, help: &str) -> Result<Vec<PathBuf>, Failure> {
     let failed = |error| Failure::of_path("read", folder, &error, help);
     let found = fs::read_dir(folder).map_err(failed)?.map(|entry| entry.map(|entry| entry.path()));
@@ -178,7 +178,7 @@ fn new(file: &Path) -> Result<Outcome, Failure> {
 }
 
 fn run_judge(folder: &Path, rate: f32, json: bool) -> Result<Outcome, Failure> {
-    // Recordings have no times, so their tempo is not known.
+    // The recordings contain no times, so the tempo is not judged.
     let judging = Judging { tempo: 0.0, ..Judging::DEFAULT };
     let console = Console::new(json);
     for each in &judge::judge(folder, rate, &judging)? {

@@ -1,4 +1,4 @@
-//! A player of therapy sessions: the robot as its [activation tree](robot), the [session language](script), and the program.
+//! Player of therapy sessions: the robot as its [activation tree](robot), the [session language](script), and the program.
 //!
 //! It is no medical device and makes no clinical claim; its stop is no certified safety function.
 #![cfg_attr(not(any(feature = "host", test)), no_std)]

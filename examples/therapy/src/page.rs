@@ -1,4 +1,4 @@
-//! The therapist's page: a panel of the monitor. This part reads sessions; `panels/therapist.js` shows them.
+//! Therapist's page, a panel of the monitor. This part reads sessions; `panels/therapist.js` shows them.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -16,7 +16,7 @@ use crate::record;
 use crate::script::Script;
 use crate::session::{self, Step, Until};
 
-/// The panel, with the options of the world that the command line opens, of which `session` is its session.
+/// The panel, with the options of the world from the command line; the option `session` names the session.
 pub(crate) struct Page(BTreeMap<String, String>);
 
 /// Session of a world that the page opened.
@@ -30,19 +30,19 @@ enum Message {
     Read,
     /// Checks a session before its world is opened.
     Check { file: PathBuf },
-    /// This world has that session.
+    /// Sets the session of this world, which the page has chosen.
     Chose { file: PathBuf },
 }
 
 impl Page {
-    /// The panel for the arguments of a program, among which is `--option session=FILE`.
+    /// Creates the panel from the arguments of the program, which contain `--option session=FILE`.
     pub(crate) fn new(arguments: &[OsString]) -> Self {
         let options = arguments.windows(2).filter(|two| two[0] == "--option");
         let options = options.filter_map(|two| two[1].to_str()?.split_once('='));
         Self(options.map(|(name, value)| (name.to_owned(), value.to_owned())).collect())
     }
 
-    /// Checks what the page is to play, before there is a page: its session, and the folder of its records.
+    /// Checks the session and the folder of the records before the page starts.
     pub(crate) fn check(&self) -> Result<(), Failure> {
         let option = |name: &str| self.0.get(name).filter(|value| !value.is_empty());
         option("session").map(|file| cli::open(Path::new(file))).transpose()?;
@@ -83,7 +83,7 @@ impl Extension for Page {
     }
 }
 
-/// A session for the page.
+/// Returns a session as JSON for the page.
 fn read(file: &Path) -> Result<Value, Failed> {
     let script = cli::open(file).map_err(|failure| match failure {
         Failure::Error { what, help } => Failed::new(what, help),
@@ -102,8 +102,8 @@ fn read(file: &Path) -> Result<Value, Failed> {
     )
 }
 
-/// What a session does between two waits: the step with which it begins, its line, the most important of its commands, and the text
-/// that is spoken.
+/// Parts of a session between two waits. Each has its first step, the line and the text of its most important command,
+/// and the spoken text.
 fn parts(script: &Script, lines: &[&str]) -> Vec<Value> {
     let starts: Vec<_> = (0..script.steps.len()).filter(|step| session::begins(&script.steps, *step)).collect();
     let line = |step: usize| lines.get(script.lines[step] - 1).copied().unwrap_or_default();
@@ -118,7 +118,7 @@ fn parts(script: &Script, lines: &[&str]) -> Vec<Value> {
     starts.iter().zip(ends).filter_map(part).collect()
 }
 
-/// Order of the steps by what a person wants to know of a part: 0 first, 9 nothing.
+/// Rank of a step in the summary of a part: 0 is the most important, 9 is not shown.
 const fn importance(step: Step) -> u8 {
     match step {
         Step::Exercise { .. } => 0,

@@ -1,4 +1,4 @@
-//! The activation tree, its sensors and its command.
+//! Activation tree, sensor values and command of the robot.
 
 use core::convert::Infallible;
 
@@ -37,9 +37,9 @@ pub struct Sensors {
     pub pressed: Pressed,
     /// Charge of the battery, 0 to 1.
     pub battery: f32,
-    /// A new skeleton of the person.
+    /// A new skeleton of the person, if any.
     pub person: Option<Skeleton>,
-    /// A part of a session that is loaded.
+    /// Next part of a session that is being loaded.
     pub order: Option<Order>,
 }
 
@@ -51,7 +51,7 @@ pub enum Order {
     Step(Step),
     /// The next clip of sound, with its duration, s.
     Clip(f32),
-    /// All parts are there.
+    /// End of the session: all parts have been sent.
     Loaded,
 }
 
@@ -67,7 +67,7 @@ pub struct Command {
     pub lights: Shining,
     /// Sound.
     pub sound: Sounding,
-    /// A repetition of the person, to be recorded, with the number of the step.
+    /// Repetition of the person for the record, with the number of the step.
     pub noted: Option<(u16, Attempt)>,
 }
 

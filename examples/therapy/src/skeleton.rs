@@ -1,4 +1,4 @@
-//! The skeleton of a person, as a depth camera or a detector of poses in images finds it.
+//! Skeleton of a person, as measured by a depth camera or by a pose detector in images.
 
 #[cfg(any(feature = "host", test))]
 mod person;
@@ -38,7 +38,7 @@ pub enum Point {
     RightHip,
 }
 
-/// Points of a body with the confidence in each. Any unit and any frame: only angles are computed from it.
+/// Points of a body with the confidence in each. Any unit and any frame are allowed: only angles are computed.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Skeleton {
@@ -78,7 +78,7 @@ impl Layout {
         }
     }
 
-    /// Reads a skeleton of this layout; `None` if it has another number of points. A point that is not finite has confidence 0.
+    /// Converts points of this layout to a skeleton; `None` if their number differs. A point that is not finite has confidence 0.
     #[must_use]
     pub fn read(self, points: &[Vec3], confidence: &[f32]) -> Option<Skeleton> {
         let (count, sources) = self.table();
@@ -101,7 +101,7 @@ impl Skeleton {
         Vec3::from_array(self.points[point as usize])
     }
 
-    /// Whether the confidence in each of the points is at least this.
+    /// Returns whether the confidence in each of the points is at least this value.
     #[must_use]
     pub fn is_sure(&self, points: &[Point], confidence: f32) -> bool {
         points.iter().all(|&point| self.confidence[point as usize] >= confidence)
@@ -113,7 +113,7 @@ mod tests {
     use super::Point::{Head, LeftElbow, RightHip, RightShoulder};
     use super::*;
 
-    /// The names that the sources give to the points of [`Point`], by their numbers.
+    /// Names of the points of [`Point`] in the sources, by their numbers.
     #[test]
     fn layouts_take_the_points_that_their_sources_number() {
         let named = |layout: Layout, names: [(Point, usize); 4]| {

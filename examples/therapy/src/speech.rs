@@ -1,4 +1,4 @@
-//! Speech by `espeak-ng`, and sound on the device of this computer by `paplay`. Both are optional.
+//! Speech by `espeak-ng`, and sound output of this computer by `paplay`. Both programs are optional.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -11,16 +11,16 @@ use bica_app::Failure;
 use crate::body::Sounding;
 use crate::script::{Clip, Script};
 
-/// Words a minute: slow speech, our choice. The program's own choice is 175.
+/// Words per minute: slow speech, our choice. The default of the program is 175.
 const SPEED: &str = "130";
-/// Volume of `paplay` that changes nothing.
+/// Full volume in the units of `paplay`.
 const FULL: f32 = 65_536.0;
 
-/// Replaces each text of a session by a file in WAV format, which it makes in a folder unless the folder has it already.
+/// Replaces each text of a session by a WAV file in a folder; a file that exists there is used again.
 ///
 /// # Errors
-/// If the folder cannot be made, or `program`, as `espeak-ng`, cannot be started or does not speak a text. The texts that are left stay
-/// texts.
+/// If the folder cannot be created, or `program` (such as `espeak-ng`) cannot be started or fails for a text. The
+/// remaining texts stay texts.
 pub(crate) fn speak(script: &mut Script, folder: &Path, program: &str) -> Result<(), Failure> {
     let failed = |error| Failure::of_path("create", folder, &error, "give a folder that can be written");
     fs::create_dir_all(folder).map_err(failed)?;
@@ -39,7 +39,7 @@ pub(crate) fn speak(script: &mut Script, folder: &Path, program: &str) -> Result
                 return Err(failed(String::from_utf8_lossy(&made.stderr).trim()));
             }
         }
-        // A path that does not depend on the folder of the session.
+        // The path does not depend on the folder of the session.
         *clip = Clip::File(fs::canonicalize(&file).unwrap_or(file));
     }
     Ok(())
@@ -49,21 +49,21 @@ pub(crate) fn speak(script: &mut Script, folder: &Path, program: &str) -> Result
 #[derive(Debug)]
 pub(crate) struct Player {
     program: String,
-    /// The file of each clip; `None` of a text.
+    /// File of each clip; `None` for a text.
     files: Vec<Option<PathBuf>>,
-    /// What sounds: clips of speech and of music, and the programs that play them.
+    /// Clips of speech and of music that are played, and the processes that play them.
     channels: [(Option<u16>, Option<Child>); 2],
 }
 
 impl Player {
-    /// A player of the clips of a session, whose files are relative to a folder. `program` is called as `paplay` is.
+    /// Creates a player for the clips of a session, whose files are relative to `folder`. `program` is called like `paplay`.
     pub(crate) fn new(script: &Script, folder: &Path, program: &str) -> Self {
         let file = |clip: &Clip| if let Clip::File(file) = clip { Some(folder.join(file)) } else { None };
         let files = script.clips.iter().map(file).collect();
         Self { program: program.to_owned(), files, channels: Default::default() }
     }
 
-    /// Begins and ends what changes. A new volume holds from the next clip on.
+    /// Starts and ends clips according to `sound`. A new volume applies from the next clip on.
     pub(crate) fn play(&mut self, sound: Sounding) -> io::Result<()> {
         for ((before, child), clip) in self.channels.iter_mut().zip([sound.speech, sound.music]) {
             if std::mem::replace(before, clip) == clip {
@@ -85,7 +85,7 @@ impl Drop for Player {
     }
 }
 
-/// Ends a program that plays.
+/// Ends a process that plays a clip.
 fn end(child: &mut Option<Child>) {
     if let Some(mut child) = child.take() {
         let _ = child.kill();

@@ -1,10 +1,11 @@
-//! The program, as its user runs it.
+//! Tests of the program as its user runs it.
 
 use std::process::Command;
 
 use bica_test_data::process::{Folder, Ran};
 
-/// Records a session twice with one seed: both recordings are equal, and replay with equal commands, also in a world that runs again.
+/// Records a session twice with one seed. Both recordings must be equal, and must replay with equal commands, also with
+/// the world simulated again.
 fn recordings_replay(world: &str) {
     let folder = Folder::new(world);
     let run = |arguments: &[&str]| {
@@ -15,7 +16,7 @@ fn recordings_replay(world: &str) {
     assert_eq!(run(&["new", "example.session"]).code, Some(0));
     for file in ["a.mcap", "b.mcap"] {
         let play = ["play", "example.session", "--world", world, "--seed", "7", "--seconds", "60"];
-        // The session is not over after this time.
+        // The session is not finished after this time, so the exit code is 1.
         assert_eq!(run(&[&play[..], &["--record", file]].concat()).code, Some(1));
     }
     for more in [&[][..], &["--against", "b.mcap"], &["--closed-loop"]] {

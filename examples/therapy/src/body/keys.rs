@@ -1,7 +1,8 @@
 //! The seven movements as key postures of arms and head.
 //!
-//! Their ranges are those of the movements that the group of the paper used in its sessions. Where the robot cannot show what a person
-//! should do: its shoulder roll ends at 76°, so `arms_open` ends a little below the height of the shoulders.
+//! The ranges are those of the movements that the group of the paper used in its sessions. One differs from that of a
+//! person, because the shoulder roll of the robot ends at 76°: `arms_open` ends a little below the height of the
+//! shoulders.
 
 use bica_motion::joints::Joint;
 
@@ -10,10 +11,10 @@ use crate::session::Movement;
 /// Angles of some joints, degrees; all others are as at rest.
 pub(super) type Key = &'static [(Joint, f32)];
 
-/// How often the keys of a movement are repeated.
+/// Number of repetitions of a movement's keys.
 pub(super) const ROUNDS: usize = 3;
 
-/// The keys of a movement, in order. Each round begins and the last one ends at rest.
+/// Key postures of a movement, in order. Each round begins at rest, and the last one ends at rest.
 pub(super) const fn keys(movement: Movement) -> &'static [Key] {
     use Joint::{
         HeadPitch, HeadYaw, LElbowRoll, LElbowYaw, LShoulderPitch, LShoulderRoll, RElbowRoll, RElbowYaw,

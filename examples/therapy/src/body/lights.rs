@@ -1,4 +1,4 @@
-//! The lights.
+//! Lights of the eyes, ears and chest button.
 
 use bica::prelude::*;
 use bica_motion::robot::Light;

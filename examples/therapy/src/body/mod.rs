@@ -1,4 +1,4 @@
-//! What moves, sounds and shines.
+//! Components that command the joints, the sound and the lights.
 
 mod keys;
 mod lights;

@@ -47,12 +47,12 @@ impl Motors {
         }
     }
 
-    /// Whether arms and head are at rest, within 0.03 rad.
+    /// Returns whether the targets of arms and head are those at rest, within 0.03 rad.
     pub(crate) fn arms_rest(&self) -> bool {
         (0..JOINTS).all(|joint| LEGS.contains(&joint) || libm::fabsf(self.targets.0[joint] - REST.0[joint]) < 0.03)
     }
 
-    /// Makes arms and head soft or stiff.
+    /// Makes arms and head limp or stiff.
     pub(crate) const fn soften(&mut self, soft: bool) {
         self.soft = soft;
     }

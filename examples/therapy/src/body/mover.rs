@@ -21,19 +21,19 @@ pub struct Tempo {
 /// Peak of the speed of the curve 3x² - 2x³, as a multiple of its mean.
 const PEAK: f32 = 1.5;
 
-/// Largest difference of an angle, degrees.
+/// Largest absolute difference of one joint angle between two postures, degrees.
 pub(crate) fn way(from: &Joints, to: &Joints) -> f32 {
     from.0.iter().zip(to.0).map(|(from, to)| libm::fabsf(to - from)).fold(0.0, f32::max).to_degrees()
 }
 
-/// A movement that runs.
+/// State of a movement in progress.
 #[derive(Clone, Copy, Debug)]
 struct Running {
     keys: &'static [Key],
-    /// Key posture that is approached: `keys.len() * ROUNDS` is the rest.
+    /// Index of the key posture that is approached, counted over all rounds; at `keys.len() * ROUNDS` it is the posture at rest.
     next: usize,
     tempo: f32,
-    /// Time for which every second key posture is held, s: the first one of a round is the far one.
+    /// Time for which every second key posture is held, s; the first posture of a round is the far one.
     hold: f32,
     from: Joints,
     to: Joints,
@@ -72,12 +72,12 @@ impl Mover {
         motors.set(&self.targets);
     }
 
-    /// Begins a movement, at a share of the usual tempo, 0.2 to 1. Its far posture is held for so many seconds.
+    /// Begins a movement at a fraction of the usual tempo, 0.2 to 1. Each far posture is held for `hold` seconds.
     pub(crate) fn begin(&mut self, movement: Movement, tempo: f32, hold: f32) {
         self.run(keys(movement), tempo.clamp(0.2, 1.0), hold);
     }
 
-    /// Moves to rest.
+    /// Begins to move arms and head to rest.
     pub(crate) fn rest(&mut self) {
         self.run(&[], 0.5, 0.0);
     }
@@ -87,7 +87,7 @@ impl Mover {
         self.running = Some(Running { keys, next: 0, tempo, hold, from, to, seconds: 0.0, time: 0.0 });
     }
 
-    /// Ends the movement where it is.
+    /// Ends the movement at the present posture.
     pub(crate) fn freeze(&mut self) {
         self.running = None;
     }
@@ -106,7 +106,7 @@ impl Mover {
 }
 
 impl Running {
-    /// Begins to approach the next key.
+    /// Begins the approach to the next key, or to rest after the last one.
     fn begin(&mut self, from: &Joints, tuned: &Tempo) {
         (self.from, self.to, self.time) = (*from, REST, 0.0);
         if self.next < self.keys.len() * ROUNDS {
@@ -122,7 +122,7 @@ impl Running {
         if self.next.is_multiple_of(2) && self.next < self.keys.len() * ROUNDS { self.hold } else { 0.0 }
     }
 
-    /// What follows when the key is reached.
+    /// State after the key is reached: the approach to the next key; `None` at the end of the movement.
     fn after(&self) -> Option<Self> {
         let ended = self.next >= self.keys.len() * ROUNDS;
         (!ended).then_some(Self { next: self.next + 1, seconds: 0.0, time: 0.0, ..*self })

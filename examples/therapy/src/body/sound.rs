@@ -4,7 +4,7 @@ use bica::prelude::*;
 
 use crate::session::Task;
 
-/// What sounds.
+/// Clips that are played in a cycle.
 #[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sounding {
@@ -16,7 +16,7 @@ pub struct Sounding {
     pub volume: f32,
 }
 
-/// A clip, and the time that is left of it, s.
+/// Number of a clip, and its remaining time, s.
 type Playing = Option<(u16, f32)>;
 
 /// Plays one clip of speech and one of music.
@@ -39,7 +39,7 @@ impl Sound {
         }
     }
 
-    /// Ends what belongs to the task.
+    /// Ends the sounds of a task.
     pub(crate) fn stop(&mut self, task: Task) {
         self.speech = self.speech.filter(|_| !task.has(Task::Speech));
         self.music = self.music.filter(|_| !task.has(Task::Music));
@@ -57,7 +57,7 @@ impl Sound {
         self.volume
     }
 
-    /// What sounds.
+    /// Returns the clips that are played, and the volume.
     pub(crate) fn sounding(&self) -> Sounding {
         let clip = |channel: Playing| channel.map(|(clip, _)| clip);
         Sounding { speech: clip(self.speech), music: clip(self.music), volume: self.volume }

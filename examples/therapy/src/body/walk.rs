@@ -1,4 +1,4 @@
-//! Some steps.
+//! Short walks.
 
 use bica::prelude::*;
 use bica_motion::joints::Joints;
@@ -10,8 +10,8 @@ use glam::Vec2;
 
 use super::motors::Motors;
 
-/// Low, quick steps, in which the body sways less and soon stands still. Found in trials in `MuJoCo`: lower ones scuff the floor, and
-/// with larger capture steps one of twenty robots marched on after its way.
+/// Low, quick steps: the body sways less and soon stands still. Found in trials in `MuJoCo`: with lower steps the feet
+/// scuff the floor; with larger capture steps one of twenty robots kept stepping after the end of its path.
 const GAIT: &Parameters = &Parameters {
     step_duration: 0.19,
     step_height: 0.018,
@@ -21,18 +21,19 @@ const GAIT: &Parameters = &Parameters {
 };
 /// Forward and lateral speed, m/s, and turn rate, rad/s: slow, beside people.
 const SPEED: [f32; 3] = [0.06, 0.02, 0.2];
-/// Speed against a displacement in a direction that is not wanted, m/s per m and rad/s per rad.
+/// Gain of the velocity that corrects a displacement along an axis without a request, m/s per m and rad/s per rad.
 const CORRECTION: f32 = 0.2;
-/// Time in which the legs come to the stand of the gait before the first step, s.
+/// Time in which the legs move to the stand of the gait before the first step, s.
 const RISE: f32 = 1.0;
-/// The same in a stop, s. The feet are at most 3 cm and 3° away from it.
+/// Time in which the legs move to this stand after a stop, s. The feet are at most 3 cm and 3° away from it.
 const LAND: f32 = 0.04;
-/// Stiffness of the legs; after a stop less, and slowly more. With more the robot rocks about its ankles, with less the knees are slow.
+/// Stiffness of the legs. After a stop it is low and rises slowly: a stiffer robot rocks about its ankles, and the
+/// knees of a softer one are slow.
 const STANDING: f32 = 0.75;
 const WALKING: f32 = 1.0;
 const LANDING: f32 = 0.36;
 const STIFFENING: f32 = 0.02;
-/// Time in which the gait comes to rest, by which the request ends earlier, s.
+/// Time in which the gait comes to rest, s. The request ends earlier by this time.
 const BRAKE: f32 = 0.4;
 
 /// Walks a little, in steps so short that a stop can bring the feet together at once: a robot that froze in a step would fall.
@@ -45,7 +46,7 @@ pub struct Walk {
     /// Where the walk began, and its way: forward and left, m, and a turn to the left, rad.
     from: Pose2,
     way: [f32; 3],
-    /// Time until the legs have the stand of the gait, s, while they approach it.
+    /// Remaining time until the legs are in the stand of the gait, s; `None` unless they move to it.
     left: Option<f32>,
     stiffness: f32,
 }
@@ -57,7 +58,7 @@ impl Walk {
         Self { gait, measured: None, odometry, from: Pose2::ORIGIN, way: [0.0; 3], left: None, stiffness: STANDING }
     }
 
-    /// Takes the measurements of this cycle, before it is stepped.
+    /// Stores the measurements of this cycle. It must be called before the component runs.
     pub(crate) const fn measure(&mut self, feedback: Feedback, angles: Joints) {
         self.measured = Some((feedback, angles));
     }
@@ -83,7 +84,7 @@ impl Walk {
         motors.set_legs(&legs, self.stiffness);
     }
 
-    /// The velocity to the end of the way, which ends once that is near: zero then.
+    /// Returns the velocity toward the end of the path. Each axis ends when its remainder is small; zero at the end of all axes.
     fn request(&mut self) -> Velocity {
         let at = self.from.inverse() * self.odometry.pose();
         let mut request = [0.0; 3];
@@ -99,7 +100,7 @@ impl Walk {
         if self.has_way() { Velocity::new(forward, left, turn) } else { Velocity::ZERO }
     }
 
-    /// Begins to walk once the arms rest: forward and left, m, and a turn to the left, rad.
+    /// Begins to walk as soon as the arms are at rest: forward and left, m, and a turn to the left, rad.
     pub(crate) fn begin(&mut self, way: [f32; 3]) {
         if !self.is_walking() {
             self.left = Some(RISE);
@@ -107,14 +108,14 @@ impl Walk {
         (self.from, self.way) = (self.odometry.pose(), way);
     }
 
-    /// Ends the walk with the present step.
+    /// Ends the walk with the current step.
     pub(crate) fn halt(&mut self) {
         if self.has_way() {
             (self.way, self.left) = ([0.0; 3], None);
         }
     }
 
-    /// Ends the walk at once: the legs come to the stand, or stay where they are before the first step.
+    /// Ends the walk at once: the legs move to the stand. Before the first step they stay where they are.
     pub(crate) fn freeze(&mut self) {
         self.halt();
         if self.gait.phase() != Phase::Standing {

@@ -1,4 +1,4 @@
-//! The component.
+//! Component that counts and judges repetitions.
 
 use bica::prelude::*;
 
@@ -9,20 +9,20 @@ use crate::input::PatientPose;
 #[derive(Debug)]
 pub struct ExerciseCheck {
     stage: Stage,
-    /// Number of the newest skeleton that was taken.
+    /// Number of the last skeleton that was processed.
     taken: u32,
-    /// Time since then, s.
+    /// Time since that skeleton, s.
     waited: f32,
     counts: Counts,
     attempts: [Option<Attempt>; NEWEST],
-    /// A new repetition, to be recorded.
+    /// A new repetition, to be written to the record.
     pub(crate) news: Option<Attempt>,
 }
 
-/// Number of repetitions that a page shows.
+/// Number of repetitions that the page shows.
 const NEWEST: usize = 10;
 
-/// What the check does.
+/// Stage of the check.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "there is one check, and no memory to allocate from")]
 enum Stage {
@@ -139,14 +139,14 @@ mod tests {
 
     const PERSON: Person = Person { peak: 100.0, lean: 1.0, plane: 0.0 };
 
-    /// The check and the newest skeleton.
+    /// The check and the pose component with the newest skeleton.
     struct Room {
         check: ExerciseCheck,
         pose: PatientPose,
     }
 
     impl Room {
-        /// After three examples.
+        /// A check that has learnt from three examples.
         fn new() -> Self {
             let mut room = Self { check: ExerciseCheck::new(), pose: PatientPose::new() };
             room.check.learn();
@@ -164,7 +164,7 @@ mod tests {
             self.check.step(&Tuned::new(Judging::DEFAULT), &self.pose, &time);
         }
 
-        /// Rests for 0.5 s, then lifts the arm and lowers it. Of so many skeletons one is seen.
+        /// Rests for 0.5 s, then raises and lowers the arm. One of `seen` skeletons is visible.
         fn repeat(&mut self, person: Person, seconds: f32, seen: u32) {
             (0..RATE / 2).for_each(|_| self.pass(Some(Person::STILL.at(0.0))));
             let frames = (seconds * RATE as f32) as u32;

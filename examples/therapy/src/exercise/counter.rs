@@ -1,4 +1,4 @@
-//! Counts repetitions, sample by sample.
+//! Counter of repetitions, sample by sample.
 
 use glam::Vec3;
 
@@ -9,14 +9,14 @@ use super::repetition::{Repetition, Samples};
 const SMOOTHING: f32 = 0.12;
 /// Rise of the arm with which a repetition begins, degrees.
 const RISE: f32 = 15.0;
-/// Share of its rise that the arm has left at the end of a repetition.
+/// Fraction of its rise at or below which the falling arm ends a repetition.
 const END: f32 = 0.3;
-/// Time in which the lowest angle follows a resting arm, s.
+/// Time constant with which the lowest angle follows a resting arm, s.
 const FOLLOWING: f32 = 2.0;
-/// Rise above the lowest angle up to which the arm rests, degrees.
+/// Rise above the lowest angle up to which the arm counts as resting, degrees.
 const RESTING: f32 = 5.0;
 
-/// Where an arm rests, and in which plane it moves.
+/// Direction of the resting arm, and plane of its movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reference {
     /// Direction of the resting arm, unit length.
@@ -26,7 +26,7 @@ pub(crate) struct Reference {
 }
 
 impl Reference {
-    /// Angle of an arm from its rest, degrees: in the plane, -90 to 270, or without one in any direction, 0 to 180.
+    /// Angle of an arm from its rest, degrees: in the plane, -90 to 270; without a known plane the angle in space, 0 to 180.
     pub(crate) fn angle(&self, arm: Vec3) -> f32 {
         let Some(normal) = self.normal else { return self.rest.angle_between(arm).to_degrees() };
         let rest = self.rest.reject_from(normal).normalize_or_zero();
@@ -35,7 +35,7 @@ impl Reference {
     }
 }
 
-/// Separates repetitions: the arm rises from its lowest angle, and falls again.
+/// Separates repetitions: in each the arm rises from its lowest angle and falls again.
 #[derive(Clone, Debug)]
 pub(crate) struct Counter {
     pub(crate) reference: Reference,
@@ -47,12 +47,12 @@ pub(crate) struct Counter {
 }
 
 impl Counter {
-    /// Begins with a resting arm.
+    /// A counter that begins with a resting arm.
     pub(crate) const fn new(reference: Reference) -> Self {
         Self { reference, samples: Samples::new(), smooth: None, low: 0.0, high: 0.0, raised: false }
     }
 
-    /// Takes trunk and arm, `dt` seconds after the previous ones. Returns a repetition that has ended.
+    /// Processes a sample of trunk and arm, `dt` seconds after the previous one. Returns a repetition that ends with it.
     pub(crate) fn push(&mut self, seen: Option<Seen>, dt: f32) -> Option<Repetition> {
         self.samples.push(seen, dt);
         let angle = self.reference.angle(seen?.arm);
@@ -73,7 +73,7 @@ impl Counter {
         None
     }
 
-    /// Ends the stream: returns a repetition that has begun.
+    /// Ends the stream; returns the repetition that has begun, if any.
     pub(crate) fn finish(&mut self) -> Option<Repetition> {
         let ended = self.raised.then(|| self.close(0.0));
         *self = Self::new(self.reference);

@@ -1,4 +1,4 @@
-//! Learns what is correct from repetitions of the same person.
+//! Learning of correct repetitions from examples of the same person.
 
 use bica_motion::side::Side;
 use glam::Vec3;
@@ -8,13 +8,13 @@ use super::{Counter, Posture, Reference, Repetition, Seen};
 
 /// Number of correct repetitions from which the check learns.
 pub(crate) const EXAMPLES: usize = 3;
-/// Repetitions that are kept while it learns; some may be only a swing of the arm.
+/// Number of repetitions kept while the check learns; some may be only a swing of the arm.
 const KEPT: usize = 6;
-/// Share of the largest range that a repetition must have; a swing of the arm has less.
+/// Least range of a whole repetition, as a fraction of the largest range; a swing of the arm has less.
 const WHOLE: f32 = 0.6;
-/// Time at the beginning in which the arms rest, s.
+/// Time at the beginning in which the direction of the resting arms is measured, s.
 const REST: f32 = 0.1;
-/// Noise that is added to that of an arm, degrees, when the arms are compared.
+/// Noise added to the measured noise of an arm when the arms are compared, degrees.
 const USUAL_NOISE: f32 = 5.0;
 
 /// Correct repetitions of one person.
@@ -22,7 +22,7 @@ const USUAL_NOISE: f32 = 5.0;
 pub(crate) struct Example {
     /// The arm that moves.
     pub(crate) arm: Side,
-    /// Its rest, and the plane of the movement.
+    /// Direction of the resting arm, and plane of the movement.
     pub(crate) reference: Reference,
     /// Least peak of the repetitions, degrees.
     pub(crate) peak: f32,
@@ -38,33 +38,33 @@ pub(crate) struct Learner {
     arms: [Arm; 2],
 }
 
-/// What is learnt of an arm.
+/// Data learnt for one arm.
 #[derive(Clone, Debug)]
 struct Arm {
     rest: Vec3,
-    /// Time that is left until the rest of the arm is known, s.
+    /// Remaining time until the direction of the resting arm is known, s.
     resting: f32,
     counter: Option<Counter>,
     repetitions: Vec<Repetition, KEPT>,
     last: [Option<Vec3>; 2],
-    /// Sum of the squared differences from the mean of both neighbours, and their number.
+    /// Sum of the squared differences between a direction and the mean of both its neighbours, and their number.
     jitter: (f32, u32),
 }
 
 impl Learner {
-    /// Begins with both arms at rest.
+    /// A learner that begins with both arms at rest.
     pub(crate) const fn new() -> Self {
         Self { arms: [Arm::NEW, Arm::NEW] }
     }
 
-    /// Takes a posture, `None` if the trunk is not seen, `dt` seconds after the previous one.
+    /// Processes a posture, `dt` seconds after the previous one; `None` if the trunk is not seen.
     pub(crate) fn push(&mut self, posture: Option<&Posture>, dt: f32) {
         for (arm, side) in self.arms.iter_mut().zip(Side::BOTH) {
             arm.push(posture.and_then(|posture| posture.side(side)), dt);
         }
     }
 
-    /// Ends a stream, as at the end of a recording.
+    /// Ends a stream, for example at the end of a recording.
     pub(crate) fn finish(&mut self) {
         for arm in &mut self.arms {
             let ended = arm.counter.as_mut().and_then(Counter::finish);
@@ -78,7 +78,7 @@ impl Learner {
         self.arms.iter().map(|arm| arm.whole().count()).max().unwrap_or(0).min(EXAMPLES)
     }
 
-    /// What was learnt; `None` if an arm has not done so many repetitions, at most [`EXAMPLES`].
+    /// Returns the learnt example; `None` if no arm has done `repetitions` repetitions, at most [`EXAMPLES`].
     pub(crate) fn example(&self, repetitions: usize) -> Option<Example> {
         let able = self.arms.iter().zip(Side::BOTH).filter(|(arm, _)| arm.whole().count() >= repetitions.max(1));
         able.max_by(|a, b| a.0.score().total_cmp(&b.0.score())).and_then(|(arm, side)| arm.example(side))
@@ -130,7 +130,7 @@ impl Arm {
         self.repetitions.iter().filter(move |repetition| repetition.range >= WHOLE * largest)
     }
 
-    /// Larger for the arm that moves more and is seen better: a hidden arm seems to jump.
+    /// Score of an arm: larger if it moves more and is seen better. A hidden arm seems to jump.
     fn score(&self) -> f32 {
         let largest = self.repetitions.iter().map(|repetition| repetition.range).fold(0.0, f32::max);
         let jitter = libm::sqrtf(self.jitter.0 / self.jitter.1.max(1) as f32).to_degrees();

@@ -1,4 +1,4 @@
-//! Judges one repetition.
+//! Judgement of one repetition.
 
 use bica::prelude::*;
 
@@ -33,15 +33,15 @@ pub struct Judging {
     pub age: f32,
 }
 
-/// Fewest skeletons of a repetition that is judged.
+/// Least number of skeletons of a repetition that is judged.
 const FEWEST: u32 = 8;
 
-/// Whether a repetition was correct.
+/// Judgement of a repetition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     Correct,
     Incorrect,
-    /// The person was not seen well enough, or there are no examples. It does not count as wrong.
+    /// The person was not seen well enough, or there are no examples. The repetition does not count as incorrect.
     CannotTell,
 }
 
@@ -55,7 +55,7 @@ impl Verdict {
     }
 }
 
-/// Why a repetition is not correct, or cannot be judged; none of a correct one.
+/// Reasons why a repetition is not correct or cannot be judged; all false for a correct one.
 #[message]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[expect(clippy::struct_excessive_bools, reason = "each reason holds or not, in any combination")]
@@ -68,7 +68,7 @@ pub struct Reasons {
     pub wrong_direction: bool,
     /// The repetition was too short.
     pub too_fast: bool,
-    /// Trunk or arm were not seen, or too few skeletons came.
+    /// Trunk or arm was not seen, or there were too few skeletons.
     pub not_seen: bool,
     /// The skeleton was too noisy.
     pub unsure: bool,
@@ -77,7 +77,7 @@ pub struct Reasons {
 }
 
 impl Reasons {
-    /// The names of the reasons that hold.
+    /// Names of the reasons that apply.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
         let all = [
             (self.too_low, "too low"),
@@ -91,7 +91,7 @@ impl Reasons {
         all.into_iter().filter_map(|(holds, name)| holds.then_some(name))
     }
 
-    /// What follows from the reasons.
+    /// Verdict that follows from the reasons.
     pub(crate) fn verdict(self) -> Verdict {
         if self.not_seen || self.unsure || self.no_examples {
             Verdict::CannotTell
@@ -107,11 +107,11 @@ impl Reasons {
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attempt {
-    /// Why it is not correct.
+    /// Reasons why it is not correct.
     pub reasons: Reasons,
     /// Largest angle of the arm, degrees.
     pub peak: f32,
-    /// Angle that is enough, degrees.
+    /// Angle that suffices, degrees.
     pub goal: f32,
 }
 

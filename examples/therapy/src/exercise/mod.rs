@@ -1,7 +1,8 @@
 //! Counts the repetitions of an exercise and judges each against three correct ones of the same person.
 //!
-//! The check looks at one upper arm and at the trunk: how far the arm moves from its rest, in which plane, and how far the trunk leans.
-//! It does not judge the rotation of a shoulder, which depth cameras see badly. `docs/therapy.md` says how the limits were chosen.
+//! The check uses one upper arm and the trunk: how far the arm moves from its rest, in which plane, and how far the
+//! trunk leans. It does not judge the rotation of a shoulder, which depth cameras measure badly. `docs/therapy.md`
+//! explains the choice of the limits.
 
 mod check;
 mod counter;

@@ -5,13 +5,13 @@ use glam::Vec3;
 
 use crate::skeleton::{Point, Skeleton};
 
-/// What the check of an exercise looks at in one skeleton.
+/// Directions that the check of an exercise takes from one skeleton.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Posture {
     /// Direction of the trunk upwards, in the frame of the camera, unit length.
     pub(crate) trunk: Vec3,
-    /// Direction of the left and the right upper arm in the frame of the body, unit length: from the right to the left shoulder, along
-    /// the trunk upwards, and at right angles to both.
+    /// Directions of the left and the right upper arm, unit length. Frame of the body: x from the right to the left
+    /// shoulder, y up along the trunk, z at right angles to both.
     pub(crate) arms: [Option<Vec3>; 2],
 }
 
@@ -22,7 +22,7 @@ pub(crate) struct Seen {
     pub(crate) arm: Vec3,
 }
 
-/// Points of the trunk. The mean of several is less noisy than one.
+/// Points of the trunk. Averages of several points are less noisy.
 const UPPER: [Point; 2] = [Point::Chest, Point::Neck];
 const LOWER: [Point; 3] = [Point::Waist, Point::LeftHip, Point::RightHip];
 const SHOULDERS: [Point; 2] = [Point::LeftShoulder, Point::RightShoulder];
@@ -48,7 +48,7 @@ impl Posture {
         Some(Self { trunk, arms: [arm(left, Point::LeftElbow), arm(right, Point::RightElbow)] })
     }
 
-    /// The trunk and one arm, if it is seen.
+    /// Returns the trunk and one arm; `None` if this arm is not seen.
     pub(crate) fn side(&self, side: Side) -> Option<Seen> {
         Some(Seen { trunk: self.trunk, arm: self.arms[side.index()]? })
     }

@@ -1,20 +1,20 @@
-//! One repetition of an exercise: its samples, and what is measured of it.
+//! One repetition of an exercise: its samples and its measures.
 
 use glam::{Mat3, Vec3};
 use heapless::Vec;
 
 use super::{Reference, Seen};
 
-/// Largest number of samples of a repetition: 5 s at 30 Hz. Of a longer one every second, fourth… sample is kept.
+/// Largest number of stored samples of a repetition: 5 s at 30 Hz. Of a longer repetition every second, fourth, … sample is stored.
 const CAPACITY: usize = 160;
-/// Samples of the resting arm that are kept before a repetition.
+/// Number of samples of the resting arm that are stored before a repetition.
 const BEFORE: usize = 12;
 
 /// Samples of a repetition.
 #[derive(Clone, Debug)]
 pub(super) struct Samples {
     kept: Vec<Seen, CAPACITY>,
-    /// One of so many samples is kept.
+    /// One of `stride` samples is stored.
     stride: u32,
     seen: u32,
     missed: u32,
@@ -48,7 +48,7 @@ impl Samples {
         let _ = self.kept.push(seen);
     }
 
-    /// Forgets all samples but the last ones.
+    /// Discards all samples but the last  `BEFORE`.
     pub(super) fn keep_last(&mut self) {
         let drop = self.kept.len().saturating_sub(BEFORE);
         if drop == 0 && self.stride == 1 {
@@ -60,14 +60,14 @@ impl Samples {
     }
 }
 
-/// What is measured of one repetition.
+/// Measures of one repetition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Repetition {
     /// Largest angle of the arm from its rest, degrees.
     pub(crate) peak: f32,
-    /// Largest less least angle, degrees.
+    /// Largest angle minus least angle, degrees.
     pub(crate) range: f32,
-    /// Largest lean of the trunk from where it is while the arm is low, degrees, less what noise contributes.
+    /// Largest lean of the trunk relative to its direction while the arm is low, without the contribution of noise, degrees.
     pub(crate) lean: f32,
     /// Normal of the plane in which the arm moves, unit length.
     pub(crate) normal: Vec3,
@@ -77,11 +77,11 @@ pub(crate) struct Repetition {
     pub(crate) seconds: f32,
     /// Number of skeletons in which trunk and arm were seen.
     pub(crate) seen: u32,
-    /// Number of those in which they were not.
+    /// Number of skeletons in which trunk or arm was not seen.
     pub(crate) missed: u32,
 }
 
-/// Square of the length, at a probability of 90 %, of a noise with unit deviation on two axes: -2 ln 0.1.
+/// Squared length that noise with unit deviation on two axes stays below with a probability of 90 %: -2 ln 0.1.
 const NOISE_AT_90: f32 = 4.6;
 
 impl Repetition {
@@ -109,7 +109,8 @@ impl Repetition {
     }
 }
 
-/// Normal of the plane through the shoulder that is nearest to the directions of the arm, by power iteration; it points as from the rest.
+/// Normal of the plane through the shoulder that fits the directions of the arm best, by power iteration. Its sign is
+/// that of a rotation from the rest.
 fn normal(kept: &[Seen], rest: Vec3) -> Vec3 {
     let square = |sample: &Seen| {
         Mat3::from_cols(sample.arm * sample.arm.x, sample.arm * sample.arm.y, sample.arm * sample.arm.z)
@@ -119,7 +120,7 @@ fn normal(kept: &[Seen], rest: Vec3) -> Vec3 {
     (0..30).fold(first, |normal, _| (scatter * normal).normalize_or_zero())
 }
 
-/// Moving means over an odd number of samples, at least one.
+/// Moving averages over an odd number of samples, at least one.
 fn smoothed<T>(kept: &[Seen], width: usize, value: impl Fn(&Seen) -> T) -> Vec<T, CAPACITY>
 where
     T: core::iter::Sum + core::ops::Div<f32, Output = T>,
@@ -130,8 +131,8 @@ where
     (0..kept.len()).map(|index| mean(around(index))).collect()
 }
 
-/// Standard deviation of the direction of the trunk about one axis, degrees, from the differences of neighbours: their variance is 1.5
-/// times that of the noise, on two axes.
+/// Standard deviation of the direction of the trunk about one axis, degrees. It is computed from second differences:
+/// their variance is 1.5 times that of the noise, on two axes.
 fn noise(kept: &[Seen]) -> f32 {
     let differences = kept.windows(3).map(|near| near[1].trunk - 0.5 * (near[0].trunk + near[2].trunk));
     let sum: f32 = differences.map(Vec3::length_squared).sum();
@@ -144,7 +145,7 @@ fn sorted(values: &[f32]) -> Vec<f32, CAPACITY> {
     sorted
 }
 
-/// Value below which a share of the sorted values lies.
+/// Value below which a fraction `share` of the sorted values lies.
 fn quantile(sorted: &[f32], share: f32) -> f32 {
     let place = share * (sorted.len() - 1) as f32;
     let (below, rest) = (place as usize, place - libm::floorf(place));

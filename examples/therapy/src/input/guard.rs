@@ -1,4 +1,4 @@
-//! Watches the body and the page of the therapist.
+//! Monitoring of the body and of the therapist's page.
 
 use bica::prelude::*;
 use bica_motion::joints::Joints;
@@ -35,7 +35,7 @@ pub struct Guard {
     tilt: f32,
     hottest: f32,
     battery: f32,
-    /// Time since the last sign of the page, s; `None` before the first.
+    /// Time since the page last called, s; `None` before the first call.
     page: Option<f32>,
     trouble: Option<Trouble>,
 }
@@ -46,7 +46,7 @@ impl Guard {
         Self { tilt: 0.0, hottest: 0.0, battery: 0.0, page: None, trouble: None }
     }
 
-    /// Takes roll and pitch of the torso, rad, the temperatures of the motors, °C, and the charge of the battery, 0 to 1.
+    /// Stores roll and pitch of the torso, rad, the temperatures of the motors, °C, and the charge of the battery, 0 to 1.
     pub(crate) fn measure(&mut self, [roll, pitch]: [f32; 2], temperatures: &Joints, battery: f32) {
         self.battery = battery;
         self.tilt = libm::fabsf(roll).max(libm::fabsf(pitch));

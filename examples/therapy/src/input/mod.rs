@@ -1,4 +1,4 @@
-//! What the robot receives.
+//! Components for the inputs of the robot.
 
 mod guard;
 mod patient_pose;

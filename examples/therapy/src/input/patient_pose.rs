@@ -1,4 +1,4 @@
-//! The skeleton of the person before the robot.
+//! Skeleton of the person in front of the robot.
 
 use bica::prelude::*;
 
@@ -17,7 +17,7 @@ impl PatientPose {
         Self { skeleton: None, number: 0 }
     }
 
-    /// Takes a new skeleton.
+    /// Stores a new skeleton.
     pub(crate) const fn see(&mut self, skeleton: Skeleton) {
         self.skeleton = Some(skeleton);
         self.number = self.number.wrapping_add(1);

@@ -4,7 +4,7 @@ use bica::prelude::*;
 
 use crate::session::Signal;
 
-/// What is pressed or touched: chest, left and right bumper, head, left and right hand.
+/// State of the buttons and touch sensors: chest, left and right bumper, head, left and right hand.
 pub type Pressed = [bool; 6];
 
 /// Presses and touches that begin, and how long the chest is pressed.
@@ -12,7 +12,7 @@ pub type Pressed = [bool; 6];
 pub struct Signals {
     now: Pressed,
     before: Pressed,
-    /// Time since the button in the chest was pressed, s.
+    /// Time for which the chest button has been pressed, s.
     pub(crate) chest: f32,
 }
 
@@ -22,7 +22,7 @@ impl Signals {
         Self { now: [false; 6], before: [false; 6], chest: 0.0 }
     }
 
-    /// Takes what is pressed in this cycle, before it is stepped.
+    /// Stores the buttons and sensors that are pressed in this cycle. It must be called before the component runs.
     pub(crate) const fn receive(&mut self, pressed: Pressed) {
         (self.before, self.now) = (self.now, pressed);
     }
@@ -31,7 +31,7 @@ impl Signals {
         self.chest = if self.now[Signal::Chest as usize] { self.chest + time.dt() } else { 0.0 };
     }
 
-    /// Whether it begins in this cycle.
+    /// Returns whether a press or touch begins in this cycle.
     pub(crate) const fn begins(&self, signal: Signal) -> bool {
         self.now[signal as usize] && !self.before[signal as usize]
     }

@@ -14,24 +14,24 @@ use crate::cli;
 use crate::exercise::{Counter, EXAMPLES, Example, Judging, Learner, Posture, Reasons, Verdict};
 use crate::skeleton::Skeleton;
 
-/// Least number of the examples in which a movement must be found.
+/// Least number of examples in which a movement must be found.
 const FOUND: usize = 2;
 
-/// The result of one recording.
+/// Result of one recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(crate) struct Judged {
-    /// The file of its positions, relative to the folder.
+    /// File of its positions, relative to the folder.
     pub(crate) file: String,
-    /// `correct`, `incorrect` or `cannot_tell`: what most of the time of its repetitions is.
+    /// `correct`, `incorrect` or `cannot_tell`: the verdict with the largest total duration of repetitions.
     pub(crate) verdict: &'static str,
-    /// Why, in the order of the rules.
+    /// Reasons of the verdict, in the order of the rules.
     pub(crate) reasons: Vec<&'static str>,
     /// Number of repetitions.
     pub(crate) repetitions: usize,
 }
 
-/// Judges the recordings of a folder with `correct/` and `incorrect/`, which have `rate` skeletons a second. For each person and
-/// movement, the first three recordings of `correct/` are the examples; all others are judged.
+/// Judges the recordings in the subfolders `correct` and `incorrect` of a folder; `rate` is in skeletons per second.
+/// The first three recordings in `correct` of each person and movement are the examples; all others are judged.
 pub(crate) fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<Judged>, Failure> {
     let mut groups: BTreeMap<String, (Vec<PathBuf>, Vec<PathBuf>)> = BTreeMap::new();
     for (index, name) in ["correct", "incorrect"].into_iter().enumerate() {
@@ -62,7 +62,7 @@ pub(crate) fn judge(folder: &Path, rate: f32, judging: &Judging) -> Result<Vec<J
     Ok(judged)
 }
 
-/// Lists the files of positions in a folder, in order, with movement and person.
+/// Lists the position files of a folder, sorted, each with its movement and person.
 fn recordings(folder: &Path) -> Result<Vec<(PathBuf, String)>, Failure> {
     let paths = cli::files(folder, "give a folder with the folders `correct` and `incorrect`")?;
     let named = paths.into_iter().filter_map(|path| {
@@ -73,7 +73,7 @@ fn recordings(folder: &Path) -> Result<Vec<(PathBuf, String)>, Failure> {
     Ok(named.collect())
 }
 
-/// Skeletons of a recording; `None` where there is none.
+/// Skeletons of a recording; `None` for a line without a skeleton.
 type Recording = Vec<Option<Skeleton>>;
 
 fn read(positions: &Path) -> Result<Recording, Failure> {
@@ -93,7 +93,7 @@ fn learn(examples: &[Recording], rate: f32, judging: &Judging) -> Option<Example
     learner.example(FOUND)
 }
 
-/// Judges a recording, and counts its repetitions.
+/// Judges a recording and counts its repetitions.
 fn verdict(skeletons: &[Option<Skeleton>], rate: f32, example: &Example, judging: &Judging) -> (Reasons, usize) {
     let mut counter = Counter::new(example.reference);
     let mut repetitions = Vec::new();

@@ -1,4 +1,4 @@
-//! Recorded skeletons in the form of UI-PRMD.
+//! Recorded skeletons in the format of UI-PRMD.
 
 use std::fs;
 use std::io::Read;
@@ -25,8 +25,8 @@ pub(super) fn read(positions: &Path, angles: &Path) -> Result<Vec<Option<Skeleto
     Ok(offsets.iter().zip(&turns).map(|(offsets, turns)| Some(skeleton(offsets.as_ref()?, turns.as_ref()?))).collect())
 }
 
-/// Places the points along their parents: each offset is in the frame of the parent, and each rotation (Z · Y · X, degrees) is relative
-/// to it. Source: the description of UI-PRMD.
+/// Places the points along their parents. Each offset is in the frame of the parent; each rotation (Z · Y · X, degrees)
+/// is relative to it. Source: the description of UI-PRMD.
 fn skeleton(offsets: &[Vec3; POINTS], turns: &[Vec3; POINTS]) -> Skeleton {
     let mut points = [Vec3::ZERO; POINTS];
     let mut frames = [Mat3::IDENTITY; POINTS];
@@ -54,7 +54,7 @@ fn lines(path: &Path) -> Result<Vec<Line>, Failure> {
     parsed.collect()
 }
 
-/// Parses a line; an empty line, or one with a number that is not finite, has no skeleton.
+/// Parses a line. An empty line, or one with a number that is not finite, has no skeleton; `None` if the line is malformed.
 fn parse(line: &str) -> Option<Line> {
     if line.trim().is_empty() {
         return Some(None);

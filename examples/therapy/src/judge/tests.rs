@@ -1,19 +1,19 @@
-//! The recorded people, as recorded and with worse skeletons.
+//! Judgement of recorded people, with the original and with damaged skeletons.
 
 use bica::Params;
 use bica_body::random::Random;
 
 use super::*;
 
-/// How a recording is made worse.
+/// Damage of a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Damage {
     None,
-    /// A fifth of the skeletons is missing, and their times with them.
+    /// A fifth of the skeletons is missing, together with their times.
     Lost,
-    /// Every third skeleton: 10 a second.
+    /// Every third skeleton only: 10 per second.
     Slow,
-    /// 2 cm at each point along each axis, one standard deviation. Kinect skeletons of UI-PRMD are in centimetres.
+    /// Noise of 2 cm (standard deviation) on each axis of each point. Kinect skeletons of UI-PRMD are in centimetres.
     Noise,
 }
 
@@ -40,8 +40,8 @@ impl Damage {
 
 const JUDGING: Judging = Judging { tempo: 0.0, ..Judging::DEFAULT };
 
-/// Judges the recordings of a person: the mean of the shares of correct and of incorrect ones that are told so, and the repetitions in a
-/// stream of ten of each.
+/// Judges the recordings of a person. Returns the mean of the rates of correct and incorrect recordings judged as such,
+/// and the number of repetitions counted in the joined correct and the joined incorrect recordings.
 fn judge_person(movement: &str, person: u32, damage: Damage) -> (f32, [usize; 2]) {
     let (mut random, name) = (Random::new(person.into(), 1_u64), format!("{movement}_s{person:02}"));
     let mut all = |folder: &str| -> Vec<Recording> {
@@ -61,7 +61,7 @@ fn judge_person(movement: &str, person: u32, damage: Damage) -> (f32, [usize; 2]
 
 bica_test_data::exercises_test! {
     fn recorded_people_are_judged_and_counted() {
-        // Extension to the back (m08) is hidden from the camera: noise costs more there, and streams are not counted well.
+        // In extension to the back (m08) the camera does not see the arm: noise costs more there, and the count is unreliable.
         for (movement, least, most) in [("m07", 0.98, 0.05), ("m10", 0.97, 0.05), ("m08", 0.93, 0.1)] {
             let [clean, worse @ ..] = Damage::ALL.map(|damage| {
                 let people: Vec<_> = (1..=5).map(|person| judge_person(movement, person, damage)).collect();

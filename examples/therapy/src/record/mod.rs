@@ -15,36 +15,36 @@ pub(crate) use report::report;
 use crate::cli;
 use crate::exercise::Attempt;
 
-/// What a record begins with.
+/// First line of a record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Head {
     pub(crate) code: String,
     pub(crate) session: String,
-    /// Begin, seconds since 1970.
+    /// Start, seconds since 1970.
     pub(crate) begun: u64,
 }
 
-/// A repetition.
+/// Line of a record for one repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Entry {
-    /// Time since the begin, s.
+    /// Time since the start, s.
     pub(crate) seconds: f32,
-    /// Line of the exercise in the session.
+    /// Line of the exercise in the text of the session.
     pub(crate) line: usize,
     pub(crate) verdict: String,
     pub(crate) reasons: Vec<String>,
     /// Largest angle of the arm, degrees.
     pub(crate) peak: f32,
-    /// Angle that is enough, degrees.
+    /// Angle that suffices, degrees.
     pub(crate) goal: f32,
 }
 
-/// A record that is written while the session runs: a line of JSON for each repetition.
+/// Record file, written while the session runs: one line of JSON for each repetition.
 #[derive(Debug)]
 pub(crate) struct Record {
     path: PathBuf,
     file: File,
-    /// Line of each step.
+    /// Line in the text for each step.
     lines: Vec<usize>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn check(folder: &Path, code: &str) -> Result<(), Failure> {
 }
 
 impl Record {
-    /// Begins a record in a folder, with a new file.
+    /// Creates a new record file in a folder.
     pub(crate) fn begin(folder: &Path, code: &str, session: &str, lines: Vec<usize>) -> Result<Self, Failure> {
         check(folder, code)?;
         let begun = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
@@ -95,7 +95,7 @@ impl Record {
     }
 }
 
-/// Files of a code in a folder, in order.
+/// Record files of a code in a folder, sorted.
 fn files(folder: &Path, code: &str) -> Result<Vec<PathBuf>, Failure> {
     check_code(code)?;
     let mut paths = cli::files(folder, "give the folder of the records")?;

@@ -1,4 +1,4 @@
-//! A page about the records of a person.
+//! HTML page about the records of a person.
 
 use std::fmt::{Display, Write};
 use std::fs;
@@ -9,7 +9,7 @@ use bica_app::Failure;
 
 use super::{Entry, Head, files};
 
-/// Width of a bar with its gap, and height of 180°, pixels of the page.
+/// Width of a bar with its gap, and height of 180°, both in pixels of the page.
 const BAR: usize = 34;
 const HEIGHT: f32 = 180.0;
 
@@ -17,11 +17,11 @@ const STYLE: &str = "body{font:18px sans-serif;max-width:60em;margin:2em auto;co
     rect{stroke-width:2}.correct{fill:#2c9a5f;stroke:#137a48}.incorrect{fill:#f4b232;stroke:#8a5200}\
     .cannot_tell{fill:none;stroke:#556;stroke-dasharray:4}line{stroke:#137a48;stroke-width:2;stroke-dasharray:6}";
 
-/// Script that shows times as those of the reader's place.
+/// Script that shows times in the local time of the reader.
 const LOCAL: &str = "<script>for (const one of document.querySelectorAll('time')) \
     one.textContent = new Date(one.dateTime).toLocaleString(undefined, { dateStyle: 'medium', timeStyle: 'short' })</script>\n";
 
-/// Makes a page in HTML about all sessions of a code.
+/// Returns an HTML page about all sessions of a code.
 pub(crate) fn report(folder: &Path, code: &str) -> Result<String, Failure> {
     let mut page =
         format!("<!doctype html><meta charset=\"utf-8\"><title>{code}</title><style>{STYLE}</style><h1>{code}</h1>\n");

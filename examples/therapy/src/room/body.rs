@@ -1,4 +1,4 @@
-//! The body of the robot in the room: ideal, or with forces.
+//! Simulated body of the robot: ideal, or with forces.
 
 use bica_app::Failure;
 #[cfg(feature = "mujoco")]
@@ -22,12 +22,12 @@ use crate::robot::Command;
 const COOL: f32 = 38.0;
 /// Force of a standing robot on a sensor of a sole, N.
 const LOAD: f32 = 6.5;
-/// Height above the other sole from which a foot bears nothing, m: without it the odometry would not see steps.
+/// Height above the other sole from which a foot bears no weight, m. Without this limit the odometry would not detect steps.
 const SWING: f32 = 0.002;
 
-/// A body.
+/// Simulated body.
 pub(super) enum Body {
-    /// Follows its targets, and always stands unless it is pushed over.
+    /// Body that follows its targets exactly. It always stands unless it is pushed over.
     Ideal { angles: Joints, fallen: bool },
     /// Rigid bodies in MuJoCo.
     #[cfg(feature = "mujoco")]
@@ -41,8 +41,9 @@ impl Default for Body {
 }
 
 impl Body {
-    /// A body and a floor of a seed: friction 0.6 to 1.2, gains of the leg motors 0.8 to 1.2 and their torque 0.8 to 1.1 of the usual,
-    /// dead time 20 to 40 ms. Our choice: robots and floors that differ more than the noise of the sensors.
+    /// Creates a body and a floor from a seed: friction 0.6 to 1.2, gains of the leg motors 0.8 to 1.2, torque limits
+    /// 0.8 to 1.1 of the usual ones, dead time 20 to 40 ms. Our choice: robots and floors vary by more than the noise
+    /// of the sensors.
     #[cfg(feature = "mujoco")]
     pub(super) fn with_forces(seed: u64) -> Result<Self, Failure> {
         let (mut random, usual) = (Random::new(seed, 1_u64), Physics::of(NAO));
@@ -60,7 +61,7 @@ impl Body {
         Ok(Self::Forces(Box::new(Humanoid::new(NAO, model, Pose2::ORIGIN, noise, &physics, |_| ()))))
     }
 
-    /// An error: there is no MuJoCo.
+    /// Returns an error: the program was built without MuJoCo.
     #[cfg(not(feature = "mujoco"))]
     pub(super) fn with_forces(_: u64) -> Result<Self, Failure> {
         let help = "`cargo xtask mujoco` installs MuJoCo; then build with `--features mujoco`";
@@ -91,7 +92,7 @@ impl Body {
         }
     }
 
-    /// Executes a command for a cycle. Returns whether the robot falls.
+    /// Executes a command for one cycle. Returns whether the robot falls.
     pub(super) fn act(&mut self, command: &Command) -> bool {
         match self {
             Self::Ideal { angles, .. } => {
@@ -107,7 +108,7 @@ impl Body {
         }
     }
 
-    /// Why the simulation cannot continue, if it cannot.
+    /// Returns why the simulation cannot continue; `None` if it can.
     pub(super) fn failure(&self) -> Option<&str> {
         match self {
             Self::Ideal { .. } => None,
@@ -116,7 +117,7 @@ impl Body {
         }
     }
 
-    /// Pushes the robot over, or puts it on its feet.
+    /// Pushes the robot over, or sets it upright.
     pub(super) fn push_over(&mut self, over: bool) {
         match self {
             Self::Ideal { fallen, .. } => *fallen = over,

@@ -1,6 +1,7 @@
-//! A simulated room: a robot that follows its targets, and a person who raises the left arm again and again.
+//! Simulated room with the robot and a person who raises the left arm periodically.
 //!
-//! In the world `room` there are no forces: the robot always stands, unless an operator pushes it over. In `mujoco` there are.
+//! The world `room` has no forces: the robot follows its targets, and stands unless an operator pushes it over. The
+//! world `mujoco` has forces.
 
 mod body;
 #[cfg(test)]
@@ -28,37 +29,38 @@ use crate::session::Signal;
 use crate::skeleton::{Person, Skeleton};
 use crate::speech::{self, Player};
 
-/// Cycles of a second.
+/// Cycles per second.
 const RATE: u64 = 100;
-/// A skeleton comes every so many cycles: 20 a second.
+/// Cycles from one skeleton to the next: 20 skeletons per second.
 const SKELETON: u64 = 5;
-/// Time of a repetition of the person, s.
+/// Duration of a repetition of the person, s.
 const REPETITION: f32 = 4.0;
 
-/// The room.
+/// Simulated room.
 #[derive(Default)]
 pub(crate) struct Room {
     cycle: u64,
     orders: VecDeque<Order>,
-    /// Cycle in which a person presses the button in the chest to start.
+    /// Cycle in which the button in the chest is pressed to start the session.
     start: Option<u64>,
     body: Body,
     sound: Sounding,
-    /// Cycles for which something is pressed.
+    /// Signal that is pressed, and the number of cycles left.
     pressed: (Option<Signal>, u64),
     hot: bool,
     person: Option<Random>,
     /// Highest angle of the arm in this repetition, degrees.
     peak: f32,
-    /// What began and ended, with its time.
+    /// Text and time of each start and end.
     log: Vec<String>,
     record: Option<Record>,
     player: Option<Player>,
 }
 
 impl Room {
-    /// A room for the options of a run: `session` is a file, `person` and `start` are `true` or `false`. With `code`, a record is kept in
-    /// the folder `records`. With `sound`, texts are spoken into this folder, and all sounds are played.
+    /// Opens a room with the options of a run: `session` is a file; `person` and `start` are `true` or `false`. With
+    /// `code`, a record is written to the folder `records`. With `sound`, texts are synthesized into this folder, and
+    /// all sounds are played.
     pub(crate) fn open(options: &WorldOptions) -> Result<Self, Failure> {
         let file: PathBuf = options.value("session", String::new())?.into();
         if file.as_os_str().is_empty() {
@@ -83,18 +85,18 @@ impl Room {
         Ok(room)
     }
 
-    /// The same with forces.
+    /// Opens the room with a body with forces.
     pub(crate) fn open_with_forces(options: &WorldOptions) -> Result<Self, Failure> {
         Ok(Self { body: Body::with_forces(options.seed)?, ..Self::open(options)? })
     }
 
-    /// A room where a session is loaded, and started if wanted.
+    /// Creates a room that loads a session, and starts it if `start` is true.
     fn new(orders: Vec<Order>, seed: u64, person: bool, start: bool) -> Self {
         let start = start.then_some(orders.len() as u64 + RATE);
         Self { start, orders: orders.into(), person: person.then(|| Random::new(seed, 2_u64)), ..Self::default() }
     }
 
-    /// The person: raises the left arm and lowers it, with a rest of a fourth of the time.
+    /// Skeleton of the person, who raises and lowers the left arm and rests for a quarter of the time.
     fn person(&mut self) -> Option<Skeleton> {
         let random = self.person.as_mut()?;
         let time = (self.cycle % (RATE * REPETITION as u64)) as f32 / RATE as f32;
@@ -106,7 +108,7 @@ impl Room {
     }
 }
 
-/// What an operator can do.
+/// Actions of an operator.
 #[world_actions]
 impl Room {
     /// Presses or touches the robot.

@@ -1,4 +1,4 @@
-//! Steps from lines: loops, branches and places become numbers of steps.
+//! Translation of lines to steps: loops, branches and labels become numbers of steps.
 
 use std::collections::BTreeMap;
 
@@ -7,14 +7,15 @@ use super::words::Place;
 use super::{Clip, Problem, Script};
 use crate::session::{DEEPEST, MOST_CLIPS, MOST_STEPS, Step};
 
-/// What has begun and has no `end` yet.
+/// Block without an `end` so far.
 enum Block {
     Repeat {
         from: usize,
         times: u16,
         line: usize,
     },
-    /// An exercise, with the jumps to its end. A result without a branch leads to step 0 until then.
+    /// Branches of an exercise, with the jumps to their common end. Until the end is known, a result without a branch
+    /// leads to step 0.
     When {
         exercise: usize,
         jumps: Vec<usize>,
@@ -22,17 +23,17 @@ enum Block {
     },
 }
 
-/// A script of which some lines are read.
+/// Script during the translation of its lines.
 #[derive(Default)]
 pub(super) struct Builder {
     pub(super) script: Script,
-    /// Language of the next texts.
+    /// Language of the texts that follow.
     pub(super) language: String,
-    /// Number of the line that is read.
+    /// Number of the line being translated.
     line: usize,
     blocks: Vec<Block>,
     places: BTreeMap<String, usize>,
-    /// Jumps to places: step, name, and where it stands.
+    /// Jumps to labels: step, name, and place of the name in the text.
     jumps: Vec<(usize, String, Place)>,
     problems: Vec<Problem>,
 }
@@ -54,12 +55,12 @@ impl Builder {
         self.script.steps.len()
     }
 
-    /// An error at the begin of the line.
+    /// Error at the beginning of the current line.
     fn wrong(&self, what: impl Into<String>) -> Problem {
         Problem::at((self.line, 1), what)
     }
 
-    /// How many loops are open.
+    /// Number of open loops.
     fn depth(&self) -> usize {
         self.blocks.iter().filter(|block| matches!(block, Block::Repeat { .. })).count()
     }
@@ -71,7 +72,7 @@ impl Builder {
         if is_first_too_many { Err(self.wrong(format!("the script has more than {MOST_STEPS} steps"))) } else { Ok(()) }
     }
 
-    /// Adds a step that begins a clip, whose file or text stands at a place.
+    /// Adds a clip, and a step that begins it. `at` is the place of its file or text.
     pub(super) fn sound(&mut self, step: fn(u16) -> Step, clip: Clip, at: Place) -> Result<(), Problem> {
         let number = self.script.clips.len();
         self.script.clips.push(clip);
@@ -103,7 +104,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Begins a branch: of the exercise right before it, or else of the one whose branches are open.
+    /// Begins a branch: of the exercise directly before it, or else of the exercise whose branches are open.
     pub(super) fn when(&mut self, branch: usize) -> Result<(), Problem> {
         let last = self.next().wrapping_sub(1);
         let follows = matches!(self.script.steps.last(), Some(Step::Exercise { .. }));

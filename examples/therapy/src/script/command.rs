@@ -1,4 +1,4 @@
-//! The commands of a line.
+//! Commands of the session language.
 
 use bica_motion::robot::Light;
 
@@ -7,10 +7,10 @@ use super::words::Line;
 use super::{Clip, Problem};
 use crate::session::{Lamp, Movement, Signal, Step, Task, Until};
 
-/// Reads what follows the first word of a line, and adds it to the script.
+/// Function that reads the rest of a line after its first word and adds it to the script.
 pub(super) type Read = fn(&mut Builder, &mut Line<'_>) -> Result<(), Problem>;
 
-/// First words of a line.
+/// Commands by the first word of a line.
 pub(super) const VERBS: [(&str, Read); 18] = [
     ("title", |script, line| line.text("the title").map(|(title, _)| title.clone_into(&mut script.script.title))),
     ("language", |script, line| {
@@ -101,10 +101,10 @@ const TOUCHES: [(&str, Signal); 3] =
 
 const BRANCHES: [(&str, usize); 3] = [("done", 0), ("not_done", 1), ("nobody", 2)];
 
-/// Most time of a wait or of an exercise, s.
+/// Longest wait or exercise, s.
 const LONGEST: f32 = 3600.0;
 
-/// Reads a line, which may be empty.
+/// Translates a line, which may be empty.
 pub(super) fn read(script: &mut Builder, number: usize, line: &str) -> Result<(), Problem> {
     let mut line = Line::new(number, line)?;
     if line.is_done() {

@@ -1,9 +1,9 @@
-//! Which steps a session reaches.
+//! Check of the control flow of a script.
 
 use super::{Problem, Script};
 use crate::session::Step;
 
-/// Steps that can follow a step; a loop that ends is followed only once.
+/// Returns the steps that can follow a step. The end of a loop is followed only by the step after it.
 fn next(script: &Script, index: usize) -> Vec<usize> {
     match script.steps[index] {
         Step::GoTo(to) => vec![to.into()],
@@ -12,7 +12,7 @@ fn next(script: &Script, index: usize) -> Vec<usize> {
     }
 }
 
-/// Finds steps that are never reached, and circles in which no time passes.
+/// Finds steps that cannot be reached, and cycles in which no time passes.
 pub(super) fn check(script: &Script) -> Vec<Problem> {
     let most = script.steps.len();
     debug_assert!((0..most).all(|index| next(script, index).iter().all(|to| *to <= most)), "a jump leads past the end");
@@ -33,7 +33,7 @@ pub(super) fn check(script: &Script) -> Vec<Problem> {
     lost.into_iter().chain(circle).collect()
 }
 
-/// Whether a jump leads back to itself through steps in which no time passes.
+/// Returns whether a jump leads back to itself through steps in which no time passes.
 fn returns(script: &Script, start: usize) -> bool {
     if !matches!(script.steps[start], Step::GoTo(_)) {
         return false;

@@ -1,7 +1,8 @@
-//! The session language: a text that a therapist writes.
+//! Session language, in which a therapist writes a session as text.
 //!
-//! [`Script::parse`] checks the whole text. What it returns can be run: each jump has its place, each step can be reached, each wait
-//! has a limit, and no loop is without a pause. [`Script::check_files`] checks the sound files.
+//! [`Script::parse`] checks the whole text. A script that it returns can be run: each jump has its target, each step
+//! can be reached, each wait has a limit, and each loop contains a pause. [`Script::check_files`] checks the sound
+//! files.
 
 mod build;
 mod command;
@@ -31,13 +32,13 @@ pub struct Script {
     pub(crate) steps: Vec<Step>,
     /// Line of each step, from 1.
     pub(crate) lines: Vec<usize>,
-    /// Clips of sound; steps name them by their number.
+    /// Clips of sound; steps refer to them by their index.
     pub(crate) clips: Vec<Clip>,
-    /// Place of the file of each clip in the text: line and column.
+    /// Position of the file name of each clip in the text: line and column.
     places: Vec<Place>,
 }
 
-/// A clip of sound.
+/// Clip of sound.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Clip {
     /// A file in WAV format, relative to the script.
@@ -51,14 +52,14 @@ pub(crate) enum Clip {
     },
 }
 
-/// A script with one command of each kind: what `therapy new` writes.
+/// Script with one command of each kind; `therapy new` writes it.
 pub(crate) const EXAMPLE: &str = include_str!("example.session");
 
 impl Script {
-    /// Reads a script and checks it.
+    /// Parses a script and checks it.
     ///
     /// # Errors
-    /// All problems, in the order of their places.
+    /// All problems, in the order of their positions.
     pub fn parse(text: &str) -> Result<Self, Vec<Problem>> {
         let (script, mut problems) = build::build(text);
         if problems.is_empty() {
@@ -68,10 +69,10 @@ impl Script {
         if problems.is_empty() { Ok(script) } else { Err(problems) }
     }
 
-    /// Reads the text of a file.
+    /// Decodes the text of a file.
     ///
     /// # Errors
-    /// If it is not UTF-8 with line ends of Unix or Windows: what it is instead, and how to save it.
+    /// If the text is not UTF-8 with line ends of Unix or Windows. The problem names the encoding and how to save the file.
     pub fn decode(bytes: &[u8]) -> Result<String, Problem> {
         text::decode(bytes)
     }
@@ -83,7 +84,8 @@ impl Script {
         self.clips.iter().zip(&self.places).filter_map(check).collect()
     }
 
-    /// What a robot is told to load the session, whose files are relative to a folder. A file that cannot be read has no duration.
+    /// Returns the orders that load the session into the robot; the files are relative to `folder`. A file that cannot
+    /// be read has the duration 0.
     #[must_use]
     pub fn orders(&self, folder: &Path) -> Vec<Order> {
         let clips = self.clips.iter().map(|clip| Order::Clip(clip.seconds(folder).unwrap_or(0.0)));
@@ -92,7 +94,7 @@ impl Script {
 }
 
 impl Clip {
-    /// Duration, s: that of the file, or an estimate.
+    /// Duration, s: measured for a file, estimated for a text.
     fn seconds(&self, folder: &Path) -> Result<f32, String> {
         let file = match self {
             Self::Text { text, .. } => return Ok(PAUSE + text.chars().count() as f32 / CHARACTERS),
@@ -104,6 +106,6 @@ impl Clip {
     }
 }
 
-/// Estimated duration of spoken texts: a pause, s, and characters per second. Our choice: slow speech.
+/// Estimated duration of spoken texts: a pause, s, and a number of characters per second. Our choice: slow speech.
 const PAUSE: f32 = 0.5;
 const CHARACTERS: f32 = 12.0;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// An error at its place.
+/// Error with its position in the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// Line, from 1.
@@ -11,17 +11,17 @@ pub struct Problem {
     pub column: usize,
     /// What is wrong.
     pub what: String,
-    /// What can stand there; empty if nothing else can.
+    /// Words or values that are allowed there; empty if there is no list.
     pub allowed: Vec<String>,
-    /// The nearest of these, if one is like what stands there.
+    /// The allowed word most similar to the found one, if any is similar enough.
     pub nearest: Option<String>,
 }
 
-/// Least likeness of two words, 0 to 1, of which one may be meant for the other.
+/// Least similarity, 0 to 1, of a found word and an allowed one that is suggested for it.
 const LIKE: f64 = 0.5;
 
 impl Problem {
-    /// An error, with what can stand there instead of `found`.
+    /// Creates an error with the words that are allowed instead of `found`.
     pub(super) fn new(at: (usize, usize), what: impl Into<String>, found: &str, allowed: &[&str]) -> Self {
         let found = found.to_lowercase();
         let like = |word: &&&str| {
@@ -34,7 +34,7 @@ impl Problem {
         Self { line: at.0, column: at.1, what: what.into(), allowed, nearest }
     }
 
-    /// An error that no other word mends.
+    /// Creates an error without allowed words.
     pub(super) fn at(at: (usize, usize), what: impl Into<String>) -> Self {
         Self::new(at, what, "", &[])
     }

@@ -1,4 +1,4 @@
-//! Scripts, right and wrong.
+//! Tests of correct and incorrect scripts.
 
 use proptest::prelude::*;
 
@@ -40,7 +40,7 @@ fn walk_keeps_its_first_value_and_stop_names_its_task() {
     assert_eq!(steps(text), wanted);
 }
 
-/// Each script of the file is followed by the beginnings of its errors, after `! `.
+/// The scripts in `wrong.txt` are each followed by the beginnings of their errors, after `! `.
 #[test]
 fn each_wrong_script_has_its_errors_at_their_places() {
     let scripts: Vec<_> = include_str!("wrong.txt").split("---\n").collect();
@@ -79,7 +79,7 @@ fn missing_and_wrong_files_are_found_before_the_start() {
 }
 
 proptest! {
-    /// Lines are cut and mixed, so that most are almost right.
+    /// Cuts and mixes lines, so that most of them are almost correct.
     #[test]
     fn no_text_panics(cuts in proptest::collection::vec((0..26_usize, 0..40_usize, "\\PC{0,3}"), 0..30)) {
         let lines: Vec<&str> = EXAMPLE.lines().collect();

@@ -1,8 +1,8 @@
-//! The text of a session file, as word processors and other computers write it.
+//! Decoding of session files that were written by word processors or on other systems.
 
 use super::Problem;
 
-/// Spaces of word processors, and a mark at the start of a file, which are read as spaces.
+/// Spaces of word processors and the byte-order mark, which are read as spaces.
 const SPACES: [char; 4] = ['\u{a0}', '\u{2007}', '\u{202f}', '\u{feff}'];
 /// Quotation marks of word processors.
 const QUOTES: &str = "“”„‟«»‹›‘’‚‛";
@@ -10,7 +10,7 @@ const QUOTES: &str = "“”„‟«»‹›‘’‚‛";
 /// Reads a file as text.
 ///
 /// # Errors
-/// If it is not UTF-8 with line ends of Unix or Windows: what it is instead, and how to save it.
+/// If the text is not UTF-8 with line ends of Unix or Windows. The problem names the encoding and how to save the file.
 pub(super) fn decode(bytes: &[u8]) -> Result<String, Problem> {
     let wrong = |line: usize, what: &str| Err(Problem::at((line, 1), what));
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || bytes.iter().take(64).any(|b| *b == 0) {
@@ -36,7 +36,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, Problem> {
     }
 }
 
-/// What is wrong with a sign at which no word begins, after the rest of its line.
+/// Message for a character that cannot begin a word; `before` and `after` are the rest of its line.
 pub(super) fn odd_sign(before: &str, sign: char, after: &str) -> String {
     let named =
         if sign.is_ascii_graphic() { format!("`{sign}`") } else { format!("`{sign}` (U+{:04X})", u32::from(sign)) };
@@ -50,7 +50,7 @@ pub(super) fn odd_sign(before: &str, sign: char, after: &str) -> String {
     }
 }
 
-/// What is wrong with a text that does not end.
+/// Message for a text without a closing quote.
 pub(super) fn no_end(text: &str) -> String {
     let quote = text.chars().find(|sign| QUOTES.contains(*sign));
     quote.map_or_else(

@@ -1,10 +1,10 @@
 //! Durations of sound files.
 
-/// Duration of a sound in WAV format, s. Programs that write into a pipe do not know its length, so a length that is zero or goes
-/// beyond the end of the file stands for the rest of the file.
+/// Duration of a sound in WAV format, s. Programs that write to a pipe do not know the length. So a length of zero, or
+/// one beyond the end of the file, stands for the rest of the file.
 ///
 /// # Errors
-/// Why the bytes are no such sound.
+/// Why the bytes are not such a sound.
 pub(super) fn seconds(bytes: &[u8]) -> Result<f32, &'static str> {
     const FOREIGN: &str = "is not in WAV format";
     let number = |at: usize| bytes.get(at..at + 4)?.try_into().ok().map(u32::from_le_bytes);
@@ -17,7 +17,7 @@ pub(super) fn seconds(bytes: &[u8]) -> Result<f32, &'static str> {
         let rest = bytes.len() - at - 8;
         match name {
             b"fmt " => {
-                // The rate in bytes may be wrong, too. Compressed formats have no other.
+                // The rate in bytes may be wrong too, so it is computed. Compressed formats have no other rate.
                 let counted =
                     half(at + 20).zip(number(at + 12)).map(|(block, rate)| u64::from(block) * u64::from(rate));
                 let is_plain = matches!(half(at + 8), Some(1 | 3 | 0xfffe));
@@ -30,7 +30,7 @@ pub(super) fn seconds(bytes: &[u8]) -> Result<f32, &'static str> {
             }
             _ => {}
         }
-        // Parts begin at even places.
+        // Chunks begin at even offsets.
         let Some(next) = (size as usize).checked_next_multiple_of(2).filter(|size| *size <= rest) else { break };
         at += 8 + next;
     }
@@ -41,7 +41,7 @@ pub(super) fn seconds(bytes: &[u8]) -> Result<f32, &'static str> {
 mod tests {
     use super::*;
 
-    /// A sound of a second, 8000 bytes, with these lengths of its file, of a part before the sound, and of the sound.
+    /// Sound of one second, 8000 bytes, with these lengths of its file, of a chunk before the sound, and of the sound.
     fn sound(file: u32, list: u32, data: u32, bytes_a_second: u32) -> Vec<u8> {
         let format = [1_u16.to_le_bytes(), 1_u16.to_le_bytes()].concat();
         let rates = [8000_u32.to_le_bytes(), bytes_a_second.to_le_bytes()].concat();

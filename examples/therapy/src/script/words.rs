@@ -1,4 +1,4 @@
-//! The words of a line.
+//! Words of a line.
 
 use std::ops::RangeInclusive;
 
@@ -39,7 +39,7 @@ fn words<'a>(input: &mut Input<'a>) -> Result<Vec<(usize, Word<'a>)>> {
     preceded(multispace0, repeat(0.., terminated(word, multispace0))).parse_next(input)
 }
 
-/// The words of a line that are not yet read.
+/// Words of a line that have not been read yet.
 pub(super) struct Line<'a> {
     number: usize,
     text: &'a str,
@@ -47,7 +47,7 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    /// Splits a line up to its comment. `number` is that of the line, from 1.
+    /// Splits a line, up to its comment, into words. `number` is the number of the line, from 1.
     pub(super) fn new(number: usize, line: &'a str) -> Checked<Self> {
         let mut input = LocatingSlice::new(line);
         let words = words(&mut input).unwrap_or_default();
@@ -66,12 +66,12 @@ impl<'a> Line<'a> {
         (self.number, self.text[..offset].chars().count() + 1)
     }
 
-    /// Whether all words are read.
+    /// Returns whether all words have been read.
     pub(super) fn is_done(&self) -> bool {
         self.words.as_slice().is_empty()
     }
 
-    /// Whether the next word is a number.
+    /// Returns whether the next word is a number.
     pub(super) fn next_is_number(&self) -> bool {
         matches!(self.first(), Some((_, Word::Number(_))))
     }
@@ -80,12 +80,12 @@ impl<'a> Line<'a> {
         self.words.as_slice().first().copied()
     }
 
-    /// Place of the next word, or of the end.
+    /// Position of the next word, or of the end of the line.
     pub(super) fn next_place(&self) -> Place {
         self.place(self.first().map_or(self.text.trim_end().len(), |(offset, _)| offset))
     }
 
-    /// An error at the next word.
+    /// Creates an error at the next word.
     pub(super) fn wrong(&self, wanted: &str, allowed: &[&str]) -> Problem {
         let at = self.next_place();
         let (what, found) = match self.first() {
@@ -97,39 +97,39 @@ impl<'a> Line<'a> {
         Problem::new(at, what, found, allowed)
     }
 
-    /// Reads the next word with `read`; if that does not accept it, the error says what can stand there.
+    /// Reads the next word with `read`. If `read` does not accept it, the error lists the allowed words.
     fn take<T>(&mut self, wanted: &str, allowed: &[&str], read: impl FnOnce(Word<'a>) -> Option<T>) -> Checked<T> {
         let read = self.first().and_then(|(_, word)| read(word)).ok_or_else(|| self.wrong(wanted, allowed))?;
         self.words.next();
         Ok(read)
     }
 
-    /// Reads one of these words.
+    /// Reads one of the words in `choices`.
     pub(super) fn choice<T: Copy>(&mut self, wanted: &str, choices: &[(&str, T)]) -> Checked<T> {
         let allowed: Vec<_> = choices.iter().map(|(name, _)| *name).collect();
         let chosen = |word| choices.iter().find(|(name, _)| word == Word::Name(name)).map(|(_, choice)| *choice);
         self.take(wanted, &allowed, chosen)
     }
 
-    /// Reads a word if it is next.
+    /// Reads the word `wanted` if it is the next one; returns whether it was.
     pub(super) fn has(&mut self, wanted: &str) -> bool {
         self.expect(&[wanted]).is_ok()
     }
 
-    /// Reads these words.
+    /// Reads all words in `wanted`, in order.
     pub(super) fn expect(&mut self, wanted: &[&str]) -> Checked<()> {
         wanted.iter().try_for_each(|name| {
             self.take(&format!("`{name}`"), &[name], |word| (word == Word::Name(name)).then_some(()))
         })
     }
 
-    /// Reads a name that the author chooses, with its place.
+    /// Reads a name that the author chooses; returns it with its position.
     pub(super) fn name(&mut self, wanted: &str) -> Checked<(&'a str, Place)> {
         let at = self.next_place();
         self.take(wanted, &[], |word| if let Word::Name(name) = word { Some((name, at)) } else { None })
     }
 
-    /// Reads a text in quotes, with its place.
+    /// Reads a text in quotes; returns it with its position.
     pub(super) fn text(&mut self, wanted: &str) -> Checked<(&'a str, Place)> {
         let at = self.next_place();
         let text = |word| if let Word::Text(text) = word { Some(text) } else { None };
@@ -144,7 +144,7 @@ impl<'a> Line<'a> {
         self.take(wanted, &[&allowed], |word| within(word).filter(|number| range.contains(number)))
     }
 
-    /// Reads a number within a range, with its unit.
+    /// Reads a number within a range, and its unit.
     pub(super) fn measure(&mut self, wanted: &str, range: RangeInclusive<f32>, unit: &str) -> Checked<f32> {
         let number = self.number(wanted, range)?;
         self.expect(&[unit]).map(|()| number)
@@ -161,7 +161,7 @@ impl<'a> Line<'a> {
         Err(self.wrong(wanted, &["a whole number"]))
     }
 
-    /// Checks that all words are read.
+    /// Checks that all words have been read.
     pub(super) fn end(&self) -> Checked<()> {
         if self.is_done() { Ok(()) } else { Err(self.wrong("the end of the line", &[])) }
     }

@@ -1,4 +1,4 @@
-//! What a session does, step by step, as the robot runs it.
+//! Session of the robot: its steps and the component that runs them.
 
 mod plan;
 mod player;

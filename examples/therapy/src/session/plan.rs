@@ -1,38 +1,38 @@
-//! The steps of a session, and where it is.
+//! Steps of a session, and the current position.
 
 use heapless::Vec;
 
 use super::Step;
 use crate::robot::Order;
 
-/// Most steps.
+/// Maximum number of steps.
 pub(crate) const MOST_STEPS: usize = 500;
-/// Most clips of sound.
+/// Maximum number of clips of sound.
 pub(crate) const MOST_CLIPS: usize = 200;
-/// Most loops in one another.
+/// Maximum depth of nested loops.
 pub(crate) const DEEPEST: usize = 4;
 
-/// Where a session is.
+/// Position in a session.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     step: u16,
     counters: [u16; DEEPEST],
 }
 
-/// Steps, clips and the present step.
+/// Steps, clips and the current position.
 #[derive(Debug)]
 pub(crate) struct Plan {
     steps: Vec<Step, MOST_STEPS>,
     /// Durations of the clips, s.
     clips: Vec<f32, MOST_CLIPS>,
-    /// Whether all steps and clips are there.
+    /// Whether all steps and clips have been loaded.
     pub(crate) loaded: bool,
     place: Place,
-    /// Where the steps after the last wait begin.
+    /// Position of the first step after the last wait or exercise.
     begun: Place,
 }
 
-/// Whether a step is the first one, or follows a wait or an exercise.
+/// Returns whether a step is the first one, or follows a wait or an exercise.
 pub(crate) fn begins(steps: &[Step], step: usize) -> bool {
     matches!(steps.get(step.wrapping_sub(1)), None | Some(Step::Wait(..) | Step::Exercise { .. }))
 }
@@ -43,7 +43,7 @@ impl Plan {
         Self { steps: Vec::new(), clips: Vec::new(), loaded: false, place: BEGIN, begun: BEGIN }
     }
 
-    /// Takes a part of a session; a step or clip too many is ignored.
+    /// Loads a part of a session. A step or clip beyond the maximum is ignored.
     pub(crate) fn load(&mut self, order: Order) {
         match order {
             Order::Step(step) => _ = self.steps.push(step),
@@ -52,17 +52,17 @@ impl Plan {
         }
     }
 
-    /// The present step; `None` at the end.
+    /// The current step; `None` at the end.
     pub(crate) fn step(&self) -> Option<Step> {
         self.steps.get(usize::from(self.place.step)).copied()
     }
 
-    /// Number of the present step.
+    /// Index of the current step.
     pub(crate) const fn at(&self) -> u16 {
         self.place.step
     }
 
-    /// Step with which the present steps began.
+    /// Index of the first step after the last wait or exercise.
     pub(crate) const fn begun(&self) -> u16 {
         self.begun.step
     }
@@ -72,7 +72,7 @@ impl Plan {
         self.clips.get(usize::from(clip)).copied().unwrap_or(0.0)
     }
 
-    /// Goes to the step that follows; of an exercise, that of its result: 0 done, 1 not done, 2 nobody there.
+    /// Leaves a wait or an exercise. After an exercise the step depends on its result: 0 done, 1 not done, 2 nobody there.
     pub(crate) fn pass(&mut self, result: Option<usize>) {
         match (self.step(), result) {
             (Some(Step::Exercise { then, .. }), Some(result)) => self.place.step = then[result],
@@ -81,7 +81,7 @@ impl Plan {
         self.begun = self.place;
     }
 
-    /// Goes to the step that follows a step without a wait.
+    /// Goes to the step after a step without a wait.
     pub(crate) fn advance(&mut self) {
         match self.step() {
             None => {}
@@ -97,24 +97,24 @@ impl Plan {
         }
     }
 
-    /// Goes to a step, at most to the end, as if it followed a wait. Loops begin anew.
+    /// Jumps to a step, at most to the end, as after a wait. Loops begin anew.
     pub(crate) fn go_to(&mut self, step: u16) {
         self.place = Place { step: step.min(self.steps.len() as u16), counters: [0; DEEPEST] };
         self.begun = self.place;
     }
 
-    /// First step after the next wait or exercise, or the end.
+    /// Returns the first step after the next wait or exercise, or the end.
     pub(crate) fn next(&self) -> u16 {
         let end = self.steps.len() as u16;
         (self.place.step + 1..end).find(|step| begins(&self.steps, (*step).into())).unwrap_or(end)
     }
 
-    /// First step after the wait or exercise before the one in which the present steps began, or the begin.
+    /// Returns the first step of the part before the current one (parts are separated by waits and exercises), or 0.
     pub(crate) fn previous(&self) -> u16 {
         (0..self.begun.step).rev().find(|step| begins(&self.steps, (*step).into())).unwrap_or(0)
     }
 
-    /// Goes back to where the steps after the last wait begin.
+    /// Goes back to the first step after the last wait or exercise.
     pub(crate) const fn go_back(&mut self) {
         self.place = self.begun;
     }

@@ -11,25 +11,26 @@ use crate::body::{Lights, Motors, Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::input::{Guard, PatientPose, Signals, Trouble};
 
-/// Steps without a wait that are done in one run.
+/// Maximum number of steps without a wait in one run.
 const AT_ONCE: usize = 16;
-/// Time for which the chest must be pressed to go on after a stop, s.
+/// Time for which the chest button must be pressed to continue after a stop, s.
 const EXPRESS: f32 = 2.0;
 
 /// Plays a session. Whatever happens, a stop ends movement, sound and speech, and only an express wish goes on.
 #[derive(Debug)]
 pub struct Session {
     pub(crate) plan: Plan,
-    /// The newest wish, and what this run heard. A wish that cannot be granted at once is dropped: nothing goes on later by itself.
+    /// The newest request, and the request that this run processes. A request that cannot be granted at once is
+    /// dropped, so nothing continues later by itself.
     wish: Option<Wish>,
     heard: Option<Wish>,
-    /// Time in the present wait or exercise, s.
+    /// Time in the current wait or exercise, s.
     waited: f32,
-    /// Time without a new skeleton, s, and the number of the newest.
+    /// Time without a new skeleton, s, and the number of the newest skeleton.
     unseen: (f32, u32),
-    /// Share of tempo and repetitions.
+    /// Factor on tempo and number of repetitions.
     ease: f32,
-    /// Movement of which the check has examples, or learns them.
+    /// Movement of which the check has examples, or is learning them.
     learnt: Option<Movement>,
 }
 
@@ -60,7 +61,7 @@ impl Session {
         for _ in 0..AT_ONCE {
             let Some(step) = self.plan.step() else { return };
             match step {
-                // Raised arms could bring a walk off balance.
+                // Raised arms could unbalance the walk.
                 Step::Move(..) if walk.is_walking() => return walk.halt(),
                 Step::Move(movement, tempo) => mover.begin(movement, tempo * self.ease, 0.0),
                 Step::Speak(clip) => sound.speech = Some((clip, self.plan.seconds(clip))),

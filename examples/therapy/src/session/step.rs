@@ -3,25 +3,25 @@
 use bica::prelude::*;
 use bica_motion::robot::Light;
 
-/// A step. Numbers of steps count from 0; a step at or after the last one ends the session.
+/// A step. Steps are numbered from 0; a step at or after the last one ends the session.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// Begins a movement, at a share of its usual tempo, 0.2 to 1.
+    /// Begins a movement at a fraction of its usual tempo, 0.2 to 1.
     Move(Movement, f32),
-    /// Begins speech, which is a clip of sound.
+    /// Begins to speak a clip of sound.
     Speak(u16),
-    /// Begins music, which is a clip of sound.
+    /// Begins to play a clip of sound as music.
     Play(u16),
     /// Sets the volume, 0 to 1.
     Volume(f32),
     Light(Lamp, Light),
-    /// Begins a few steps: forward and left, m, and a turn to the left, rad.
+    /// Begins a short walk: forward and left, m, and a turn to the left, rad.
     Walk([f32; 3]),
-    /// Waits, at most so many seconds.
+    /// Waits for an event, at most this time, s.
     Wait(Until, f32),
-    /// Shows a movement, whose highest posture is held for `hold` s, until the person has repeated it, at most `limit` s.
-    /// Goes on at one of three steps: done, not done, nobody there.
+    /// Shows a movement until the person has repeated it, at most for `limit` s; its highest posture is held for `hold`
+    /// s. Continues at one of three steps: done, not done, nobody there.
     Exercise {
         movement: Movement,
         repetitions: u16,
@@ -29,21 +29,21 @@ pub enum Step {
         limit: f32,
         then: [u16; 3],
     },
-    /// Goes on at a step.
+    /// Jumps to a step.
     GoTo(u16),
-    /// Goes back to a step until the steps from there on ran so many times. The index of the counter is the depth of the loop.
+    /// Jumps back until the loop body has run `times` times. The nesting depth selects the counter.
     Again {
         from: u16,
         times: u16,
         counter: u8,
     },
-    /// Ends what runs.
+    /// Ends a task.
     Stop(Task),
-    /// Makes the arms and the head stiff or soft. The legs stay stiff: the robot stands.
+    /// Makes the arms and the head stiff or limp. The legs stay stiff: the robot stands.
     Stiffness(bool),
 }
 
-/// What is waited for.
+/// Event that ends a wait.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Until {
@@ -52,7 +52,7 @@ pub enum Until {
     Signal(Signal),
 }
 
-/// What can be pressed or touched: the button in the chest, the bumpers of the feet, the sensors of head and hands.
+/// Button or touch sensor: the button in the chest, the bumpers of the feet, the sensors of head and hands.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ParamEnum)]
 pub enum Signal {
@@ -73,7 +73,7 @@ pub enum Lamp {
     Chest,
 }
 
-/// What runs beside the steps.
+/// Activity that runs in parallel to the steps.
 #[message]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
@@ -85,7 +85,7 @@ pub enum Task {
 }
 
 impl Task {
-    /// Whether it is that task, or all.
+    /// Returns whether this task includes the other one.
     pub(crate) fn has(self, task: Self) -> bool {
         self == Self::All || self == task
     }
@@ -105,7 +105,7 @@ pub enum Movement {
 }
 
 impl Movement {
-    /// Movements of an upper arm, at which the check of exercises looks.
+    /// Movements of an upper arm, which the check of exercises can judge.
     pub(crate) const JUDGED: &[(&str, Self)] = Self::NAMES.split_at(4).0;
     /// Every movement with its name in the session language.
     pub(crate) const NAMES: [(&'static str, Self); 7] = [

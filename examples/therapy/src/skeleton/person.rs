@@ -1,10 +1,10 @@
-//! A person who raises the left arm.
+//! Simulated person who raises the left arm.
 
 use glam::Vec3;
 
 use super::{POINTS, Point, Skeleton};
 
-/// How the arm is raised.
+/// Geometry of the raised arm.
 #[derive(Clone, Copy, Debug)]
 pub struct Person {
     /// Highest angle of the arm, degrees.
@@ -16,10 +16,10 @@ pub struct Person {
 }
 
 impl Person {
-    /// Does not move.
+    /// A person who does not move.
     pub const STILL: Self = Self { peak: 0.0, lean: 0.0, plane: 0.0 };
 
-    /// The skeleton, m, at a share of the way, 0 (rest) to 1 (highest).
+    /// Skeleton, m, at a fraction of the rise, 0 (rest) to 1 (highest).
     #[must_use]
     pub fn at(&self, share: f32) -> Skeleton {
         let (sin, cos) = libm::sincosf((share * self.lean).to_radians());

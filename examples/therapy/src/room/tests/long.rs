@@ -1,4 +1,4 @@
-//! Sessions of more than ten minutes.
+//! Sessions longer than ten minutes.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use bica_test_data::process::Folder;
 
 use super::*;
 
-/// A silent song of three minutes: 8000 bytes a second.
+/// Writes a silent song of three minutes: 8000 bytes per second.
 fn song(folder: &Path) {
     let size: u32 = 180 * 8000;
     let mut wav = b"RIFF\0\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1f\0\0\x40\x1f\0\0\x01\0\x08\0data".to_vec();
@@ -16,8 +16,8 @@ fn song(folder: &Path) {
     fs::write(folder.join("song.wav"), wav).expect("a file");
 }
 
-/// Plays a session with a body for each seed: no fall, no joint beyond its range or faster than 65 °/s, each command within 100 ms of its
-/// place.
+/// Plays a session with one body for each seed. Requires: no fall, no joint beyond its range or faster than 65 °/s, and
+/// each command within 100 ms of its place.
 pub(super) fn play_long(name: &str, seeds: RangeInclusive<u64>, body: impl Fn(u64) -> Body) {
     let files = Folder::new(name);
     let folder = files.path();
@@ -36,7 +36,7 @@ pub(super) fn play_long(name: &str, seeds: RangeInclusive<u64>, body: impl Fn(u6
             let beyond = way(&angles, &angles.clamp_to_limits(NAO));
             assert!(beyond < 0.01, "{name} {seed} {:?}: {beyond}° beyond the limits, {angles:?}", test.now());
             fastest = fastest.max(100.0 * way(&last, &angles));
-            // The cycles between two waits: each command begins within 100 ms of its place.
+            // Number of consecutive cycles in `running`: each command must begin within 100 ms.
             at_once = if test.state::<Session>() == Some("running") { at_once + 1 } else { 0 };
             latest = latest.max(10 * at_once);
             last = angles;

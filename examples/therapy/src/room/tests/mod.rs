@@ -21,7 +21,7 @@ use crate::session::Session;
 type Test = Harness<Therapist, InWorld<Room>>;
 type Wish = fn(&mut Session);
 
-/// A session with all that can be stopped.
+/// Session with everything that a stop must end.
 const LIVELY: &str = "say \"This text is long enough to be stopped at any time.\"\nmovement arms_together\nwait 4 s\n\
     walk forward 0.3 m\nwait walk at most 9 s\nwalk backward 0.2 m\nmovement arms_alternately\nwait walk at most 9 s\n\
     repeat 3 times\nmovement arms_open\nsay \"Open.\"\nwait movement at most 30 s\nwalk left 0.1 m\nwait walk at most 9 s\nend\n\
@@ -31,7 +31,7 @@ fn orders(text: &str) -> Vec<Order> {
     Script::parse(text).unwrap_or_else(|problems| panic!("{problems:?}")).orders(Path::new("."))
 }
 
-/// A robot that has loaded a session.
+/// Returns a robot that has loaded a session.
 fn loaded(text: &str, person: bool, body: Body) -> Test {
     let orders = orders(text);
     let seconds = ms(10 * orders.len() as u64 + 20);
@@ -67,8 +67,9 @@ fn has_fallen(test: &Test) -> bool {
     test.world().log.iter().any(|line| line.ends_with("falls"))
 }
 
-/// Asserts that a stop holds for so many ms: from 200 ms on nothing sounds and no target changes, and from 500 ms on joints are slower
-/// than 5 °/s and the robot stands. Returns the largest speed from then on, °/s. `about` names the stop in a failure.
+/// Asserts that a stop holds for `still` ms: after 200 ms no sound plays and no target changes; after 500 ms all joints
+/// are slower than 5 °/s and the robot stands. Returns the largest speed after that, °/s. `about` describes the stop in
+/// a failure.
 fn assert_stops(test: &mut Test, still: u64, about: &str) -> f32 {
     test.run_for(ms(200));
     let (targets, mut fastest) = (*test.tree().get::<Motors>().targets(), 0.0_f32);
@@ -84,7 +85,7 @@ fn assert_stops(test: &mut Test, still: u64, about: &str) -> f32 {
     fastest
 }
 
-/// Stops lively sessions at random instants, and lets them go on. Returns how often each state was stopped, and a walk.
+/// Stops lively sessions at random times and continues them. Returns how often each state, and a walk, was stopped.
 fn stop_at_random(seeds: RangeInclusive<u64>, stops: u32, body: impl Fn(u64) -> Body) -> BTreeMap<&'static str, u32> {
     let (mut seen, mut fastest) = (BTreeMap::new(), 0.0_f32);
     for seed in seeds.clone() {
@@ -98,7 +99,7 @@ fn stop_at_random(seeds: RangeInclusive<u64>, stops: u32, body: impl Fn(u64) -> 
             let about = format!("seed {seed}, stop {stop}, {:?}, {state:?}, {walking:?}", test.now());
             match stop % 2 {
                 0 => wish(&mut test, Session::stop),
-                // The bumper that is not waited for.
+                // The bumper that the session does not wait for.
                 _ => test.world_mut().press(Signal::Right, 0.2),
             }
             fastest = fastest.max(assert_stops(&mut test, 700, &about));
@@ -137,7 +138,7 @@ fn stop_holds_in_every_state_and_against_every_button() {
             test.cycle();
         }
         test.reaches::<Session>(state, ms(100));
-        // What comes in the same cycle replaces it as little.
+        // Requests in the same cycle do not replace the stop either.
         for one in [Session::stop, Session::go_on, Session::start, Session::next] {
             wish(&mut test, one);
         }

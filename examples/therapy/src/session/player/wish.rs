@@ -1,17 +1,17 @@
-//! What a person asks for, and what ends.
+//! Requests of a person, and the end of tasks.
 
 use super::Session;
 use crate::body::{Mover, Sound, Walk};
 use crate::exercise::ExerciseCheck;
 use crate::session::{Signal, Step, Task, Until};
 
-/// Time without a skeleton after which nobody is there, s.
+/// Time without a skeleton after which the person counts as absent, s.
 const NOBODY: f32 = 15.0;
 
-/// What a person asks for.
+/// Request of a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wish {
-    /// Goes to a step.
+    /// Jumps to a step.
     GoTo(u16),
     Start,
     Pause,
@@ -20,7 +20,7 @@ pub(super) enum Wish {
 }
 
 impl Session {
-    /// Takes a wish for the next run. None replaces a stop.
+    /// Stores a request for the next run. No request replaces a stop.
     pub(super) const fn ask(&mut self, wish: Wish) {
         if !matches!(self.wish, Some(Wish::Stop)) {
             self.wish = Some(wish);
@@ -34,7 +34,7 @@ impl Session {
         }
     }
 
-    /// The signal that the present step waits for.
+    /// The signal that the current step waits for.
     pub(super) fn awaited(&self) -> Option<Signal> {
         match self.plan.step() {
             Some(Step::Wait(Until::Signal(signal), _)) => Some(signal),
@@ -42,7 +42,7 @@ impl Session {
         }
     }
 
-    /// Result of the exercise once it has ended: 0 done, 1 not done, 2 nobody there.
+    /// Result of the exercise; `None` until it has ended: 0 done, 1 not done, 2 nobody there.
     pub(super) fn result(&self, check: &ExerciseCheck) -> Option<usize> {
         let Some(Step::Exercise { repetitions, limit, .. }) = self.plan.step() else { return None };
         let wanted = (f32::from(repetitions) * self.ease) as u16;
@@ -56,7 +56,7 @@ impl Session {
     }
 }
 
-/// Ends what runs.
+/// Ends a task.
 pub(super) fn end(task: Task, mover: &mut Mover, walk: &mut Walk, sound: &mut Sound) {
     sound.stop(task);
     if task.has(Task::Movement) {
