@@ -1,4 +1,4 @@
-//! A robot that only has a camera, for tests: nothing but its sensor values says so.
+//! Robot with nothing but a camera, for tests: only its sensor values show that it has one.
 
 use std::convert::Infallible;
 use std::process::ExitCode;
@@ -41,7 +41,7 @@ impl Robot for Looker {
 const WIDTH: u16 = 16;
 const HEIGHT: u16 = 12;
 
-/// Images whose pixels have the brightness of the number of the cycle, in every second cycle.
+/// World that delivers an image in every second cycle; the brightness of its pixels is the number of the cycle.
 struct Lamp {
     cycle: u64,
     pixels: [u8; WIDTH as usize * HEIGHT as usize],

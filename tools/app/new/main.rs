@@ -1,4 +1,4 @@
-//! `bica`: begins a robot of one's own.
+//! `bica`: creates the crate of a new robot.
 
 mod name;
 mod template;
@@ -38,7 +38,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Writes the crate, and returns what to do next.
+/// Writes the crate, and returns the next steps for the user.
 fn new(folder: &Path, template: &Template) -> Result<String, Failure> {
     let repository = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let repository = repository.canonicalize().map_err(|error| {
@@ -61,7 +61,7 @@ fn new(folder: &Path, template: &Template) -> Result<String, Failure> {
     Ok(format!("wrote {count} files\n\n  cd {at}\n  {run}\n\nREADME.md lists further commands."))
 }
 
-/// Absolute folder in which the crate is made.
+/// Absolute path of the folder in which the crate is created.
 fn parent(folder: &Path, repository: &Path) -> Result<PathBuf, Failure> {
     let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
     let parent = parent.unwrap_or(Path::new("."));
@@ -72,7 +72,7 @@ fn parent(folder: &Path, repository: &Path) -> Result<PathBuf, Failure> {
     Ok(repository.parent().filter(|_| is_name && absolute.starts_with(repository)).map_or(absolute, Path::to_path_buf))
 }
 
-/// The path from one absolute folder to another one, with `/`.
+/// Relative path from one absolute folder to another, with `/`.
 fn relative(from: &Path, to: &Path) -> String {
     let (from, to): (Vec<_>, Vec<_>) = (from.components().collect(), to.components().collect());
     let common = from.iter().zip(&to).take_while(|(one, other)| one == other).count();

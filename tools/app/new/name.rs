@@ -2,7 +2,7 @@
 
 use bica_app::Failure;
 
-/// Words that Rust keeps for itself, and names of its own libraries and of cargo's folders.
+/// Keywords of Rust, names of its own libraries, and names of cargo's folders.
 const RESERVED: &str = "abstract alloc as async await become box break build const continue core crate deps do dyn else enum \
     examples extern false final fn for gen if impl in incremental let loop macro match mod move mut override priv proc_macro \
     pub ref return self static std struct super test trait true try type typeof unsafe unsized use virtual where while yield";
@@ -10,7 +10,7 @@ const RESERVED: &str = "abstract alloc as async await become box break build con
 /// Checks the name of a crate with this manifest.
 ///
 /// # Errors
-/// If cargo or Rust refuses it, or it is the name of a dependency.
+/// If cargo or Rust rejects it, or it is the name of a dependency.
 pub(crate) fn check(name: &str, manifest: &str) -> Result<(), Failure> {
     let is_letter = |letter: char| letter.is_ascii_lowercase();
     let fits = name.chars().all(|c| is_letter(c) || c.is_ascii_digit() || c == '-' || c == '_');

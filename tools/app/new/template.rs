@@ -1,27 +1,27 @@
-//! Templates: files of a crate. The pages of `docs/` show the same texts.
+//! Templates: files of a new crate. The pages of `docs/` show the same texts.
 
 use std::fs;
 use std::path::Path;
 
 use bica_app::Failure;
 
-/// Path of the checkout of BICA in the templates.
+/// Path of the BICA checkout in the templates.
 const CHECKOUT: &str = "../bica";
 
 /// Files of a crate.
 pub(crate) struct Template {
-    /// Name of the crate in its texts.
+    /// Name of the crate in the template's texts.
     name: &'static str,
     pub(crate) manifest: &'static str,
     /// Further files: path and text.
     files: &'static [(&'static str, &'static str)],
-    /// Files that are copied from the checkout: path and origin.
+    /// Files that are copied from the checkout: path in the crate and path in the checkout.
     copies: &'static [(&'static str, &'static str)],
-    /// The first command.
+    /// Command that the user runs first.
     pub(crate) run: &'static str,
 }
 
-/// The cart of `docs/your-robot.md`.
+/// Template of the cart in `docs/your-robot.md`.
 pub(crate) const CART: Template = Template {
     name: "cart",
     manifest: include_str!("../template/cart/manifest.toml"),
@@ -38,7 +38,7 @@ pub(crate) const CART: Template = Template {
     run: "cargo run",
 };
 
-/// The firmware of `docs/firmware.md`.
+/// Template of the firmware in `docs/firmware.md`.
 pub(crate) const EMBASSY: Template = Template {
     name: "my-robot",
     manifest: include_str!("../template/embassy/manifest.toml"),
@@ -53,7 +53,7 @@ pub(crate) const EMBASSY: Template = Template {
 };
 
 impl Template {
-    /// Returns the path and text of each file, for a crate with this name, from which `checkout` is the path to the checkout.
+    /// Returns path and text of each file for a crate with this name; `checkout` is the path from the crate to the checkout.
     ///
     /// # Errors
     /// If a file of the checkout cannot be read.
@@ -70,7 +70,7 @@ impl Template {
         own.map(|(path, text)| Ok((path, self.named(text, name, checkout)))).chain(copied).collect()
     }
 
-    /// Replaces the name of the template by another one: that of the package, of the crate in code, and of the program.
+    /// Replaces the template's name by another one: the names of the package, of the crate in code, and of the program.
     fn named(&self, text: &str, name: &str, checkout: &str) -> String {
         let old = self.name;
         text.replace(CHECKOUT, checkout)

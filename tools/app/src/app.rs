@@ -106,8 +106,9 @@ where
         self
     }
 
-    /// Adds a real robot that determines when a cycle begins: its world waits for it, and cannot be paused. The world also ends the run
-    /// on request ([`interrupt::requested`](crate::interrupt::requested)), since it may have to bring the robot to rest before.
+    /// Adds a real robot that determines when a cycle begins. Its world waits for the robot in each cycle, and cannot
+    /// be paused. The world also ends the run on request ([`interrupt::requested`](crate::interrupt::requested)),
+    /// because it may have to bring the robot to rest first.
     #[must_use]
     pub fn pacing_device<W: World<R> + 'static>(
         mut self,
@@ -118,7 +119,7 @@ where
         self
     }
 
-    /// Adds panels to the page of `monitor`.
+    /// Adds panels to the page of the command `monitor`.
     #[cfg(feature = "monitor")]
     #[must_use]
     pub fn panels(mut self, panels: impl bica_monitor::program::Extension + 'static) -> Self {
@@ -126,7 +127,7 @@ where
         self
     }
 
-    /// Returns what this program adds to the page of `monitor`, for another server of the page.
+    /// Returns this program's part of the `monitor` page, for another server of the page.
     #[cfg(feature = "monitor")]
     #[must_use]
     pub fn monitor(self) -> bica_monitor::program::Program
@@ -136,19 +137,20 @@ where
         crate::monitor::program(self.worlds, self.robot, self.panels)
     }
 
-    /// Sets the aim of a run: it ends when this holds, unless it is served to monitors. A run that ends earlier has exit code 1.
+    /// Sets the aim of a run: the run ends when `is_done` returns true, unless it is served to monitors. A run that
+    /// ends earlier has exit code 1.
     #[must_use]
     pub fn until(self, is_done: fn(&R) -> bool) -> Self {
         Self { robot: Robots { is_done: Some(is_done), ..self.robot }, ..self }
     }
 
-    /// Sets how a robot is made before the parameters of the command line are applied; by default with [`Default`].
+    /// Sets the function that creates a robot, before the parameters of the command line are applied. The default is [`Default`].
     #[must_use]
     pub fn robot(self, make: fn() -> Box<R>) -> Self {
         Self { robot: Robots { make, ..self.robot }, ..self }
     }
 
-    /// Sets the kind of robot whose tune file `params` reads without `--kind`; by default it is the first world.
+    /// Sets the kind of robot whose tune file `params` reads without `--kind`. The default is the name of the first world.
     #[must_use]
     pub fn kind(self, kind: &'static str) -> Self {
         Self { kind: Some(kind), ..self }
@@ -161,13 +163,13 @@ where
         self
     }
 
-    /// Sets what runs without a command, instead of `run`.
+    /// Sets the work of the program without a command, instead of `run`.
     #[must_use]
     pub fn default_command<A: Args>(self, run: impl FnOnce(A) -> Result<Outcome, Failure> + Send + 'static) -> Self {
         Self { default: Some(Commands { augment: A::augment_args, has: |_| false, run: parsed(run) }), ..self }
     }
 
-    /// Sets how a recording is run again; by default in the world and with the options of its set-up.
+    /// Sets the function that replays a recording. By default the replay uses the world and the options of the recorded set-up.
     #[must_use]
     pub fn replay(
         self,
@@ -196,7 +198,7 @@ where
         for own in &self.own {
             command = (own.augment)(command);
         }
-        // The doc comments of arguments are not the program's.
+        // The doc comments of the arguments would replace the description of the program.
         Tool::<L>::augment_subcommands(command).about(self.command.get_about().cloned().unwrap_or_default())
     }
 
@@ -207,8 +209,8 @@ where
         RunArgs::<L>::augment_args(command).mut_arg("world", |world| world.value_parser(parser).default_value(first))
     }
 
-    /// Runs the command of the command line; returns the exit code. It is 2 if two worlds or commands have one name, or an output and a
-    /// parameter of a component.
+    /// Runs the command of the command line; returns the exit code. It is 2 if two worlds or two commands share a name,
+    /// or an output and a parameter of one component do.
     #[must_use]
     pub fn run(self) -> ExitCode
     where
@@ -217,7 +219,7 @@ where
         self.run_from(std::env::args_os())
     }
 
-    /// Runs the command of other arguments, of which the first is the name of the program; returns the exit code.
+    /// Runs the command of the given arguments, the first of which is the name of the program; returns the exit code.
     #[must_use]
     pub fn run_from(self, arguments: impl IntoIterator<Item = OsString>) -> ExitCode
     where
@@ -232,9 +234,9 @@ where
         start(move || self.dispatch(&matches))
     }
 
-    /// Measures the robot for `cargo bench`: runs it in its simulated worlds over some seeds and compares the slowest run of each
-    /// component with its `budget_us`, and the slowest cycle with the `budget_ms` of the tree. Returns the exit code, 1 if a
-    /// budget is exceeded. It is the `main` of a `[[bench]]` with `harness = false`.
+    /// Measures the robot for `cargo bench`: runs it in its simulated worlds with several seeds. Compares the slowest
+    /// run of each component with its `budget_us`, and the slowest cycle with the tree's `budget_ms`. Returns the exit
+    /// code, 1 if a budget is exceeded. Call it in the `main` of a `[[bench]]` with `harness = false`.
     #[must_use]
     pub fn bench(self) -> ExitCode
     where
@@ -243,7 +245,7 @@ where
         self.bench_from(std::env::args_os())
     }
 
-    /// Measures as [`bench`](Self::bench) does with other arguments, of which the first is the name of the program.
+    /// Measures as [`bench`](Self::bench) does, with the given arguments, the first of which is the name of the program.
     #[must_use]
     pub fn bench_from(self, arguments: impl IntoIterator<Item = OsString>) -> ExitCode
     where
@@ -255,10 +257,10 @@ where
         start(move || bench::bench::<R>(&name, &worlds, robot, &parse(&matches)?))
     }
 
-    /// Runs the robot as `run` does with these arguments, for a command of another program.
+    /// Runs the robot as `run` does with these arguments, for use by a command of another program.
     ///
     /// # Errors
-    /// If an argument is wrong, or the run cannot go on.
+    /// If an argument is invalid, or the run cannot continue.
     pub fn play(&self, args: &RunArgs<L>) -> Result<Outcome, Failure>
     where
         R: Recordable<Error: fmt::Display>,
@@ -266,10 +268,10 @@ where
         run::run::<R, L>(&self.worlds, self.robot, args)
     }
 
-    /// Runs the code again on a recording as `replay` does, for a command of another program.
+    /// Runs the code again on a recording as `replay` does, for use by a command of another program.
     ///
     /// # Errors
-    /// If the recording cannot be read, or is not one of this robot.
+    /// If the recording cannot be read, or was not made by this robot.
     pub fn repeat(&self, options: &ReplayOptions<'_>) -> Result<ReplayReport, Failure>
     where
         R: Recordable<Error: fmt::Display>,

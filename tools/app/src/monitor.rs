@@ -37,7 +37,7 @@ pub(crate) fn run(program: Program, args: &Arguments) -> Result<Outcome, Failure
     Ok(Outcome::Success)
 }
 
-/// Returns what a program adds to the monitor.
+/// Returns this program's worlds and panels for the monitor.
 pub(crate) fn program<R: Recordable<Error: fmt::Display> + 'static>(
     worlds: Vec<RegisteredWorld<R>>,
     robots: Robots<R>,
@@ -57,7 +57,7 @@ pub(crate) fn program<R: Recordable<Error: fmt::Display> + 'static>(
     }
 }
 
-/// World of the program, as one of the monitor.
+/// World of this program in the form that the monitor uses.
 struct Simulated<R: Robot> {
     worlds: Worlds<R>,
     index: usize,
@@ -84,7 +84,7 @@ impl<R: Recordable<Error: fmt::Display> + 'static> LocalWorld for Simulated<R> {
     }
 }
 
-/// Runs a world until the monitor ends it. At its aim it pauses.
+/// Runs a world until the monitor ends it. The world pauses when the robot reaches its aim.
 fn play<R: Recordable<Error: fmt::Display> + 'static>(
     registered: &RegisteredWorld<R>,
     options: &WorldOptions,
@@ -101,7 +101,7 @@ fn play<R: Recordable<Error: fmt::Display> + 'static>(
         let header = Header::new(const { &R::GRAPH }, set_up, images).with_actions(actions);
         header.with_scenery(|scene| world.scenery(scene)).of_robot(&*robot)
     };
-    // Sensor values are not stored: the same world is made again from its set-up.
+    // Sensor values are not stored: a replay creates the same world again from its set-up.
     let record = RecordArgs {
         record: Some(run.recording().to_owned()),
         images: Images::None,

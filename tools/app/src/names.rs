@@ -1,4 +1,4 @@
-//! Names of a program, checked before a command starts.
+//! Check of a program's names before a command starts.
 
 use bica::graph::Graph;
 use bica_recording::NameTable;
@@ -6,10 +6,10 @@ use clap::Command;
 
 use crate::console::Failure;
 
-/// Checks that no two worlds, commands, or outputs and parameters of a component have one name.
+/// Checks that worlds have unique names, that commands have, and that outputs and parameters of a component have.
 ///
 /// # Errors
-/// If two have: the text names both.
+/// If a name occurs twice; the text gives both places.
 pub(crate) fn check(graph: &Graph, worlds: &[&str], command: &Command) -> Result<(), Failure> {
     let mut table = NameTable::new("value of `--world`");
     for (place, world) in worlds.iter().enumerate() {

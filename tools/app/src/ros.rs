@@ -9,7 +9,7 @@ use clap::{Args, Subcommand};
 use crate::console::{Console, Failure, Outcome, interrupt};
 use crate::link::address;
 
-/// Greatest number of a domain: those above have no ports.
+/// Largest ROS domain: larger ones have no ports.
 const MAX_DOMAIN: i64 = 232;
 
 /// Arguments of a ROS 2 node.
@@ -52,7 +52,7 @@ impl NodeArgs {
     }
 }
 
-/// Reads a namespace that ROS accepts.
+/// Parses a namespace that ROS accepts.
 fn namespace(text: &str) -> Result<String, String> {
     bica_ros::checked_namespace(text)
         .map(str::to_owned)
@@ -84,7 +84,7 @@ pub(crate) fn run(args: &RosArgs) -> Result<Outcome, Failure> {
         RosAction::Attach { address, node } => {
             let options = node.options()?;
             let started = |name: &str| {
-                // The node works without a reader of stdout, too.
+                // The node runs even if nobody reads stdout.
                 let _ = Console::new(false).print_row("ros", &node.describe(name, &options));
             };
             bica_ros::bridge(address, &options, started, &interrupt::requested)?;

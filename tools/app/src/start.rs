@@ -1,11 +1,11 @@
-//! The thread of a program.
+//! Thread of a program.
 
 use std::process::ExitCode;
 use std::thread;
 
 use crate::console::{Failure, Outcome, STACK_BYTES, interrupt};
 
-/// Runs the work of a program on a thread whose stack holds a large tree; returns the exit code.
+/// Runs a program on a thread with a stack large enough for a large tree; returns the exit code.
 pub(crate) fn start(work: impl FnOnce() -> Result<Outcome, Failure> + Send + 'static) -> ExitCode {
     interrupt::listen();
     match thread::Builder::new().stack_size(STACK_BYTES).spawn(work).map(thread::JoinHandle::join) {

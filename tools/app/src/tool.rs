@@ -1,4 +1,4 @@
-//! Commands of every robot.
+//! Commands of every robot's program.
 
 use bica_recording::{Recordable, ReplayOptions, ReplayReport};
 use clap::Subcommand;
@@ -31,7 +31,7 @@ pub(crate) enum Tool<L: Layer> {
 }
 
 impl<L: Layer> Tool<L> {
-    /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read, `replay` runs a recording again.
+    /// Runs the command for a tree. `kind` is the kind of robot whose tune file is read; `replay` replays a recording.
     pub(crate) fn run<R: Recordable + Default>(&self, kind: &str, replay: Replay) -> Result<Outcome, Failure> {
         match self {
             Self::Graph(args) => graph::run::<R>(args),

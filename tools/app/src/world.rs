@@ -11,13 +11,13 @@ use bica_recording::SetUp;
 
 use crate::console::Failure;
 
-/// Remedy for a recording whose world cannot be made again.
+/// Remedy for a recording whose world cannot be created again.
 pub(crate) const REPLAY_HELP: &str = "replay it with the program that recorded it";
 
-/// What the command line requests of a world.
+/// Options of a world from the command line.
 #[derive(Clone, Debug, Default)]
 pub struct WorldOptions {
-    /// Seed of everything random; the same seed makes the same world.
+    /// Seed of all random values; the same seed creates the same world.
     pub seed: u64,
     /// Values of `--option NAME=VALUE` that the world has not read yet.
     values: RefCell<BTreeMap<String, String>>,
@@ -41,14 +41,14 @@ impl WorldOptions {
         Ok(Self { seed, values: RefCell::new(values) })
     }
 
-    /// Returns the options as the set-up in the header of a recording.
+    /// Returns the options as a set-up for the header of a recording.
     pub(crate) fn set_up(&self, world: &str) -> SetUp {
         let options: Vec<_> = self.values.borrow().iter().map(|(name, value)| format!("{name}={value}")).collect();
         let set_up = [("world", world.into()), ("seed", self.seed.into()), ("options", options.into())];
         set_up.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
     }
 
-    /// Returns the options of a set-up.
+    /// Returns the options of a recorded set-up.
     pub(crate) fn of_set_up(set_up: &SetUp) -> Result<Self, Failure> {
         let value = |name| set_up.get(name).cloned().unwrap_or_default();
         let invalid = |error| Failure::new(format!("the set-up in the recording is invalid: {error}"), REPLAY_HELP);
@@ -76,7 +76,7 @@ impl WorldOptions {
         if narrow && wide { Ok(value) } else { Err(refused("the number is not finite")) }
     }
 
-    /// Checks that the world, of this name, has read all options.
+    /// Checks that the world named `world` has read all options.
     ///
     /// # Errors
     /// If there is a value that the world has not read.
@@ -91,7 +91,7 @@ impl WorldOptions {
     }
 }
 
-/// Returns what a number of a type is called; none for another type.
+/// Returns the description of a numeric type in messages; `None` for another type.
 fn number<T>() -> Option<&'static str> {
     match type_name::<T>() {
         "f32" | "f64" => Some("a number"),
@@ -100,7 +100,7 @@ fn number<T>() -> Option<&'static str> {
     }
 }
 
-/// How a robot is made, and the aim of its run.
+/// Constructor of a robot, and the aim of its run.
 pub(crate) struct Robots<R: Robot> {
     pub(crate) make: fn() -> Box<R>,
     pub(crate) is_done: Option<fn(&R) -> bool>,
@@ -114,10 +114,10 @@ impl<R: Robot> Clone for Robots<R> {
 
 impl<R: Robot> Copy for Robots<R> {}
 
-/// Function that makes a world.
+/// Function that creates a world.
 type Open<R> = Box<dyn Fn(&WorldOptions) -> Result<Box<dyn World<R>>, Failure> + Send + Sync>;
 
-/// What determines when the next cycle of a world begins.
+/// Pace of a world: what determines when its next cycle begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Pace {
     /// The program: as fast as possible, or by its clock.

@@ -1,4 +1,4 @@
-//! Figures of a world: quantiles of the times, and what exceeds a budget.
+//! Figures of a world: quantiles of the times, and exceeded budgets.
 
 use bica::Graph;
 use bica::check::{longest_chain, steps};
@@ -17,11 +17,11 @@ pub(super) struct Figures {
     pub(super) deadline_ms: Option<f32>,
     pub(super) components: Vec<Row>,
     pub(super) phases: Vec<Row>,
-    /// A message for each budget that is exceeded; it begins with the name.
+    /// Messages about exceeded budgets, one for each; a message begins with the name.
     pub(super) exceeded: Vec<String>,
 }
 
-/// Times of one run of a component or phase, µs: of the minima over the repetitions, but `ever_us`.
+/// Times of one run of a component or phase, µs. All but `ever_us` use the minima over the repetitions.
 #[derive(Debug, Serialize)]
 pub(super) struct Row {
     pub(super) name: &'static str,
@@ -29,9 +29,10 @@ pub(super) struct Row {
     pub(super) p50_us: f64,
     pub(super) p99_us: f64,
     pub(super) max_us: f64,
-    /// The largest time in any repetition, with all interruptions.
+    /// Largest time in any repetition, including all interruptions.
     pub(super) ever_us: f64,
-    /// The budget; of the chain, the largest sum of budgets in one cycle, and the slowest runs of components without one.
+    /// Declared budget. For the whole chain: the largest sum of budgets in one cycle, plus the slowest runs of all
+    /// components without a budget.
     pub(super) declared_us: Option<f64>,
 }
 
@@ -46,7 +47,7 @@ impl Figures {
         }
         let mut phases: Vec<_> =
             PHASES.iter().enumerate().map(|(at, name)| Row::new(name, graph.nodes.len() + at, times)).collect();
-        // A component without a budget may take what it takes.
+        // A component without a budget has no limit, so its slowest run is added.
         let undeclared = components.iter().filter(|row| row.declared_us.is_none()).map(|row| row.max_us).sum::<f64>();
         let chain = phases.last_mut().expect("the chain");
         chain.declared_us = Some(longest_chain(graph, steps(graph)).sum + undeclared);
@@ -58,13 +59,13 @@ impl Figures {
         Self { schema, robot: graph.name, world, seeds, deadline_ms: graph.budget_ms, components, phases, exceeded }
     }
 
-    /// Components with a budget that never ran.
+    /// Names of the components with a budget that never ran.
     pub(super) fn unmeasured(&self) -> impl Iterator<Item = &'static str> {
         self.components.iter().filter(|row| row.declared_us.is_some() && row.runs == 0).map(|row| row.name)
     }
 }
 
-/// A message if the slowest chain takes longer than the deadline of the tree.
+/// Message if the slowest chain takes longer than the deadline of the tree.
 fn late(chain: &Row, deadline_ms: f32) -> Option<String> {
     let (took, limit) = (1e-3 * chain.max_us, f64::from(deadline_ms));
     (took > limit).then(|| format!("{} takes {took:.2} ms, `budget_ms` is {limit}", chain.name))
@@ -79,7 +80,7 @@ impl Row {
         Self { name, runs: all.len(), p50_us, p99_us, max_us, ever_us: f64::from(ever) / 1e3, declared_us: None }
     }
 
-    /// A message if the slowest run exceeds the declared budget.
+    /// Message if the slowest run exceeds the declared budget.
     pub(super) fn exceeded(&self) -> Option<String> {
         let (Self { name, max_us, .. }, declared) = (self, self.declared_us?);
         let what = format!("{name} takes {max_us:.1} µs in its slowest run and declares {declared} µs");
@@ -87,7 +88,7 @@ impl Row {
     }
 }
 
-/// The nearest rank of sorted times, ns; 0 if there are none.
+/// Quantile of sorted times by the nearest rank, ns; 0 if there are none.
 fn quantile(sorted: &[u32], part: f64) -> u32 {
     let rank = (part * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.saturating_sub(1)).copied().unwrap_or_default()
@@ -110,7 +111,7 @@ mod tests {
 
     activation_tree! { struct Lamp { root: Slow, cycle_hz: 100, budget_ms: 1, components: [Slow] } }
 
-    /// Figures of a hundred runs, one of which takes longer, ns. The chain takes 100 ns more.
+    /// Figures of one hundred runs, one of which takes `slowest` ns. The chain takes 100 ns more.
     fn figures(slowest: u32) -> Figures {
         let cycle = |time| [time, 40, 60, time + 100];
         let times = (0..100).flat_map(|at| cycle(if at == 9 { slowest } else { 20_000 + at })).collect();

@@ -13,7 +13,7 @@ use crate::world::Robots;
 
 /// Phases of a cycle: writing the sensor values, reading the command, and the chain from sensing to acting.
 pub(super) const PHASES: [&str; 3] = ["sensing", "acting", "the whole chain"];
-/// Time of what did not run in a cycle.
+/// Time of a component that did not run in a cycle.
 const NOT_RUN: u32 = u32::MAX;
 
 /// Times of a run's channels: its components, then its phases, ns.
@@ -37,10 +37,10 @@ impl Times {
         Self { channels, minima: times, ever }
     }
 
-    /// Takes the minimum of each time with that of another repetition.
+    /// Replaces each time by the minimum of it and that of another repetition.
     ///
     /// # Errors
-    /// If the repetition did not run the same components in the same cycles; the text names the first difference.
+    /// If the repetitions did not run the same components in the same cycles; the text names the first difference.
     pub(super) fn merge(&mut self, other: &Self) -> Result<(), String> {
         let differs = |(one, other): (&u32, &u32)| (*one == NOT_RUN) != (*other == NOT_RUN);
         if let Some(place) = self.minima.iter().zip(&other.minima).position(differs) {
@@ -63,7 +63,7 @@ impl Times {
     }
 }
 
-/// Runs a robot to its aim, to the end of the world, or for a time.
+/// Runs a robot until its aim, the end of the world, or a time limit, s.
 pub(super) fn run<R: Robot<Error: fmt::Display>>(
     world: Box<dyn World<R>>,
     Robots { make, is_done }: Robots<R>,
@@ -96,7 +96,7 @@ fn nanoseconds(time: impl TryInto<u32>) -> u32 {
     time.try_into().map_or(NOT_RUN - 1, |time| time.min(NOT_RUN - 1))
 }
 
-/// Measures the phases of a cycle.
+/// Stopwatch of the phases of a cycle.
 struct Phases {
     /// Times of [`PHASES`], ns.
     times: [u32; PHASES.len()],

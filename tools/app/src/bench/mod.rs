@@ -21,7 +21,8 @@ use crate::world::{Pace, RegisteredWorld, Robots, WorldOptions};
 use figures::Figures;
 use measure::Times;
 
-/// Most repetitions of a run while a budget is exceeded, if not more are wanted: each can only lower the minima.
+/// Maximum number of repetitions while a budget is exceeded, unless more are requested. A further repetition can only
+/// lower the minima.
 const MOST_REPEATS: u32 = 15;
 
 /// Arguments of `cargo bench`.
@@ -53,7 +54,7 @@ pub(crate) struct BenchArgs {
     bench: bool,
 }
 
-/// Measures the robot in its simulated worlds, prints and draws the times, and names what exceeds its budget.
+/// Measures the robot in its simulated worlds; prints and draws the times, and lists the exceeded budgets.
 pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
     name: &str,
     worlds: &[RegisteredWorld<R>],
@@ -73,7 +74,7 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
         ));
     }
     let (console, mut exceeded) = (Console::new(args.json), Vec::new());
-    // Components with a budget that have not run in any world.
+    // Components with a budget that have not run in any world so far.
     let mut unmeasured: Vec<_> = const { &R::GRAPH }.nodes.iter().map(|node| node.name).collect();
     for world in worlds {
         let figures = figures(world, robots, args)?;
@@ -95,7 +96,7 @@ pub(crate) fn bench<R: Robot<Error: fmt::Display>>(
     Ok(if exceeded.is_empty() { Outcome::Success } else { Outcome::Unsuccessful })
 }
 
-/// Measures a world until nothing exceeds a budget, or the repetitions are used up.
+/// Measures a world until no budget is exceeded or the maximum number of repetitions is reached.
 fn figures<R: Robot<Error: fmt::Display>>(
     world: &RegisteredWorld<R>,
     robots: Robots<R>,

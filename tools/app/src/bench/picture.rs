@@ -1,4 +1,4 @@
-//! The picture of a world's figures: median, slowest run and declared budget, on a logarithmic axis of time.
+//! Picture of a world's figures: median, slowest run and declared budget, on a logarithmic time axis.
 
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ const GREEN: &str = "#2e6f40";
 const PALE: &str = "#8fc79f";
 const RED: &str = "#c0392b";
 const GREY: &str = "#555555";
-/// Decades of the axis; the first one is 0.01 µs.
+/// Decades of the axis; it begins at 10 ns.
 const TICKS: [&str; 9] = ["10 ns", "100 ns", "1 µs", "10 µs", "100 µs", "1 ms", "10 ms", "100 ms", "1 s"];
 
 /// Returns the picture as SVG.

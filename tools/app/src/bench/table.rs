@@ -1,4 +1,4 @@
-//! The table of a world's figures.
+//! Table of a world's figures.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use super::figures::{Figures, Row};
 
 const HEADS: [&str; 7] = ["runs", "p50", "p99", "slowest", "ever", "declared", "headroom"];
 
-/// Returns the table for people.
+/// Returns the table as text.
 pub(super) fn table(figures: &Figures) -> String {
     let Figures { robot, world, deadline_ms, components, phases, .. } = figures;
     let mut text =

@@ -10,7 +10,7 @@ use super::{Failure, STACK_BYTES, interrupt};
 /// Runs with consecutive seeds.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch {
-    /// The first seed; 0 follows the last `u64`.
+    /// First seed; the successor of the largest `u64` is 0.
     pub first_seed: u64,
     /// Number of seeds.
     pub runs: u32,
@@ -19,7 +19,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// A batch on `threads` threads, by default one for each core, and never more threads than runs.
+    /// Creates a batch. The default number of threads is the number of cores; there are never more threads than runs.
     #[must_use]
     pub fn new(first_seed: u64, runs: u32, threads: Option<u32>) -> Self {
         let cores = thread::available_parallelism().map_or(1, NonZero::get);
@@ -35,7 +35,7 @@ impl Batch {
     pub fn run<T: Send>(&self, job: impl Fn(u64) -> Result<T, Failure> + Sync) -> Result<Vec<T>, Failure> {
         let next = AtomicU64::new(0);
         let end = || next.store(self.runs.into(), Relaxed);
-        // Runs differ in length, so a thread takes the next one when it is done with one.
+        // Runs differ in length, so each thread takes the next run when it has finished one.
         let work = || {
             let take =
                 || Some(next.fetch_add(1, Relaxed)).filter(|run| *run < self.runs.into() && !interrupt::requested());

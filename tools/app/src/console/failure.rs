@@ -22,13 +22,13 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// An error with its remedy.
+    /// Creates an error with its remedy.
     #[must_use]
     pub fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Error { what: what.into(), help: help.into() }
     }
 
-    /// The same error, with the place where it was found in front.
+    /// Returns the same error with its place in front of the text.
     #[must_use]
     pub fn at(self, place: &str) -> Self {
         match self {
@@ -37,7 +37,7 @@ impl Failure {
         }
     }
 
-    /// An error of reading or writing a file or folder; `action` is a verb, as "write".
+    /// Creates an error of reading or writing a file or folder; `action` is a verb, such as "write".
     #[must_use]
     pub fn of_path(action: &str, path: &Path, error: &dyn fmt::Display, help: &str) -> Self {
         Self::new(format!("cannot {action} `{}`: {error}", path.display()), help)
@@ -65,7 +65,7 @@ impl From<bica_link::Error> for Failure {
     }
 }
 
-/// An error of stdout.
+/// Conversion of an error of stdout.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         match error.kind() {
@@ -79,7 +79,7 @@ impl From<Failure> for ExitCode {
     fn from(failure: Failure) -> Self {
         match failure {
             Failure::Error { what, help } => {
-                // If stderr is closed too, the exit code is all that is left.
+                // If stderr is closed too, only the exit code remains.
                 let _ = write!(io::stderr(), "error: {what}\n  help: {help}\n");
                 Self::from(2)
             }

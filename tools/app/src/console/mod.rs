@@ -17,14 +17,14 @@ pub use failure::Failure;
 pub use outcome::Outcome;
 pub use progress::Progress;
 
-/// Stack of a thread that runs a robot, bytes: a tree may hold a whole image and is built on the stack before it moves to
-/// the heap.
+/// Stack size of a thread that runs a robot, bytes. A tree may hold a whole image, and is built on the stack before it
+/// moves to the heap.
 pub const STACK_BYTES: usize = 32 << 20;
 
 /// Emphasis of a word on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
-    /// As the terminal writes by default.
+    /// Default style of the terminal.
     Plain,
     /// A heading or an important value.
     Strong,
@@ -63,7 +63,7 @@ pub struct Console {
 }
 
 impl Console {
-    /// The console of this process, with or without `--json`.
+    /// Creates the console of this process, with or without `--json`.
     #[must_use]
     pub fn new(json: bool) -> Self {
         let is_terminal = if json { io::stderr().is_terminal() } else { io::stdout().is_terminal() };
@@ -72,7 +72,7 @@ impl Console {
         Self { json, colour: is_terminal && !is_plain }
     }
 
-    /// Whether JSON is printed.
+    /// Returns whether the output is JSON.
     #[must_use]
     pub const fn is_json(self) -> bool {
         self.json
@@ -124,7 +124,7 @@ impl Console {
         Ok(io::stdout().lock().write_all(&line)?)
     }
 
-    /// Wraps a text in the escape sequences of a style, if the output shows styles.
+    /// Wraps a text in the escape sequences of a style if the output supports styles.
     #[must_use]
     pub fn styled(self, style: Style, text: &str) -> String {
         if self.colour {

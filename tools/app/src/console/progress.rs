@@ -3,10 +3,10 @@
 use std::io::{IsTerminal, Write, stderr};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Steps that the line shows.
+/// Number of steps of the progress bar.
 const STEPS: u64 = 30;
 
-/// A line on stderr that shows how much is done, as `[######        ] 20 %`; nothing where stderr is no terminal.
+/// Progress bar on stderr, as `[######        ] 20 %`; nothing if stderr is not a terminal.
 #[derive(Debug)]
 pub struct Progress {
     all: u64,
@@ -15,13 +15,13 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A line for an amount, such as bytes or games.
+    /// Creates a bar for a total amount, such as bytes or games.
     #[must_use]
     pub fn new(all: u64) -> Self {
         Self { all: all.max(1), shown: AtomicU64::new(if stderr().is_terminal() { 0 } else { STEPS + 1 }) }
     }
 
-    /// Shows that `done` of the amount is done, and a note. Several threads may call it.
+    /// Shows that `done` of the total is done, and a note. Several threads may call it.
     pub fn show(&self, done: u64, note: &str) {
         let done = done.min(self.all);
         let step = done * STEPS / self.all;

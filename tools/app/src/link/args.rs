@@ -111,7 +111,7 @@ pub(super) enum LinkAction {
     },
 }
 
-/// What is watched besides states and information; not offered by a microcontroller.
+/// Data to watch besides states and outputs; a microcontroller does not offer them.
 #[derive(Clone, Debug, Args)]
 pub(super) struct WatchExtras {
     /// Print the conditions of the transitions of a component; may be given several times
@@ -128,7 +128,7 @@ pub(super) struct WatchExtras {
     pub(super) images: Option<PathBuf>,
 }
 
-/// Reads how a component is held.
+/// Parser of the mode in which a component is held.
 fn hold() -> impl TypedValueParser<Value = Hold> {
     PossibleValuesParser::new(["active", "latent", "tree"]).map(|text| match &*text {
         "active" => Hold::Active,

@@ -1,4 +1,4 @@
-//! What only a program on a computer offers: the world's time, conditions, costs, the true state, images.
+//! Requests that only a robot on a computer supports: world time, conditions, costs, true state, images.
 
 use std::fs;
 use std::path::Path;
@@ -12,11 +12,11 @@ use super::Monitor;
 use super::args::WatchExtras;
 use crate::console::{Failure, Outcome, interrupt};
 
-/// Time without a snapshot after which a paused world is shown as such.
+/// Time without a snapshot after which a paused world is reported as such.
 const POLL: Duration = Duration::from_millis(50);
 
 impl Monitor {
-    /// Watches what the command line asks for besides states and information.
+    /// Watches the extra data that the command line requests.
     pub(super) fn watch_extras(&mut self, extras: &WatchExtras, every: u16) -> Result<(), Failure> {
         let mut kinds = Vec::new();
         for name in &extras.conditions {
@@ -36,7 +36,7 @@ impl Monitor {
         Ok(())
     }
 
-    /// Changes the time of a simulated world, and waits for the end of its steps.
+    /// Pauses, resumes or steps a simulated world, and waits for the end of its steps.
     pub(super) fn world(&mut self, change: WorldChange) -> Result<Outcome, Failure> {
         self.operate(|monitor| {
             let answer = monitor.client.change_world(change)?;
@@ -63,7 +63,7 @@ impl Monitor {
         })
     }
 
-    /// Prints or saves what was watched besides states and information.
+    /// Prints or saves the extra data that was received.
     pub(super) fn show_extra(&self, event: &Event, images: Option<&Path>) -> Result<(), Failure> {
         match (event, images) {
             (Event::Conditions { time_us, component, conditions }, _) => {
@@ -128,7 +128,7 @@ impl Monitor {
 
     fn save_image(&self, image: &Image, folder: &Path) -> Result<(), Failure> {
         let Image { number, time_us, camera, width, height, yuyv } = image;
-        // An image of which a part was lost on the line is empty.
+        // The pixels are empty if a part of the image was lost on the line.
         if yuyv.is_empty() {
             return Ok(());
         }
@@ -145,7 +145,7 @@ impl Monitor {
     }
 }
 
-/// The numbers in a value, for people: with four significant digits, whole numbers with all.
+/// Numbers in a value as text: with four significant digits, whole numbers with all digits.
 fn numbers(value: &Value) -> String {
     let joined = |texts: Vec<String>| texts.join(" ");
     match value {

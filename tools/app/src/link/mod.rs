@@ -24,14 +24,14 @@ use crate::console::{Console, Failure, Outcome, Style, interrupt};
 pub(crate) use args::address;
 pub use serve::{RosNode, ServeArgs};
 
-/// Time between two looks for Ctrl-C.
+/// Time between two checks for Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
-/// Time without a line after which `watch` says why there is none.
+/// Time without output after which `watch` prints the reason.
 const SILENCE: Duration = Duration::from_secs(5);
 /// Longest wait for a robot whose connection was cut.
 const RECONNECT: Duration = Duration::from_secs(10);
 
-/// Attaches and does what the command line requests.
+/// Attaches to the robot and runs the subcommand.
 pub(crate) fn run(args: &Link) -> Result<Outcome, Failure> {
     let client = Client::connect(&args.address, ClientOptions::default())?;
     let mut monitor = Monitor { client, console: Console::new(args.json), take: args.take };
@@ -81,7 +81,7 @@ impl Monitor {
         Ok(self.client.description().component(name)?)
     }
 
-    /// Finds what a request names in the robot's tree.
+    /// Resolves the names in a request with the robot's description.
     fn find(&self, request: &NamedRequest) -> Result<OwnedRequest, Failure> {
         Ok(self.client.description().request(request)?)
     }
@@ -108,7 +108,7 @@ impl Monitor {
         Ok(Outcome::Success)
     }
 
-    /// Prints what can be done in the world.
+    /// Prints the actions of the world.
     fn list_actions(&self) -> Result<Outcome, Failure> {
         let actions = &self.client.description().actions;
         if actions.is_empty() {
@@ -119,7 +119,7 @@ impl Monitor {
         Ok(Outcome::Success)
     }
 
-    /// Waits for the next event; connects again if the connection was cut.
+    /// Waits for the next event; reconnects if the connection was cut.
     fn next(&mut self) -> Result<Option<Event>, Failure> {
         match self.client.poll(POLL) {
             Err(Error::Disconnected(reason)) => {
@@ -179,7 +179,7 @@ impl Monitor {
         Ok(Outcome::Interrupted)
     }
 
-    /// Prints a snapshot: for people only if it differs from the last line. Returns whether it does.
+    /// Prints a snapshot. The line for people is printed only if it differs from the last one; returns whether it does.
     fn show(&self, snapshot: &Snapshot, last: &mut String) -> Result<bool, Failure> {
         let components = &self.client.description().components;
         let mut active = Vec::new();
@@ -224,12 +224,12 @@ impl Monitor {
         self.line("bica/link-info/1", json!({ "cycle": cycle, "name": name, "value": value }))
     }
 
-    /// Runs `action` as the operator, and gives the lease back.
+    /// Acquires the lease, runs `action`, and releases the lease.
     fn operate(&mut self, action: impl FnOnce(&mut Self) -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
         self.client.acquire(self.take)?;
         let outcome = action(self);
         let released = self.client.release();
-        // The first error is the cause of the second.
+        // An error of the release is a consequence of the first error.
         outcome.and_then(|outcome| Ok(released.map(|()| outcome)?))
     }
 
@@ -254,7 +254,7 @@ impl Monitor {
         })
     }
 
-    /// Requests a change that ends with the lease, and keeps the lease.
+    /// Requests a change that lasts as long as the lease, and keeps the lease.
     fn keep(&mut self, request: &NamedRequest, seconds: Option<f64>) -> Result<Outcome, Failure> {
         let request = self.find(request)?;
         let until = seconds.map(|seconds| Instant::now() + Duration::from_secs_f64(seconds));
@@ -294,7 +294,7 @@ impl Monitor {
         Ok(Outcome::Success)
     }
 
-    /// Requests a change that is over when it is answered.
+    /// Requests a change that is complete when it is answered.
     fn call(&mut self, request: &NamedRequest, done: &str) -> Result<Outcome, Failure> {
         let request = self.find(request)?;
         let call = |monitor: &mut Self| {
@@ -332,7 +332,7 @@ impl Monitor {
     }
 }
 
-/// Returns why nothing is printed. `newest` is the last cycle that was received since the last line.
+/// Returns the reason for the silence. `newest` is the last cycle received since the last line.
 fn silence(newest: Option<u64>) -> String {
     match newest {
         Some(cycle) => format!("nothing has changed, up to cycle {cycle}"),
@@ -377,7 +377,7 @@ fn describe_call(console: Console, call: &Modulation) -> Result<(), Failure> {
     console.print(&format!("  {text}  {}", console.styled(Style::Faint, first_line(&call.doc))))
 }
 
-/// Values as the command line contains them.
+/// Converts the values of the command line.
 fn plain(values: &[String]) -> Vec<Plain> {
     values.iter().cloned().map(Plain::Name).collect()
 }

@@ -30,15 +30,16 @@ pub struct ServeArgs {
     pub node: crate::ros::NodeArgs,
 }
 
-/// Node of a robot in ROS; it leaves the network when it is dropped.
+/// ROS 2 node of the robot; it leaves the network when it is dropped.
 #[cfg(feature = "ros")]
 pub type RosNode = bica_ros::Ros;
-/// Node of a robot in ROS, of which there is none without the feature `ros`.
+/// ROS 2 node of the robot; uninhabited without the feature `ros`.
 #[cfg(not(feature = "ros"))]
 pub type RosNode = std::convert::Infallible;
 
 impl ServeArgs {
-    /// Returns the address at which the run is served: `None` if nobody asks for it, in this process if only the ROS node does.
+    /// Returns the address at which the run is served. It is an address within this process if only the ROS node needs
+    /// the server; `None` if nothing does.
     #[must_use]
     pub fn address(&self) -> Option<Address> {
         #[cfg(feature = "ros")]
@@ -48,17 +49,17 @@ impl ServeArgs {
         self.serve.clone().or(own)
     }
 
-    /// Whether the run is in real time because of those to whom it is served.
+    /// Returns whether the run is in real time because it is served.
     #[must_use]
     pub fn is_paced(&self) -> bool {
         self.address().is_some() && !self.unpaced
     }
 
-    /// Prints where the run of a robot with this tree is served, and makes it a ROS node if that is requested. `bound` is the address with
-    /// the port that the operating system chose.
+    /// Prints where a run of a robot with this tree is served, and starts the ROS node if that is requested. `bound` is
+    /// the address with the port that the operating system chose.
     ///
     /// # Errors
-    /// If the node cannot be made.
+    /// If the node cannot be started.
     pub fn started(
         &self,
         console: Console,

@@ -13,7 +13,7 @@ use args::ParamsFormat;
 use crate::console::{Console, Failure, Outcome, Style};
 pub use tuning::{InForce, Layer, TuningArgs, in_force, print_in_force};
 
-/// Lists or writes parameters as the command line requests. `kind` is the kind of robot without `--kind`.
+/// Lists or writes parameters as the command line requests. `kind` is the default of `--kind`.
 pub(crate) fn run<T: Tree + Default, L: Layer>(args: &Params<L>, kind: &str) -> Result<Outcome, Failure> {
     let graph: &'static Graph = const { &T::GRAPH };
     let layers = args.tuning.layers(graph, args.kind.as_deref().unwrap_or(kind))?;
@@ -48,7 +48,7 @@ fn is_listed<L: Layer>(args: &Params<L>, value: &Value<'_>) -> bool {
     named && (!args.changed || !value.is_default())
 }
 
-/// Returns the layers without the components that are not listed.
+/// Returns the layers with only the listed parameters.
 fn only<L: Layer>(args: &Params<L>, layers: &Layers) -> Layers {
     let mut only = layers.clone();
     only.retain(|value| is_listed(args, value));
@@ -75,7 +75,7 @@ fn print_table(console: Console, values: &[Value<'_>]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the cells of a parameter, whether its value is not the default, and its description.
+/// Returns the cells of a parameter's row, whether its value differs from the default, and its description.
 fn row(value: &Value<'_>) -> ([String; 5], bool, String) {
     let Value { component, param, .. } = value;
     let cells = [

@@ -12,7 +12,7 @@ use crate::console::{Console, Failure};
 
 /// Folder of tune files without `--tune`.
 const FOLDER: &str = "tune";
-/// Number of values of a source that a line shows.
+/// Number of values of one source that a line shows.
 const SHOWN: usize = 3;
 
 /// Arguments of a program's own layer of parameters, between the tune file of the world and that of the robot. `()` adds none.
@@ -30,7 +30,7 @@ impl Layer for () {
     }
 }
 
-/// What sets parameters that are in force: a tune file, a profile, or `--set`.
+/// Source of parameter values that are in force (a tune file, a profile, or `--set`), with the values.
 #[derive(Clone, Debug, Serialize)]
 pub struct InForce {
     source: String,
@@ -38,13 +38,13 @@ pub struct InForce {
     values: Vec<String>,
 }
 
-/// Returns what sets the parameters of a run.
+/// Returns the sources of the parameters of a run.
 #[must_use]
 pub fn in_force(layers: &Layers) -> Vec<InForce> {
     layers.in_force().into_iter().map(|(source, values)| InForce { source, values }).collect()
 }
 
-/// Prints what sets the parameters of a run, a line for each source.
+/// Prints the sources of the parameters of a run, one line for each.
 ///
 /// # Errors
 /// If stdout cannot be written.
@@ -86,14 +86,14 @@ impl<L: Layer> TuningArgs<L> {
         let mut layers = Layers::new(graph);
         let path = self.tune.as_deref().unwrap_or(Path::new(FOLDER));
         if self.tune.is_some() && !path.exists() {
-            // The error names what was given, not a file in it.
+            // The error names the given path, not a file in it.
             layers.read(path)?;
         }
         let (folder, of_kind) = match path.parent().filter(|_| path.is_file()) {
             Some(folder) => (folder, path.to_owned()),
             None => (path, path.join(format!("{kind}.toml"))),
         };
-        // A path that was named for nothing is a mistake.
+        // A given path that is not used is a mistake.
         if of_kind.exists() || (self.tune.is_some() && self.robot.is_none()) {
             layers.read(&of_kind)?;
         }
@@ -110,7 +110,7 @@ impl<L: Layer> TuningArgs<L> {
         Ok(layers)
     }
 
-    /// The same arguments for a robot that the program knows: its tune file may be missing.
+    /// Returns the same arguments for a robot that the program knows: its tune file may be missing.
     #[must_use]
     pub fn of_known_robot(&self) -> Self {
         Self { is_robot_known: true, ..self.clone() }

@@ -90,7 +90,7 @@ impl RecordArgs {
         self.topics.map_or_else(|| ImagePolicy::from(self.images).into(), Topics::from)
     }
 
-    /// Makes the file and writes its header, if a recording is requested. `is_paced` is whether the run cannot wait for the disk.
+    /// Creates the file and writes its header if a recording is requested. `is_paced` is true if the run cannot wait for the disk.
     pub(crate) fn start(
         &self,
         header: impl FnOnce(ImagePolicy) -> Header,
@@ -102,7 +102,7 @@ impl RecordArgs {
     }
 }
 
-/// Returns the remedy if a recording cannot begin.
+/// Remedy if a recording cannot begin.
 fn begin_help(error: &io::Error) -> &'static str {
     match error.kind() {
         io::ErrorKind::InvalidInput => "rename one of the two, or record with `--topics none`",
@@ -111,11 +111,11 @@ fn begin_help(error: &io::Error) -> &'static str {
 }
 
 impl RecordedFile {
-    /// Makes the file, replaces an old one by `force`, and writes its header. With `split` it is the first part. `is_paced` is whether the
-    /// run cannot wait for the disk.
+    /// Creates the file and writes its header; replaces an existing file if `force` is set. With `split` the file is
+    /// the first part. `is_paced` is true if the run cannot wait for the disk.
     ///
     /// # Errors
-    /// If the file, or a part of the same name, exists, or cannot be written.
+    /// If the file, or a part of the same name, exists and is not replaced, or cannot be written.
     pub fn start(
         path: &Path,
         force: bool,
@@ -127,7 +127,7 @@ impl RecordedFile {
         let options = RecorderOptions { backpressure, ..RecorderOptions::default() };
         let (sender, ended) = channel();
         let on_end = move |reason: &str| {
-            // The receiver is gone only when the run has ended.
+            // The receiver is dropped only when the run has ended.
             let _ = sender.send(reason.to_owned());
         };
         let first = split.map_or_else(|| path.to_owned(), |_| RunPart::path(path, 1));
@@ -154,19 +154,19 @@ impl RecordedFile {
         Ok((Self { path: first, ended }, recorder))
     }
 
-    /// The path of the file, or of the first part.
+    /// Path of the file, or of the first part.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Returns the reason once if the recording has ended before the run.
+    /// Returns the reason if the recording ended before the run; only once.
     #[must_use]
     pub fn newly_ended(&self) -> Option<String> {
         self.ended.try_recv().ok()
     }
 
-    /// Returns a line for people about the closed file.
+    /// Returns a line of text about the closed file.
     #[must_use]
     pub fn describe(&self, Report { cycles, bytes, dropped_images, reason, parts }: &Report) -> String {
         let dropped = match dropped_images {

@@ -1,4 +1,4 @@
-//! `record`: what a recording contains; mended, cut, joined and played files.
+//! `record`: prints, repairs, trims, joins and plays recordings.
 
 mod args;
 mod file;
@@ -41,7 +41,7 @@ pub(crate) fn run<R: Recordable + Default>(args: &Record) -> Result<Outcome, Fai
     }
 }
 
-/// Joins files if all are parts of runs, else merges them as those of several robots.
+/// Joins the files if all are parts of runs; otherwise merges them as recordings of several robots.
 fn merge(Merge { out, files, topics }: &Merge) -> Result<Outcome, Failure> {
     let topics = topics.map(Topics::from);
     if RunPart::are_all(files)? {
@@ -193,7 +193,7 @@ fn write(
     let target = create(&args.path, args.force).map_err(|error| Failure::of_path("write", &args.path, &error, help))?;
     let mut target = BufWriter::with_capacity(1 << 16, target);
     let copied = copy(&mut target).inspect_err(|_| {
-        // Nobody needs the begin of a file; the error is what the user has to know.
+        // An incomplete file has no use. The user needs the first error, not an error of the removal.
         let _ = fs::remove_file(&args.path);
     })?;
     target.flush().map_err(|error| Failure::of_path("write", &args.path, &error, "is the disk full?"))?;
@@ -209,7 +209,7 @@ fn write(
     Ok(Outcome::Success)
 }
 
-/// Returns whether two paths name one file, be it by symbolic or by hard links.
+/// Returns whether two paths name the same file, also through symbolic or hard links.
 fn is_same_file(one: &Path, two: &Path) -> bool {
     #[cfg(unix)]
     let identity = |path: &Path| {

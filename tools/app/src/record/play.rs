@@ -1,4 +1,4 @@
-//! `record play`: a recording is shown to monitors.
+//! `record play`: plays a recording to monitors.
 
 use bica_recording::{PlayOptions, Played, Recordable};
 use bica_wire::model::Invalid;

@@ -1,4 +1,4 @@
-//! `replay`: the code again, on a recording.
+//! `replay`: runs the code again on a recording.
 
 mod args;
 mod subject;
@@ -13,7 +13,7 @@ pub(crate) use args::ReplayArgs;
 pub(crate) use subject::rerun;
 pub(crate) use subject::{recorded_robot, replay};
 
-/// Number of decisions that are printed.
+/// Maximum number of decisions that are printed.
 const SHOWN: usize = 20;
 
 #[derive(Serialize)]
@@ -23,7 +23,7 @@ struct Report<'a> {
     replayed: &'a ReplayReport,
 }
 
-/// Replays with a function as the command line requests.
+/// Replays a recording with the function `replay`, as the command line requests.
 pub(crate) fn run(
     args: &ReplayArgs,
     replay: impl FnOnce(&ReplayOptions<'_>) -> Result<ReplayReport, Failure>,
@@ -104,7 +104,7 @@ fn print(console: Console, replayed: &ReplayReport) -> Result<(), Failure> {
     decisions(console, replayed)
 }
 
-/// Returns what the inputs of a run with other parameters are.
+/// Returns a note on the inputs of an open-loop run with other parameters.
 fn inputs(replayed: &ReplayReport) -> Option<String> {
     let is_open = !replayed.set.is_empty() && replayed.feedback == Some("open");
     let again = if replayed.simulated { "; --closed-loop runs the world again" } else { "" };

@@ -25,7 +25,7 @@ where
     Ok(bica_recording::replay(options, subject, |_| !interrupt::requested())?)
 }
 
-/// Runs the code again on a recording, with other parameters, and writes the new course to a recording.
+/// Runs the code again on a recording with other parameters, and records the new run.
 #[cfg(feature = "monitor")]
 pub(crate) fn rerun<R>(
     worlds: &[RegisteredWorld<R>],
@@ -43,7 +43,7 @@ where
     bica_recording::rerun(path, out, subject, progress).map(drop)
 }
 
-/// Returns the robot as it was at the start of the recording, with other parameters, and its world if it runs again.
+/// Returns the robot as it was at the start of the recording, with other parameters, and its world if that is simulated again.
 fn subject<R: Robot + 'static>(
     worlds: &[RegisteredWorld<R>],
     robots: Robots<R>,
@@ -56,7 +56,7 @@ fn subject<R: Robot + 'static>(
     Ok(Subject { robot, world })
 }
 
-/// Returns the robot with the parameters of a recording, and others over them.
+/// Returns the robot with the parameters of a recording, overridden by those in `set`.
 pub(crate) fn recorded_robot<R: Robot>(robots: Robots<R>, header: &Header, set: &[String]) -> Result<Box<R>, Invalid> {
     let mut layers = Layers::new(const { &R::GRAPH });
     // The parameters of other trees are constants.

@@ -41,7 +41,7 @@ pub struct RunArgs<L: Layer> {
 /// Parses a duration of 0.01 to 86400 s.
 ///
 /// # Errors
-/// If the text is no such number.
+/// If the text is not such a number.
 pub fn seconds(text: &str) -> Result<f64, String> {
     let fits = text.parse().ok().filter(|time: &f64| (0.01..=86_400.0).contains(time));
     fits.ok_or_else(|| "give a time from 0.01 to 86400 seconds".to_owned())

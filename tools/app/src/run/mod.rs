@@ -63,11 +63,11 @@ where
     let observers = (Some(Story::new(const { &R::GRAPH })), (view, recorder));
     let mut running = Running::new(robot, world, requests, observers, (is_paced, workers(registered.pace)));
     running.figures()?;
-    // Monitors may look at a robot that has reached its aim.
+    // A served run has no aim: monitors may still inspect a robot that has reached it.
     let aim = is_done.filter(|_| served.is_none());
     let limit = args.seconds.map(|seconds| bica::Duration::from_micros((seconds * 1e6) as u64));
     let end = loop {
-        // A world that paces has a robot to bring to rest before its run ends.
+        // A world with the pace `World` must bring its robot to rest before its run ends.
         let interrupted = || (registered.pace != Pace::World && interrupt::requested()).then_some(End::Interrupted);
         if let Some(end) = running.end(aim, limit).or_else(interrupted) {
             break end;
@@ -105,10 +105,10 @@ where
     })
 }
 
-/// Halves of the link in the loop.
+/// Link of a run: server with the ROS node, request queue and observer; all are `None` if the run is not served.
 type Served<R> = (Option<(LinkServer, Option<RosNode>)>, Option<LinkRequests>, Option<LinkObserver<R>>);
 
-/// Starts the server, if that is requested.
+/// Starts the server if the arguments request it.
 fn serve<R: Recordable>(
     args: &RunArgs<impl Layer>,
     world: &dyn World<R>,

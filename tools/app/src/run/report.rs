@@ -33,7 +33,7 @@ impl End {
     }
 }
 
-/// JSON of a run.
+/// Result of a run, for JSON.
 #[derive(Serialize)]
 pub(super) struct Report<'a> {
     schema: &'static str,
@@ -43,7 +43,7 @@ pub(super) struct Report<'a> {
     simulated_s: f64,
     cycles: u64,
     story: &'a [StateChange],
-    /// What the world writes.
+    /// The `report` text of the world.
     #[serde(rename = "report")]
     text: &'a str,
     figures: Vec<Figure>,

@@ -52,13 +52,13 @@ pub(crate) struct Running<R: Robot> {
     pub(crate) runner: Loop<R>,
     /// Time of the world at the start.
     start: Instant,
-    /// None: as fast as possible.
+    /// Pace in real time; `None` runs as fast as possible.
     pace: Option<Pace>,
     pub(super) cycles: u64,
 }
 
 impl<R: Recordable<Error: fmt::Display>> Running<R> {
-    /// A run before its first cycle, in real time or as fast as possible.
+    /// Creates a run before its first cycle, in real time or as fast as possible.
     pub(crate) fn new(
         robot: Box<R>,
         world: Box<dyn World<R>>,
@@ -81,7 +81,7 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         self.pace.as_ref().map(|pace| pace.schedule)
     }
 
-    /// Whether the run ends here: at its aim, or as the world says, or at a time.
+    /// Reason for which the run ends now, if it does: its aim, the end of the world, or the time limit.
     pub(crate) fn end(&self, is_done: Option<fn(&R) -> bool>, limit: Option<bica::Duration>) -> Option<End> {
         match () {
             () if is_done.is_some_and(|is_done| is_done(self.runner.robot())) => Some(End::Done),
@@ -91,12 +91,12 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         }
     }
 
-    /// Numbers of the result so far.
+    /// Figures of the result so far.
     pub(crate) fn figures(&self) -> Result<Vec<Figure>, Failure> {
         Ok(Figure::all(&**self.runner.world())?)
     }
 
-    /// How the run has ended, for people.
+    /// Text of the result.
     pub(crate) fn result(&self, end: End) -> String {
         let result = format!("{} after {:.2} s", end.text(), self.elapsed().as_micros() as f64 * 1e-6);
         Figure::with(&result, &self.figures().unwrap_or_default())
@@ -120,7 +120,7 @@ impl<R: Recordable<Error: fmt::Display>> Running<R> {
         Ok(begins_cycle)
     }
 
-    /// Whether an operator lets the world go on; if not, the requests are applied.
+    /// Returns whether a cycle may begin. If an operator has paused the world, applies the requests instead.
     fn begins_cycle(&mut self) -> bool {
         if self.runner.requests_mut().as_mut().is_none_or(LinkRequests::begins_cycle) {
             return true;

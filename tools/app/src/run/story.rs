@@ -1,4 +1,4 @@
-//! Changes of state as lines of text.
+//! Transitions as lines of text.
 
 use bica::graph::WorkFunction;
 use bica::runner::{ClockStep, Observer, Robot};
@@ -13,7 +13,7 @@ pub(crate) struct Story {
     graph: &'static Graph,
     now: Instant,
     pub(super) changes: Vec<StateChange>,
-    /// Number of changes that were printed.
+    /// Number of transitions that have been printed.
     printed: usize,
     /// For each component the number of jobs that have ended, of those that were late, and of those that have failed.
     jobs: Vec<[u64; 3]>,
@@ -45,7 +45,7 @@ impl Story {
         })
     }
 
-    /// Prints the changes since the last call.
+    /// Prints the transitions since the last call.
     pub(super) fn print(&mut self, console: Console) -> Result<(), Failure> {
         for StateChange { t, component, state, doc } in &self.changes[self.printed..] {
             console.print(&format!("{t:8.2} s  {component}:{state:16} {}", doc.lines().next().unwrap_or_default()))?;

@@ -58,7 +58,7 @@ fn true_pose_equals_odometry_from_the_true_start() {
         let [start, robot, _] = &truth["items"].as_array().expect("items")[..] else { panic!("{truth}") };
         let places = [&start["frame"], &start["child"], &robot["frame"], &robot["child"]];
         assert_eq!(places, ["room", "odometry", "room", "robot"]);
-        // The truth was read after its cycle, and the wheels' rotation is sensed in the next one.
+        // The truth was read after its cycle; the rotation of the wheels is measured in the next one.
         let is_of_cycle = |info: &&Value| {
             truth["time_us"].as_u64().map(|time| time + 20_000) == info["cycle"].as_u64().map(|cycle| 20_000 * cycle)
         };
@@ -93,7 +93,7 @@ fn images_in_the_sensor_values_are_sent() {
     let images: Vec<_> = seen.iter().filter(|line| line["schema"] == "bica/link-image/2").collect();
     let image = images.last().unwrap_or_else(|| panic!("{seen:?}"));
     assert_eq!((&image["camera"], &image["width"], &image["height"]), (&"eye".into(), &16.into(), &12.into()));
-    // Every second cycle has an image, as bright as the cycle's number, which is twice that of the image.
+    // Every second cycle has an image. Its brightness is the number of the cycle, twice the number of the image.
     let number = image["number"].as_u64().expect("a number");
     let pixels = fs::read(image["path"].as_str().expect("a file")).expect("an image");
     assert_eq!(pixels, [2 * number as u8, 128].repeat(16 * 12));

@@ -1,4 +1,4 @@
-//! The page of the monitor, for a robot that the monitor does not know.
+//! Page of the monitor for a robot that the monitor's crate does not know.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use crate::process::{Folder, Ran};
 
-/// Packages that only a humanoid or a soccer robot needs.
+/// Packages that only a humanoid or a soccer robot uses.
 const FOREIGN: [&str; 9] = [
     "bica-body",
     "bica-motion",
@@ -20,7 +20,8 @@ const FOREIGN: [&str; 9] = [
     "jmanager",
 ];
 
-/// Most packages of a new crate, but build scripts and what macros need: each one lengthens the first build.
+/// Maximum number of packages of a new crate, without build scripts and the dependencies of macros. Each package
+/// lengthens the first build.
 const MOST_PACKAGES: usize = 65;
 
 /// Runs `bica new` in a folder.
@@ -30,7 +31,7 @@ fn new(folder: &Path, args: &[&str]) -> Ran {
     Ran::of(program)
 }
 
-/// Makes a crate with the lock file of the repository, so that cargo needs no network.
+/// Creates a crate with the lock file of the repository, so that cargo needs no network.
 fn made(folder: &Folder, name: &str) -> PathBuf {
     let ran = new(folder.path(), &[name]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -50,7 +51,7 @@ fn change(file: &Path, old: &str, new: &str) {
 fn cargo(folder: &Path, args: &[&str]) -> Ran {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(args).current_dir(folder).env("CARGO_NET_OFFLINE", "true");
-    // Its dependencies are built once for all runs of this test.
+    // The dependencies are built once for all runs of this test.
     cargo.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("new"));
     Ran::of(cargo)
 }
@@ -80,7 +81,7 @@ fn slow_new_crate_runs_records_replays_and_benches() {
     passes(&["run"], &["done after 4.22 s, 211 cycles in road, seed 0"]);
     passes(&["run", "--", "run", "--record", "run.mcap"], &["recording"]);
     passes(&["run", "--", "replay", "run.mcap"], &["equal, bit for bit"]);
-    // The profile of the runs, so that nothing is built twice.
+    // The same profile as in the runs, so that nothing is built twice.
     let bench = ["bench", "--profile", "dev", "--", "--json"];
     passes(&bench, &["\"schema\":\"bica/bench/1\"", "\"name\":\"Driver\"", "\"exceeded\":[]"]);
     let slow = "wheels.drive((sonar.distance";

@@ -1,11 +1,11 @@
-//! The page `docs/your-robot.md`: its code is the example `cart`, and its commands work in their order.
+//! Tests of `docs/your-robot.md`: its code equals the example `cart`, and its commands work in their order.
 
 use std::fs;
 use std::path::Path;
 
 use crate::process::{Folder, Ran, Served, example};
 
-/// Block of a page: its language and its lines.
+/// Code block of a page: its language and its lines.
 struct Block {
     language: String,
     lines: Vec<String>,
@@ -34,7 +34,7 @@ fn template(file: &str) -> String {
     fs::read_to_string(repository().join("tools/app/template").join(file)).expect("a file of a template")
 }
 
-/// The blocks of a page in a language, but those that are one of these files.
+/// Code blocks of a page in one language, except those that equal one of these files.
 fn code(page: &str, language: &str, files: &[&str]) -> String {
     let blocks = self::page(page).into_iter().filter(|block| block.language == language);
     let mut code: Vec<_> = blocks.map(|block| block.lines.join("\n")).collect();
@@ -66,7 +66,7 @@ fn page_of_the_firmware_shows_its_template() {
 #[test]
 fn commands_print_what_the_page_shows() {
     let folder = Folder::new("page");
-    // None: the command before was not run.
+    // `None` if the previous command was not run.
     let (mut served, mut output, mut commands) = (None::<Served>, None::<String>, 0);
     for line in page("your-robot.md").iter().filter(|block| block.language == "console").flat_map(|block| &block.lines)
     {
@@ -77,7 +77,7 @@ fn commands_print_what_the_page_shows() {
             }
             continue;
         };
-        // VICODE and `bica` are programs of the repository, and the monitor is a feature with a test of its own.
+        // VICODE and `bica` are other programs of the repository; the monitor is a feature with its own test.
         let is_here = |args: &&str| !args.contains("--manifest-path") && !args.contains(" monitor");
         let Some(args) = command.strip_prefix("cargo run").filter(is_here) else {
             output = None;

@@ -24,14 +24,14 @@ pub(crate) fn run(args: &[&str]) -> Ran {
     Ran::of(program)
 }
 
-/// Runs the wall follower, which must end with exit code 2, nothing on stdout, and these words on stderr.
+/// Runs the wall follower. It must end with exit code 2, print nothing on stdout and these words on stderr.
 pub(crate) fn refused(args: &[&str], words: &[&str]) {
     let ran = run(args);
     ran.refused(words);
     assert_eq!(ran.stdout, "", "{args:?}");
 }
 
-/// Runs a monitor of a wall follower to its end, which must be a success; returns the lines of its output.
+/// Runs `link` on a served wall follower; it must succeed. Returns its output lines.
 pub(crate) fn link(served: &Served, args: &[&str]) -> Vec<Value> {
     let ran = run(&[&["link", &served.address, "--json"][..], args].concat());
     assert_eq!(ran.code, Some(0), "{args:?}: {}", ran.stderr);

@@ -38,7 +38,7 @@ fn recording_has_figures_and_program_version() {
     let info = run(&["record", "info", &file, "--json"]).json();
     assert_eq!(info["ending"]["figures"], ran["figures"]);
     let program = &info["header"]["program"];
-    // The commit of BICA is not that of the robot's sources.
+    // The commit of BICA is not the commit of the robot's sources.
     assert_eq!((&program["version"], &program["git_hash"]), (&env!("CARGO_PKG_VERSION").into(), &"".into()));
     assert!(program["bica"].as_str().is_some_and(|bica| bica.starts_with(env!("CARGO_PKG_VERSION"))), "{program}");
     assert_eq!(program["processor"], ran["wall_processor"]);

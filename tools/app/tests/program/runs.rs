@@ -14,7 +14,7 @@ fn run_ends_at_its_aim_with_equal_results_each_time() {
     let last = report["story"].as_array().and_then(|story| story.last()).expect("a change of state");
     assert_eq!((&last["component"], &last["state"]), (&"Explorer".into(), &"arrive".into()));
     assert!(ran.stderr.contains("Explorer:round_end") && ran.stderr.contains("The lap is complete."), "{}", ran.stderr);
-    // Without a command the program runs, too.
+    // Without a command the program runs the robot, too.
     assert_eq!(run(&["--json"]).stdout, ran.stdout);
 }
 
