@@ -6,10 +6,10 @@ use clap::Command;
 
 use crate::console::Failure;
 
-/// Checks that worlds have unique names, that commands have, and that outputs and parameters of a component have.
+/// Checks that no two worlds, no two commands, and no output and parameter of one component share a name.
 ///
 /// # Errors
-/// If a name occurs twice; the text gives both places.
+/// If two share a name; the text gives the name and both sources.
 pub(crate) fn check(graph: &Graph, worlds: &[&str], command: &Command) -> Result<(), Failure> {
     let mut table = NameTable::new("value of `--world`");
     for (place, world) in worlds.iter().enumerate() {

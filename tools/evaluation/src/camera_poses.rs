@@ -15,7 +15,7 @@ use glam::{Affine3A, Mat3, Vec2, Vec3};
 use crate::frame_io::stem;
 use crate::table::{Row, Table};
 
-/// Focal length of the camera of a NAO of 2009 divided by the width of its image (B-Human 2009).
+/// Focal length divided by image width, for the camera of a NAO of 2009 (B-Human 2009).
 const FOCAL_PER_WIDTH: f32 = 385.54 / 320.0;
 const ROTATION: [&str; 9] = ["r00", "r01", "r02", "r10", "r11", "r12", "r20", "r21", "r22"];
 const TRANSLATION: [&str; 3] = ["tx_mm", "ty_mm", "tz_mm"];
@@ -27,12 +27,12 @@ pub struct Pose {
     camera_to_ground: Affine3A,
     /// Whether distances may be computed with it.
     pub trusted: bool,
-    /// Row of the horizon at the middle of an image 320 px wide, from the file.
+    /// Row of the horizon in the middle of an image 320 px wide, as given in the file.
     pub horizon: Option<f32>,
 }
 
 impl Pose {
-    /// Returns the camera for images of a size, px.
+    /// Returns the camera for images of this size, px.
     #[must_use]
     pub fn camera(&self, width: usize, height: usize) -> Camera {
         let size = Vec2::new(width as f32, height as f32);
@@ -43,7 +43,7 @@ impl Pose {
     }
 }
 
-/// Poses of a file, by the stems of the images' names.
+/// Poses in a file, by the stems of the image names.
 #[derive(Clone, Debug, Default)]
 pub struct Poses(HashMap<String, Pose>);
 
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn camera_axis_meets_ground_as_computed() {
-        // 45° down, half a metre up: the middle of the image is half a metre ahead.
+        // The camera is 0.5 m high and looks 45° down: the middle of the image is 0.5 m ahead.
         let row = "1.png,0.70710678,0,0.70710678,0,1,0,-0.70710678,0,0.70710678,0,0,500,0";
         let poses = Poses::parse(&format!("{HEADER}{row}")).unwrap();
         let pose = poses.get("1.png").unwrap();

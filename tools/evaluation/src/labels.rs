@@ -1,8 +1,8 @@
 //! Labels of recorded images, from a CSV file.
 //!
 //! Columns, found by name: `file`; `ball_x`, `ball_y`, `ball_radius` (px; `none` without a ball, `unlabelled` without a
-//! label); `ball_flag` (`full`, `clipped` or `small`; or all balls as `x:y:r:colour:flag`, separated by `;`); `goal` (empty
-//! or `x0:y0:x1:y1:colour:complete|partial`, px).
+//! label); `ball_flag` (`full`, `clipped` or `small`); `goal` (empty or `x0:y0:x1:y1:colour:complete|partial`, px). In
+//! place of one flag, `ball_flag` may hold all balls as `x:y:r:colour:flag`, separated by `;`.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ use crate::table::Table;
 
 const HELP: &str = "the columns are file, ball_x, ball_y, ball_radius, ball_flag and goal";
 
-/// Content of an image, as labelled.
+/// Labelled content of an image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// Folder and name, as in the file of labels.
@@ -35,7 +35,7 @@ pub struct Ball {
     pub radius: f32,
     /// Whether this is the ball of the game; otherwise it is a red object or another ball.
     pub orange: bool,
-    /// Whether the image shows all of it and it is not tiny.
+    /// Whether the ball is completely visible and not tiny.
     pub full: bool,
 }
 
@@ -57,7 +57,7 @@ pub struct Goal {
 pub struct Labels(Vec<Label>);
 
 impl Labels {
-    /// Reads the labels that name a folder, or all labels if none does.
+    /// Reads the labels of a folder, or all labels if none names the folder.
     ///
     /// # Errors
     /// If the file cannot be read or a label is malformed.
@@ -73,7 +73,7 @@ impl Labels {
         Ok(Self(all))
     }
 
-    /// Returns the label of an image; none if there is none or more than one.
+    /// Returns the label of an image; `None` if there is none or more than one.
     #[must_use]
     pub fn get(&self, file: &str) -> Option<&Label> {
         let mut fitting = self.0.iter().filter(|label| stem(&label.file) == stem(file));
@@ -81,7 +81,7 @@ impl Labels {
     }
 }
 
-/// Returns the prefix of a folder's images in files of labels: its name and a slash.
+/// Returns the prefix of a folder's images in files of labels: the folder's name and a slash.
 #[must_use]
 pub fn own_folder(folder: &Path) -> String {
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

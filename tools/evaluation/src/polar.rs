@@ -10,19 +10,19 @@ pub struct Polar {
     pub distance: f32,
     /// Direction, degrees, positive to the left.
     pub direction: f32,
-    /// Whether the newest image shows it; otherwise it is remembered.
+    /// Whether the newest image shows the object; otherwise the position is remembered.
     pub seen: bool,
 }
 
 impl Polar {
-    /// A position in the robot's frame, m.
+    /// Converts a position in the robot's frame, m.
     #[must_use]
     pub fn new(at: Vec2, seen: bool) -> Self {
         Self { distance: at.length(), direction: at.to_angle().to_degrees(), seen }
     }
 }
 
-/// `1.10 m  12° left`, in parentheses if it is remembered.
+/// Format `1.10 m  12° left`, in parentheses if the position is remembered.
 impl std::fmt::Display for Polar {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let degrees = self.direction.round() as i32;
@@ -36,7 +36,7 @@ impl std::fmt::Display for Polar {
     }
 }
 
-/// Returns the text of a position; a dash if it is unknown.
+/// Returns the text of a position; a dash if the position is unknown.
 #[must_use]
 pub fn describe(position: Option<Polar>) -> String {
     position.map_or_else(|| " -".to_owned(), |position| position.to_string())

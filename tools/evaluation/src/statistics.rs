@@ -1,7 +1,7 @@
 //! Statistics of measured values.
 
-/// Returns the smallest of the sorted values that a share of at least `part` (0 to 1) does not exceed (nearest rank);
-/// `None` for an empty list.
+/// Returns the percentile of sorted values by the nearest rank: the smallest value that at least the fraction `part` (0
+/// to 1) of the values does not exceed; `None` for an empty list.
 #[must_use]
 pub fn percentile(sorted: &[f64], part: f64) -> Option<f64> {
     let rank = (part * sorted.len() as f64).ceil() as usize;

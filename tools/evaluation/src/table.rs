@@ -16,7 +16,7 @@ pub(crate) struct Row {
 }
 
 impl Table {
-    /// Parses a text. Cells are trimmed, blank lines are skipped, and rows may be shorter than the header.
+    /// Parses a text. Cells are trimmed and blank lines skipped; rows may be shorter than the header.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let mut header = None;
         let mut rows = Vec::new();
@@ -60,7 +60,7 @@ impl Row {
     }
 }
 
-/// Line of the record at a byte; the reader counts blank lines before a record as a part of it.
+/// Line number of the record at a byte offset. The reader counts blank lines before a record as part of it.
 fn line_of(text: &str, byte: usize) -> usize {
     let rest = text.get(byte..).unwrap_or("");
     let blank = rest.len() - rest.trim_start_matches(['\r', '\n']).len();

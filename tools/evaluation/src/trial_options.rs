@@ -1,4 +1,4 @@
-//! The options of trials of the body, which programs that are built without `MuJoCo` name, too.
+//! Options of trials of the body. Programs that are built without `MuJoCo` use them too.
 
 use bica_motion::model::simulation::{HUMANOIDS, SimulatedModel, humanoid};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -76,7 +76,7 @@ pub enum Kind {
     Comeback,
 }
 
-/// Refuses: this program was built without `MuJoCo`.
+/// Returns an error: this program was built without `MuJoCo`.
 ///
 /// # Errors
 /// Always.

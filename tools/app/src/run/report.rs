@@ -43,7 +43,7 @@ pub(super) struct Report<'a> {
     simulated_s: f64,
     cycles: u64,
     story: &'a [StateChange],
-    /// The `report` text of the world.
+    /// Report that the world writes.
     #[serde(rename = "report")]
     text: &'a str,
     figures: Vec<Figure>,

@@ -12,9 +12,9 @@ use super::samples::Sample;
 /// Number of blocks; fewer if fewer images show the class.
 pub(super) const BLOCKS: usize = 5;
 
-/// Share of the pixels known to be of other classes that may pass.
+/// Largest accepted fraction of the pixels that are known to be of other classes.
 const ALLOWED_FALSE: f64 = 1e-4;
-/// Largest increase of the least saturation, percent.
+/// Largest increase of the minimum saturation, percent.
 const MAX_INCREASE: u16 = 40;
 
 /// Fitted class.
@@ -27,13 +27,13 @@ pub(super) struct FittedClass {
     pub(super) images: usize,
     /// Number of blocks; 1 if the test used the training data.
     pub(super) blocks: usize,
-    /// Share of the accepted pixels that are of the class.
+    /// Fraction of the accepted pixels that are of the class.
     pub(super) precision: f64,
-    /// Share of the pixels of the class that are accepted.
+    /// Fraction of the pixels of the class that are accepted.
     pub(super) recall: f64,
 }
 
-/// Fits a class; none without a sample of it.
+/// Fits the thresholds of a class; `None` without a sample of it.
 pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass> {
     let own: Vec<&Sample> = samples.iter().filter(|sample| concerns(class, sample)).collect();
     let mut images: Vec<usize> =
@@ -59,8 +59,8 @@ pub(super) fn fit_class(class: Colour, samples: &[Sample]) -> Option<FittedClass
     })
 }
 
-/// Thresholds of a class without samples: the base profile's, with the minimum saturation raised above nearly all
-/// pixels known to be of other classes.
+/// Thresholds of a class without samples: those of the base profile, with the minimum saturation raised until nearly
+/// all pixels known to be of other classes are rejected.
 pub(super) fn with_raised_saturation(class: Colour, given: &Filter, samples: &[Sample]) -> Filter {
     let others = || samples.iter().filter(|sample| sample.is_not.has(class));
     let weight = |filter: &Filter| -> f64 {
@@ -76,7 +76,7 @@ fn concerns(class: Colour, sample: &Sample) -> bool {
     sample.is == Some(class) || sample.is_not.has(class)
 }
 
-/// Block of an image; the blocks differ by at most one in their number of images with the class.
+/// Index of an image's block. The numbers of images with the class differ by at most one between blocks.
 fn block(with_class: &[usize], blocks: usize, image: usize) -> usize {
     let before = with_class.partition_point(|other| *other < image).min(with_class.len() - 1);
     before * blocks / with_class.len()

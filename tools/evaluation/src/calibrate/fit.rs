@@ -1,8 +1,8 @@
 //! Thresholds from samples by coordinate ascent: each bound in turn moves to the best F3 score.
 //!
-//! F3 weighs recall nine times as much as precision: detectors reject false pixels by the shape of their region, but cannot
-//! recover missed ones. Where a range of bounds has the same score, the bound lies in its middle; where no other class is
-//! near, it keeps a margin for other light.
+//! F3 weighs recall nine times as much as precision: detectors reject false pixels by the shape of their region, but
+//! cannot recover missed ones. If a range of bounds has the same score, its middle is chosen. If no other class is
+//! near, the bound keeps a margin for other illumination.
 
 use bica_vision::colour::{Colour, Filter};
 use bica_vision::frame::Pixel;
@@ -13,7 +13,7 @@ const ROUNDS: usize = 12;
 const SAME_SCORE: f64 = 0.0005;
 /// Weight of recall relative to precision.
 const RECALL_WEIGHT: f64 = 9.0;
-/// Share of a class outside the initial bounds at each end.
+/// Fraction of a class that is outside the initial bounds at each end.
 const INITIAL_OUTSIDE: f64 = 0.01;
 
 /// Sample in the coordinates of the bounds.
@@ -40,7 +40,7 @@ struct Bound {
     value: usize,
     /// Whether this is the upper bound.
     is_upper: bool,
-    /// Largest distance from the class, by the end of the class.
+    /// Largest distance from the class, as a function of the end of the class.
     margin: fn(i32) -> i32,
 }
 
@@ -67,7 +67,7 @@ const BOUNDS_OF_WHITE: [Bound; 2] = [
 type Box4 = [(i32, i32); 4];
 
 impl Axes {
-    /// Coordinates by the mean chroma of the samples of a class.
+    /// Coordinates relative to the mean chroma of the samples of a class.
     pub(super) fn of(class: impl Iterator<Item = (Pixel, f32)>) -> Self {
         let mean = class.fold((0.0, 0.0), |(b, r), (pixel, weight)| {
             (b + weight * (f32::from(pixel.cb) - 128.0), r + weight * (f32::from(pixel.cr) - 128.0))
@@ -87,7 +87,7 @@ impl Axes {
     }
 }
 
-/// Returns the best thresholds of a class; none without a point of the class.
+/// Returns the best thresholds of a class; `None` without a point of the class.
 pub(super) fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter> {
     let bounds: &[Bound] = if class == Colour::White { &BOUNDS_OF_WHITE } else { &BOUNDS };
     let first = start(bounds, points)?;
@@ -104,7 +104,7 @@ pub(super) fn fit(class: Colour, axes: Axes, points: &[Point]) -> Option<Filter>
     Some(filter(class, axes, &ranges))
 }
 
-/// Initial ranges: around nearly all points of the class.
+/// Initial ranges, which contain nearly all points of the class.
 fn start(bounds: &[Bound], points: &[Point]) -> Option<Box4> {
     let total: f64 = points.iter().map(|point| point.good).sum();
     let mut ranges = LIMITS;
@@ -126,7 +126,7 @@ fn start(bounds: &[Bound], points: &[Point]) -> Option<Box4> {
 }
 
 impl Bound {
-    /// Tightest whole bound that accepts a value.
+    /// Tightest integer bound that accepts a value.
     fn round(self, value: f32) -> i32 {
         if self.is_upper { value.ceil() as i32 } else { value.floor() as i32 }
     }
@@ -145,7 +145,7 @@ impl Bound {
         let (low, high) = LIMITS[self.value];
         let mut open = *ranges;
         self.set(&mut open, if self.is_upper { high } else { low });
-        // Weights by the tightness that rejects a point: a suffix sum gives what each bound accepts.
+        // Weight by the tightness that rejects a point: a suffix sum gives the weight that each bound accepts.
         let tightness = |at: i32| (if self.is_upper { high - at } else { at - low }) as usize;
         let mut passing = vec![(0.0, 0.0); (high - low) as usize + 1];
         let mut missed = 0.0;

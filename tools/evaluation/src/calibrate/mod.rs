@@ -21,7 +21,7 @@ use rectangles::Rectangle;
 use report::Report;
 use samples::{Sample, Samples};
 
-/// Fitted classes, in the order of decision; none without a sample.
+/// Fitted classes, in the order of decision; `None` without a sample.
 type FittedClasses = [(Colour, Option<FittedClass>); 5];
 
 /// Inputs and output of a calibration.
@@ -87,7 +87,7 @@ fn merge(base: &Filters, classes: &FittedClasses, samples: &[Sample]) -> Filters
     }
 }
 
-/// Labels and rectangles, with their number in images of the folder.
+/// Labels and rectangles, and the number of those that belong to images of the folder.
 struct TrainingData {
     rectangles: Vec<Rectangle>,
     labels: Option<Labels>,

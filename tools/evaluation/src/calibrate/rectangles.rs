@@ -10,7 +10,7 @@ use bica_vision::colour::Colour;
 
 use crate::table::Table;
 
-/// Classes by their names in such files.
+/// Classes by their names in the file.
 const CLASSES: [(&str, Colour); 6] = [
     ("ball", Colour::Orange),
     ("goal_yellow", Colour::Yellow),
@@ -23,7 +23,7 @@ const CLASSES: [(&str, Colour); 6] = [
 /// Rectangle of pixels of one class.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Rectangle {
-    /// Folder and name, as in the file of rectangles.
+    /// Folder and name of the image, as in the file of rectangles.
     pub(super) file: String,
     /// First column, and last column plus one.
     pub(super) x: [u16; 2],

@@ -1,9 +1,9 @@
-//! Samples: pixels whose class is known, or that are known not to be of some classes.
+//! Samples: pixels with a known class, or with classes that are known to be wrong.
 //!
-//! A pixel in a rectangle is of its class and of no other; in a rectangle of no class it may be white, as walls are. In
-//! a labelled image, pixels inside an orange ball are orange and pixels outside all balls are not; pixels outside the
-//! goal are neither yellow nor blue. Edges, where colours mix, are excluded. All rectangles and balls of a class have
-//! the same weight, whatever their size; a red ball weighs as much as an orange one.
+//! A pixel in a rectangle is of its class and of no other. In a rectangle without a class a pixel may be white, as
+//! walls are. In a labelled image, pixels inside an orange ball are orange, pixels outside all balls are not orange,
+//! and pixels outside the goal are neither yellow nor blue. Edges, where colours mix, are excluded. All rectangles and
+//! balls of a class have the same weight, independent of their size; a red ball weighs as much as an orange one.
 
 use bica_vision::colour::{Colour, ColourSet};
 use bica_vision::frame::{Frame, Pair, Pixel};
@@ -12,7 +12,7 @@ use glam::Vec2;
 use super::rectangles::Rectangle;
 use crate::labels::{Ball, Goal, Label};
 
-/// Distance between two rows of the background that are sampled.
+/// Distance between two sampled rows of the background, px.
 const BACKGROUND_ROW_STEP: usize = 4;
 /// Margin around a goal's box in which its colour may occur, px.
 const GOAL_MARGIN: f32 = 12.0;
@@ -28,7 +28,7 @@ pub(super) struct Sample {
     pub(super) is: Option<Colour>,
     /// Classes to which it is known not to belong.
     pub(super) is_not: ColourSet,
-    /// Number of pixels it stands for.
+    /// Number of pixels that the sample represents.
     pub(super) weight: f32,
 }
 
@@ -74,7 +74,7 @@ impl Samples {
         }
     }
 
-    /// Returns all samples, weighted so that the groups of a class weigh the same.
+    /// Returns all samples, weighted so that all groups of a class have the same total weight.
     pub(super) fn weighted(self) -> Vec<Sample> {
         let Self { mut groups, background } = self;
         groups.retain(|(_, samples)| !samples.is_empty());

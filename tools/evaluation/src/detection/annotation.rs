@@ -21,7 +21,7 @@ const MARGIN: usize = 12;
 /// Height of the title, px.
 const TITLE_HEIGHT: usize = 48;
 
-/// Writes the picture of an image into a folder, under the name of the image.
+/// Writes the picture of an image to a folder, under the name of the image.
 pub(super) fn write(folder: &Path, recorded: &RecordedFrame, detections: &Detections) -> Result<(), Failure> {
     let view = camera::view(&recorded.image(), &detections.marks, WIDTH);
     let (width, height) = (view.width() + 2 * MARGIN, view.height() + TITLE_HEIGHT + MARGIN);

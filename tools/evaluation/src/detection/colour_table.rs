@@ -13,12 +13,12 @@ use crate::profile;
 pub enum ColourTable {
     /// Table compiled from thresholds.
     Compact(Box<CompactTable>),
-    /// Full table, as other teams write it.
+    /// Full table in the format of other teams.
     Full(Box<[u8; FULL_BYTES]>),
 }
 
 impl ColourTable {
-    /// Loads a profile by its name or from a file (TOML), or a table from a file that ends in `.bin`.
+    /// Loads a profile by its name or from a TOML file, or a table from a file that ends in `.bin`.
     ///
     /// # Errors
     /// If the file cannot be read or is malformed.

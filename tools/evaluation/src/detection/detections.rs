@@ -24,7 +24,7 @@ use crate::camera_poses::Pose;
 /// Camera of the recordings with poses, a NAO of 2009; its image shows parts of the body.
 const CAMERA: CameraId = CameraId::Bottom;
 
-/// All detectors, with the colours and the ball size.
+/// All detectors, with the colour table and the ball size.
 #[derive(Debug)]
 pub struct Detectors {
     colours: ColourTable,
@@ -42,9 +42,9 @@ pub struct Detections {
     pub pose: PoseTrust,
     /// The ball.
     pub ball: Option<Ball>,
-    /// Goals.
+    /// Detected goals.
     pub goals: Vec<Goal>,
-    /// Corners of the field boundary, from the left.
+    /// Corners of the field boundary, from left to right.
     #[serde(rename = "field_end")]
     pub field_boundary: Vec<[f32; 2]>,
     /// White lines: `[x0, y0, x1, y1]` from end to end.
@@ -55,7 +55,7 @@ pub struct Detections {
     pub crossings: Vec<Crossing>,
     /// Centre of the centre circle, m ahead and to the left; none without a trusted pose.
     pub circle: Option<[f32; 2]>,
-    /// Time of the detectors, ms.
+    /// Computing time of the detectors, ms.
     pub wall_ms: f64,
     /// Camera, if its pose is trusted.
     #[serde(skip)]
@@ -69,9 +69,9 @@ pub struct Detections {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PoseTrust {
-    /// There is a pose, and distances may be computed with it.
+    /// There is a pose that is accurate enough for distances.
     Trusted,
-    /// There is a pose, but distances may not be computed with it.
+    /// There is a pose, but it is not accurate enough for distances.
     Untrusted,
     /// There is no pose.
     Missing,
@@ -222,7 +222,7 @@ impl Crossing {
     }
 }
 
-/// Points on the circle in the image, px, in order.
+/// Points on the centre circle in the image, px, in order.
 fn outline(circle: &CentreCircle, camera: &Camera) -> Vec<Vec2> {
     let points = (0..=72_u8)
         .map(|step| circle.centre + FIELD.centre_circle_radius() * Vec2::from_angle(f32::from(step) * TAU / 72.0));

@@ -59,7 +59,7 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Opens a folder: reads the poses, lists the images. The colours are those given, not the profile of the options.
+    /// Opens a folder: reads the poses and lists the images. `colours` replaces the profile of the options.
     ///
     /// # Errors
     /// If a file cannot be read or there are no images.
@@ -70,13 +70,14 @@ impl Folder {
         Ok(Self { files, poses, detectors: Detectors::new(colours, args.radius), pictures: args.pictures.clone() })
     }
 
-    /// Whether there are camera poses.
+    /// Returns whether there are camera poses.
     const fn has_poses(&self) -> bool {
         self.poses.is_some()
     }
 
-    /// Runs the detectors on every image, in the order of their names. `seen` gets the name of each file with the
-    /// detections and the camera pose, if known, or with the reason why the file was skipped; an error ends the run.
+    /// Runs the detectors on every image, in the order of their names. Calls `seen` with the name of each file and the
+    /// detections and the camera pose, if known, or with the reason why the file was skipped. An error of `seen` ends
+    /// the run.
     ///
     /// # Errors
     /// An error of `seen`, or a picture that cannot be written.
@@ -106,7 +107,7 @@ impl Folder {
     }
 }
 
-/// The given file of poses, or the one beside the folder if it exists.
+/// The given file of poses, or the file beside the folder if it exists.
 fn poses_path(args: &DetectionOptions) -> Option<PathBuf> {
     let beside = || {
         let folder = args.folder.canonicalize().ok()?;

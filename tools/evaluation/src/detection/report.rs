@@ -29,13 +29,13 @@ struct Summary {
     seen: usize,
     skipped: usize,
     balls: usize,
-    /// Balls with a position on the ground.
+    /// Number of balls with a position on the ground.
     balls_placed: usize,
     goals_complete: usize,
     goals_partial: usize,
     field_ends: usize,
     poses_untrusted: usize,
-    /// Images without a pose.
+    /// Names of the images without a pose.
     poses_missing: Vec<String>,
 }
 
@@ -119,12 +119,12 @@ impl Summary {
     }
 }
 
-/// Returns a file that was skipped as a row of the table.
+/// Returns the table row of a file that was skipped.
 pub(super) fn skipped_row(console: Console, file: &str, why: &str) -> String {
     format!("{file:<12} {}", console.styled(Style::Bad, &format!("skipped, {why}")))
 }
 
-/// Returns an image as a row of the table.
+/// Returns the table row of an image.
 pub(super) fn table_row(detections: &Detections) -> String {
     let dash = || "-".to_owned();
     let ball = detections.ball.as_ref();

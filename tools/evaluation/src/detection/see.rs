@@ -1,4 +1,4 @@
-//! Detections of each recorded image on a line, and their score.
+//! Detections of each recorded image on one line, and their score.
 
 use std::path::PathBuf;
 

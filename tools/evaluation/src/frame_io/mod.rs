@@ -1,4 +1,4 @@
-//! Recorded images: files of a folder, as YUYV frames.
+//! Recorded images: files of a folder, converted to YUYV frames.
 
 mod jpeg;
 mod raw;
@@ -26,7 +26,8 @@ pub fn list(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Returns the name of an image in files of poses and labels: without folder and extension and, for a raw image, without the size.
+/// Returns the name of an image as in files of poses and labels: without folder and extension and, for a raw image,
+/// without the size.
 #[must_use]
 pub fn stem(name: &str) -> &str {
     let name = name.rsplit('/').next().unwrap_or(name);
@@ -62,10 +63,10 @@ pub struct RecordedFrame {
 }
 
 impl RecordedFrame {
-    /// Reads a file, in the format of its extension.
+    /// Reads a file; its extension determines the format.
     ///
     /// # Errors
-    /// If the file cannot be read, as a text that follows "skipped,".
+    /// The reason why the file cannot be read, as a text that follows "skipped,".
     pub fn read(path: &Path) -> Result<Self, String> {
         let picture = match Format::of(path) {
             Some(Format::Raw) => return raw::read(path),

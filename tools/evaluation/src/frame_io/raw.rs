@@ -1,6 +1,6 @@
 //! Raw images as a camera driver delivers them: `NAME_WxH.yuyv`, bytes Y0 Cb Y1 Cr.
 //!
-//! Some robots read only every second row. Their images are at least twice as wide as high and are reduced to square
+//! Some robots read only every second row. Their images are at least twice as wide as high. They are reduced to square
 //! pixels: each pair of columns becomes one, so 640×240 is processed as 320×240.
 
 use std::fs;
@@ -28,7 +28,7 @@ fn size(path: &Path) -> Option<(u16, u16)> {
     Some((width.parse().ok().filter(|width| *width > 0)?, height.parse().ok()?))
 }
 
-/// Row of half the width; an odd last pair is dropped.
+/// Converts a row to half its width; an odd last pair is dropped.
 fn square(row: &[u8]) -> impl Iterator<Item = u8> {
     row.as_chunks::<8>().0.iter().flat_map(|&[a0, ab, a1, ar, b0, bb, b1, br]| {
         [u8::midpoint(a0, a1), u8::midpoint(ab, bb), u8::midpoint(b0, b1), u8::midpoint(ar, br)]

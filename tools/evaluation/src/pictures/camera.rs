@@ -158,7 +158,7 @@ fn pixels(canvas: &mut Canvas, image: &Image<'_>, times: usize) {
     }
 }
 
-/// Full-range BT.601.
+/// Converts full-range BT.601 to RGB.
 fn rgb(luma: u8, cb: u8, cr: u8) -> Rgb {
     let (luma, cb, cr) = (f32::from(luma), f32::from(cb) - 128.0, f32::from(cr) - 128.0);
     [luma + 1.402 * cr, luma - 0.344_136 * cb - 0.714_136 * cr, luma + 1.772 * cb].map(|v| v.round() as u8)

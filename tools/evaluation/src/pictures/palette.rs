@@ -1,4 +1,4 @@
-//! Colours of the field, of what is on it, and of what the robot knows of it.
+//! Colours of the field, of objects on it, and of the robot's estimates.
 
 use bica_drawing::canvas::Rgb;
 
@@ -19,5 +19,5 @@ pub const OTHER: Rgb = [176, 160, 190];
 /// The robot's estimates.
 pub const ESTIMATE: Rgb = [233, 30, 120];
 
-/// Detected lines, on images in which lines are white.
+/// Detected lines; white would not be visible on white lines.
 pub const LINE_MARK: Rgb = [224, 64, 251];

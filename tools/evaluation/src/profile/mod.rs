@@ -18,7 +18,7 @@ pub const CLASSES: [&str; 5] = ["orange", "yellow", "blue", "green", "white"];
 /// Built-in profiles by name.
 const NAMED: [(&str, Filters); 3] = [("built-in", BUILT_IN), ("nao2009", NAO_2009), ("darwin2013", DARWIN_2013)];
 
-/// Loads a built-in profile by its name, or a file.
+/// Loads a built-in profile by its name, or a profile from a file.
 ///
 /// # Errors
 /// If there is no such file or profile, or the file is malformed.

@@ -13,17 +13,17 @@ const MIN_OVERLAP: f32 = 0.6;
 /// Figures of goals.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Goals {
-    /// Complete goals: those with an overlapping box.
+    /// Images with a complete goal; good if a box overlaps it.
     pub(super) complete: Share,
-    /// Partial goals: those with a detected part.
+    /// Images with a partial goal; good if a part is detected.
     pub(super) partial: Share,
-    /// Images without a goal: those without a detection.
+    /// Images without a goal; good without a detection.
     pub(super) without: Share,
-    /// Images whose complete goal was missed or has a wrong box.
+    /// Images with a complete goal that was missed or has a wrong box.
     pub(super) missed: Vec<String>,
-    /// Images whose partial goal was missed.
+    /// Images with a partial goal that was missed.
     pub(super) missed_partial: Vec<String>,
-    /// Images with a detected goal that is absent or of the other colour.
+    /// Images with a detected goal that does not exist or has the other colour.
     pub(super) wrong: Vec<String>,
 }
 

@@ -14,12 +14,12 @@ use crate::labels::{self, Label, Labels};
 use goals::Goals;
 use tally::{Errors, Percentiles, Share};
 
-/// Width of the images to which the horizon in files of poses refers, px.
+/// Width of the images to which the horizon in pose files refers, px.
 const HORIZON_WIDTH: usize = 320;
 const HORIZON_HEIGHT: usize = 240;
 /// Column of that horizon, px.
 const HORIZON_COLUMN: f32 = 159.5;
-/// Largest relative difference of two measurements of a distance that counts as equal.
+/// Largest relative difference between two measurements of a distance that count as equal.
 const SAME_DISTANCE: f32 = 0.12;
 
 /// Score of detections, image by image.
@@ -34,27 +34,28 @@ pub struct Score {
     horizon: Errors,
 }
 
-/// Figures of a score. A ball is correct within 3 px, or half the radius if that is more, of a labelled orange ball.
+/// Figures of a score. A detected ball is correct if its distance from a labelled orange ball is at most 3 px, or half
+/// the radius if that is more.
 #[derive(Debug, Default, Serialize)]
 struct Figures {
     /// Number of images with labels.
     labelled: usize,
-    /// Images with a full orange ball: those with a correct ball.
+    /// Images with a full orange ball; good if a correct ball is detected.
     recall: Share,
-    /// Detected balls: the correct ones.
+    /// Detected balls; good if correct.
     precision: Share,
-    /// Balls detected in images with a full one: the correct ones.
+    /// Balls detected in images with a full ball; good if correct.
     near: Share,
-    /// Error of the centre of balls in images with a full one, px.
+    /// Error of the centre of the balls in images with a full ball, px.
     centre_px: Percentiles,
     missed: Vec<String>,
     wrong: Vec<String>,
     goals: Goals,
-    /// Correct balls: those whose distances by projection and by radius differ by at most 12 %.
+    /// Correct balls; good if their distances by projection and by radius differ by at most 12 %.
     same_distance: Share,
     /// Relative difference of these distances.
     distance: Percentiles,
-    /// Difference between the row of the horizon by the pose and the one in the file, px.
+    /// Difference between the row of the horizon computed from the pose and the row in the file, px.
     horizon_px: Percentiles,
 }
 
@@ -63,13 +64,13 @@ struct Figures {
 pub struct ScoreRow {
     /// `ball`, `goal` or `partial goal`.
     pub object: &'static str,
-    /// Share of the labelled objects that were detected; none without one.
+    /// Fraction of the labelled objects that were detected; `None` without labelled objects.
     pub recall: Option<f32>,
-    /// Share of the detections that are correct; none without one.
+    /// Fraction of the detections that are correct; `None` without detections.
     pub precision: Option<f32>,
     /// Number of images that show such an object.
     pub images: usize,
-    /// Images whose object was missed.
+    /// Images in which the object was missed.
     pub missed: Vec<String>,
     /// Images with a wrong detection.
     pub wrong: Vec<String>,
@@ -81,7 +82,7 @@ struct Line<'a> {
 }
 
 impl Score {
-    /// A score without images, for a ball of `radius` metres.
+    /// Creates a score without images, for a ball of `radius` metres.
     #[must_use]
     pub fn new(labels: Labels, radius: f32) -> Self {
         let errors = Errors::default;
@@ -134,7 +135,7 @@ impl Score {
             missed: missed.to_vec(),
             wrong: wrong.to_vec(),
         };
-        // A goal of the wrong colour, or a detection without a goal, is wrong.
+        // A goal of the wrong colour, or a detection in an image without a goal, is wrong.
         let found = goals.complete.good + goals.partial.good;
         let of_goals = Share { of: found + goals.wrong.len(), good: found }.ratio();
         [
@@ -173,7 +174,7 @@ impl Score {
     }
 }
 
-/// Labelled orange ball nearest to a detected one, its distance, and the allowed distance, px.
+/// Labelled orange ball nearest to a detected ball, its distance, and the largest allowed distance, px.
 fn nearest<'a>(ball: &Ball, label: &'a Label) -> Option<(&'a labels::Ball, f32, f32)> {
     let orange = label.balls.iter().filter(|ball| ball.orange);
     let far = |label: &'a labels::Ball| (label, label.centre.distance(Vec2::new(ball.x, ball.y)), near(label));

@@ -3,7 +3,7 @@
 use crate::statistics::percentile;
 use serde::Serialize;
 
-/// Number of correct cases among all cases.
+/// Number of good cases among all cases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub(super) struct Share {
     pub(super) of: usize,
@@ -16,13 +16,13 @@ impl Share {
         self.good += usize::from(good);
     }
 
-    /// Returns the share of correct cases; none without cases.
+    /// Returns the fraction of good cases; `None` without cases.
     pub(super) fn ratio(self) -> Option<f32> {
         (self.of > 0).then(|| self.good as f32 / self.of as f32)
     }
 }
 
-/// `66/68 0.971`
+/// Format `66/68 0.971`.
 impl std::fmt::Display for Share {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { of, good } = *self;
@@ -34,7 +34,7 @@ impl std::fmt::Display for Share {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Errors(Vec<f64>);
 
-/// Percentiles of errors; none without measurements.
+/// Percentiles of errors; `None` without measurements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub(super) struct Percentiles {
     pub p50: Option<f64>,
@@ -56,7 +56,7 @@ impl Errors {
 }
 
 impl Percentiles {
-    /// Text of the percentiles, each multiplied by a factor and with a unit.
+    /// Text of the percentiles, each multiplied by `factor` and followed by a unit.
     pub(super) fn text(self, factor: f64, unit: &str) -> String {
         let number =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{:.2}", factor * value));

@@ -1,4 +1,4 @@
-//! Games in which the forward is pushed over: it has to get up, localize itself again, and score.
+//! Games in which the forward is pushed over: it has to get up, localize itself again and score.
 
 use bica_app::Failure;
 use bica_sim::setup::Setup;
@@ -16,7 +16,7 @@ const LATEST_PUSH: f32 = 15.0;
 /// Time to score after the push, s.
 const TIME_LIMIT: f32 = 180.0;
 
-/// One game for each seed, with cameras, from a random start.
+/// Plays one game for each seed, with cameras, from a random start.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let games = series.each(|seed| play(series, seed))?;
     let goals: Vec<f32> = games.iter().flatten().copied().collect();
@@ -25,7 +25,7 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     Ok(vec![Row::new("pushed over, scores", games.len(), good, series.needed(18), figures)])
 }
 
-/// Returns the time from the fall to the next goal, s.
+/// Returns the time from the fall to the next goal, s; `None` without a goal.
 fn play(series: &Series, seed: u64) -> Result<Option<f32>, Failure> {
     let mut subject = FallSubject::in_game(&Setup { seed, ..Setup::default() }, &series.physics, true)?;
     let mut rng = Rng::new(seed);

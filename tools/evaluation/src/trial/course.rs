@@ -1,4 +1,4 @@
-//! What each robot has to do in the trials of its walk.
+//! Requirements for each robot in the trials of its walk.
 
 use bica_motion::model::simulation::SimulatedModel;
 use bica_motion::walk::Velocity;
@@ -32,25 +32,25 @@ impl Course {
     }
 }
 
-/// A velocity, and what is required.
+/// Commanded velocity, and its requirement.
 pub(super) struct VelocityCase {
     pub(super) name: &'static str,
     pub(super) velocity: Velocity,
-    /// Whether the mean velocity has to be near the command; otherwise the robot only must not fall.
+    /// Whether the mean velocity must be close to the command; otherwise the robot must only not fall.
     pub(super) exact: bool,
-    /// Number of 20 runs that must succeed.
+    /// Number of successful runs required of 20.
     pub(super) needed: u32,
 }
 
 /// Pushes that change the velocity of the torso.
 pub(super) struct PushCase {
     pub(super) name: &'static str,
-    /// m/s.
+    /// Change of the torso's velocity, m/s.
     pub(super) speed: f32,
-    /// Direction, degrees from ahead to the left; random if `None`.
+    /// Direction, degrees, counted from ahead to the left; random if `None`.
     pub(super) direction: Option<f32>,
     pub(super) times: u32,
-    /// Number of 20 runs that must succeed; 0 only reports.
+    /// Number of successful runs required of 20; 0 only reports.
     pub(super) needed: u32,
 }
 
@@ -58,7 +58,7 @@ const fn exact(name: &'static str, forward: f32, left: f32, turn: f32) -> Veloci
     VelocityCase { name, velocity: Velocity::new(forward, left, turn), exact: true, needed: 20 }
 }
 
-/// As `exact`, with two failures in 20 runs.
+/// Returns a case as `exact` does, but allows two failures in 20 runs.
 const fn mostly(name: &'static str, forward: f32, left: f32, turn: f32) -> VelocityCase {
     VelocityCase { needed: 18, ..exact(name, forward, left, turn) }
 }
@@ -102,7 +102,7 @@ const NAO: Course = Course {
     time_to_rise: TIME_LIMIT,
 };
 
-/// Velocities and pushes of both Booster robots.
+/// Pushes of both Booster robots.
 const BOOSTER_PUSHES: [PushCase; 6] = [
     once("one of 0.5 m/s, behind", 0.5, 0.0, 18),
     once("one of 0.5 m/s, ahead", 0.5, 180.0, 18),

@@ -1,4 +1,4 @@
-//! A forward that is pushed over.
+//! Forward that is pushed over.
 
 use bica::Tree;
 use bica::runner::Runner;
@@ -28,7 +28,7 @@ pub(super) struct FallSubject {
     runner: Runner<Box<Forward>, MujocoWorld>,
     /// Time at which the robot detected a fall, s.
     pub(super) fall_detected: Option<f32>,
-    /// First contact of the ground with another part than the feet.
+    /// First ground contact of a part other than the feet.
     pub(super) impact: Option<Impact>,
     /// Number of attempts to get up.
     pub(super) attempts: u8,
@@ -47,20 +47,20 @@ pub(super) struct Impact {
 /// Recovery from a fall.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Recovery {
-    /// Time from the first fall until the robot got up last, or until now, s.
+    /// Time from the first fall until the robot last got up, or until now, s.
     pub(super) after: f32,
-    /// Time since the robot got up last, s; 0 if it lies.
+    /// Time since the robot last got up, s; 0 if it lies.
     pub(super) since: f32,
 }
 
 impl FallSubject {
-    /// A standing robot, alone and without cameras.
+    /// Creates a world with a standing robot, alone and without cameras.
     pub(super) fn new(series: &Series, seed: u64) -> Result<Self, Failure> {
         let start = Some(Start { robot: Pose2::ORIGIN, ball: Vec2::new(-2.8, 1.8) });
         Self::in_game(&Setup { seed, goalkeeper: false, start, ..Setup::default() }, &series.physics, false)
     }
 
-    /// A robot at the start of a game.
+    /// Creates a world with a robot at the start of a game.
     pub(super) fn in_game(setup: &Setup, physics: &Physics, cameras: bool) -> Result<Self, Failure> {
         let world = MujocoWorld::new(NAO, setup, &Physics { cameras, ..*physics })
             .map_err(|error| Failure::new(error.to_string(), "try another value"))?;
@@ -96,12 +96,12 @@ impl FallSubject {
         self.gets_up = gets_up;
     }
 
-    /// Pushes the robot: changes the velocity of its torso, m/s, field frame.
+    /// Pushes the robot: adds to the velocity of its torso, m/s, field frame.
     pub(super) fn push(&mut self, velocity: Vec2) {
         self.runner.world_mut().add_velocity(velocity);
     }
 
-    /// Returns the time from the fall to the get-up by the referee, s.
+    /// Returns the time from the fall until the robot got up, by the referee, s.
     pub(super) fn time_down(&self) -> Option<f32> {
         let when = |matches: fn(&Event) -> bool| {
             let happened = self.runner.world().referee().events().iter().find(|happened| matches(&happened.event));
@@ -112,7 +112,7 @@ impl FallSubject {
         fell.zip(up).map(|(fell, up)| up - fell)
     }
 
-    /// Returns the recovery from the first fall by the referee; none before it.
+    /// Returns the recovery from the first fall, by the referee; `None` before a fall.
     pub(super) fn recovery(&self) -> Option<Recovery> {
         let now = self.runner.world().now().as_secs_f32();
         let mut events = self.runner.world().referee().events().iter();

@@ -1,4 +1,5 @@
-//! Falls: detected before the impact, with relaxed joints, and followed by a recovery; no detection without a fall.
+//! Falls: each must be detected before the impact, with relaxed joints, and followed by a recovery. Without a fall
+//! there must be no detection.
 
 use bica_app::Failure;
 use bica_motion::fall::{FallDetector, FallState};
@@ -16,14 +17,14 @@ use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
-/// Earliest and latest time of the push, s; at that time the robot stands, turns or walks.
+/// Earliest and latest time of the push, s; the robot may stand, turn or walk at that time.
 const EARLIEST_PUSH: f32 = 1.0;
 const LATEST_PUSH: f32 = 6.0;
 /// Number of random walks without a push, and the duration of each, s.
 const WALKS: usize = 10;
 const WALK: f32 = 2.0;
 
-/// Pushes to eight sides, then walks and kicks without a push.
+/// Runs pushes in eight directions, then walks and kicks without a push.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let names =
         ["the front", "front left", "the left", "back left", "the back", "back right", "the right", "front right"];
@@ -71,7 +72,7 @@ fn fall(series: &Series, seed: u64, direction: Vec2) -> Result<Fall, Failure> {
     })
 }
 
-/// Walks, turns, stops and kicks without falling; no fall may be detected.
+/// Runs walks, turns, stops and kicks without a fall; no fall may be detected.
 fn without_falls(series: &Series) -> Result<Row, Failure> {
     let runs = series.each(|seed| Ok(!walk(series, seed)? && !kick(series, seed)?))?;
     let good = runs.iter().filter(|without_falls| **without_falls).count();
@@ -79,7 +80,7 @@ fn without_falls(series: &Series) -> Result<Row, Failure> {
     Ok(Row::new("no fall, none detected", runs.len(), good, runs.len(), figures))
 }
 
-/// Returns whether a fall is detected although the robot has not fallen.
+/// Returns whether a fall is detected although the robot did not fall.
 fn is_false_detection(balance: &mut FallDetector, walker: &mut Walker) -> bool {
     let state = balance.step(&walker.world.sensors().inertial, CYCLE_SECONDS);
     state != FallState::Upright && !walker.fell()

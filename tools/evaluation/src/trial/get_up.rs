@@ -14,7 +14,7 @@ pub(super) const TIME_LIMIT: f32 = 15.0;
 pub(super) const LEAST_PUSH: f32 = 2.0;
 pub(super) const GREATEST_PUSH: f32 = 2.6;
 
-/// Falls to the front, the back and both sides.
+/// Runs falls to the front, the back and both sides.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let falls = [("front", Vec2::X), ("back", Vec2::NEG_X), ("left", Vec2::Y), ("right", Vec2::NEG_Y)];
     let row = |(name, direction)| {
@@ -28,7 +28,7 @@ pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     falls.into_iter().map(row).collect()
 }
 
-/// Returns the time until the robot stood for good, s; none if it took too long or the robot did not fall.
+/// Returns the time until the robot stood for good, s; `None` if it took too long or the robot did not fall.
 fn push_over(series: &Series, seed: u64, direction: Vec2) -> Result<Option<f32>, Failure> {
     let mut subject = FallSubject::new(series, seed)?;
     subject.run(1.0)?;

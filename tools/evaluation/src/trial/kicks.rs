@@ -66,18 +66,18 @@ fn summarize(series: &Series, name: String, runs: &[KickResult], least: f32) -> 
     }
 }
 
-/// What became of a kick.
+/// Result of a kick.
 #[derive(Clone, Copy, Debug)]
 pub struct KickResult {
-    /// Farthest distance of the ball, m.
+    /// Largest distance of the ball, m.
     pub way: f32,
-    /// Error of its direction, degrees.
+    /// Error of the ball's direction, degrees.
     pub off: f32,
-    /// Whether the robot still stands.
+    /// Whether the robot still stands at the end.
     pub stands: bool,
 }
 
-/// Kicks a ball, whose place has an error that the seed decides, in the way of a profile.
+/// Kicks a ball with the kick of a profile. The seed determines an error of the ball's position.
 ///
 /// # Errors
 /// If the physics is invalid.

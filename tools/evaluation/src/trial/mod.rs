@@ -29,7 +29,7 @@ use crate::trial_options::{Kind, TrialOptions};
 /// Runs trials and prints their tables.
 ///
 /// # Errors
-/// If the physics are out of range, the robot has no such trial, or the output cannot be written.
+/// If the physics parameters are out of range, the robot has no such trial, or the output cannot be written.
 pub fn run(options: &TrialOptions) -> Result<Outcome, Failure> {
     let series = Series::new(options.robot, options);
     let has_forward = options.robot == NAO;

@@ -25,15 +25,15 @@ const POST_DISTANCE: Range = (0.2, 0.5);
 const KEEPER_DISTANCE: Range = (0.3, 0.5);
 /// Maximum number of pushes: an obstacle may keep the robot from falling.
 const MAX_PUSHES: usize = 5;
-/// Time to stand for good, s.
+/// Time limit for standing for good, s.
 const TIME_LIMIT: f32 = 45.0;
 /// Time of standing that counts as "for good", s.
 const STANDING_TIME: f32 = 3.0;
 
-/// Random pose of the robot before the push; the vector is the position of the goalkeeper.
+/// Function that draws the pose of the robot before the push; the vector is the position of the goalkeeper.
 type Place = fn(&mut Rng, Vec2) -> Pose2;
 
-/// Pushes to any side, beside three kinds of obstacles.
+/// Runs pushes in random directions beside three kinds of obstacles.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let places: [(&str, Place); 3] =
         [("beside a post", at_post), ("in the goal", in_goal), ("beside the goalkeeper", at_keeper)];
@@ -63,7 +63,7 @@ struct GetUp {
     attempts: u8,
 }
 
-/// Returns none if the robot does not stand for good in time, or cannot be pushed over.
+/// Pushes the robot over; returns `None` if it does not stand for good in time, or cannot be pushed over.
 fn push_over(series: &Series, seed: u64, place: Place) -> Result<Option<GetUp>, Failure> {
     let mut rng = Rng::new(seed);
     let setup = Setup { seed, ..Setup::default() };
@@ -91,13 +91,13 @@ fn keeper(setup: &Setup, series: &Series) -> Result<Vec2, Failure> {
     Ok(world.referee().others().first().map_or(Vec2::ZERO, |keeper| keeper.position))
 }
 
-/// A pose in front of or beside a post.
+/// Draws a pose in front of or beside a post.
 fn at_post(rng: &mut Rng, _: Vec2) -> Pose2 {
     let at = FIELD.goal_post() + outward(rng, POST_DISTANCE);
     either(at, rng)
 }
 
-/// A pose between the posts, beside the net.
+/// Draws a pose between the posts, beside the net.
 fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
     let at = Vec2::new(
         rng.between(FIELD.goal_post().x, FIELD.goal_back() - POST_DISTANCE.0),
@@ -106,7 +106,7 @@ fn in_goal(rng: &mut Rng, _: Vec2) -> Pose2 {
     either(at, rng)
 }
 
-/// A pose on any side of the goalkeeper except behind it, where the goal is, and not in a post.
+/// Draws a pose on any side of the goalkeeper except behind it, where the goal is, and not in a post.
 fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
     loop {
         let pose = Pose2 { position: keeper + outward(rng, KEEPER_DISTANCE), heading: rng.between(-PI, PI) };
@@ -117,12 +117,12 @@ fn at_keeper(rng: &mut Rng, keeper: Vec2) -> Pose2 {
     }
 }
 
-/// A random offset away from the goal, with a length in this range.
+/// Draws an offset away from the goal, with a length in this range.
 fn outward(rng: &mut Rng, distance: Range) -> Vec2 {
     rng.between(distance.0, distance.1) * Vec2::from_angle(rng.between(FRAC_PI_2, 3.0 * FRAC_PI_2))
 }
 
-/// This position or its mirror image at the other post, with a random heading.
+/// Returns this position or its mirror image at the other post, with a random heading.
 fn either(at: Vec2, rng: &mut Rng) -> Pose2 {
     let position = if rng.between(-1.0, 1.0) < 0.0 { Vec2::new(at.x, -at.y) } else { at };
     Pose2 { position, heading: rng.between(-PI, PI) }

@@ -1,4 +1,4 @@
-//! Error of odometry.
+//! Trial of the odometry's error.
 
 use std::f32::consts::PI;
 
@@ -16,12 +16,12 @@ use super::walker::{Walker, cycles};
 const PATH_LENGTH: f32 = 3.0;
 /// Time between two commands, s.
 const COMMAND_INTERVAL: f32 = 2.0;
-/// Largest median error of the position, as a share of the path.
+/// Largest median error of the position, as a fraction of the path.
 const MAX_POSITION_ERROR: f32 = 0.08;
 /// Largest median error of the heading, degrees.
 const MAX_HEADING_ERROR: f32 = 8.0;
 
-/// Error of odometry after three metres of mixed walking.
+/// Measures the error of odometry after three metres of mixed walking.
 pub(super) fn rows(series: &Series) -> Result<Vec<Row>, Failure> {
     let runs = series.each(|seed| {
         let mut rng = Rng::new(seed);

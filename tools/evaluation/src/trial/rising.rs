@@ -17,7 +17,7 @@ use super::series::Series;
 use super::table::{Row, median};
 use super::walker::{Walker, cycles};
 
-/// Time that the robot lies before an attempt, s.
+/// Time for which the robot lies before an attempt, s.
 const REST: f32 = 0.5;
 /// Time after a push until the robot has fallen, s.
 const FALL: f32 = 2.0;

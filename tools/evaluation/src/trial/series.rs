@@ -39,12 +39,12 @@ impl Series {
         self.batch.runs
     }
 
-    /// Number of runs that must succeed, if `of_20` of 20 runs must succeed.
+    /// Number of runs that must succeed if `of_20` of 20 runs must succeed.
     pub(super) const fn needed(&self, of_20: u32) -> usize {
         (self.batch.runs as u64 * of_20 as u64).div_ceil(20) as usize
     }
 
-    /// Returns the result of each seed, in the order of the seeds; fewer after Ctrl-C.
+    /// Runs a trial for each seed; returns the results in the order of the seeds, fewer after Ctrl-C.
     pub(super) fn each<T: Send>(&self, trial: impl Fn(u64) -> Result<T, Failure> + Sync) -> Result<Vec<T>, Failure> {
         self.batch.run(trial)
     }

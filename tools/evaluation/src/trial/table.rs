@@ -16,7 +16,7 @@ pub(super) struct Row {
     pub(super) needed: usize,
     /// Other measurements, as text with units.
     pub(super) figures: String,
-    /// Whether the other measurements are as required.
+    /// Whether the other measurements meet their requirements.
     pub(super) figures_hold: bool,
 }
 
@@ -38,7 +38,7 @@ pub(super) struct TrialReport<'a> {
 }
 
 impl Row {
-    /// The results of a case without other requirements than the number of runs that succeed.
+    /// Creates the row of a case whose only requirement is the number of successful runs.
     pub(super) fn new(name: impl Into<String>, runs: usize, good: usize, needed: usize, figures: String) -> Self {
         Self { name: name.into(), runs, good, needed, figures, figures_hold: true }
     }
@@ -49,7 +49,7 @@ impl Row {
 }
 
 impl Table {
-    /// Returns whether all rows are as required.
+    /// Returns whether all rows meet their requirements.
     pub(super) fn holds(&self) -> bool {
         self.rows.iter().all(Row::holds)
     }
@@ -67,13 +67,13 @@ impl Table {
     }
 }
 
-/// Returns the median (the upper one of an even number); 0 of no values.
+/// Returns the median (the upper one for an even number of values); 0 without values.
 pub(super) fn median(mut values: Vec<f32>) -> f32 {
     values.sort_by(f32::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// Returns the mean; 0 of no values.
+/// Returns the mean; 0 without values.
 pub(super) fn mean(values: &[f32]) -> f32 {
     values.iter().sum::<f32>() / values.len().max(1) as f32
 }

@@ -26,7 +26,7 @@ pub(super) struct Walker {
     odometry: Odometry,
     /// Joint targets of the last cycle, rad.
     commanded: Joints,
-    /// Where the ball was put, and its farthest way from there, m.
+    /// Position where the ball was put, and the largest displacement from there, m.
     ball: [Vec2; 2],
 }
 
@@ -50,7 +50,7 @@ impl Walker {
         Ok(walker)
     }
 
-    /// Walks with a velocity for some seconds, until a fall.
+    /// Walks with a velocity for some seconds, or until a fall.
     pub(super) fn go(&mut self, velocity: Velocity, seconds: f32) {
         for _ in 0..cycles(seconds) {
             if self.fell() {
@@ -71,7 +71,7 @@ impl Walker {
         self.walk(velocity, &sensors);
     }
 
-    /// Measures, once in each control cycle; estimates what the robot does not measure.
+    /// Reads the sensors, once in each control cycle, and estimates missing values.
     pub(super) fn sense(&mut self) -> Sensors<'static> {
         let Sensors { angles, temperatures, currents, inertial, left_foot, right_foot, buttons, .. } =
             self.world.sensors();
@@ -81,7 +81,7 @@ impl Walker {
         sensors
     }
 
-    /// Walks for one control cycle with these measurements.
+    /// Walks for one control cycle with the given measurements.
     pub(super) fn walk(&mut self, velocity: Velocity, sensors: &Sensors) {
         let limbs = self.gait.step(velocity, &Feedback::from(sensors), CYCLE_SECONDS);
         let moved = MotionInput {
@@ -114,13 +114,14 @@ impl Walker {
         }
     }
 
-    /// Puts the ball to a place, field frame.
+    /// Puts the ball at a position, m, field frame.
     pub(super) fn put_ball(&mut self, at: Vec2) {
         self.world.set_ball(at);
         self.ball = [at, Vec2::ZERO];
     }
 
-    /// Returns the farthest way of the ball since it was put, m: after a goal it comes back.
+    /// Returns the largest displacement of the ball since it was put, m. The current one may be smaller: after a goal
+    /// the ball is put back.
     pub(super) const fn ball_way(&self) -> Vec2 {
         self.ball[1]
     }
@@ -130,7 +131,7 @@ impl Walker {
         self.gait = Walk::new(self.model, &self.model.dynamic_profile.gait);
     }
 
-    /// Returns the time of the first fall, s.
+    /// Returns the time of the first fall, s; `None` without one.
     pub(super) fn fall(&self) -> Option<f32> {
         let mut events = self.world.referee().events().iter();
         let fall = events.find(|happened| matches!(happened.event, Event::Fall(_)));
@@ -147,7 +148,7 @@ impl Walker {
         self.world.referee().robot()
     }
 
-    /// Returns the pose by odometry, from the start.
+    /// Returns the pose by odometry, relative to the start.
     pub(super) const fn odometry_pose(&self) -> Pose2 {
         self.odometry.pose()
     }

@@ -1,4 +1,4 @@
-//! Walking: velocities, random commands, pushes, and other bodies and floors.
+//! Trials of the walk: velocities, random commands, pushes, and variations of the body and the floor.
 
 use std::f32::consts::{PI, TAU};
 
@@ -22,13 +22,13 @@ const START: f32 = 2.0;
 const MEASUREMENT: f32 = 10.0;
 /// Largest relative error of a velocity.
 const MAX_ERROR: f32 = 0.15;
-/// Largest velocity along an axis without a command, m/s.
+/// Largest velocity along an axis without a commanded velocity, m/s.
 const MAX_DRIFT: f32 = 0.03;
-/// Largest turn without a command, rad/s.
+/// Largest turn rate without a commanded turn, rad/s.
 const MAX_TURN_DRIFT: f32 = 0.1;
-/// Distance from the middle within which a robot walks between the goals, m.
+/// Largest distance from the middle, along the field, at which a robot walks between the goals, m.
 const BETWEEN_GOALS: f32 = 2.3;
-/// Lateral place of a path that passes the goals, m.
+/// Lateral position of a path that passes the goals, m.
 const BESIDE_GOALS: f32 = 1.4;
 /// Time between two commands or pushes, s.
 const INTERVAL: f32 = 2.0;
@@ -84,12 +84,12 @@ fn near(reached: Velocity, commanded: Velocity) -> bool {
         && near(reached.turn, commanded.turn, MAX_TURN_DRIFT)
 }
 
-/// Random commands, changed every two seconds for a minute.
+/// Runs random commands that change every two seconds for one minute.
 pub(super) fn commands(series: &Series) -> Result<Vec<Row>, Failure> {
     Ok(vec![commands_row(series, "random commands, 60 s", &series.physics, 19)?])
 }
 
-/// Random commands with other bodies and floors.
+/// Runs random commands with variations of the body and the floor.
 pub(super) fn bodies(series: &Series) -> Result<Vec<Row>, Failure> {
     let physics = series.physics;
     let bodies = [
@@ -115,7 +115,7 @@ fn commands_row(series: &Series, name: &str, physics: &Physics, required: u32) -
     Ok(fall_row(name, &runs, series.needed(required)))
 }
 
-/// A random command; far from the centre of the field, the command of eight that ends nearest to it.
+/// Draws a random command. Far from the centre of the field, draws eight and returns the one that ends nearest to it.
 fn inward(rng: &mut Rng, pose: Pose2) -> Velocity {
     let mut any = || {
         let forward = rng.between(-0.1, 0.2);

@@ -1,4 +1,4 @@
-//! Self-localization by looking around.
+//! Tests of self-localization by looking around.
 
 #[path = "../support/lookout.rs"]
 mod lookout;

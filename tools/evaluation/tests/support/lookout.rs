@@ -22,7 +22,7 @@ const MAX_POSITION_ERROR: f32 = 0.25;
 /// Largest heading error of a correct estimate, rad (10 degrees).
 const MAX_HEADING_ERROR: f32 = 0.174_533;
 
-/// World that can be replaced while the clock goes on.
+/// World that can be replaced while the clock continues.
 struct Stage {
     world: KinematicWorld,
     cycle: u64,
@@ -43,7 +43,7 @@ impl bica::runner::World<Forward> for Stage {
     }
 }
 
-/// A robot and its world.
+/// Robot with its world.
 pub(crate) struct Lookout {
     runner: Runner<Box<Forward>, Stage>,
     seed: u64,
@@ -59,7 +59,7 @@ pub(crate) struct Outcome {
     pub(crate) truth: Pose2,
     /// Estimate of the robot.
     pub(crate) estimate: Option<Estimate>,
-    /// Time from which on the estimate was always correct, s.
+    /// Time since which the estimate has always been correct, s.
     pub(crate) since: Option<f32>,
 }
 
@@ -102,7 +102,7 @@ fn setup(seed: u64, robots: usize, size: Frame) -> Setup {
 }
 
 impl Lookout {
-    /// A robot at a pose drawn from the seed, with this number of others on the field and images of this size.
+    /// Creates a robot at a pose drawn from the seed, with `robots` other robots on the field and images of size `size`.
     pub(crate) fn new(seed: u64, robots: usize, size: Frame) -> Self {
         let world = KinematicWorld::new(NAO, &setup(seed, robots, size)).expect("a start on the carpet");
         let mut robot = Box::new(Forward::new());
@@ -142,7 +142,7 @@ impl Lookout {
         self.runner.robot().get::<Localization>().estimate()
     }
 
-    /// Looks around for some seconds.
+    /// Looks around for some seconds; returns the result.
     pub(crate) fn look_around(&mut self, seconds: f32) -> Outcome {
         let mut since = None;
         for cycle in 0..(100.0 * seconds) as u64 {
